@@ -1,0 +1,3 @@
+namespace tedavis::host_sim {
+const char* version() { return TEDAVIS_VERSION; }
+}

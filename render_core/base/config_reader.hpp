@@ -1,0 +1,85 @@
+/// Reads TOML settings with units and ranges checked where they are read. Start-up only (allocates).
+///
+/// The first fault is kept as one sentence "file:line: what, what to do" and every later read returns its fallback, so
+/// a loader reads all keys and asks `finish()` once. A key that nobody read is a fault too: misspelt settings are never
+/// ignored. Texts returned live as long as the reader.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/span.hpp"
+
+namespace tedavis::base {
+
+struct ConfigError {
+    FixedString<383> sentence;
+};
+
+class ConfigReader;
+
+/// A table of the file; a section of a table that is absent reads as empty (every key at its fallback).
+class ConfigSection {
+public:
+    [[nodiscard]] bool present() const { return table_ != nullptr; }
+    [[nodiscard]] bool has(std::string_view key) const;
+
+    /// With a fallback the key may be absent; without, absence is a fault. Numbers outside [low, high] and NaN are faults.
+    double number(std::string_view key, double low, double high, double fallback);
+    double number(std::string_view key, double low, double high);
+    std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t fallback);
+    std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high);
+    bool boolean(std::string_view key, bool fallback);
+    std::string_view text(std::string_view key, std::string_view fallback);
+    std::string_view text(std::string_view key);
+    /// One of `choices` (its index); faults list the choices.
+    std::size_t choice(std::string_view key, Span<const std::string_view> choices, std::size_t fallback);
+    /// Fills `out` from an array of exactly out.size() numbers; absent leaves it untouched.
+    void numbers(std::string_view key, double low, double high, Span<double> out);
+    /// An array of texts; returns how many there are, writes at most out.size(), more is a fault.
+    std::size_t texts(std::string_view key, Span<std::string_view> out);
+
+    ConfigSection section(std::string_view key);
+    /// Arrays of tables: [[key]].
+    [[nodiscard]] std::size_t table_count(std::string_view key);
+    ConfigSection table_at(std::string_view key, std::size_t index);
+    /// Keys of this table in alphabetical order, to iterate tables whose names are data.
+    [[nodiscard]] std::size_t key_count() const;
+    [[nodiscard]] std::string_view key_at(std::size_t index) const;
+
+    /// Reports a fault of the loader's own at this key's line.
+    void fault(std::string_view key, std::string_view sentence);
+
+private:
+    friend class ConfigReader;
+    ConfigSection(ConfigReader* reader, const void* table) : reader_(reader), table_(table) {}
+    const void* find(std::string_view key, bool required);
+    ConfigReader* reader_;
+    const void* table_;
+};
+
+class ConfigReader {
+public:
+    /// `name` is how the file is called in messages.
+    ConfigReader(std::string_view text, std::string_view name);
+    ~ConfigReader();
+    ConfigReader(const ConfigReader&) = delete;
+    ConfigReader& operator=(const ConfigReader&) = delete;
+
+    [[nodiscard]] ConfigSection root();
+    /// True when nothing was wrong and every key was read.
+    [[nodiscard]] bool finish();
+    [[nodiscard]] bool ok() const;
+    [[nodiscard]] const ConfigError& error() const;
+
+private:
+    friend class ConfigSection;
+    struct Document;
+    void report(std::uint32_t line, std::string_view sentence);
+    std::unique_ptr<Document> document_;
+};
+
+}  // namespace tedavis::base

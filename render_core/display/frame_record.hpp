@@ -1,0 +1,65 @@
+/// What one frame showed and why, as plain data: the log, the reports, the GUI and the tests all read this one struct.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/stamped.hpp"
+#include "render_core/base/time.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::display {
+
+using Name = base::FixedString<47>;
+
+enum class EffectState : std::uint8_t { run, replaced, skipped };
+
+struct EffectRecord {
+    Name name;
+    EffectState state = EffectState::run;
+    base::FixedString<95> reason;
+    Name replaced_by;
+    double bound = 0;  ///< upper bound of its visible contribution, 0..1 of full scale
+    std::uint32_t draws = 0;
+};
+
+struct AspectRecord {
+    Name technique;
+    double detail = 0;  ///< 0..1
+    double weight = 0;
+};
+
+struct TerrainRecord {
+    double tau_px = 0;          ///< asked for
+    double worst_error_px = 0;  ///< upper bound reached over all drawn chunks
+    base::FixedString<31> worst_chunk;
+    std::uint32_t triangles = 0;
+    std::uint32_t chunks = 0;
+    std::uint32_t pending = 0;  ///< wanted but not there yet; their coarser parents are drawn
+};
+
+struct ByteRecord {
+    std::uint64_t cpu = 0, gpu = 0, cpu_budget = 0, gpu_budget = 0, uploaded = 0;
+};
+
+struct FrameRecord {
+    std::uint64_t frame = 0;
+    base::Time time;
+    flight::PhaseStatus phase;
+    flight::OwnShipEstimate own_ship;
+    double altitude_msl_m = 0;
+    double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
+    std::array<base::SignalState, flight::kSignalCount> signals{};
+    base::FixedVector<Name, 32> flags;
+    TerrainRecord terrain;
+    ByteRecord bytes;
+    base::FixedVector<EffectRecord, 32> effects;
+    AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
+};
+static_assert(std::is_trivially_copyable_v<FrameRecord>);
+
+}  // namespace tedavis::display

@@ -1,0 +1,41 @@
+/// The WGS84 ellipsoid: geodetic <-> Earth-centred Earth-fixed (ECEF) coordinates, and local frames.
+///
+/// Units metres and radians. Pure functions of double; no tables. ECEF axes: x through (0N, 0E), z through the north pole.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "render_core/earth/geodetic.hpp"
+
+namespace tedavis::earth {
+
+inline constexpr double kSemiMajorAxis_m = 6378137.0;
+inline constexpr double kFlattening = 1.0 / 298.257223563;
+inline constexpr double kEccentricitySquared = kFlattening * (2.0 - kFlattening);
+
+using Ecef = glm::dvec3;
+
+[[nodiscard]] Ecef to_ecef(const Geodetic& position) noexcept;
+
+/// Fukushima, "Transformation from Cartesian to geodetic coordinates accelerated by Halley's method", J. Geodesy 79
+/// (2006), with two iterations. Checked in tests against GeographicLib: below 1 um for -10 km .. +100 km. At the pole
+/// longitude is 0; at the Earth's centre latitude and longitude are 0 and the height is minus the semi-major axis.
+[[nodiscard]] Geodetic from_ecef(const Ecef& position) noexcept;
+
+/// Columns north, east, down as ECEF unit vectors at a place. At a pole the given longitude chooses north.
+[[nodiscard]] glm::dmat3 north_east_down(double latitude_rad, double longitude_rad) noexcept;
+
+/// Attitude of the aircraft in ECEF: columns forward, right, down of the body. Heading from true north, clockwise
+/// positive; pitch nose up positive; roll right wing down positive (ISO 1151 order yaw, pitch, roll).
+[[nodiscard]] glm::dmat3 body_axes(double latitude_rad, double longitude_rad, double heading_rad, double pitch_rad, double roll_rad) noexcept;
+
+/// Radii of curvature at a latitude, metres.
+[[nodiscard]] double meridian_radius_m(double latitude_rad) noexcept;
+[[nodiscard]] double prime_vertical_radius_m(double latitude_rad) noexcept;
+
+/// Distance along the surface from the chord through the Earth: s = 2R asin(c / 2R). Relative error below 1e-6 up to
+/// 400 km (tested against GeographicLib's geodesic).
+[[nodiscard]] double surface_distance_m(const Geodetic& a, const Geodetic& b) noexcept;
+
+}  // namespace tedavis::earth

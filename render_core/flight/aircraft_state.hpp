@@ -1,0 +1,39 @@
+/// What is known of the own aircraft at one instant. Plain data: assembled by bus/state (or a test), read by the display.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "render_core/base/stamped.hpp"
+#include "render_core/earth/geodetic.hpp"
+#include "render_core/flight/signal.hpp"
+
+namespace tedavis::flight {
+
+/// The own ship's position estimated for exactly `at`, from stamped positions and velocities on the source's time.
+struct OwnShipEstimate {
+    earth::Geodetic position;
+    double velocity_north_mps = 0;
+    double velocity_east_mps = 0;
+    double velocity_up_mps = 0;
+    base::Time at;
+    base::SignalState state = base::SignalState::missing;  ///< stale while held beyond the extrapolation limit
+    bool height_is_geometric = false;  ///< false: from pressure altitude, terrain is degraded and flagged
+};
+
+struct AircraftState {
+    std::array<base::Stamped<double>, kSignalCount> signals{};
+    std::array<base::FreshnessLimits, kSignalCount> limits{};
+    OwnShipEstimate own_ship;
+
+    [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const { return signals[static_cast<std::size_t>(signal)]; }
+    [[nodiscard]] base::Stamped<double>& operator[](Signal signal) { return signals[static_cast<std::size_t>(signal)]; }
+    [[nodiscard]] base::SignalState state_of(Signal signal, base::Time now) const {
+        const auto index = static_cast<std::size_t>(signal);
+        return signals[index].state(now, limits[index]);
+    }
+    [[nodiscard]] bool is_valid(Signal signal, base::Time now) const { return state_of(signal, now) == base::SignalState::valid; }
+};
+static_assert(std::is_trivially_copyable_v<AircraftState>);
+
+}  // namespace tedavis::flight

@@ -1,0 +1,64 @@
+/// Flight scenarios and their phases (thesis section 3.1), as strings, bus codes and priorities.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+namespace tedavis::flight {
+
+enum class Scenario : std::uint8_t { ground = 1, takeoff, cruise, approach, go_around, unknown };
+
+/// Sub-phases count from 1 within their scenario; 0 means that none is stated.
+struct FlightPhase {
+    Scenario scenario = Scenario::unknown;
+    std::uint8_t sub_phase = 0;
+
+    /// The code of bus message 1830: 10 x place of the scenario + place of the sub-phase, both counted from 1, so that
+    /// a payload of zeros claims nothing.
+    [[nodiscard]] constexpr std::uint8_t code() const { return static_cast<std::uint8_t>(10 * static_cast<int>(scenario) + sub_phase); }
+    friend constexpr bool operator==(FlightPhase a, FlightPhase b) { return a.code() == b.code(); }
+    friend constexpr bool operator!=(FlightPhase a, FlightPhase b) { return !(a == b); }
+};
+
+inline constexpr FlightPhase kTakeoffStart{Scenario::takeoff, 1};
+inline constexpr FlightPhase kTakeoffFirstClimb{Scenario::takeoff, 2};
+inline constexpr FlightPhase kTakeoffSecondClimb{Scenario::takeoff, 3};
+inline constexpr FlightPhase kApproachDescent{Scenario::approach, 1};
+inline constexpr FlightPhase kApproachInitial{Scenario::approach, 2};
+inline constexpr FlightPhase kApproachFinal{Scenario::approach, 3};
+inline constexpr FlightPhase kApproachLanding{Scenario::approach, 4};
+inline constexpr FlightPhase kGoAroundAbort{Scenario::go_around, 1};
+inline constexpr FlightPhase kGoAroundReplanning{Scenario::go_around, 2};
+
+/// "takeoff", "" for no sub-phase.
+[[nodiscard]] const char* scenario_name(FlightPhase phase) noexcept;
+[[nodiscard]] const char* sub_phase_name(FlightPhase phase) noexcept;
+
+struct ParsedPhase {
+    FlightPhase phase;
+    bool ok = false;
+};
+/// "takeoff" or "takeoff.first_climb".
+[[nodiscard]] ParsedPhase phase_from_name(std::string_view name) noexcept;
+/// Refuses codes outside the list (0, 7, 25, ...).
+[[nodiscard]] ParsedPhase phase_from_code(std::uint8_t code) noexcept;
+
+/// Where a phase came from, in order of authority.
+enum class PhaseSource : std::uint8_t { none, held, motion, can, switches };
+/// "none", "held", "motion", "can", "switch".
+[[nodiscard]] const char* to_string(PhaseSource source) noexcept;
+
+struct PhaseStatus {
+    FlightPhase phase;
+    PhaseSource source = PhaseSource::none;
+    bool switch_fault = false;  ///< an impossible switch pattern was read; the last valid one is kept
+    bool disagreement = false;  ///< a source of lower authority states another scenario
+};
+static_assert(std::is_trivially_copyable_v<PhaseStatus>);
+
+/// Which aspect is shown in detail (thesis Table 5.1).
+enum class Aspect : std::uint8_t { terrain, data, uncertainty };
+[[nodiscard]] Aspect prioritized_aspect(FlightPhase phase) noexcept;
+
+}  // namespace tedavis::flight
