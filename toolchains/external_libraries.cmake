@@ -1,3 +1,4 @@
+get_target_property(TARGET_TYPE_OF_BUS tedavis_bus TYPE)
 # Libraries that modules use, in one place: what is linked where.
 find_package(Threads REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
@@ -12,7 +13,7 @@ if(TEDAVIS_OSMESA)
     target_compile_definitions(tedavis_platform PUBLIC TEDAVIS_HAVE_OSMESA=1)
   endif()
 endif()
-if(GPIOD_FOUND)
+if(GPIOD_FOUND AND NOT TARGET_TYPE_OF_BUS STREQUAL INTERFACE_LIBRARY)
   target_link_libraries(tedavis_bus PRIVATE PkgConfig::GPIOD)
   target_compile_definitions(tedavis_bus PUBLIC TEDAVIS_HAVE_GPIOD=1)
   if(GPIOD_VERSION VERSION_GREATER_EQUAL 2)

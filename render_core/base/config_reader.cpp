@@ -226,7 +226,7 @@ std::string_view ConfigSection::key_at(std::size_t index) const {
     std::size_t i = 0;
     if (table_ != nullptr)
         for (const auto& [key, node] : as_table(table_))
-            if (i++ == index) return key.str();
+            if (i++ == index) return key.str();  // alphabetical: toml::table is ordered
     return {};
 }
 
