@@ -20,7 +20,9 @@ struct GeoidUndulation {
     double m = 0;
 };
 
-[[nodiscard]] constexpr EllipsoidHeight to_ellipsoid(MslHeight height, GeoidUndulation undulation) { return {height.m + undulation.m}; }
+[[nodiscard]] constexpr EllipsoidHeight to_ellipsoid(MslHeight height, GeoidUndulation undulation) {
+    return {height.m + undulation.m};
+}
 [[nodiscard]] constexpr MslHeight to_msl(EllipsoidHeight height, GeoidUndulation undulation) { return {height.m - undulation.m}; }
 
 /// Geodetic latitude [-pi/2, pi/2], longitude [-pi, pi), WGS84.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render_core/base/units.hpp"
+
 namespace tedavis::earth {
 
 Ecef to_ecef(const Geodetic& position) noexcept {
@@ -14,30 +16,48 @@ Ecef to_ecef(const Geodetic& position) noexcept {
             (n * (1.0 - kEccentricitySquared) + position.height.m) * sin_lat};
 }
 
+namespace {
+
+/// Closer to the centre than this the nearest ellipsoid point need not be unique and the iteration need not converge.
+constexpr double kCoreRadius_m = 1.0e6;
+
+/// Inside the core: the geocentric direction, and the height below the equatorial sphere.
+Geodetic from_core(const Ecef& position, double p, double r) {
+    return {p + std::abs(position.z) > 0 ? std::atan2(position.z, p) : 0.0,
+            p > 0 ? std::atan2(position.y, position.x) : 0.0,
+            {r - kSemiMajorAxis_m}};
+}
+
+}  // namespace
+
 Geodetic from_ecef(const Ecef& position) noexcept {
     const double p = std::hypot(position.x, position.y);
-    const double z = std::abs(position.z);
+    const double r = std::hypot(p, position.z);
+    if (r < kCoreRadius_m) return from_core(position, p, r);
     const double a = kSemiMajorAxis_m;
     const double e2 = kEccentricitySquared;
-    if (p + z < 1.0) return {0, 0, {-a}};
     const double ec = std::sqrt(1.0 - e2);
-    // Halley iteration on the tangent of the reduced latitude, held as s/c.
+    const double z = std::abs(position.z);
+    if (p < 1e-9)
+        return {std::copysign(0.5 * base::kPi, position.z), p > 0 ? std::atan2(position.y, position.x) : 0.0, {z - a * ec}};
+    const double radial = p / a;
+    const double axial = ec * (z / a);
+    // s/c is the tangent of the reduced latitude, refined by Halley's method without a division.
     double s = z;
     double c = ec * p;
     for (int iteration = 0; iteration < 2; ++iteration) {
         const double g = std::hypot(s, c);
         const double sn = s / g;
         const double cn = c / g;
-        const double d = ec * (z / a) + e2 * sn * sn * sn;
-        const double f = p / a - e2 * cn * cn * cn;
-        const double b = 1.5 * e2 * sn * cn * cn * ((p / a) * sn - ec * (z / a) * cn);
+        const double d = axial + e2 * sn * sn * sn;
+        const double f = radial - e2 * cn * cn * cn;
+        const double b = 1.5 * e2 * sn * cn * cn * (radial * sn - axial * cn - e2 * sn * cn);
         s = d * f - b * sn;
         c = f * f - b * cn;
     }
-    const double latitude = std::atan2(s, ec * c);
     const double cc = ec * c;
     const double height = (p * cc + z * s - a * std::sqrt(ec * ec * s * s + cc * cc)) / std::hypot(cc, s);
-    return {std::copysign(latitude, position.z), p > 0 ? std::atan2(position.y, position.x) : 0.0, {height}};
+    return {std::copysign(std::atan2(s, cc), position.z), std::atan2(position.y, position.x), {height}};
 }
 
 glm::dmat3 north_east_down(double latitude_rad, double longitude_rad) noexcept {
@@ -51,7 +71,8 @@ glm::dmat3 body_axes(double latitude_rad, double longitude_rad, double heading_r
     const double ch = std::cos(heading_rad), sh = std::sin(heading_rad);
     const double cp = std::cos(pitch_rad), sp = std::sin(pitch_rad);
     const double cr = std::cos(roll_rad), sr = std::sin(roll_rad);
-    const glm::dmat3 body_in_ned{glm::dvec3(ch * cp, sh * cp, -sp), glm::dvec3(ch * sp * sr - sh * cr, sh * sp * sr + ch * cr, cp * sr),
+    const glm::dmat3 body_in_ned{glm::dvec3(ch * cp, sh * cp, -sp),
+                                 glm::dvec3(ch * sp * sr - sh * cr, sh * sp * sr + ch * cr, cp * sr),
                                  glm::dvec3(ch * sp * cr + sh * sr, sh * sp * cr - ch * sr, cp * cr)};
     return north_east_down(latitude_rad, longitude_rad) * body_in_ned;
 }

@@ -19,8 +19,9 @@ using Ecef = glm::dvec3;
 [[nodiscard]] Ecef to_ecef(const Geodetic& position) noexcept;
 
 /// Fukushima, "Transformation from Cartesian to geodetic coordinates accelerated by Halley's method", J. Geodesy 79
-/// (2006), with two iterations. Checked in tests against GeographicLib: below 1 um for -10 km .. +100 km. At the pole
-/// longitude is 0; at the Earth's centre latitude and longitude are 0 and the height is minus the semi-major axis.
+/// (2006), with two iterations. Checked in tests against GeographicLib: below 1 um for -10 km .. +100 km everywhere
+/// (and down to 1000 km from the centre). On the axis (x and y zero) longitude is 0. Closer than 1000 km to the Earth's centre
+/// the answer is defined but not geodetic: geocentric latitude, and height = distance from the centre - semi-major axis.
 [[nodiscard]] Geodetic from_ecef(const Ecef& position) noexcept;
 
 /// Columns north, east, down as ECEF unit vectors at a place. At a pole the given longitude chooses north.
@@ -28,14 +29,15 @@ using Ecef = glm::dvec3;
 
 /// Attitude of the aircraft in ECEF: columns forward, right, down of the body. Heading from true north, clockwise
 /// positive; pitch nose up positive; roll right wing down positive (ISO 1151 order yaw, pitch, roll).
-[[nodiscard]] glm::dmat3 body_axes(double latitude_rad, double longitude_rad, double heading_rad, double pitch_rad, double roll_rad) noexcept;
+[[nodiscard]] glm::dmat3 body_axes(double latitude_rad, double longitude_rad, double heading_rad, double pitch_rad,
+                                   double roll_rad) noexcept;
 
 /// Radii of curvature at a latitude, metres.
 [[nodiscard]] double meridian_radius_m(double latitude_rad) noexcept;
 [[nodiscard]] double prime_vertical_radius_m(double latitude_rad) noexcept;
 
-/// Distance along the surface from the chord through the Earth: s = 2R asin(c / 2R). Relative error below 1e-6 up to
-/// 400 km (tested against GeographicLib's geodesic).
+/// Distance along the surface from the chord through the Earth: s = 2R asin(c / 2R). Heights are ignored. Error below
+/// 1e-6 of the distance, or 10 nm where that is more, up to 400 km (tested against GeographicLib's geodesic); not for more.
 [[nodiscard]] double surface_distance_m(const Geodetic& a, const Geodetic& b) noexcept;
 
 }  // namespace tedavis::earth

@@ -1,0 +1,96 @@
+#include "render_core/earth/geodetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "render_core/base/units.hpp"
+
+namespace tedavis::earth {
+namespace {
+
+using base::kPi;
+using base::radians;
+
+/// The same direction in the plane, whatever turn was counted.
+void expect_same_direction(double a_rad, double b_rad, double tolerance) {
+    EXPECT_NEAR(std::sin(a_rad), std::sin(b_rad), tolerance) << a_rad << " against " << b_rad;
+    EXPECT_NEAR(std::cos(a_rad), std::cos(b_rad), tolerance) << a_rad << " against " << b_rad;
+}
+
+TEST(Geodetic, longitude_wraps_to_the_half_open_turn) {
+    EXPECT_EQ(wrap_longitude(0.0), 0.0);
+    EXPECT_EQ(wrap_longitude(kPi), -kPi);
+    EXPECT_EQ(wrap_longitude(-kPi), -kPi);
+    EXPECT_EQ(wrap_longitude(3 * kPi), -kPi);
+    EXPECT_EQ(wrap_longitude(std::nextafter(kPi, 0.0)), std::nextafter(kPi, 0.0));
+    EXPECT_NEAR(wrap_longitude(radians(181.0)), radians(-179.0), 1e-15);
+    EXPECT_NEAR(wrap_longitude(radians(-541.0)), radians(179.0), 1e-14);
+}
+
+TEST(Geodetic, heading_wraps_and_never_reaches_a_full_turn) {
+    EXPECT_EQ(wrap_heading(2 * kPi), 0.0);
+    EXPECT_EQ(wrap_heading(-1e-20), 0.0);
+    EXPECT_EQ(wrap_heading(-std::numeric_limits<double>::denorm_min()), 0.0);
+    EXPECT_FALSE(std::signbit(wrap_heading(-0.0)));
+    EXPECT_NEAR(wrap_heading(radians(-90.0)), radians(270.0), 1e-15);
+    EXPECT_NEAR(wrap_heading(radians(725.0)), radians(5.0), 1e-14);
+}
+
+TEST(Geodetic, wrapping_keeps_the_direction_and_the_range_for_any_angle) {
+    std::mt19937_64 random(20240711);
+    std::uniform_real_distribution<double> angle(-40.0, 40.0);
+    for (int i = 0; i < 200000; ++i) {
+        const double a = angle(random);
+        const double longitude = wrap_longitude(a);
+        const double heading = wrap_heading(a);
+        ASSERT_GE(longitude, -kPi);
+        ASSERT_LT(longitude, kPi);
+        ASSERT_GE(heading, 0.0);
+        ASSERT_LT(heading, 2 * kPi);
+        expect_same_direction(longitude, a, 1e-14);
+        expect_same_direction(heading, a, 1e-14);
+        ASSERT_EQ(wrap_longitude(longitude), longitude) << "wrapping twice changes nothing";
+        ASSERT_EQ(wrap_heading(heading), heading);
+    }
+}
+
+TEST(Geodetic, extreme_finite_angles_stay_in_range) {
+    for (double a : {1e300, -1e300, 1e16, -1e16, std::numeric_limits<double>::max()}) {
+        EXPECT_LE(std::abs(wrap_longitude(a)), kPi);
+        EXPECT_GE(wrap_heading(a), 0.0);
+        EXPECT_LT(wrap_heading(a), 2 * kPi);
+    }
+}
+
+TEST(Geodetic, difference_takes_the_shorter_way) {
+    EXPECT_NEAR(angle_difference(radians(-179.0), radians(179.0)), radians(2.0), 1e-15);
+    EXPECT_NEAR(angle_difference(radians(1.0), radians(359.0)), radians(2.0), 1e-14);
+    EXPECT_NEAR(angle_difference(radians(350.0), radians(20.0)), radians(-30.0), 1e-14);
+    EXPECT_EQ(angle_difference(1.25, 1.25), 0.0);
+    EXPECT_NEAR(std::abs(angle_difference(kPi, 0.0)), kPi, 0.0);
+}
+
+TEST(Geodetic, difference_is_antisymmetric_and_at_most_half_a_turn) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> angle(-10.0, 10.0);
+    for (int i = 0; i < 100000; ++i) {
+        const double a = angle(random), b = angle(random);
+        const double difference = angle_difference(a, b);
+        ASSERT_LE(std::abs(difference), kPi);
+        ASSERT_EQ(difference, -angle_difference(b, a));
+        expect_same_direction(b + difference, a, 1e-14);
+    }
+}
+
+TEST(Geodetic, datums_convert_by_the_undulation_only) {
+    // Everest: geoid 28.7 m below the ellipsoid.
+    EXPECT_DOUBLE_EQ(to_ellipsoid(MslHeight{8848.0}, GeoidUndulation{-28.7}).m, 8819.3);
+    EXPECT_DOUBLE_EQ(to_msl(to_ellipsoid(MslHeight{-430.0}, GeoidUndulation{19.1}), GeoidUndulation{19.1}).m, -430.0);
+    static_assert(!std::is_convertible_v<MslHeight, EllipsoidHeight> && !std::is_convertible_v<EllipsoidHeight, MslHeight>);
+}
+
+}  // namespace
+}  // namespace tedavis::earth
