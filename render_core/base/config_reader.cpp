@@ -216,7 +216,8 @@ std::size_t ConfigSection::table_count(std::string_view key) {
 }
 
 ConfigSection ConfigSection::table_at(std::string_view key, std::size_t index) {
-    const toml::array* array = has(key) ? as_table(table_).get(key)->as_array() : nullptr;
+    const toml::node* node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
+    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
     return {reader_, array != nullptr && index < array->size() ? array->get(index)->as_table() : nullptr};
 }
 

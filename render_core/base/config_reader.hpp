@@ -1,8 +1,8 @@
 /// Reads TOML settings with units and ranges checked where they are read. Start-up only (allocates).
 ///
-/// The first fault is kept as one sentence "file:line: what, what to do" and every later read returns its fallback, so
-/// a loader reads all keys and asks `finish()` once. A key that nobody read is a fault too: misspelt settings are never
-/// ignored. Texts returned live as long as the reader.
+/// The first fault is kept as one sentence "file:line: what, what to do"; a faulty read returns the lower bound (empty
+/// for texts), so a loader reads all keys and asks `finish()` once. A key that nobody read is a fault too: misspelt
+/// settings are never ignored. Texts returned live as long as the reader.
 #pragma once
 
 #include <cstddef>

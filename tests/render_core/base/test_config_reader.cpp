@@ -1,0 +1,184 @@
+#include "render_core/base/config_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tedavis::base {
+namespace {
+
+using Loader = std::function<void(ConfigSection)>;
+
+/// The error sentence after `load`, or "" when everything held.
+std::string sentence_of(const std::string& text, const Loader& load) {
+    ConfigReader reader(text, "x.toml");
+    load(reader.root());
+    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+}
+
+TEST(ConfigReader, reads_every_kind_of_value) {
+    ConfigReader reader("name = 'alps'\nn = 7\nx = 2.5\nwhole = 3\non = true\nv = [1, 2.5]\nlist = ['a', 'b']\n", "x.toml");
+    ConfigSection root = reader.root();
+    EXPECT_EQ(root.text("name"), "alps");
+    EXPECT_EQ(root.integer("n", 0, 10), 7);
+    EXPECT_EQ(root.number("x", 0, 10), 2.5);
+    EXPECT_EQ(root.number("whole", 0, 10), 3.0) << "a whole number is a number";
+    EXPECT_TRUE(root.boolean("on", false));
+    std::array<double, 2> v{};
+    root.numbers("v", 0, 10, v);
+    EXPECT_EQ(v[1], 2.5);
+    std::array<std::string_view, 3> list;
+    EXPECT_EQ(root.texts("list", list), 2u);
+    EXPECT_EQ(list[1], "b");
+    EXPECT_TRUE(reader.finish()) << reader.error().sentence.view();
+    EXPECT_TRUE(reader.ok());
+}
+
+TEST(ConfigReader, absent_keys_take_their_fallbacks) {
+    ConfigReader reader("", "x.toml");
+    ConfigSection root = reader.root();
+    EXPECT_EQ(root.number("x", 0, 1, 0.5), 0.5);
+    EXPECT_EQ(root.integer("n", 0, 9, 4), 4);
+    EXPECT_TRUE(root.boolean("b", true));
+    EXPECT_EQ(root.text("t", "none"), "none");
+    const std::string_view choices[] = {"a", "b"};
+    EXPECT_EQ(root.choice("c", choices, 1), 1u);
+    std::array<double, 2> v{5, 6};
+    root.numbers("v", 0, 10, v);
+    EXPECT_EQ(v[0], 5);
+    EXPECT_EQ(root.texts("l", Span<std::string_view>()), 0u);
+    EXPECT_EQ(root.table_count("tables"), 0u);
+    EXPECT_FALSE(root.section("s").present());
+    EXPECT_EQ(root.section("s").number("x", 0, 1, 0.25), 0.25) << "an absent section reads as empty";
+    EXPECT_TRUE(reader.finish());
+}
+
+TEST(ConfigReader, faults_name_file_line_key_and_range) {
+    const auto number = [](ConfigSection s) { s.number("x", -1, 2.5); };
+    EXPECT_EQ(sentence_of("\n\nx = 3", number), "x.toml:3: 'x' must be a number from -1 to 2.5");
+    EXPECT_EQ(sentence_of("x = 'three'", number), "x.toml:1: 'x' must be a number from -1 to 2.5");
+    EXPECT_EQ(sentence_of("y = 3", number), "x.toml:1: key 'x' is missing; add it");
+    EXPECT_EQ(sentence_of("x = 2.5", number), "") << "the bounds are inside";
+    EXPECT_EQ(sentence_of("x = -1", number), "");
+    const auto integer = [](ConfigSection s) { s.integer("n", 0, 9); };
+    EXPECT_EQ(sentence_of("# a\nn = 10", integer), "x.toml:2: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(sentence_of("n = 1.0", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(sentence_of("n = true", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(sentence_of("b = 1", [](ConfigSection s) { s.boolean("b", false); }), "x.toml:1: 'b' must be true or false");
+    EXPECT_EQ(sentence_of("t = 1", [](ConfigSection s) { s.text("t"); }), "x.toml:1: 't' must be a text in quotes");
+}
+
+TEST(ConfigReader, nan_and_infinities_are_refused) {
+    const auto number = [](ConfigSection s) { s.number("x", -1e300, 1e300, 0); };
+    for (const char* value : {"nan", "-nan", "+nan", "inf", "-inf"})
+        EXPECT_EQ(sentence_of(std::string("x = ") + value, number), "x.toml:1: 'x' must be a number from -1e+300 to 1e+300")
+            << value;
+    std::array<double, 2> v{};
+    EXPECT_EQ(sentence_of("v = [1, nan]", [&](ConfigSection s) { s.numbers("v", 0, 5, v); }),
+              "x.toml:1: 'v' must be 2 numbers from 0 to 5");
+}
+
+TEST(ConfigReader, lists_must_have_the_right_length_and_kind) {
+    std::array<double, 2> v{};
+    const auto numbers = [&](ConfigSection s) { s.numbers("v", 0, 5, v); };
+    EXPECT_NE(sentence_of("v = [1]", numbers), "");
+    EXPECT_NE(sentence_of("v = [1, 2, 3]", numbers), "");
+    EXPECT_NE(sentence_of("v = 1", numbers), "");
+    EXPECT_NE(sentence_of("v = [1, 'two']", numbers), "");
+    std::array<std::string_view, 2> list;
+    const auto texts = [&](ConfigSection s) { s.texts("l", list); };
+    EXPECT_EQ(sentence_of("l = ['a', 'b', 'c']", texts), "x.toml:1: 'l' must be a list of at most 2 texts");
+    EXPECT_NE(sentence_of("l = ['a', 2]", texts), "");
+    EXPECT_NE(sentence_of("l = 'a'", texts), "");
+}
+
+TEST(ConfigReader, choices_are_listed) {
+    const std::string_view choices[] = {"day", "night"};
+    EXPECT_EQ(sentence_of("c = 'dusk'", [&](ConfigSection s) { s.choice("c", choices, 0); }),
+              "x.toml:1: 'c' must be one of: day, night");
+    ConfigReader reader("c = 'night'", "x.toml");
+    EXPECT_EQ(reader.root().choice("c", choices, 0), 1u);
+}
+
+TEST(ConfigReader, unknown_keys_are_found_at_every_depth) {
+    const auto nothing = [](ConfigSection) {};
+    EXPECT_EQ(sentence_of("typo = 1", nothing), "x.toml:1: unknown key 'typo'; correct or remove it");
+    const auto section = [](ConfigSection s) { s.section("a").number("x", 0, 9); };
+    EXPECT_EQ(sentence_of("[a]\nx = 1\n\nz = 2", section), "x.toml:4: unknown key 'a.z'; correct or remove it");
+    EXPECT_EQ(sentence_of("[a]\nx = 1\n[b]\ny = 2", section), "x.toml:3: unknown key 'b'; correct or remove it");
+    const auto tables = [](ConfigSection s) {
+        for (std::size_t i = 0; i < s.table_count("t"); ++i) s.table_at("t", i).integer("n", 0, 9);
+    };
+    EXPECT_EQ(sentence_of("[[t]]\nn = 1\n[[t]]\nn = 2\nm = 3", tables), "x.toml:5: unknown key 't.m'; correct or remove it");
+    EXPECT_EQ(sentence_of("[[t]]\nn = 1\n[[t]]\nn = 2", tables), "");
+}
+
+TEST(ConfigReader, the_first_fault_is_kept) {
+    const auto load = [](ConfigSection s) {
+        s.number("b", 0, 1);
+        s.number("a", 0, 1);
+    };
+    EXPECT_EQ(sentence_of("a = 5\nb = 6", load), "x.toml:2: 'b' must be a number from 0 to 1");
+}
+
+TEST(ConfigReader, a_faulty_read_returns_a_value_in_range) {
+    ConfigReader reader("x = 50\nn = 'a'\n", "x.toml");
+    EXPECT_EQ(reader.root().number("x", 1, 2), 1);
+    EXPECT_EQ(reader.root().integer("n", 3, 4, 4), 3);
+    EXPECT_EQ(reader.root().text("absent"), "");
+    EXPECT_FALSE(reader.ok());
+}
+
+TEST(ConfigReader, broken_toml_is_one_sentence_with_its_line) {
+    for (const char* text : {"a = 1\nb = \n", "a = 1\n[[[", "a = 1\na = 2", "a = 1\n\"\xff\" = 2", "a = 1\nb = 'unfinished"}) {
+        const std::string sentence = sentence_of(text, [](ConfigSection s) { s.number("a", 0, 9, 0); });
+        EXPECT_EQ(sentence.rfind("x.toml:2: ", 0), 0u) << sentence;
+        EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    }
+}
+
+TEST(ConfigReader, sections_and_tables_must_be_what_they_are_read_as) {
+    EXPECT_EQ(sentence_of("a = 1", [](ConfigSection s) { s.section("a"); }), "x.toml:1: 'a' must be a table");
+    EXPECT_EQ(sentence_of("a = [1, 2]", [](ConfigSection s) { (void)s.table_count("a"); }),
+              "x.toml:1: 'a' must be written as [[a]] tables");
+    EXPECT_EQ(sentence_of("[a]\nx = 1", [](ConfigSection s) { (void)s.table_count("a"); }),
+              "x.toml:1: 'a' must be written as [[a]] tables");
+    ConfigReader reader("[[t]]\n", "x.toml");
+    EXPECT_FALSE(reader.root().table_at("t", 1).present()) << "past the end is absent";
+    EXPECT_FALSE(reader.root().table_at("u", 0).present());
+}
+
+TEST(ConfigReader, tables_whose_names_are_data_are_iterated_in_order) {
+    ConfigReader reader("[b]\nn = 2\n[a]\nn = 1\n", "x.toml");
+    ConfigSection root = reader.root();
+    ASSERT_EQ(root.key_count(), 2u);
+    EXPECT_EQ(root.key_at(0), "a");
+    EXPECT_EQ(root.key_at(1), "b");
+    EXPECT_EQ(root.key_at(2), "");
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(root.section(root.key_at(i)).integer("n", 0, 9), static_cast<std::int64_t>(i + 1));
+    EXPECT_TRUE(reader.finish());
+}
+
+TEST(ConfigReader, a_loader_reports_its_own_faults_at_the_keys_line) {
+    EXPECT_EQ(sentence_of("a = 1\nb = 2",
+                          [](ConfigSection s) {
+                              s.integer("a", 0, 9);
+                              s.integer("b", 0, 9);
+                              s.fault("b", "'b' must not exceed 'a'");
+                          }),
+              "x.toml:2: 'b' must not exceed 'a'");
+}
+
+TEST(ConfigReader, a_sentence_too_long_is_cut_not_lost) {
+    ConfigReader reader(std::string(2000, 'k') + " = 1", "x.toml");
+    EXPECT_FALSE(reader.finish());
+    EXPECT_TRUE(reader.error().sentence.cut());
+    EXPECT_EQ(reader.error().sentence.view().substr(0, 10), "x.toml:1: ");
+}
+
+}  // namespace
+}  // namespace tedavis::base
