@@ -1,0 +1,26 @@
+/// A pinhole view as the terrain and the drawers need it: pose in ECEF, pixels, clip planes. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <type_traits>
+
+namespace tedavis::terrain {
+
+struct View {
+    glm::dvec3 eye;          ///< ECEF, m
+    glm::dvec3 forward;      ///< unit vectors in ECEF
+    glm::dvec3 right;
+    glm::dvec3 down;
+    double focal_px = 1;     ///< pixels per unit tangent, both axes
+    std::uint32_t width = 1, height = 1;
+    double near_m = 1;
+    double far_m = 400000;
+
+    [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }
+    [[nodiscard]] double half_height_tangent() const { return 0.5 * height / focal_px; }
+};
+static_assert(std::is_trivially_copyable_v<View>);
+
+}  // namespace tedavis::terrain
