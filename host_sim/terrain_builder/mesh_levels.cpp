@@ -66,6 +66,7 @@ RowRange row_range(const LatticeTriangle& t, std::int64_t j2) {
 struct Extremes {
     double above = 0, below = 0;
     std::int64_t voids = 0, posts = 0;
+    bool void_cells = false;  ///< a cell that the triangle covers in part has a void corner
 };
 
 void scan_posts(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last, Extremes& extremes) {
@@ -85,7 +86,9 @@ void scan_posts(const Lattice& lattice, const Plane& plane, std::int64_t j, std:
 
 void scan_centres(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last, Extremes& extremes) {
     for (std::int64_t i = first; i <= last; ++i) {
-        const std::size_t north_east = lattice.at(i + 1, j), south_west = lattice.at(i, j + 1);
+        const std::size_t north_west = lattice.at(i, j), north_east = north_west + 1, south_west = lattice.at(i, j + 1), south_east = south_west + 1;
+        for (const std::size_t corner : {north_west, north_east, south_west, south_east})
+            extremes.void_cells = extremes.void_cells || lattice.post_class[corner] == PostClass::void_;
         const double truth = 0.5 * (static_cast<double>(lattice.surface_m[north_east]) + lattice.surface_m[south_west]);
         const double difference = plane.at(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) - truth;
         extremes.above = std::max(extremes.above, difference);
@@ -236,12 +239,11 @@ SignedError measure_triangle(const Lattice& lattice, const LatticeTriangle& tria
         scan_posts(lattice, plane, j, (row.first2 + 1) / 2, std::min(row.last2 / 2, lattice.raster_columns - 1), extremes);
         if (j == last_j) break;
         const RowRange half = row_range(triangle, 2 * j + 1);
-        if (extremes.voids == 0)
-            scan_centres(lattice, plane, j, half.first2 / 2, std::min((half.last2 - 1) / 2, lattice.raster_columns - 2), extremes);
+        scan_centres(lattice, plane, j, half.first2 / 2, std::min((half.last2 - 1) / 2, lattice.raster_columns - 2), extremes);
     }
     SignedError error;
-    error.mixed = extremes.voids != 0 && extremes.voids != extremes.posts;
-    if (extremes.voids != 0) return error;
+    error.mixed = extremes.voids != extremes.posts && (extremes.voids != 0 || extremes.void_cells);
+    if (extremes.voids != 0 || extremes.void_cells) return error;
     const double di = static_cast<double>(triangle.a.i - triangle.b.i), dj = static_cast<double>(triangle.a.j - triangle.b.j);
     error.above_m = extremes.above;
     error.below_m = extremes.below + sagitta_m(std::hypot(di, dj) * lattice.cell_m);

@@ -22,6 +22,8 @@ using namespace terrain;
 // Chosen so that a chunk is used at about its own size away: tolerance / (side in metres) is the angle of a pixel there.
 constexpr double kToleranceOfCell = 0.05;
 constexpr float kExactTolerance_m = 0.0005f;
+constexpr float kLoosen = 1.25f;
+constexpr float kUselessTolerance_m = 2000;
 constexpr double kFinestQuantum_m = 1.0 / 1024;
 
 double post_longitude(const Raster& raster, std::int64_t i) { return raster.west_deg + raster.step_lon_deg * static_cast<double>(i); }
@@ -117,6 +119,30 @@ bool level_fits(const TerrainModel& model, std::uint32_t level) {
         for (std::int64_t i = 0; i * side < model.lattice.raster_columns - 1; ++i)
             if (vertices_in(model, level, i, j) > kMaxChunkVertices) return false;
     return true;
+}
+
+/// The first level with a chunk over capacity; `levels` when all fit.
+std::uint32_t first_overfull_level(const TerrainModel& model) {
+    std::uint32_t level = 0;
+    while (level < model.lattice.levels && level_fits(model, level)) ++level;
+    return level;
+}
+
+/// Loosens tolerances until every chunk fits; false when no tolerance helps (borders of voids are kept at any).
+bool fit_tolerances(TerrainModel& model) {
+    model.tolerance_m = {};
+    model.tolerance_m[0] = kExactTolerance_m;
+    for (std::uint32_t level = 1; level < model.lattice.levels; ++level)
+        model.tolerance_m[level] = static_cast<float>(kToleranceOfCell * model.lattice.cell_m * std::exp2(level));
+    for (;;) {
+        model.levels = assign_levels(model.lattice, model.errors_m, model.tolerance_m);
+        const std::uint32_t overfull = first_overfull_level(model);
+        if (overfull == model.lattice.levels) return true;
+        if (overfull == 0 || model.tolerance_m[overfull] > kUselessTolerance_m) return false;
+        model.tolerance_m[overfull] *= kLoosen;
+        for (std::uint32_t level = overfull + 1; level < model.lattice.levels; ++level)
+            model.tolerance_m[level] = std::max(model.tolerance_m[level], model.tolerance_m[level - 1]);
+    }
 }
 
 struct LatticeOrder {
@@ -380,13 +406,8 @@ TerrainModel make_model(Raster raster, const BuildOptions& options) {
         fill_lattice(model);
         if (options.progress) options.progress(0, 1);
         model.errors_m = measure_errors(model.lattice);
-        model.tolerance_m = {};
-        model.tolerance_m[0] = kExactTolerance_m;
-        for (std::uint32_t level = 1; level < levels; ++level)
-            model.tolerance_m[level] = static_cast<float>(kToleranceOfCell * model.lattice.cell_m * std::exp2(level));
-        model.levels = assign_levels(model.lattice, model.errors_m, model.tolerance_m);
         // Many voids need their borders at every level; then the coarsest levels are left away.
-        if (levels == 1 || level_fits(model, levels - 1)) return model;
+        if (fit_tolerances(model) || levels == 1) return model;
     }
 }
 

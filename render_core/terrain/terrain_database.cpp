@@ -139,7 +139,14 @@ TerrainDatabase::LatticePoint TerrainDatabase::lattice_point(double latitude_rad
     const double middle_deg = h.west_deg + 0.5 * width_deg;
     const double east_deg = std::remainder(base::degrees(longitude_rad) - middle_deg, 360.0) + 0.5 * width_deg;
     LatticePoint point{east_deg / h.step_lon_deg, (h.north_deg - base::degrees(latitude_rad)) / h.step_lat_deg, false};
-    point.inside = point.i >= 0 && point.j >= 0 && point.i <= h.columns - 1.0 && point.j <= h.rows - 1.0;
+    // Degrees and radians do not convert back exactly: a border post asked for by its own place must count as inside.
+    constexpr double kRounding = 1e-6;
+    const double last_i = h.columns - 1.0, last_j = h.rows - 1.0;
+    point.inside = point.i >= -kRounding && point.j >= -kRounding && point.i <= last_i + kRounding && point.j <= last_j + kRounding;
+    if (point.inside) {
+        point.i = std::fmin(std::fmax(point.i, 0.0), last_i);
+        point.j = std::fmin(std::fmax(point.j, 0.0), last_j);
+    }
     return point;
 }
 
