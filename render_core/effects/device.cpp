@@ -1,0 +1,99 @@
+#include "render_core/effects/device.hpp"
+
+#include <array>
+
+namespace tedavis::effects {
+namespace {
+
+constexpr std::int64_t kMaxEdgePx = 16384;
+constexpr std::int64_t kMaxLineBytes = std::int64_t{8} << 30;
+
+struct RequiredLine {
+    std::string_view name;
+    base::MemoryKind kind;
+};
+constexpr RequiredLine kRequiredLines[] = {
+    {kTerrainChunkSlots, base::MemoryKind::cpu}, {kTerrainHeights, base::MemoryKind::cpu},
+    {kTerrainIndex, base::MemoryKind::cpu},      {kTerrainVertices, base::MemoryKind::gpu},
+    {kTerrainIndices, base::MemoryKind::gpu},    {kSymbology, base::MemoryKind::cpu},
+    {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
+    {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
+    {kLodScratch, base::MemoryKind::cpu}};
+
+void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
+    std::array<std::string_view, kMaxCallExceptions> names;
+    const std::size_t count = section.texts(key, names);
+    for (std::size_t i = 0; i < count; ++i) {
+        const CallName name(names[i]);
+        if (name.empty() || name.cut() || !out.try_push_back(name)) section.fault(key, "a GL call's name has 1 to 31 letters");
+    }
+}
+
+void read_gl(base::ConfigSection section, DeviceCapability& capability) {
+    constexpr std::string_view kLanes[] = {"es2", "es3"};
+    constexpr std::string_view kClasses[] = {"es2", "es3", "sc2"};
+    if (!section.present()) return;
+    capability.lane = static_cast<Lane>(section.choice("lane", kLanes, 0));
+    GlRules& rules = capability.gl;
+    rules.calls = static_cast<CallClass>(section.choice("calls", kClasses, 0));
+    read_call_names(section, "also", rules.also);
+    read_call_names(section, "never", rules.never);
+    rules.max_texture_px = static_cast<std::uint32_t>(section.integer("max_texture_px", 64, kMaxEdgePx));
+    rules.max_attributes = static_cast<std::uint32_t>(section.integer("max_attributes", 1, 16));
+    rules.max_texture_units = static_cast<std::uint32_t>(section.integer("max_texture_units", 1, 32));
+    capability.surface_depth_bits = static_cast<std::uint32_t>(section.integer("surface_depth_bits", 0, 32));
+    capability.depth24_targets = section.boolean("depth24_targets", true);
+    if (rules.calls != CallClass::es3 && capability.lane == Lane::es3)
+        section.fault("lane", "lane 'es3' needs calls 'es3'; set lane = \"es2\"");
+}
+
+void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
+    constexpr std::string_view kKinds[] = {"cpu", "gpu"};
+    const std::size_t count = root.table_count("budget");
+    for (std::size_t i = 0; i < count; ++i) {
+        base::ConfigSection section = root.table_at("budget", i);
+        base::BudgetLine line;
+        line.name = section.text("name");
+        line.kind = static_cast<base::MemoryKind>(section.choice("kind", kKinds, 0));
+        line.bytes = static_cast<std::uint64_t>(section.integer("bytes", 0, kMaxLineBytes));
+        line.owner = section.text("owner");
+        line.reason = section.text("reason");
+        line.use.capacity = line.bytes;
+        if (line.name.cut() || line.owner.cut() || line.reason.cut())
+            section.fault("name", "name and owner have at most 31 letters and the reason at most 95; shorten them");
+        if (!budget.try_add(line)) section.fault("name", "this budget line is there already, or there are more than 32; remove it");
+    }
+}
+
+void require_lines(base::ConfigSection root, const base::BudgetTable& budget) {
+    for (const RequiredLine& required : kRequiredLines) {
+        const base::BudgetLine* line = budget.find(required.name);
+        if (line != nullptr && line->kind == required.kind) continue;
+        base::FixedString<127> sentence("the budget needs a line '");
+        sentence.append(required.name);
+        sentence.append(required.kind == base::MemoryKind::cpu ? "' of kind \"cpu\"; add it" : "' of kind \"gpu\"; add it");
+        root.fault("budget", sentence.view());
+    }
+}
+
+}  // namespace
+
+base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string_view text, std::string_view file_name) {
+    base::ConfigReader reader(text, file_name);
+    base::ConfigSection root = reader.root();
+    DeviceSettings device;
+    device.name = root.text("name");
+    device.width_px = static_cast<std::uint32_t>(root.integer("width_px", 64, kMaxEdgePx));
+    device.height_px = static_cast<std::uint32_t>(root.integer("height_px", 64, kMaxEdgePx));
+    device.frame_rate_hz = root.number("frame_rate_hz", 1, 240);
+    device.triangle_budget = static_cast<std::uint32_t>(root.integer("triangle_budget", 1000, 100'000'000));
+    device.max_chunk_slots = static_cast<std::uint32_t>(root.integer("max_chunk_slots", 8, 65536));
+    if (!root.has("gl")) root.fault("gl", "the table [gl] is missing; add it");
+    read_gl(root.section("gl"), device.capability);
+    read_budget(root, device.budget);
+    require_lines(root, device.budget);
+    if (!reader.finish()) return base::fail(reader.error());
+    return device;
+}
+
+}  // namespace tedavis::effects

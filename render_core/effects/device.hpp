@@ -1,0 +1,45 @@
+/// A device file (configs/devices/*.toml): size, frame rate, budgets and GL rules of one display computer.
+///
+/// Memory  reading allocates (start-up only); the result is plain data. Failure  one sentence with file and line.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/effects/device_capability.hpp"
+
+namespace tedavis::effects {
+
+/// Names of the budget lines that every device file has; their owners find them by these names.
+inline constexpr std::string_view kTerrainChunkSlots = "terrain_chunk_slots";
+inline constexpr std::string_view kTerrainHeights = "terrain_heights";
+inline constexpr std::string_view kTerrainIndex = "terrain_index";
+inline constexpr std::string_view kTerrainVertices = "terrain_vertices";
+inline constexpr std::string_view kTerrainIndices = "terrain_indices";
+inline constexpr std::string_view kSymbology = "symbology";
+inline constexpr std::string_view kSymbologyVertices = "symbology_vertices";
+inline constexpr std::string_view kFontAtlas = "font_atlas";
+inline constexpr std::string_view kRenderTargets = "render_targets";
+inline constexpr std::string_view kStaging = "staging";
+inline constexpr std::string_view kLodScratch = "lod_scratch";
+
+struct DeviceSettings {
+    base::FixedString<31> name;
+    DeviceCapability capability;
+    std::uint32_t width_px = 0;  ///< default picture size
+    std::uint32_t height_px = 0;
+    double frame_rate_hz = 0;
+    std::uint32_t triangle_budget = 0;  ///< terrain triangles a frame
+    std::uint32_t max_chunk_slots = 0;  ///< terrain chunks resident at once
+    base::BudgetTable budget;           ///< `use.capacity` of every line is its bytes
+};
+
+/// `text` is the file's content, `file_name` how messages call it. A file without one of the lines above, with a line
+/// twice, or with an unknown key is refused.
+[[nodiscard]] base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string_view text, std::string_view file_name);
+
+}  // namespace tedavis::effects

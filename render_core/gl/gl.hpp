@@ -1,0 +1,93 @@
+/// The one way to GL: `gl->Clear(...)` goes through a table that holds only the calls that the device file allows.
+///
+/// A call that the device does not have, or not in this stage, or not with these arguments, is not executed: it returns
+/// zero and is counted under its name. Stages go one way: start (creation, compilation, storage), run (after `seal()`),
+/// stopped (after `retire()`: deletion only).
+///
+/// Thread    one; the surface must be current. Memory  none; driver calls are marked with base::DriverScope.
+/// Lifetime  one Gl a context; it must not outlive its surface. Not movable: the guards find the active one of the thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/effects/device_capability.hpp"
+#include "render_core/gl/call_rules.hpp"
+#include "render_core/gl/call_table.hpp"
+#include "render_core/gl/capability_probe.hpp"
+#include "render_core/gl/gl_error.hpp"
+
+namespace tedavis::gl {
+
+enum class Stage : std::uint8_t { closed, start, run, stopped };
+
+struct DeniedCall {
+    CallId call = CallId::count;
+    const char* reason = "";  ///< static text
+    std::uint64_t count = 0;
+};
+inline constexpr std::size_t kMaxDeniedKinds = 32;
+
+/// Calls outside the device: a defect, never an event of normal operation.
+struct DeniedReport {
+    std::uint64_t total = 0;
+    base::FixedVector<DeniedCall, kMaxDeniedKinds> first;  ///< the first kinds of (call, reason), in order of appearance
+};
+
+class Gl {
+public:
+    Gl() = default;
+    ~Gl();
+    Gl(const Gl&) = delete;
+    Gl& operator=(const Gl&) = delete;
+
+    /// Loads the table for the current surface and makes this Gl the thread's active one, in the start stage. Refuses a
+    /// driver that lacks an allowed call or is below the device's requirements, and a device file that names no call.
+    [[nodiscard]] base::Result<DriverFacts, GlError> open(base::Surface& surface, const effects::DeviceCapability& device);
+    /// Ends the start stage; there is no way back.
+    void seal();
+    /// Ends the run: only deletion is left.
+    void retire();
+    /// Again the thread's active Gl, after another surface was current.
+    void activate();
+
+    [[nodiscard]] const CallTable* operator->() const;
+    [[nodiscard]] Stage stage() const { return stage_; }
+    [[nodiscard]] const effects::DeviceCapability& device() const { return device_; }
+    [[nodiscard]] const DriverFacts& driver() const { return facts_; }
+    [[nodiscard]] const DeniedReport& denied() const { return denied_; }
+    /// Whether the device's list holds the call and the driver has it.
+    [[nodiscard]] bool has(CallId call) const;
+
+    void begin_frame() { state_.frame = {}; }
+    [[nodiscard]] const FrameCounts& frame() const { return state_.frame; }
+    /// The first pending GL error, 0 for none; clears all.
+    [[nodiscard]] GLenum take_error() const;
+
+private:
+    template <auto Member>
+    friend struct Guard;
+    template <auto Member>
+    friend struct Deny;
+
+    [[nodiscard]] GlError check_names() const;
+    [[nodiscard]] GlError check_driver() const;
+    [[nodiscard]] GlError load(base::Surface& surface);
+    void build_table(Stage stage, CallTable& table) const;
+    void refuse(CallId call, const char* reason);
+    [[nodiscard]] const char* absence(CallId call) const;
+
+    effects::DeviceCapability device_;
+    DriverFacts facts_;
+    CallTable loaded_{};  ///< the driver's entry points
+    CallTable table_{};   ///< what callers see: guards and denials
+    CallState state_;
+    DeniedReport denied_;
+    Stage stage_ = Stage::closed;
+};
+
+}  // namespace tedavis::gl

@@ -1,0 +1,15 @@
+/// Reads what was drawn into memory of the caller.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/span.hpp"
+#include "render_core/gl/gl.hpp"
+
+namespace tedavis::gl {
+
+/// RGBA8, bottom row first, tightly packed, from the bound framebuffer's lower left corner. Waits for the drawing.
+/// False when `pixels` has not exactly width*height*4 bytes or GL reports an error; the pixels are then unspecified.
+[[nodiscard]] bool read_pixels(Gl& gl, std::uint32_t width, std::uint32_t height, base::Span<std::uint8_t> pixels);
+
+}  // namespace tedavis::gl

@@ -1,0 +1,93 @@
+#include "render_core/gl/texture.hpp"
+
+#include <utility>
+
+#include "render_core/gl/gpu_memory.hpp"
+
+namespace tedavis::gl {
+namespace {
+
+GLenum transfer_format(const Gl& gl, TextureFormat format) {
+    if (format == TextureFormat::rgba8) return GL_RGBA;
+    return gl.has(CallId::TexStorage2D) ? GL_RED : GL_LUMINANCE;
+}
+
+GLsizei to_size(std::uint32_t value) { return static_cast<GLsizei>(value); }
+
+void store(Gl& gl, const TextureSettings& settings) {
+    if (gl.has(CallId::TexStorage2D)) {
+        const GLenum sized = settings.format == TextureFormat::rgba8 ? GL_RGBA8 : GL_R8;
+        gl->TexStorage2D(GL_TEXTURE_2D, 1, sized, to_size(settings.width_px), to_size(settings.height_px));
+    } else {
+        const GLenum format = transfer_format(gl, settings.format);
+        gl->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), to_size(settings.width_px), to_size(settings.height_px), 0, format,
+                       GL_UNSIGNED_BYTE, nullptr);
+    }
+    const GLint filter = settings.filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
+std::uint64_t texture_bytes(const TextureSettings& settings) {
+    return std::uint64_t{settings.width_px} * settings.height_px * (settings.format == TextureFormat::rgba8 ? 4 : 1);
+}
+
+Texture& Texture::operator=(Texture&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(settings_, other.settings_);
+    std::swap(line_, other.line_);
+    return *this;
+}
+
+void Texture::bind(Gl& gl, std::uint32_t unit) const {
+    gl->ActiveTexture(GL_TEXTURE0 + unit);
+    gl->BindTexture(GL_TEXTURE_2D, id_);
+}
+
+bool Texture::upload(Gl& gl, const TexelRect& part, const void* texels) const {
+    if (!valid() || part.width > settings_.width_px || part.x > settings_.width_px - part.width) return false;
+    if (part.height > settings_.height_px || part.y > settings_.height_px - part.height) return false;
+    if (part.width == 0 || part.height == 0) return true;
+    bind(gl, 0);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(part.x), static_cast<GLint>(part.y), to_size(part.width), to_size(part.height),
+                      transfer_format(gl, settings_.format), GL_UNSIGNED_BYTE, texels);
+    return true;
+}
+
+void Texture::destroy(Gl& gl) {
+    if (!valid()) return;
+    if (gl.has(CallId::DeleteTextures)) {
+        gl->DeleteTextures(1, &id_);
+        give_back(*line_, texture_bytes(settings_));
+    }
+    id_ = 0;
+    line_ = nullptr;
+}
+
+base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings) {
+    const std::uint64_t bytes = texture_bytes(settings);
+    if (bytes == 0) return base::fail(make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
+    if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
+    Texture texture;
+    texture.settings_ = settings;
+    texture.line_ = &line;
+    static_cast<void>(gl.take_error());
+    const std::uint64_t denied = gl.denied().total;
+    gl->GenTextures(1, &texture.id_);
+    texture.bind(gl, 0);
+    store(gl, settings);
+    if (gl.take_error() == GL_NO_ERROR && gl.denied().total == denied) return texture;
+    if (texture.id_ != 0 && gl.has(CallId::DeleteTextures)) gl->DeleteTextures(1, &texture.id_);
+    give_back(line, bytes);
+    GlError error = make_error("the device or driver refused a texture of ", digits(settings.width_px).view(), " x ", digits(settings.height_px).view());
+    error.sentence.append(" texels for the budget line ");
+    error.sentence.append(line.name.view());
+    return base::fail(error);
+}
+
+}  // namespace tedavis::gl

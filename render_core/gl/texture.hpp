@@ -1,0 +1,59 @@
+/// A two-dimensional texture with one level and one storage, paid from a budget line.
+///
+/// Memory    GPU bytes of the line. Thread  the GL thread. Lifetime  as Buffer: the line must outlive it.
+/// Edges are clamped, which every lane allows at any size.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/gl/gl.hpp"
+
+namespace tedavis::gl {
+
+/// `r8` reads back in a shader as .r in every lane (ES 2.0 has it as luminance; do not read the other components).
+enum class TextureFormat : std::uint8_t { r8, rgba8 };
+enum class TextureFilter : std::uint8_t { nearest, linear };
+
+struct TextureSettings {
+    TextureFormat format = TextureFormat::rgba8;
+    TextureFilter filter = TextureFilter::nearest;
+    std::uint32_t width_px = 0;
+    std::uint32_t height_px = 0;
+};
+
+/// A part of a texture, in texels from its first row.
+struct TexelRect {
+    std::uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
+[[nodiscard]] std::uint64_t texture_bytes(const TextureSettings& settings);
+
+class Texture {
+public:
+    Texture() = default;
+    Texture(Texture&& other) noexcept { *this = static_cast<Texture&&>(other); }
+    Texture& operator=(Texture&& other) noexcept;
+
+    [[nodiscard]] bool valid() const { return id_ != 0; }
+    [[nodiscard]] GLuint id() const { return id_; }
+    [[nodiscard]] const TextureSettings& settings() const { return settings_; }
+    /// Binds to a texture unit, 0..max_texture_units-1.
+    void bind(Gl& gl, std::uint32_t unit) const;
+    /// Tightly packed rows, the first one at y. False, and nothing happens, when the part is not inside the texture.
+    /// Leaves the texture bound to unit 0.
+    [[nodiscard]] bool upload(Gl& gl, const TexelRect& part, const void* texels) const;
+    void destroy(Gl& gl);
+
+private:
+    friend base::Result<Texture, GlError> make_texture(Gl&, base::BudgetLine&, const TextureSettings&);
+    GLuint id_ = 0;
+    TextureSettings settings_;
+    base::BudgetLine* line_ = nullptr;
+};
+
+/// Start stage only. Content is undefined until uploaded or drawn into.
+[[nodiscard]] base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings);
+
+}  // namespace tedavis::gl
