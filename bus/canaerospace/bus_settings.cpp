@@ -1,0 +1,130 @@
+#include "bus/canaerospace/bus_settings.hpp"
+
+#include "bus/canaerospace/identifier_table.hpp"
+
+namespace tedavis::bus {
+namespace {
+
+using base::ConfigSection;
+using base::Duration;
+
+constexpr double kMaxSeconds = 3600;
+
+template <class Choice, std::size_t N>
+void read_choice(ConfigSection& section, std::string_view key, const std::string_view (&names)[N], Choice& value) {
+    value = static_cast<Choice>(section.choice(key, base::Span<const std::string_view>(names), static_cast<std::size_t>(value)));
+}
+
+void read_duration(ConfigSection& section, std::string_view key, double low_s, double high_s, Duration& value) {
+    value = Duration::from_seconds(section.number(key, low_s, high_s, value.to_seconds()));
+}
+
+void read_byte(ConfigSection& section, std::string_view key, std::int64_t low, std::int64_t high, std::uint8_t& value) {
+    value = static_cast<std::uint8_t>(section.integer(key, low, high, value));
+}
+
+void read_dialect(ConfigSection section, BusDialect& dialect) {
+    static constexpr std::string_view kAccelerations[] = {"g", "m/s2"};
+    static constexpr std::string_view kPressures[] = {"hPa", "Pa"};
+    static constexpr std::string_view kHeadings[] = {"true", "magnetic"};
+    static constexpr std::string_view kWinds[] = {"from", "to"};
+    static constexpr std::string_view kVariations[] = {"east", "west"};
+    static constexpr std::string_view kServiceCodes[] = {"invalid", "ignored"};
+    dialect.accept_long_position = section.boolean("accept_long_position", dialect.accept_long_position);
+    read_choice(section, "acceleration_unit", kAccelerations, dialect.acceleration);
+    read_choice(section, "pressure_unit", kPressures, dialect.pressure);
+    read_choice(section, "heading_321_reference", kHeadings, dialect.heading);
+    read_choice(section, "wind_direction", kWinds, dialect.wind);
+    read_choice(section, "variation_positive", kVariations, dialect.variation);
+    read_choice(section, "service_code_not_zero", kServiceCodes, dialect.service_code);
+    dialect.month_from_zero = section.boolean("month_from_zero", dialect.month_from_zero);
+    dialect.glider_identifiers = section.boolean("glider_identifiers", dialect.glider_identifiers);
+    read_byte(section, "redundancy_channels", 1, kMaxRedundancyChannels, dialect.redundancy_channels);
+    read_duration(section, "pair_window_s", 0.001, 1.0, dialect.pair_window);
+    read_duration(section, "sender_timeout_s", 0.1, 60.0, dialect.sender_timeout);
+}
+
+void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
+    phase.status_identifier = static_cast<std::uint16_t>(section.integer("status_identifier", 200, 1999, phase.status_identifier));
+    phase.request_identifier = static_cast<std::uint16_t>(section.integer("request_identifier", 200, 1999, phase.request_identifier));
+    if (phase.request_identifier == phase.status_identifier)
+        section.fault("request_identifier", "'request_identifier' equals 'status_identifier'; give each its own");
+    for (const std::string_view key : {"status_identifier", "request_identifier"}) {
+        const std::uint16_t identifier = key[0] == 's' ? phase.status_identifier : phase.request_identifier;
+        if (identifier_index(identifier) != kNotInTable) section.fault(key, "this identifier has a meaning in the standard; choose another");
+    }
+    read_duration(section, "timeout_s", 0.1, 60.0, phase.timeout);
+}
+
+void read_node(ConfigSection section, NodeSettings& node) {
+    node.answer_identification = section.boolean("answer_identification", node.answer_identification);
+    read_byte(section, "id", 1, 199, node.node);
+    read_byte(section, "hardware_revision", 0, 255, node.hardware_revision);
+    read_byte(section, "software_revision", 0, 255, node.software_revision);
+}
+
+void read_own_ship(ConfigSection section, OwnShipSettings& own_ship) {
+    read_duration(section, "extrapolation_limit_s", 0.0, 10.0, own_ship.extrapolation_limit);
+    read_duration(section, "lost_after_s", 0.0, kMaxSeconds, own_ship.lost_after);
+    if (own_ship.lost_after < own_ship.extrapolation_limit)
+        section.fault("lost_after_s", "'lost_after_s' must not be below 'extrapolation_limit_s'");
+    own_ship.position_noise_m = section.number("position_noise_m", 0.001, 1000.0, own_ship.position_noise_m);
+    own_ship.height_noise_m = section.number("height_noise_m", 0.001, 1000.0, own_ship.height_noise_m);
+    own_ship.velocity_noise_mps = section.number("velocity_noise_mps", 0.001, 100.0, own_ship.velocity_noise_mps);
+    own_ship.acceleration_mps2 = section.number("acceleration_mps2", 0.01, 100.0, own_ship.acceleration_mps2);
+}
+
+/// Each key names a signal, its value is [stale, lost] in seconds.
+void read_freshness(ConfigSection section, BusSettings& settings) {
+    for (std::size_t i = 0; i < section.key_count(); ++i) {
+        const std::string_view key = section.key_at(i);
+        const flight::Signal signal = flight::signal_from_name(key);
+        if (signal == flight::Signal::count_ || signal == flight::Signal::height_above_terrain) {
+            section.fault(key, "no such signal on the bus; the names are those of render_core/flight/signal.hpp");
+            return;
+        }
+        base::FreshnessLimits& limits = settings.limits[static_cast<std::size_t>(signal)];
+        double seconds[2] = {limits.stale.to_seconds(), limits.lost.to_seconds()};
+        section.numbers(key, 0.001, kMaxSeconds, base::Span<double>(seconds));
+        if (seconds[1] < seconds[0]) section.fault(key, "the lost limit must not be below the stale limit");
+        limits = {Duration::from_seconds(seconds[0]), Duration::from_seconds(seconds[1])};
+    }
+}
+
+}  // namespace
+
+base::FreshnessLimits default_limits(flight::Signal signal) noexcept {
+    using flight::Signal;
+    switch (signal) {
+        case Signal::pitch: case Signal::roll: case Signal::true_heading: case Signal::magnetic_heading:
+        case Signal::pitch_rate: case Signal::roll_rate: case Signal::yaw_rate: case Signal::sideslip:
+        case Signal::longitudinal_acceleration: case Signal::lateral_acceleration: case Signal::normal_acceleration:
+            return {Duration::milliseconds(300), Duration::seconds(1)};
+        case Signal::horizontal_accuracy: case Signal::vertical_accuracy: case Signal::wind_speed: case Signal::wind_direction:
+        case Signal::outside_temperature: case Signal::baro_setting:
+            return {Duration::seconds(10), Duration::seconds(30)};
+        case Signal::magnetic_variation: return {Duration::seconds(60), Duration::seconds(600)};
+        default: return {Duration::seconds(1), Duration::seconds(3)};
+    }
+}
+
+BusSettings::BusSettings() {
+    for (std::size_t i = 0; i < flight::kSignalCount; ++i) limits[i] = default_limits(static_cast<flight::Signal>(i));
+}
+
+base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view text, std::string_view name) {
+    base::ConfigReader reader(text, name);
+    BusSettings settings;
+    ConfigSection root = reader.root();
+    static constexpr std::string_view kProtocols[] = {"canaerospace"};
+    (void)root.choice("protocol", base::Span<const std::string_view>(kProtocols), 0);
+    read_dialect(root.section("dialect"), settings.dialect);
+    read_phase(root.section("phase"), settings.phase);
+    read_node(root.section("node"), settings.node);
+    read_own_ship(root.section("own_ship"), settings.own_ship);
+    read_freshness(root.section("freshness"), settings);
+    if (!reader.finish()) return base::fail(reader.error());
+    return settings;
+}
+
+}  // namespace tedavis::bus

@@ -1,0 +1,85 @@
+/// What a bus file states (configs/buses/*.toml): which dialect of CANaerospace is spoken where the standard leaves room
+/// or real devices differ, how old values may get, and how the own ship is filtered.
+///
+/// Defaults are the standard's reading. Loading is start-up only and allocates.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/base/stamped.hpp"
+#include "render_core/flight/signal.hpp"
+
+namespace tedavis::bus {
+
+inline constexpr std::uint8_t kMaxRedundancyChannels = 4;
+
+enum class AccelerationUnit : std::uint8_t { g, mps2 };
+enum class PressureUnit : std::uint8_t { hpa, pa };
+enum class HeadingReference : std::uint8_t { true_north, magnetic };
+enum class WindDirection : std::uint8_t { from, to };
+enum class VariationSign : std::uint8_t { east_positive, west_positive };
+/// What a service code other than 0 on normal data means.
+enum class ServiceCodeMeaning : std::uint8_t { invalid, ignored };
+
+struct BusDialect {
+    bool accept_long_position = true;     ///< LONG on 1036/1037 is 1e-7 degrees
+    AccelerationUnit acceleration = AccelerationUnit::g;                      ///< 300..302
+    PressureUnit pressure = PressureUnit::hpa;                                ///< 319, 325, 326
+    HeadingReference heading = HeadingReference::true_north;                  ///< of 321
+    WindDirection wind = WindDirection::from;                                 ///< 334
+    VariationSign variation = VariationSign::east_positive;                   ///< 1121
+    ServiceCodeMeaning service_code = ServiceCodeMeaning::invalid;
+    bool month_from_zero = false;         ///< 1206: January is 0
+    bool glider_identifiers = false;      ///< know 340..350, 354, 1134, ... of a common glider profile
+    std::uint8_t redundancy_channels = 2; ///< 1..kMaxRedundancyChannels; higher channels are other traffic
+    base::Duration pair_window = base::Duration::milliseconds(20);  ///< between the halves of a DOUBLE
+    base::Duration sender_timeout = base::Duration::seconds(2);     ///< after this silence any message code is accepted
+};
+
+struct PhaseMessageSettings {
+    std::uint16_t status_identifier = 1830;
+    std::uint16_t request_identifier = 1831;
+    base::Duration timeout = base::Duration::seconds(3);
+};
+
+/// The answer to an identification request (section 4, IDS).
+struct NodeSettings {
+    bool answer_identification = false;  ///< off: a passive listener that never sends
+    std::uint8_t node = 30;              ///< 1..199
+    std::uint8_t hardware_revision = 1;
+    std::uint8_t software_revision = 1;
+};
+
+struct OwnShipSettings {
+    base::Duration extrapolation_limit = base::Duration::milliseconds(250);
+    base::Duration lost_after = base::Duration::seconds(2);
+    double position_noise_m = 1.0;      ///< standard deviation, where no figure of merit is received
+    double height_noise_m = 2.0;
+    double velocity_noise_mps = 0.15;
+    double acceleration_mps2 = 4.0;     ///< standard deviation of what the constant-velocity model leaves out
+};
+
+struct BusSettings {
+    BusDialect dialect;
+    PhaseMessageSettings phase;
+    NodeSettings node;
+    OwnShipSettings own_ship;
+    std::array<base::FreshnessLimits, flight::kSignalCount> limits{};
+
+    BusSettings();  ///< every limit at its default (see default_limits)
+};
+static_assert(std::is_trivially_copyable_v<BusSettings>);
+
+/// What the standard sends every 12.5 ms (section 6.2) is stale after 0.3 s and lost after 1 s, what it sends every 100 ms
+/// after 1 s and 3 s; longer for what changes slowly or by hand.
+[[nodiscard]] base::FreshnessLimits default_limits(flight::Signal signal) noexcept;
+
+/// `name` is how the file is called in messages.
+[[nodiscard]] base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view text, std::string_view name);
+
+}  // namespace tedavis::bus

@@ -1,0 +1,65 @@
+/// The default identifier distribution of CANaerospace 1.7 (section 5) as far as a display needs it: name, unit, sign,
+/// accepted data types, plausible range, and the signal of the core that a value becomes.
+///
+/// Numbers are decimal because the standard's hexadecimal column is off by one from 1095 on. The standard's rate table
+/// prints 1030 for the GPS height; 1038 (section 5.7) is meant. Signs follow ISO 1151-1/-2.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "bus/canaerospace/bus_settings.hpp"
+#include "bus/canaerospace/data_type.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/flight/signal.hpp"
+
+namespace tedavis::bus {
+
+/// The unit on the bus.
+enum class BusUnit : std::uint8_t {
+    none, acceleration, degree, degree_per_second, metre, metre_per_second, kelvin, pressure, bits, time_of_day, date,
+};
+/// "deg", "m/s", ...; as the standard states it, whatever the dialect says.
+[[nodiscard]] const char* to_string(BusUnit unit) noexcept;
+
+/// Where several identifiers state one signal, rank 0 is preferred.
+inline constexpr std::uint8_t kMaxRanks = 3;
+
+struct IdentifierEntry {
+    std::uint16_t identifier;
+    const char* name;
+    BusUnit unit;
+    std::uint32_t types;    ///< bit n: data type n is accepted
+    flight::Signal signal;  ///< count_: known, but no signal of the core
+    std::uint8_t rank;
+    bool service_code_is_index;  ///< waypoints: the service code is their number, not a status
+    bool glider_profile;         ///< not in the standard; known only if the bus file says so
+    double low, high;            ///< plausible values in SI as decoded; outside a value is refused
+};
+
+[[nodiscard]] base::Span<const IdentifierEntry> identifier_table() noexcept;
+inline constexpr std::uint16_t kNotInTable = 0xFFFF;
+/// Index into the table, kNotInTable for others.
+[[nodiscard]] std::uint16_t identifier_index(std::uint16_t identifier) noexcept;
+[[nodiscard]] constexpr std::uint32_t type_bit(DataType type) { return std::uint32_t{1} << static_cast<unsigned>(type); }
+
+enum class AngleRange : std::uint8_t { as_is, heading, longitude };
+
+/// How this bus's dialect turns an entry's number into the core's value: SI = number * factor + offset, then wrapped.
+struct SignalBinding {
+    flight::Signal signal = flight::Signal::count_;
+    std::uint8_t rank = 0;
+    AngleRange range = AngleRange::as_is;
+    double factor = 1;
+    double offset = 0;
+};
+static_assert(std::is_trivially_copyable_v<SignalBinding>);
+
+[[nodiscard]] SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noexcept;
+[[nodiscard]] double to_si(const SignalBinding& binding, double number) noexcept;
+/// Headings and directions come out in +-180 degrees, as the standard wants them.
+[[nodiscard]] double from_si(const SignalBinding& binding, double si) noexcept;
+
+inline constexpr double kDegreesPerLongUnit = 1e-7;  ///< of the LONG dialect on 1036 and 1037
+
+}  // namespace tedavis::bus

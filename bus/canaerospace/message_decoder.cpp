@@ -1,0 +1,201 @@
+#include "bus/canaerospace/message_decoder.hpp"
+
+#include <cmath>
+
+namespace tedavis::bus {
+namespace {
+
+constexpr std::uint16_t kIdentificationRequest = 128;
+constexpr std::uint8_t kRepeatsUntilUnnumbered = 3;
+constexpr std::uint8_t kOldersUntilRestart = 3;
+
+bool is_half(std::uint8_t type) {
+    return type == static_cast<std::uint8_t>(DataType::double_high) || type == static_cast<std::uint8_t>(DataType::double_low);
+}
+
+bool is_identification_request(const CanFrame& frame, MessageId id) {
+    const MessageHeader header = read_header(frame);
+    return id.identifier == kIdentificationRequest && id.channel == 0 && header.data_type == 0 && header.service_code == 0;
+}
+
+}  // namespace
+
+MessageDecoder::MessageDecoder(const BusSettings& settings) : dialect_(settings.dialect), phase_(settings.phase) {
+    const base::Span<const IdentifierEntry> table = identifier_table();
+    TEDAVIS_CHECK(table.size() <= kPhasePlace);
+    for (std::size_t i = 0; i < table.size(); ++i) bindings_[i] = bind(table[i], dialect_);
+}
+
+DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
+    DecodedMessage message;
+    const MessageId id = message_id(frame.id, frame.extended);
+    if (frame.kind == FrameKind::data && frame.length >= kMessageHeaderBytes && id.valid && id.channel < dialect_.redundancy_channels) {
+        const std::uint16_t index = identifier_index(id.identifier);
+        if (id.identifier == phase_.status_identifier || id.identifier == phase_.request_identifier) {
+            const bool request = id.identifier == phase_.request_identifier;
+            message = decode_known(frame, id, kPhasePlace + (request ? 1 : 0), type_bit(DataType::uchar8x4));
+        } else if (index != kNotInTable) {
+            const IdentifierEntry& entry = identifier_table()[index];
+            if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, index, entry.types);
+        } else if (is_identification_request(frame, id)) {
+            message.kind = MessageKind::identification_request;
+            message.header = read_header(frame);
+        }
+    }
+    ++(message.kind == MessageKind::alien ? counts_.alien : counts_.decoded);
+    return message;
+}
+
+DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id, std::size_t place, std::uint32_t types) {
+    DecodedMessage message;
+    message.header = read_header(frame);
+    message.identifier = id.identifier;
+    message.channel = id.channel;
+    TypedValue value;
+    const std::size_t payload = frame.length - kMessageHeaderBytes;
+    const std::uint8_t type = message.header.data_type;
+    if (!decode_value(type, frame.data.data() + kMessageHeaderBytes, payload, value) || (types & type_bit(value.type)) == 0) return message;
+    if (value.type == DataType::long32 && !dialect_.accept_long_position && (types & type_bit(DataType::double_high)) != 0) return message;
+    if (payload > type_layout(type).bytes) ++counts_.padded;
+    Sender& sender = senders_[place][id.channel];
+    if (!follows(sender, message.header, frame.time, message)) {
+        ++counts_.repeated;
+        message.kind = MessageKind::repeated;
+        return message;
+    }
+    if (place >= kPhasePlace) {
+        message.kind = place == kPhasePlace ? MessageKind::phase : MessageKind::phase_request;
+        finish_phase(value, message);
+    } else {
+        finish_entry(frame, value, sender, place, message);
+    }
+    return message;
+}
+
+void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::size_t place,
+                                  DecodedMessage& message) {
+    const IdentifierEntry& entry = identifier_table()[place];
+    message.signal = bindings_[place].signal;
+    message.rank = bindings_[place].rank;
+    message.kind = message.signal == flight::Signal::count_ ? MessageKind::known : MessageKind::signal;
+    if (entry.unit == BusUnit::time_of_day || entry.unit == BusUnit::date) {
+        message.kind = entry.unit == BusUnit::date ? MessageKind::date : MessageKind::utc;
+        finish_clock(value, message);
+        return;
+    }
+    double number = number_of(value);
+    if (is_half(message.header.data_type)) {
+        if (!join_halves(sender, message.header, frame.time, static_cast<std::uint32_t>(value.parts[0]), number)) {
+            message.kind = MessageKind::half;
+            return;
+        }
+    } else if (value.type == DataType::long32 && entry.unit == BusUnit::degree) {
+        number *= kDegreesPerLongUnit;
+    }
+    if (!entry.service_code_is_index && status_invalid(message.header.service_code)) {
+        ++counts_.stated_invalid;
+        message.healthy = false;
+        return;
+    }
+    finish_number(number, place, message);
+}
+
+void MessageDecoder::finish_number(double number, std::size_t place, DecodedMessage& message) {
+    const IdentifierEntry& entry = identifier_table()[place];
+    const double plain = number * std::fabs(bindings_[place].factor);
+    // Written so that a NaN fails; the half ulp that degrees lose on their way to radians must not refuse a limit itself.
+    const double slack = 1e-6 * (entry.high - entry.low);
+    if (!(plain >= entry.low - slack && plain <= entry.high + slack)) {
+        ++counts_.out_of_range;
+        message.healthy = false;
+        return;
+    }
+    message.value = to_si(bindings_[place], number);
+}
+
+void MessageDecoder::finish_phase(const TypedValue& value, DecodedMessage& message) {
+    const flight::ParsedPhase parsed = flight::phase_from_code(static_cast<std::uint8_t>(value.parts[0]));
+    const bool confidence_good = value.parts[3] <= 100 || value.parts[3] == 255;
+    message.phase_origin = static_cast<std::uint8_t>(value.parts[2]);
+    if (message.header.service_code != 0) {
+        ++counts_.stated_invalid;
+        message.healthy = false;
+    } else if (!parsed.ok || !confidence_good) {
+        ++counts_.out_of_range;
+        message.healthy = false;
+    } else {
+        message.phase = parsed.phase;
+        message.confidence = static_cast<std::uint8_t>(value.parts[3]);
+    }
+}
+
+void MessageDecoder::finish_clock(const TypedValue& value, DecodedMessage& message) {
+    std::array<std::int64_t, 4> parts = value.parts;
+    bool good = false;
+    if (message.kind == MessageKind::utc) {
+        good = parts[0] >= 0 && parts[0] <= 23 && parts[1] >= 0 && parts[1] <= 59 && parts[2] >= 0 && parts[2] <= 60;
+    } else {
+        if (dialect_.month_from_zero) ++parts[1];
+        good = value.count == 4 && parts[0] >= 1 && parts[0] <= 31 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 0 &&
+               parts[2] <= 99 && parts[3] >= 0 && parts[3] <= 99;
+    }
+    if (!good) ++counts_.out_of_range;
+    message.healthy = good;
+    for (std::size_t i = 0; good && i < 4; ++i) message.clock[i] = static_cast<std::uint8_t>(parts[i]);
+}
+
+bool MessageDecoder::status_invalid(std::uint8_t service_code) const {
+    return service_code != 0 && dialect_.service_code == ServiceCodeMeaning::invalid;
+}
+
+/// Decides whether this message is news, and keeps account of gaps and restarts.
+bool MessageDecoder::follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message) {
+    const base::Duration silence = time - sender.last;
+    const bool resumed = silence > dialect_.sender_timeout || base::Duration{} - silence > dialect_.sender_timeout;
+    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(header.message_code - sender.code));
+    bool restarted = !sender.seen || resumed || header.node != sender.node;
+    if (!restarted && step == 0) {
+        if (sender.same_codes < kRepeatsUntilUnnumbered && ++sender.same_codes < kRepeatsUntilUnnumbered) return false;
+        sender.numbered = false;
+    } else if (!restarted && step < 0) {
+        if (++sender.older_codes < kOldersUntilRestart) return false;
+        restarted = true;
+    } else if (!restarted) {
+        if (sender.numbered) counts_.lost += static_cast<std::uint64_t>(step - 1);
+        sender.numbered = true;
+        sender.same_codes = 0;
+    }
+    if (restarted) {
+        if (sender.seen) ++counts_.restarts;
+        sender = Sender();
+    }
+    sender.seen = true;
+    sender.older_codes = 0;
+    sender.node = header.node;
+    sender.code = header.message_code;
+    sender.last = time;
+    message.restarted = restarted;
+    message.numbered = sender.numbered;
+    return true;
+}
+
+/// True with the number when this half completes a pair; otherwise it waits for the other.
+bool MessageDecoder::join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits, double& number) {
+    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(header.message_code - sender.half_code));
+    const bool adjacent = sender.half_type != 0 && sender.half_type != header.data_type && (step == 1 || !sender.numbered);
+    const base::Duration apart = time - sender.half_time;
+    if (adjacent && apart <= dialect_.pair_window && base::Duration{} - apart <= dialect_.pair_window) {
+        const bool high_came_first = sender.half_type == static_cast<std::uint8_t>(DataType::double_high);
+        number = high_came_first ? double_from_halves(sender.half_bits, bits) : double_from_halves(bits, sender.half_bits);
+        sender.half_type = 0;
+        return true;
+    }
+    if (sender.half_type != 0) ++counts_.halves_dropped;
+    sender.half_type = header.data_type;
+    sender.half_code = header.message_code;
+    sender.half_time = time;
+    sender.half_bits = bits;
+    return false;
+}
+
+}  // namespace tedavis::bus

@@ -1,0 +1,105 @@
+/// CANaerospace messages as SI values: headers, types, pairs of DOUBLE halves, message codes, plausibility.
+///
+/// Foreign traffic changes nothing but counters: only identifiers of the table with a data type that the table allows are
+/// taken. Longer frames than their type needs (senders that pad to eight bytes) are taken and counted.
+///
+/// Message codes: a repeated or older code of one identifier and channel is a duplicate and dropped; gaps are counted as
+/// lost; after `sender_timeout` of silence, from another node, or at the third older code in a row the sender counts as
+/// restarted; a code that never changes is a sender that does not number its messages.
+///
+/// Thread  one. Memory  fixed, inside; trivially copyable, so that a copy is a checkpoint. Failure  counted by kind.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "bus/canaerospace/bus_settings.hpp"
+#include "bus/canaerospace/identifier_table.hpp"
+#include "bus/canaerospace/message_header.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::bus {
+
+enum class MessageKind : std::uint8_t {
+    alien,      ///< not CANaerospace, or nothing this display knows
+    repeated,   ///< duplicate or older message
+    half,       ///< first half of a DOUBLE
+    known,      ///< in the table, without a signal of the core; value decoded
+    signal,
+    phase, phase_request,
+    utc, date,
+    identification_request,
+};
+
+struct DecodedMessage {
+    MessageKind kind = MessageKind::alien;
+    MessageHeader header;
+    std::uint16_t identifier = 0;
+    std::uint8_t channel = 0;
+    bool restarted = false;     ///< first message of a sender after start, silence or restart
+    bool numbered = true;       ///< false: the message code says nothing
+    bool healthy = true;        ///< false: the sender says invalid, or the value is implausible (then `value` is not set)
+    flight::Signal signal = flight::Signal::count_;
+    std::uint8_t rank = 0;
+    double value = 0;           ///< SI
+    flight::FlightPhase phase;  ///< of phase messages
+    std::uint8_t phase_origin = 0;  ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
+    std::uint8_t confidence = 255;  ///< percent, 255 not stated
+    std::array<std::uint8_t, 4> clock{};  ///< utc: h, m, s, 0; date: day, month 1..12, year / 100, year % 100
+};
+
+struct DecoderCounts {
+    std::uint64_t decoded = 0;
+    std::uint64_t alien = 0;
+    std::uint64_t repeated = 0;
+    std::uint64_t lost = 0;          ///< messages missing by message code
+    std::uint64_t restarts = 0;
+    std::uint64_t padded = 0;
+    std::uint64_t halves_dropped = 0;
+    std::uint64_t out_of_range = 0;  ///< refused values: implausible, not a number, or an impossible code
+    std::uint64_t stated_invalid = 0;
+};
+
+class MessageDecoder {
+public:
+    explicit MessageDecoder(const BusSettings& settings);
+
+    [[nodiscard]] DecodedMessage decode(const CanFrame& frame);
+    [[nodiscard]] const DecoderCounts& counts() const { return counts_; }
+
+private:
+    struct Sender {
+        base::Time last;
+        base::Time half_time;
+        std::uint32_t half_bits = 0;
+        std::uint8_t half_type = 0;  // 0: no half is waiting
+        std::uint8_t half_code = 0;
+        std::uint8_t node = 0;
+        std::uint8_t code = 0;
+        std::uint8_t same_codes = 0;
+        std::uint8_t older_codes = 0;
+        bool seen = false;
+        bool numbered = true;
+    };
+    static constexpr std::size_t kMaxEntries = 128;
+    static constexpr std::size_t kPhasePlace = kMaxEntries - 2;
+
+    DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::size_t place, std::uint32_t types);
+    void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::size_t place, DecodedMessage& message);
+    void finish_phase(const TypedValue& value, DecodedMessage& message);
+    void finish_clock(const TypedValue& value, DecodedMessage& message);
+    void finish_number(double number, std::size_t place, DecodedMessage& message);
+    [[nodiscard]] bool follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message);
+    [[nodiscard]] bool join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits, double& number);
+    [[nodiscard]] bool status_invalid(std::uint8_t service_code) const;
+
+    BusDialect dialect_;
+    PhaseMessageSettings phase_;
+    DecoderCounts counts_;
+    std::array<SignalBinding, kMaxEntries> bindings_{};
+    std::array<std::array<Sender, kMaxRedundancyChannels>, kMaxEntries> senders_{};
+};
+static_assert(std::is_trivially_copyable_v<MessageDecoder>);
+
+}  // namespace tedavis::bus

@@ -1,0 +1,40 @@
+/// Writes frames as a candump log.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "bus/candump/candump_line.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+
+namespace tedavis::bus {
+
+/// Where the text goes: a file, a buffer. Implemented by the composition root.
+class TextSink {
+public:
+    virtual ~TextSink() = default;
+    /// False when not everything could be written.
+    [[nodiscard]] virtual bool write(const char* text, std::size_t count) = 0;
+};
+
+/// Thread  one. Memory  none. Failure  a frame that is no candump line, or a sink that is full, gives false and is counted.
+class CandumpLogWriter {
+public:
+    /// Channel n is written as the n-th name; frames of a channel without a name are refused.
+    CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits, bool direction);
+
+    [[nodiscard]] bool write(const CanFrame& frame);
+    [[nodiscard]] std::uint64_t written() const { return written_; }
+    [[nodiscard]] std::uint64_t refused() const { return refused_; }
+
+private:
+    TextSink& sink_;
+    base::FixedVector<base::FixedString<15>, 16> names_;
+    StampDigits digits_;
+    bool direction_;
+    std::uint64_t written_ = 0;
+    std::uint64_t refused_ = 0;
+};
+
+}  // namespace tedavis::bus

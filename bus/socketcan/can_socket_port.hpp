@@ -1,0 +1,43 @@
+/// Who opens the socket: the kernel's raw CAN in the product, a socket pair in tests.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/time.hpp"
+
+namespace tedavis::bus {
+
+/// Passes frames with (received identifier & mask) == (identifier & mask); bit 31 marks 29-bit identifiers, bit 30 remote
+/// frames, as in the kernel.
+struct CanFilter {
+    std::uint32_t identifier = 0;
+    std::uint32_t mask = 0;
+};
+
+struct SocketCanSettings {
+    base::FixedString<15> interface_name;        ///< "can0"
+    base::FixedVector<CanFilter, 512> filters;   ///< none: everything; 512 is the kernel's limit
+    bool can_fd = false;
+    std::uint32_t receive_buffer_bytes = 1u << 20;
+    base::Duration reopen_interval = base::Duration::seconds(1);  ///< at most one attempt in this time
+};
+
+/// Adds the two filters that pass one CANaerospace identifier on all redundancy channels: the exact 11-bit identifier, and
+/// the 29-bit ones whose low 16 bits equal it. False when they do not fit.
+[[nodiscard]] bool add_identifier_filters(SocketCanSettings& settings, std::uint16_t identifier);
+
+struct OpenedSocket {
+    int descriptor = -1;  ///< non-blocking; -1 when it could not be opened
+    base::FixedString<191> reason;  ///< then what is wrong and what to do
+};
+
+class CanSocketPort {
+public:
+    virtual ~CanSocketPort() = default;
+    /// Never blocks. The caller owns and closes the descriptor.
+    [[nodiscard]] virtual OpenedSocket open(const SocketCanSettings& settings) = 0;
+};
+
+}  // namespace tedavis::bus

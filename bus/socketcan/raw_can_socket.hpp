@@ -1,0 +1,15 @@
+/// The kernel's PF_CAN raw socket.
+#pragma once
+
+#include "bus/socketcan/can_socket_port.hpp"
+
+namespace tedavis::bus {
+
+/// Binds to the interface with the settings' filters, all error classes, kernel time stamps, the overflow counter and the
+/// receive buffer asked for. The bit rate and `restart-ms` are the system's business (`ip link set can0 ...`).
+class RawCanSocket final : public CanSocketPort {
+public:
+    [[nodiscard]] OpenedSocket open(const SocketCanSettings& settings) override;
+};
+
+}  // namespace tedavis::bus

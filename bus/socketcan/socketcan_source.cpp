@@ -1,0 +1,160 @@
+#include "bus/socketcan/socketcan_source.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "bus/socketcan/kernel_frame.hpp"
+
+namespace tedavis::bus {
+namespace {
+
+constexpr base::Duration kOldestBelievable = base::Duration::seconds(2);
+constexpr std::size_t kControlBytes = CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t)) + 64;
+
+base::Time time_of(const timespec& stamp) { return {static_cast<std::int64_t>(stamp.tv_sec) * 1'000'000'000 + stamp.tv_nsec}; }
+
+}  // namespace
+
+SocketCanSource::SocketCanSource(CanSocketPort& port, const SocketCanSettings& settings, LiveClocks clocks)
+    : port_(port), settings_(settings), clocks_(clocks) {
+    TEDAVIS_CHECK(clocks.monotonic != nullptr && clocks.wall != nullptr);
+}
+
+SocketCanSource::~SocketCanSource() { close_socket(); }
+
+void SocketCanSource::close_socket() {
+    if (descriptor_ >= 0) close(descriptor_);
+    descriptor_ = -1;
+    kernel_drops_ = 0;
+}
+
+bool SocketCanSource::ensure_open(base::Time now) {
+    if (descriptor_ >= 0) return true;
+    if (attempted_ && now - last_attempt_ < settings_.reopen_interval) return false;
+    attempted_ = true;
+    last_attempt_ = now;
+    const OpenedSocket opened = port_.open(settings_);
+    if (opened.descriptor < 0) {
+        health_ = SourceHealth::failed;
+        fault_ = opened.reason;
+        return false;
+    }
+    descriptor_ = opened.descriptor;
+    fault_.clear();
+    health_ = SourceHealth::idle;
+    if (opened_before_) ++statistics_.reopened;
+    opened_before_ = true;
+    return true;
+}
+
+std::size_t SocketCanSource::read(base::Time until, base::Span<CanFrame> out) {
+    std::size_t count = 0;
+    // Records that are no frames use up turns too, so that a flood of them cannot hold the caller.
+    for (std::size_t turn = 0; turn < out.size(); ++turn) {
+        if (!has_waiting_) {
+            if (!ensure_open(until)) break;
+            const Received received = receive(waiting_);
+            if (received == Received::nothing) break;
+            if (received == Received::not_a_frame) continue;
+            has_waiting_ = true;
+        }
+        if (waiting_.time > until) break;
+        out[count++] = waiting_;
+        has_waiting_ = false;
+        ++statistics_.frames;
+    }
+    return count;
+}
+
+SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
+    std::array<unsigned char, kKernelFdFrameBytes + 1> bytes{};
+    alignas(cmsghdr) std::array<unsigned char, kControlBytes> control{};
+    iovec place{bytes.data(), bytes.size()};
+    msghdr message{};
+    message.msg_iov = &place;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    const ssize_t size = recvmsg(descriptor_, &message, MSG_DONTWAIT);
+    if (size <= 0) {
+        if (size == 0) note_failure(ENODEV);
+        else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) note_failure(errno);
+        return Received::nothing;
+    }
+    frame = CanFrame();
+    frame.time = monotonic_time(read_ancillary(&message));
+    if (!frame_from_kernel({bytes.data(), static_cast<std::size_t>(size)}, frame)) {
+        ++statistics_.malformed;
+        return Received::not_a_frame;
+    }
+    frame.transmitted = (message.msg_flags & MSG_DONTROUTE) != 0;
+    if (frame.kind == FrameKind::error) note_error_frame(frame);
+    else health_ = SourceHealth::running;
+    return Received::frame;
+}
+
+SocketCanSource::Stamp SocketCanSource::read_ancillary(void* opaque) {
+    auto* message = static_cast<msghdr*>(opaque);
+    Stamp stamp;
+    for (cmsghdr* part = CMSG_FIRSTHDR(message); part != nullptr; part = CMSG_NXTHDR(message, part)) {
+        if (part->cmsg_level != SOL_SOCKET) continue;
+        if (part->cmsg_type == SCM_TIMESTAMPNS) {
+            timespec wall{};
+            std::memcpy(&wall, CMSG_DATA(part), sizeof wall);
+            stamp = {time_of(wall), true};
+        } else if (part->cmsg_type == SO_RXQ_OVFL) {
+            std::uint32_t total = 0;
+            std::memcpy(&total, CMSG_DATA(part), sizeof total);
+            count_kernel_drops(total);
+        }
+    }
+    return stamp;
+}
+
+/// The kernel's counter is cumulative and 32 bits wide; the difference survives its wrap.
+void SocketCanSource::count_kernel_drops(std::uint32_t total) {
+    statistics_.dropped += static_cast<std::uint32_t>(total - kernel_drops_);
+    kernel_drops_ = total;
+}
+
+base::Time SocketCanSource::monotonic_time(Stamp stamp) const {
+    const base::Time now = clocks_.monotonic();
+    if (!stamp.present) return now;
+    const base::Duration age = clocks_.wall() - stamp.wall;
+    return age < base::Duration{} || age > kOldestBelievable ? now : now - age;
+}
+
+void SocketCanSource::note_error_frame(const CanFrame& frame) {
+    ++statistics_.error_frames;
+    const ControllerEvent event = controller_event(frame);
+    if (event == ControllerEvent::bus_off) health_ = SourceHealth::bus_off;
+    if (event == ControllerEvent::restarted) health_ = SourceHealth::running;
+    if (event == ControllerEvent::overflow) ++statistics_.dropped;
+}
+
+/// ENETDOWN leaves the socket bound: frames come again when the link does. Anything else needs a new socket.
+void SocketCanSource::note_failure(int error) {
+    if (error == ENETDOWN) {
+        health_ = SourceHealth::link_down;
+        return;
+    }
+    close_socket();
+    health_ = SourceHealth::failed;
+    fault_ = base::FixedString<191>("CAN interface '");
+    fault_.append(settings_.interface_name.view());
+    fault_.append("' went away; it is opened again when it is back");
+}
+
+bool SocketCanSource::send(const CanFrame& frame) {
+    std::array<unsigned char, kKernelFdFrameBytes> bytes{};
+    const std::size_t size = frame_to_kernel(frame, bytes);
+    if (size == 0 || descriptor_ < 0) return false;
+    return ::send(descriptor_, bytes.data(), size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size);
+}
+
+}  // namespace tedavis::bus

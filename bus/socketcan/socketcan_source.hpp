@@ -1,0 +1,72 @@
+/// Frames from a live bus.
+///
+/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock; a
+/// stamp that the conversion puts into the future or more than two seconds into the past (someone set the clock) is
+/// replaced by the time of reading. Frames that the kernel drops are counted by its own counter. Bus-off and link-down
+/// are reported by health(); a socket that fails is closed and opened again, at most once in `reopen_interval`.
+///
+/// Thread  one. Memory  fixed. Failure  health() and last_fault().
+#pragma once
+
+#include "bus/frame/can_source.hpp"
+#include "bus/socketcan/can_socket_port.hpp"
+
+namespace tedavis::bus {
+
+/// The two clocks of the machine, given by the composition root.
+struct LiveClocks {
+    base::Time (*monotonic)() = nullptr;
+    base::Time (*wall)() = nullptr;
+};
+
+class SocketCanSource final : public CanSource {
+public:
+    /// Opens at the first read. The port must outlive the source.
+    SocketCanSource(CanSocketPort& port, const SocketCanSettings& settings, LiveClocks clocks);
+    ~SocketCanSource() override;
+    SocketCanSource(const SocketCanSource&) = delete;
+    SocketCanSource& operator=(const SocketCanSource&) = delete;
+
+    /// Times are monotonic; `until` is normally the monotonic now.
+    [[nodiscard]] std::size_t read(base::Time until, base::Span<CanFrame> out) override;
+    [[nodiscard]] SourceHealth health() const override { return health_; }
+    [[nodiscard]] const SourceStatistics& statistics() const override { return statistics_; }
+    /// Why the socket is not open, one sentence; empty while it is.
+    [[nodiscard]] std::string_view last_fault() const { return fault_.view(); }
+
+    /// Hands one frame to the kernel; false when its queue is full or there is no bus: it is not sent later.
+    [[nodiscard]] bool send(const CanFrame& frame);
+    /// To wait on in the composition root's poll; -1 while closed.
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+private:
+    enum class Received : std::uint8_t { frame, not_a_frame, nothing };
+    struct Stamp {
+        base::Time wall;
+        bool present = false;
+    };
+    [[nodiscard]] bool ensure_open(base::Time now);
+    [[nodiscard]] Received receive(CanFrame& frame);
+    [[nodiscard]] Stamp read_ancillary(void* message);
+    [[nodiscard]] base::Time monotonic_time(Stamp stamp) const;
+    void note_failure(int error);
+    void note_error_frame(const CanFrame& frame);
+    void count_kernel_drops(std::uint32_t total);
+    void close_socket();
+
+    CanSocketPort& port_;
+    SocketCanSettings settings_;
+    LiveClocks clocks_;
+    int descriptor_ = -1;
+    SourceHealth health_ = SourceHealth::idle;
+    SourceStatistics statistics_;
+    base::FixedString<191> fault_;
+    base::Time last_attempt_;
+    bool attempted_ = false;
+    bool opened_before_ = false;
+    std::uint32_t kernel_drops_ = 0;  // the socket's cumulative counter as last seen
+    CanFrame waiting_;                // read, but later than the caller's `until`
+    bool has_waiting_ = false;
+};
+
+}  // namespace tedavis::bus

@@ -1,0 +1,94 @@
+/// What the bus says about the aircraft: frames in, the core's state out.
+///
+/// Frames are fed in the order of their source; snapshot(now) is a pure reading of what was fed and changes nothing. With
+/// a source that is read up to `now` before each snapshot (CanSource::read), the snapshot at T depends on the frames up
+/// to T alone, however often snapshots were taken; a copy of the object is a checkpoint to go on from.
+///
+/// Each value keeps the source time that source_time_fit.hpp reconstructs; without a lock its receive stamp, and then its
+/// quality is degraded. Thread  one. Memory  fixed, inside. Failure  none; foreign and broken traffic is counted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "bus/canaerospace/message_decoder.hpp"
+#include "bus/state/own_ship_filter.hpp"
+#include "bus/state/source_time_fit.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+
+namespace tedavis::bus {
+
+/// A flight phase as the bus states it. Quality is bad while the sender says invalid or the code is impossible.
+struct PhaseMessage {
+    base::Stamped<flight::FlightPhase> phase;
+    base::FreshnessLimits limits;  ///< both at the bus file's timeout
+    std::uint8_t origin = 0;       ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
+    std::uint8_t confidence = 255; ///< percent, 255 not stated
+};
+
+/// UTC as the bus states it, for reports; never used as a time base.
+struct BusClock {
+    std::array<std::uint8_t, 3> utc{};  ///< h, m, s
+    std::array<std::uint8_t, 3> date{}; ///< day, month 1..12, year of century
+    std::uint8_t century = 0;           ///< first two digits of the year
+    bool utc_received = false;
+    bool date_received = false;
+};
+
+struct BusCounters {
+    std::uint64_t frames = 0;
+    std::uint64_t decoded = 0;
+    std::uint64_t alien = 0;
+    std::uint64_t errors = 0;   ///< error frames of the controller
+    std::uint64_t dropped = 0;  ///< frames that kernel or recorder lost
+};
+
+struct BusSnapshot {
+    flight::AircraftState state;
+    PhaseMessage phase_status;   ///< message 1830
+    PhaseMessage phase_request;  ///< message 1831
+    BusClock clock;
+    BusCounters counters;
+    DecoderCounts decoder;
+};
+static_assert(std::is_trivially_copyable_v<BusSnapshot>);
+
+class StateAssembler {
+public:
+    explicit StateAssembler(const BusSettings& settings = BusSettings());
+
+    void feed(base::Span<const CanFrame> frames);
+    /// The source's own total of lost frames.
+    void note_dropped(std::uint64_t total) { dropped_ = total; }
+    [[nodiscard]] BusSnapshot snapshot(base::Time now) const;
+
+private:
+    static constexpr std::size_t kCandidates = std::size_t{kMaxRanks} * kMaxRedundancyChannels;
+    static constexpr std::size_t kMaxFits = 128;
+
+    void take(const CanFrame& frame);
+    void take_value(const DecodedMessage& message, base::Time received);
+    void store(const DecodedMessage& message, base::Time at, base::Quality quality);
+    void filter(const DecodedMessage& message, base::Time at);
+    void filter_signal(const DecodedMessage& message, base::Time at, OwnShipFilter& filter);
+    void filter_invalid(const DecodedMessage& message);
+    void take_phase(const DecodedMessage& message, base::Time received, PhaseMessage& phase);
+    void take_clock(const DecodedMessage& message);
+    [[nodiscard]] flight::OwnShipEstimate own_ship(base::Time now) const;
+
+    BusSettings settings_;
+    MessageDecoder decoder_;
+    std::array<std::array<SourceTimeFit, kMaxRedundancyChannels>, kMaxFits> fits_{};
+    std::array<std::array<base::Stamped<double>, kCandidates>, flight::kSignalCount> candidates_{};
+    std::array<OwnShipFilter, kMaxRedundancyChannels> filters_;
+    PhaseMessage phase_status_;
+    PhaseMessage phase_request_;
+    BusClock clock_;
+    std::uint64_t frames_ = 0;
+    std::uint64_t errors_ = 0;
+    std::uint64_t dropped_ = 0;
+};
+static_assert(std::is_trivially_copyable_v<StateAssembler>);
+
+}  // namespace tedavis::bus
