@@ -1,0 +1,74 @@
+#include "platform/egl_headless/egl_display.hpp"
+
+#include <EGL/eglext.h>
+
+#include <cstring>
+
+namespace tedavis::platform {
+namespace {
+
+template <class Function>
+Function egl_function(const char* name) {
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+/// The display when it initialises and offers what the surface needs, else EGL_NO_DISPLAY.
+EGLDisplay usable(EGLDisplay display) {
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return EGL_NO_DISPLAY;
+    return find_headless_config(display, 2) != nullptr ? display : EGL_NO_DISPLAY;
+}
+
+EGLDisplay surfaceless_display(const char* extensions) {
+    const auto get_display = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    if (get_display == nullptr || !has_egl_extension(extensions, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
+    return usable(get_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+}
+
+EGLDisplay device_display(const char* extensions) {
+    const auto get_display = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    const auto query_devices = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    if (get_display == nullptr || query_devices == nullptr || !has_egl_extension(extensions, "EGL_EXT_platform_device"))
+        return EGL_NO_DISPLAY;
+    constexpr EGLint kMaxDevices = 16;
+    EGLDeviceEXT devices[kMaxDevices] = {};
+    EGLint count = 0;
+    if (query_devices(kMaxDevices, devices, &count) != EGL_TRUE) return EGL_NO_DISPLAY;
+    for (EGLint i = 0; i < count; ++i) {
+        const EGLDisplay display = usable(get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+        if (display != EGL_NO_DISPLAY) return display;
+    }
+    return EGL_NO_DISPLAY;
+}
+
+}  // namespace
+
+bool has_egl_extension(const char* list, const char* name) noexcept {
+    if (list == nullptr || *name == '\0') return false;
+    const std::size_t length = std::strlen(name);
+    for (const char* p = std::strstr(list, name); p != nullptr; p = std::strstr(p + length, name)) {
+        const bool starts = p == list || p[-1] == ' ';
+        if (starts && (p[length] == ' ' || p[length] == '\0')) return true;
+    }
+    return false;
+}
+
+EGLDisplay find_headless_display() {
+    const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const EGLDisplay surfaceless = surfaceless_display(extensions);
+    if (surfaceless != EGL_NO_DISPLAY) return surfaceless;
+    const EGLDisplay device = device_display(extensions);
+    if (device != EGL_NO_DISPLAY) return device;
+    return usable(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+}
+
+EGLConfig find_headless_config(EGLDisplay display, int es_version) {
+    const EGLint renderable = es_version >= 3 ? EGL_OPENGL_ES3_BIT_KHR : EGL_OPENGL_ES2_BIT;
+    const EGLint attributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, renderable, EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8,
+                                 EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_SAMPLE_BUFFERS, 0, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display, attributes, &config, 1, &count) != EGL_TRUE || count < 1) return nullptr;
+    return config;
+}
+
+}  // namespace tedavis::platform
