@@ -1,0 +1,35 @@
+/// A file that appears whole or not at all: written beside its place as `<path>.part` and renamed by `commit`.
+/// Without a commit (an exception, an early return) the part is removed and what stood at the path before stays.
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace tedavis::host_sim {
+
+class AtomicFile {
+public:
+    /// Throws UserError where the folder cannot be written.
+    explicit AtomicFile(std::string path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    [[nodiscard]] std::ostream& stream() { return stream_; }
+    /// Throws UserError when not every byte reached the disk; then nothing appears.
+    void commit();
+
+private:
+    std::string path_;
+    std::string part_;
+    std::ofstream stream_;
+    bool committed_ = false;
+};
+
+/// The whole text in one go.
+void write_file_atomically(const std::string& path, std::string_view text);
+/// Creates the folder and its parents; throws UserError where that is impossible.
+void make_folder(const std::string& path);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,22 @@
+/// `tedavis convert FLIGHT -o X.log`: a recorded flight as a candump log of CANaerospace frames.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+struct ConvertOptions {
+    std::string flight;              ///< IGC, GPX, ADS-B JSON or CSV, plain or gzip
+    std::string output;              ///< the log; what was derived goes to `<output>.json`
+    std::string aircraft;            ///< identity or callsign; empty: the only one
+    std::optional<double> qnh_hpa;   ///< 870..1085
+    bool assume_geometric = false;
+};
+
+/// Returns the exit code; throws UserError.
+int run_convert(const ConvertOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,37 @@
+/// How a command speaks: its result on stdout (text, or JSON with --json), notes and progress on stderr.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string_view>
+
+namespace tedavis::host_sim {
+
+class Console {
+public:
+    /// The streams must outlive the console. `live` says that `notes` is a terminal: only then is progress drawn.
+    Console(std::ostream& results, std::ostream& notes, bool json, bool live)
+        : results_(&results), notes_(&notes), json_(json), live_(live) {}
+
+    /// The command's result, once: `json` with --json, else `text`; either gets a line end where it lacks one.
+    void result(std::string_view text, std::string_view json);
+    /// One sentence beside the result.
+    void note(std::string_view sentence);
+    /// Redraws one line in place, at most once a whole percent; silent where stderr is no terminal.
+    void progress(std::string_view what, std::uint64_t done, std::uint64_t total);
+    /// Ends the progress line, so that what follows starts on its own.
+    void progress_done();
+
+    [[nodiscard]] bool json() const { return json_; }
+
+private:
+    void write_line(std::ostream& stream, std::string_view text);
+
+    std::ostream* results_;
+    std::ostream* notes_;
+    bool json_;
+    bool live_;
+    int shown_percent_ = -1;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,115 @@
+#include "host_sim/flight_log/flight_log_writer.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "bus/candump/candump_log_writer.hpp"
+#include "bus/canaerospace/message_encoder.hpp"
+#include "host_sim/flight_log/message_schedule.hpp"
+#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr base::Duration kFrameTime{125'000};  // 125 bits at 1 Mbit/s
+constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
+constexpr std::int64_t kMillisecondsPerSecond = 1000;
+constexpr std::int64_t kAttitudePeriod_ms = 20;
+constexpr std::int64_t kProgressEvery_ms = 1000;
+
+class StreamSink final : public bus::TextSink {
+public:
+    explicit StreamSink(std::ostream& stream) : stream_(stream) {}
+    bool write(const char* text, std::size_t count) override { return static_cast<bool>(stream_.write(text, static_cast<std::streamsize>(count))); }
+
+private:
+    std::ostream& stream_;
+};
+
+class LogRun {
+public:
+    LogRun(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream)
+        : flight_(flight), encoder_(settings.bus, settings.node), sink_(stream), names_{settings.interface_name},
+          writer_(sink_, {names_.data(), names_.size()}, bus::StampDigits::micro, false) {}
+
+    FlightLogCounts run(const LogProgress& progress) {
+        const std::int64_t first = ceil_ms(flight_.begin()), last = flight_.end().ns / kNanosecondsPerMillisecond;
+        for (std::int64_t ms = first; ms <= last; ++ms) {
+            write_millisecond(ms);
+            if ((ms - first) % kProgressEvery_ms != 0) continue;
+            if (!progress(static_cast<double>(ms - first) / static_cast<double>(last - first + 1))) {
+                counts_.interrupted = true;
+                break;
+            }
+        }
+        counts_.frames = writer_.written();
+        return counts_;
+    }
+
+private:
+    static std::int64_t ceil_ms(base::Time time) { return (time.ns + kNanosecondsPerMillisecond - 1) / kNanosecondsPerMillisecond; }
+
+    void write_millisecond(std::int64_t ms) {
+        const base::Time time{ms * kNanosecondsPerMillisecond};
+        next_stamp_ = time;
+        std::optional<SignalSample> sample;
+        bool asked = false;
+        for (const ScheduledMessage& message : message_schedule()) {
+            if (ms % message.period_ms != message.offset_ms) continue;
+            if (!asked) sample = flight_.at(time);
+            asked = true;
+            if (!sample) break;
+            if (!sample->has(message.signal)) continue;
+            send(encoder_.encode(message.identifier, (*sample)[message.signal], message.type, time, out()));
+        }
+        if (sample && ms % kMillisecondsPerSecond == 0) send_clock(time);
+        if (asked && !sample && ms % kAttitudePeriod_ms == 0) counts_.silent_ms += kAttitudePeriod_ms;
+        send_phase(ms, time);
+    }
+
+    void send_clock(base::Time time) {
+        const CalendarDate date = calendar_date(time);
+        const std::int64_t of_day = date.second_of_day;
+        send(encoder_.encode_utc(static_cast<std::uint8_t>(of_day / 3600), static_cast<std::uint8_t>(of_day / 60 % 60), static_cast<std::uint8_t>(of_day % 60), time, out()));
+        send(encoder_.encode_date(static_cast<std::uint8_t>(date.day), static_cast<std::uint8_t>(date.month), static_cast<std::uint16_t>(date.year), time, out()));
+    }
+
+    void send_phase(std::int64_t ms, base::Time time) {
+        const auto phase = flight_.stated_phase(time);
+        const bool changed = phase.has_value() && (!last_phase_ || *last_phase_ != *phase);
+        last_phase_ = phase;
+        if (!phase || !(changed || ms % kMillisecondsPerSecond == 0)) return;
+        ++counts_.phase_messages;
+        send(encoder_.encode_phase(*phase, bus::PhaseOrigin::simulator, bus::kConfidenceNotStated, true, time, out()));
+    }
+
+    base::Span<bus::CanFrame> out() { return {frames_.data(), frames_.size()}; }
+
+    void send(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            frames_[i].time = next_stamp_;
+            next_stamp_ = next_stamp_ + kFrameTime;
+            if (!writer_.write(frames_[i])) throw UserError("the log could not be written to its end; check the free space");
+        }
+    }
+
+    const FlightSource& flight_;
+    bus::MessageEncoder encoder_;
+    StreamSink sink_;
+    std::array<std::string_view, 1> names_;
+    bus::CandumpLogWriter writer_;
+    std::array<bus::CanFrame, 2> frames_;
+    base::Time next_stamp_;
+    std::optional<flight::FlightPhase> last_phase_;
+    FlightLogCounts counts_;
+};
+
+}  // namespace
+
+FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream, const LogProgress& progress) {
+    return LogRun(flight, settings, stream).run(progress);
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,23 @@
+/// A flight that can be asked for its signals at any instant: a resampled recording or a scenario.
+#pragma once
+
+#include <optional>
+
+#include "host_sim/flight_log/signal_sample.hpp"
+#include "render_core/base/time.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::host_sim {
+
+class FlightSource {
+public:
+    virtual ~FlightSource() = default;
+    [[nodiscard]] virtual base::Time begin() const = 0;
+    [[nodiscard]] virtual base::Time end() const = 0;
+    /// The signals at `time`; nothing where the flight has a gap or has not begun or is over.
+    [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
+    /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
+    [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
+};
+
+}  // namespace tedavis::host_sim

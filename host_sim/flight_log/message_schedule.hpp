@@ -1,0 +1,25 @@
+/// Which signals a generated log carries, as which CANaerospace messages, how often.
+///
+/// Rates follow the transmission schedule of CANaerospace 1.7 (section 6.2) for what changes slowly; attitude goes out
+/// 50 times a second instead of 80, which the display's frame rate does not tell apart.
+#pragma once
+
+#include <cstdint>
+
+#include "bus/canaerospace/data_type.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/flight/signal.hpp"
+
+namespace tedavis::host_sim {
+
+struct ScheduledMessage {
+    std::uint16_t identifier;
+    flight::Signal signal;
+    bus::DataType type;
+    std::uint16_t period_ms;
+    std::uint16_t offset_ms;  ///< within the period, so that the messages of one rate do not crowd
+};
+
+[[nodiscard]] base::Span<const ScheduledMessage> message_schedule() noexcept;
+
+}  // namespace tedavis::host_sim

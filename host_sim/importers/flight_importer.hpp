@@ -1,0 +1,16 @@
+/// Opens a recorded flight of any supported format and picks the aircraft.
+#pragma once
+
+#include <string>
+
+#include "host_sim/importers/recorded_flight.hpp"
+
+namespace tedavis::host_sim {
+
+/// Reads the file (gzip or plain) and tells the format by its content, not its name. Throws UserError.
+[[nodiscard]] ImportedFile import_flight_file(const std::string& path);
+/// The flight of `aircraft` (its identity or callsign, case does not matter; empty: the only one). Throws UserError that
+/// lists the choices where the file holds several, or none of that name.
+[[nodiscard]] RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path);
+
+}  // namespace tedavis::host_sim

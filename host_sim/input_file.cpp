@@ -1,0 +1,62 @@
+#include "host_sim/input_file.hpp"
+
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+void require_regular_file(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) throw UserError(path + ": no such file; check the path");
+    if (std::filesystem::is_directory(status)) throw UserError(path + ": is a folder; name a file");
+}
+
+struct GzCloser {
+    void operator()(gzFile_s* file) const { gzclose_r(file); }
+};
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+    require_regular_file(path);
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw UserError(path + ": cannot be opened (" + std::strerror(errno) + "); check its permissions");
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (stream.bad() || text.bad()) throw UserError(path + ": cannot be read to its end; check the disk");
+    return std::move(text).str();
+}
+
+std::string read_file_unpacked(const std::string& path, std::size_t max_bytes) {
+    require_regular_file(path);
+    const std::unique_ptr<gzFile_s, GzCloser> file(gzopen(path.c_str(), "rb"));
+    if (file == nullptr) throw UserError(path + ": cannot be opened (" + std::strerror(errno) + "); check its permissions");
+    std::string text;
+    std::string piece(1 << 18, '\0');
+    for (;;) {
+        const int count = gzread(file.get(), piece.data(), static_cast<unsigned>(piece.size()));
+        int code = Z_OK;
+        gzerror(file.get(), &code);
+        if (count < 0 || code != Z_OK) {
+            throw UserError(path + ": the compressed data break off or are damaged after " + std::to_string(text.size()) +
+                            " unpacked bytes; fetch the file again");
+        }
+        if (count == 0) return text;
+        if (text.size() + static_cast<std::size_t>(count) > max_bytes) {
+            throw UserError(path + ": unpacks to more than " + std::to_string(max_bytes) + " bytes; split the recording");
+        }
+        text.append(piece, 0, static_cast<std::size_t>(count));
+    }
+}
+
+}  // namespace tedavis::host_sim
