@@ -1,0 +1,177 @@
+#include "render_core/design/design_settings.hpp"
+
+namespace tedavis::design {
+namespace {
+
+using base::ConfigSection;
+
+void fault_of(ConfigSection& section, std::string_view key, std::string_view what) {
+    base::FixedString<191> sentence("'");
+    sentence.append(key);
+    sentence.append("' ");
+    sentence.append(what);
+    section.fault(key, sentence.view());
+}
+
+Color required_color(ConfigSection& section, std::string_view key) {
+    const ParsedColor parsed = color_from_text(section.text(key));
+    if (!parsed.ok) fault_of(section, key, "is no colour; write it as \"#rrggbb\"");
+    return parsed.color;
+}
+
+void read_color(ConfigSection& section, std::string_view key, Color& color) {
+    if (section.has(key)) color = required_color(section, key);
+}
+
+void read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double& angle_rad) {
+    angle_rad = base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
+}
+
+void read_view(ConfigSection section, ViewSettings& view) {
+    read_angle(section, "horizontal_field_of_view_deg", 10, 120, view.horizontal_field_of_view_rad);
+    double eye_m[3] = {view.eye_forward_m, view.eye_right_m, view.eye_down_m};
+    section.numbers("eye_forward_right_down_m", -100, 100, eye_m);
+    view.eye_forward_m = eye_m[0];
+    view.eye_right_m = eye_m[1];
+    view.eye_down_m = eye_m[2];
+    view.dpi = section.number("dpi", 30, 1000, view.dpi);
+}
+
+void read_palette(ConfigSection& section, HeightPalette& palette) {
+    const std::size_t count = section.table_count("palette");
+    if (count == 0) return;
+    palette.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        ConfigSection stop = section.table_at("palette", i);
+        HeightColor entry;
+        entry.height_m = stop.number("height_m", -500, 9000);
+        entry.color = required_color(stop, "color");
+        if (!palette.empty() && !(entry.height_m > palette.back().height_m))
+            fault_of(stop, "height_m", "must lie above the stop before it; sort the palette by height");
+        if (!palette.try_push_back(entry)) fault_of(stop, "height_m", "is one stop too many; keep at most 16");
+    }
+}
+
+void read_terrain(ConfigSection section, TerrainSettings& terrain) {
+    terrain.tau_px = section.number("tau_px", 0.1, 32, terrain.tau_px);
+    read_palette(section, terrain.palette);
+    read_color(section, "sea_color", terrain.sea);
+    read_color(section, "unknown_color", terrain.unknown);
+}
+
+void read_light(ConfigSection section, LightSettings& light) {
+    read_angle(section, "azimuth_deg", 0, 360, light.azimuth_rad);
+    read_angle(section, "elevation_deg", 0, 90, light.elevation_rad);
+    light.ambient = section.number("ambient", 0, 1, light.ambient);
+}
+
+void read_sky(ConfigSection section, SkySettings& sky) {
+    read_color(section, "zenith_color", sky.zenith);
+    read_color(section, "horizon_color", sky.horizon);
+    read_color(section, "ground_color", sky.ground);
+    read_color(section, "ground_horizon_color", sky.ground_horizon);
+    read_color(section, "haze_color", sky.haze);
+    sky.haze_distance_m = section.number("haze_distance_m", 0, 1e6, sky.haze_distance_m);
+}
+
+WarningBand read_band(ConfigSection band) {
+    WarningBand result;
+    const double lower_ft = band.number("lower_ft", -20'000, 20'000);
+    result.lower_m = lower_ft * base::kMetresPerFoot;
+    result.lower_gear_down_m = band.number("lower_gear_down_ft", -20'000, 20'000, lower_ft) * base::kMetresPerFoot;
+    result.color = required_color(band, "color");
+    result.strength = band.number("strength", 0, 1);
+    return result;
+}
+
+void read_custom_bands(ConfigSection& section, WarningBands& bands) {
+    bands.clear();
+    const std::size_t count = section.table_count("band");
+    if (count == 0) fault_of(section, "profile", "'custom' needs at least one [[warning.band]]; add one or choose egpws or garmin");
+    for (std::size_t i = 0; i < count; ++i)
+        if (!bands.try_push_back(read_band(section.table_at("band", i))))
+            fault_of(section, "band", "has too many entries; keep at most 8");
+    const std::size_t wrong = first_band_out_of_order(bands);
+    if (wrong == bands.size()) return;
+    ConfigSection band = section.table_at("band", wrong);
+    fault_of(band, "lower_ft", "must lie below the band before it, gear up and gear down; sort the bands from high to low");
+}
+
+void read_warning(ConfigSection section, DesignSettings& design) {
+    design.warning_colors = section.boolean("enabled", design.warning_colors);
+    static constexpr std::string_view kProfiles[] = {"egpws", "garmin", "custom"};
+    const std::size_t profile = section.choice("profile", kProfiles, 0);
+    if (profile == 2)
+        read_custom_bands(section, design.warning_bands);
+    else
+        design.warning_bands = profile == 0 ? egpws_bands() : garmin_bands();
+}
+
+void read_limits(ConfigSection degradation, ConfigSection attitude, DesignSettings& design) {
+    DegradationLimits& limits = design.degradation;
+    limits.horizontal_accuracy_m = degradation.number("horizontal_accuracy_m", 0.1, 10'000, limits.horizontal_accuracy_m);
+    limits.vertical_accuracy_m = degradation.number("vertical_accuracy_m", 0.1, 10'000, limits.vertical_accuracy_m);
+    read_angle(attitude, "pitch_up_deg", 5, 90, design.unusual_attitude.pitch_up_rad);
+    read_angle(attitude, "pitch_down_deg", 5, 90, design.unusual_attitude.pitch_down_rad);
+    read_angle(attitude, "roll_deg", 15, 180, design.unusual_attitude.roll_rad);
+}
+
+void read_symbology(ConfigSection section, SymbologySettings& shown) {
+    shown.attitude = section.boolean("attitude", shown.attitude);
+    shown.heading = section.boolean("heading", shown.heading);
+    shown.airspeed = section.boolean("airspeed", shown.airspeed);
+    shown.altitude = section.boolean("altitude", shown.altitude);
+    shown.vertical_speed = section.boolean("vertical_speed", shown.vertical_speed);
+    shown.flight_path = section.boolean("flight_path", shown.flight_path);
+    shown.baro_setting = section.boolean("baro_setting", shown.baro_setting);
+    shown.ground_height = section.boolean("ground_height", shown.ground_height);
+    shown.phase = section.boolean("phase", shown.phase);
+}
+
+}  // namespace
+
+Color color_of_height(const HeightPalette& palette, double height_m) noexcept {
+    TEDAVIS_CHECK(!palette.empty());
+    if (!(height_m > palette[0].height_m)) return palette[0].color;
+    for (std::size_t i = 1; i < palette.size(); ++i)
+        if (height_m < palette[i].height_m) {
+            const HeightColor& below = palette[i - 1];
+            return blended(below.color, palette[i].color, (height_m - below.height_m) / (palette[i].height_m - below.height_m));
+        }
+    return palette.back().color;
+}
+
+DesignSettings default_design_settings() noexcept {
+    static constexpr HeightColor kPalette[] = {
+        {0, {0x3C, 0x64, 0x32}},    {300, {0x5A, 0x7D, 0x3C}},  {800, {0x96, 0x96, 0x50}},  {1500, {0xA0, 0x82, 0x50}},
+        {2500, {0x8C, 0x6E, 0x5A}}, {3500, {0xB4, 0xAA, 0xA0}}, {4500, {0xF0, 0xF0, 0xF0}},
+    };
+    DesignSettings design;
+    design.name = "default";
+    for (const HeightColor& stop : kPalette) {
+        const bool added = design.terrain.palette.try_push_back(stop);
+        TEDAVIS_CHECK(added);
+    }
+    design.warning_bands = egpws_bands();
+    return design;
+}
+
+base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name) {
+    base::ConfigReader reader(text, file_name);
+    ConfigSection root = reader.root();
+    DesignSettings design = default_design_settings();
+    const std::string_view name = root.text("name");
+    design.name = name;
+    if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
+    read_view(root.section("view"), design.view);
+    read_terrain(root.section("terrain"), design.terrain);
+    read_light(root.section("light"), design.terrain.light);
+    read_sky(root.section("sky"), design.sky);
+    read_warning(root.section("warning"), design);
+    read_limits(root.section("degradation"), root.section("unusual_attitude"), design);
+    read_symbology(root.section("symbology"), design.symbology);
+    if (!reader.finish()) return base::fail(reader.error());
+    return design;
+}
+
+}  // namespace tedavis::design

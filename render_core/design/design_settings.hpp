@@ -1,0 +1,105 @@
+/// A design: everything about a picture that a designer chooses, read from one file of configs/designs/.
+///
+/// Plain data in SI and radians; the file speaks in degrees, feet and hexadecimal sRGB colours. Every key is optional
+/// except `name`: what is absent has the value that stands here.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/base/units.hpp"
+#include "render_core/design/color.hpp"
+#include "render_core/design/warning_bands.hpp"
+
+namespace tedavis::design {
+
+struct ViewSettings {
+    double horizontal_field_of_view_rad = base::radians(60);  ///< (10 .. 120 degrees), over the whole width
+    double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0; ///< eye in body axes from the reference point of the own ship
+    double dpi = 96;                                          ///< pixels an inch of the panel; text never gets smaller than legible on it
+};
+
+struct HeightColor {
+    double height_m = 0;  ///< above mean sea level
+    Color color;
+};
+inline constexpr std::size_t kMaxHeightColors = 16;
+using HeightPalette = base::FixedVector<HeightColor, kMaxHeightColors>;  ///< ascending heights, at least one
+
+/// Linear between the stops (of the encoded values), constant beyond them.
+[[nodiscard]] Color color_of_height(const HeightPalette& palette, double height_m) noexcept;
+
+struct LightSettings {
+    double azimuth_rad = base::radians(315);  ///< from which it shines, clockwise from true north
+    double elevation_rad = base::radians(45); ///< above the horizontal
+    double ambient = 0.35;                    ///< 0..1 of full light that reaches slopes in the shade
+};
+
+struct TerrainSettings {
+    double tau_px = 1.0;  ///< pixel error asked for, (0.1 .. 32)
+    HeightPalette palette;
+    Color sea{0x30, 0x58, 0x80};
+    Color unknown{0xC0, 0x30, 0xC0};  ///< posts without data (magenta in plan views of terrain systems)
+    LightSettings light;
+};
+
+struct SkySettings {
+    Color zenith{0x1C, 0x54, 0xA8};
+    Color horizon{0x9C, 0xC4, 0xE8};
+    Color ground{0x6E, 0x4A, 0x26};        ///< below the horizon where no terrain is drawn
+    Color ground_horizon{0x96, 0x74, 0x4C};
+    Color haze{0xB4, 0xC8, 0xDC};
+    double haze_distance_m = 60'000;       ///< at which the haze hides 1 - 1/e of the terrain; 0 for none
+};
+
+/// Beyond these figures of merit terrain is shown as degraded.
+struct DegradationLimits {
+    double horizontal_accuracy_m = 50;
+    double vertical_accuracy_m = 30;
+};
+
+/// Beyond these angles the picture changes to recovery: chevrons, no flight path, no warning colours.
+struct UnusualAttitudeLimits {
+    double pitch_up_rad = base::radians(30);
+    double pitch_down_rad = base::radians(20);
+    double roll_rad = base::radians(60);
+};
+
+/// What the design shows; the failure policy decides whether it can be shown.
+struct SymbologySettings {
+    bool attitude = true;
+    bool heading = true;
+    bool airspeed = true;
+    bool altitude = true;
+    bool vertical_speed = true;
+    bool flight_path = true;
+    bool baro_setting = true;
+    bool ground_height = true;
+    bool phase = true;
+};
+
+struct DesignSettings {
+    base::FixedString<47> name;
+    ViewSettings view;
+    TerrainSettings terrain;
+    SkySettings sky;
+    bool warning_colors = true;
+    WarningBands warning_bands;
+    DegradationLimits degradation;
+    UnusualAttitudeLimits unusual_attitude;
+    SymbologySettings symbology;
+};
+static_assert(std::is_trivially_copyable_v<DesignSettings>);
+
+/// Reads a design file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
+[[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name);
+
+/// The values of an empty file: the picture of a display that was given no design.
+[[nodiscard]] DesignSettings default_design_settings() noexcept;
+
+}  // namespace tedavis::design

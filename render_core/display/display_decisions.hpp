@@ -1,0 +1,66 @@
+/// What a frame may show, given what is known: the answer of the failure policy, read by the drawers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/flight/signal.hpp"
+
+namespace tedavis::display {
+
+/// The pieces of information on the display.
+enum class Element : std::uint8_t {
+    attitude,
+    heading,
+    airspeed,
+    altitude,
+    vertical_speed,
+    baro_setting,
+    ground_height,
+    flight_path,
+    count_
+};
+inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::count_);
+
+enum class ElementShow : std::uint8_t {
+    normal,
+    substituted,  ///< from another source than the first: amber label names it
+    flagged,      ///< stale: the last value with its amber flag
+    failed,       ///< red cross and text in its place
+    absent,       ///< nothing in its place: the aircraft does not supply it, or it has no meaning now
+};
+
+struct ElementDecision {
+    ElementShow show = ElementShow::failed;
+    flight::Signal source = flight::Signal::count_;  ///< whose value is shown; count_ for none
+};
+
+enum class NoticeLevel : std::uint8_t { warning, caution, information };
+struct Notice {
+    NoticeLevel level = NoticeLevel::information;
+    base::FixedString<31> text;  ///< upper case ASCII
+};
+
+struct DisplayDecisions {
+    bool show_terrain = false;
+    bool show_warning_colors = false;
+    bool terrain_degraded = false;  ///< shown, but its position or height is not to be trusted
+    bool plain_horizon = false;     ///< blue over brown by attitude, without terrain
+    bool unusual_attitude = false;  ///< recovery picture: chevrons, decluttered
+    /// Signal that turns the view: true_heading, magnetic_heading (plus variation), true_track or count_ (none: the view
+    /// faces north and no terrain is drawn).
+    flight::Signal view_heading = flight::Signal::count_;
+    std::array<ElementDecision, kElementCount> elements{};
+    base::FixedVector<Notice, 12> notices;                 ///< most urgent first
+    base::FixedVector<base::FixedString<47>, 32> flags;    ///< "signal.state" or a name
+
+    [[nodiscard]] const ElementDecision& operator[](Element element) const { return elements[static_cast<std::size_t>(element)]; }
+    [[nodiscard]] ElementDecision& operator[](Element element) { return elements[static_cast<std::size_t>(element)]; }
+};
+static_assert(std::is_trivially_copyable_v<DisplayDecisions>);
+
+}  // namespace tedavis::display

@@ -1,0 +1,75 @@
+/// What the display shows when signals are missing, stale, lost or invalid. Pure: same state, same decisions.
+///
+/// The table of all cells stands in render_core/display/README.md; `signal_rule` gives a row. After AC 25-11B 6.2.1.7 a
+/// failure is shown in the place of the information, and nothing stale is ever shown as valid; terrain follows the rule
+/// of the synthetic-vision manuals (Garmin 190-02177: disabled without attitude, heading, position or database).
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/stamped.hpp"
+#include "render_core/base/time.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/display/display_decisions.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::display {
+
+/// The state of the terrain database for this frame.
+enum class TerrainSource : std::uint8_t {
+    none,     ///< no database was given
+    ready,
+    outside,  ///< the own ship is not over it
+    failed,   ///< it could not be read or did not check
+};
+
+struct DisplayConditions {
+    TerrainSource terrain = TerrainSource::none;
+    flight::PhaseStatus phase;
+    bool generated_flight = false;  ///< the flight comes from a scenario
+};
+
+/// Signals that state the same information stand in one group, the first choice first.
+enum class SignalGroup : std::uint8_t {
+    latitude,
+    longitude,
+    geometric_height,
+    pitch,
+    roll,
+    view_heading,
+    altitude,
+    airspeed,
+    vertical_speed,
+    baro_setting,
+    ground_height,
+    horizontal_accuracy,
+    vertical_accuracy,
+    not_shown,
+};
+
+/// What follows when no signal of a group is valid; bits.
+enum Consequence : std::uint8_t {
+    kNoConsequence = 0,
+    kRemoveTerrain = 1,         ///< and with it the warning colours
+    kRemoveWarningColors = 2,
+    kDegradeTerrain = 4,
+    kFailElement = 8,           ///< red cross in its place; without this bit the last value stays, flagged
+    kFlag = 16,                 ///< named in the flags
+};
+
+/// A row of the table: the consequences of a signal's state while no other signal of its group is valid. While another
+/// is valid, that one is shown under its own label, a signal that was received and went bad is still named in the flags,
+/// and a missing one leaves no trace.
+struct SignalRule {
+    flight::Signal signal;
+    SignalGroup group;
+    std::uint8_t missing, stale, lost, invalid;
+};
+[[nodiscard]] const SignalRule& signal_rule(flight::Signal signal) noexcept;
+[[nodiscard]] std::uint8_t consequences(const SignalRule& rule, base::SignalState state) noexcept;
+
+[[nodiscard]] DisplayDecisions decide_display(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions,
+                                              const design::DesignSettings& design) noexcept;
+
+}  // namespace tedavis::display

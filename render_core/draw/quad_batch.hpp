@@ -1,0 +1,89 @@
+/// Collects the flat symbology of a frame as triangles in screen pixels: lines, boxes, filled shapes and text, in the
+/// order in which they cover each other. No GL: quad_drawer draws it, tests read it.
+///
+/// Edges are smoothed by coverage, not by multisampling: a box carries the distance to its edges, a glyph its signed
+/// distance. The fragment's coverage is
+///   extent.x >= 0:  clamp(min(extent - |uv|) + 0.5)                         box, uv in pixels from its middle
+///   extent.x <  0:  clamp((texel(uv) - 0.5) * extent.y - extent.x - 0.5)    glyph, uv in the font atlas 0..1
+/// (a glyph's -extent.x is 1 plus the pixels by which its outline is fattened: halos).
+///
+/// Thread    one. Memory  the caller's. Failure  what does not fit is left out whole and counted in `use().refused`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "render_core/base/resource_use.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/design/color.hpp"
+#include "render_core/draw/rect.hpp"
+
+namespace tedavis::draw {
+
+struct QuadVertex {
+    float x = 0, y = 0;  ///< pixels, y down
+    float u = 0, v = 0;
+    float extent_x = 0, extent_y = 0;
+    std::uint8_t rgba[4] = {};
+};
+static_assert(sizeof(QuadVertex) == 28);
+
+/// How a line of text looks.
+struct TextStyle {
+    float size_px = 16;  ///< pixels an em
+    design::Color color;
+    float halo_px = 0;   ///< dark rim for legibility over terrain
+    design::Color halo_color{0, 0, 0, 255};
+};
+enum class TextAnchor : std::uint8_t { left, center, right };
+
+class QuadBatch {
+public:
+    QuadBatch() = default;
+    /// At most 65,536 vertices are used, since indices have 16 bits.
+    QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices);
+
+    /// Empties the batch and lifts the clip; counters of refusals stay.
+    void clear();
+    /// Until the next call, shapes are cut at this box: lines and upright text exactly (a cut line loses its smoothed
+    /// end), triangles and turned text are left out where they would reach beyond it.
+    void set_clip(const Rect& clip);
+    void lift_clip() { clipped_ = false; }
+
+    /// False when it did not fit. Nothing visible (clipped away, empty) is a success. Not-a-number draws nothing.
+    bool line(Point from, Point to, float width_px, design::Color color);
+    /// Joined lines; `closed` adds the one from the last point to the first.
+    bool polyline(base::Span<const Point> points, float width_px, design::Color color, bool closed = false);
+    bool box(const Rect& rect, design::Color color);
+    /// The rim of a box, its outer edge on the box's edge.
+    bool frame(const Rect& rect, float width_px, design::Color color);
+    bool triangle(Point a, Point b, Point c, design::Color color);
+    /// One line of UTF-8 text. `anchor_point` is the left, middle or right end, at half the height of the capitals;
+    /// `angle_rad` turns the line about it, clockwise on the screen.
+    bool text(std::string_view text, Point anchor_point, TextAnchor anchor, const TextStyle& style, float angle_rad = 0);
+
+    [[nodiscard]] base::Span<const QuadVertex> vertices() const { return {vertices_.data(), vertex_count_}; }
+    [[nodiscard]] base::Span<const std::uint16_t> indices() const { return {indices_.data(), index_count_}; }
+    /// In vertices.
+    [[nodiscard]] const base::ResourceUse& use() const { return use_; }
+
+private:
+    struct Corner {
+        Point at, uv;
+    };
+    bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color);
+    bool has_room(std::size_t vertices, std::size_t indices);
+    bool glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color, Point along);
+    QuadVertex& add_vertex(Point at, Point uv, float extent_x, float extent_y, design::Color color);
+
+    base::Span<QuadVertex> vertices_;
+    base::Span<std::uint16_t> indices_;
+    std::size_t vertex_count_ = 0;
+    std::size_t index_count_ = 0;
+    Rect clip_;
+    bool clipped_ = false;
+    base::ResourceUse use_;
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,42 @@
+/// Where directions of the world lie on the screen: the perspective that terrain, sky and conformal symbols share.
+///
+/// The eye looks along the aircraft's forward axis; the middle of the screen is the vanishing point of that axis. The
+/// focal length in pixels is the same both ways (square pixels): the field of view is stated over the width, so a
+/// portrait screen sees as wide and higher. Pixels as in rect.hpp.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "render_core/draw/rect.hpp"
+
+namespace tedavis::draw {
+
+struct ViewFrame {
+    double focal_px = 1;
+    double center_x = 0, center_y = 0;
+    glm::dmat3 body_axes{1.0};  ///< columns forward, right, down of the body in north, east, down
+};
+
+/// `width`, `height` in pixels; angles in radians as earth::body_axes takes them.
+[[nodiscard]] ViewFrame make_view_frame(double width, double height, double horizontal_field_of_view_rad, double heading_rad,
+                                        double pitch_rad, double roll_rad) noexcept;
+
+struct ProjectedPoint {
+    Point at;
+    bool in_front = false;  ///< false: behind the eye or more than 89 degrees off; `at` is meaningless
+};
+/// `direction`: north, east, down; any length but zero.
+[[nodiscard]] ProjectedPoint project(const ViewFrame& view, const glm::dvec3& direction) noexcept;
+
+/// The view ray of a screen point: north, east, down, not of unit length.
+[[nodiscard]] glm::dvec3 ray_of(const ViewFrame& view, double x, double y) noexcept;
+
+/// Unit vector of a heading from north and an elevation above the horizontal.
+[[nodiscard]] glm::dvec3 direction_of(double heading_rad, double elevation_rad) noexcept;
+
+/// Angle by which the visible horizon lies below the horizontal for an eye so high above the sphere: acos(R / (R + h)),
+/// with the Earth's mean radius; 0 for heights at or below the surface. No refraction.
+[[nodiscard]] double horizon_dip_rad(double height_m) noexcept;
+
+}  // namespace tedavis::draw
