@@ -1,0 +1,43 @@
+/// `tedavis terrain build | check | info | fractal`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+struct TerrainBuildOptions {
+    std::vector<std::string> rasters;
+    std::string output;
+    std::string crs;                ///< empty: the files' own
+    std::string bounds;             ///< "W,S,E,N" in degrees; empty: all
+    std::string vertical_datum = "egm96";
+    std::optional<double> void_value;
+    double accuracy_m = 0;          ///< LE90 of the source; 0 unknown
+};
+
+struct TerrainCheckOptions {
+    std::string database;
+    TerrainBuildOptions build;      ///< the rasters and options it was built with
+};
+
+struct TerrainInfoOptions {
+    std::string database;
+};
+
+struct TerrainFractalOptions {
+    std::uint32_t size = 1025;      ///< posts a side
+    std::uint64_t seed = 1;
+    std::string output;
+};
+
+/// Each returns the exit code and throws UserError for bad input.
+[[nodiscard]] int run_terrain_build(const TerrainBuildOptions& options, Console& console);
+[[nodiscard]] int run_terrain_check(const TerrainCheckOptions& options, Console& console);
+[[nodiscard]] int run_terrain_info(const TerrainInfoOptions& options, Console& console);
+[[nodiscard]] int run_terrain_fractal(const TerrainFractalOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim
