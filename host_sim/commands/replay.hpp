@@ -1,0 +1,52 @@
+/// `tedavis replay X.log`: a recorded bus through the core into frames, records and a report.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+enum class FrameOutput : std::uint8_t { png, hash, none };
+enum class GlChoice : std::uint8_t { egl, osmesa };
+
+struct PictureSize {
+    std::uint32_t width = 0, height = 0;
+};
+
+/// What replay and shot share. Names of shipped files may be short ("cruise"); the command resolves them.
+struct PictureOptions {
+    std::string terrain;                ///< .tdb; empty: no terrain
+    std::string scene;                  ///< .sdb; empty: none
+    std::string design = "default";
+    std::string device = "es3-mid";
+    std::string bus = "canaerospace";
+    std::optional<PictureSize> size;    ///< nothing: the device's
+    GlChoice gl = GlChoice::egl;
+    std::optional<double> tau_px;       ///< nothing: the design's
+    std::optional<double> deadline_ms;  ///< nothing: off
+    std::string costs;                  ///< measured costs; empty: those of the device
+    bool force_effects = false;
+};
+
+struct ReplayOptions {
+    std::string log;
+    std::string output;                 ///< folder
+    std::string switches;               ///< switch log; empty: none
+    std::string switch_config = "one_hot";
+    PictureOptions picture;
+    std::optional<double> from_s, to_s; ///< seconds since the log's first frame
+    std::optional<double> step_s;       ///< nothing: one frame of the device's rate; negative: backwards
+    FrameOutput frames = FrameOutput::png;
+    bool ledger = false;
+    bool window = false;
+    std::string tour;                   ///< path file for the free camera; with window only
+    std::string save_config;            ///< writes everything above to this file
+};
+
+/// Returns the exit code; throws UserError.
+[[nodiscard]] int run_replay(const ReplayOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

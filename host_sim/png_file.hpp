@@ -1,0 +1,41 @@
+/// PNG pictures: 8-bit RGBA, top row first.
+///
+/// The same pixels always give the same bytes (fixed compression and filter settings).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+struct RgbaPicture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> pixels;  ///< width * height * 4
+};
+
+/// Rows of RGBA8 without copying them. `bottom_up`: the bottom row comes first, as GL reads back.
+struct RgbaView {
+    const std::uint8_t* pixels = nullptr;
+    std::uint32_t width = 0, height = 0;
+    bool bottom_up = false;
+
+    [[nodiscard]] const std::uint8_t* row(std::uint32_t y_from_top) const {
+        const std::size_t place = bottom_up ? height - 1 - y_from_top : y_from_top;
+        return pixels + place * width * 4;
+    }
+};
+[[nodiscard]] inline RgbaView view_of(const RgbaPicture& picture) { return {picture.pixels.data(), picture.width, picture.height, false}; }
+
+/// The file's bytes.
+[[nodiscard]] std::string encode_png(const RgbaView& view);
+/// Appears whole or not at all; throws UserError.
+void write_png(const std::string& path, const RgbaView& view);
+/// Any PNG, as RGBA8. Throws UserError when it is missing, damaged or no PNG.
+[[nodiscard]] RgbaPicture read_png(const std::string& path);
+
+/// The picture at 1/n of its size, each pixel the mean of its n x n block (cut at the border); n such that the result
+/// is at most `max_width` wide.
+[[nodiscard]] RgbaPicture shrunk(const RgbaView& view, std::uint32_t max_width);
+
+}  // namespace tedavis::host_sim

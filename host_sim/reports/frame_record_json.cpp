@@ -1,0 +1,94 @@
+#include "host_sim/reports/frame_record_json.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text(std::string_view view) { return std::string(view); }
+
+const char* own_ship_state(base::SignalState state) {
+    if (state == base::SignalState::valid) return "valid";
+    return state == base::SignalState::stale ? "stale" : "lost";
+}
+
+Json own_ship_json(const display::FrameRecord& record) {
+    const earth::Geodetic& position = record.own_ship.position;
+    return {{"lat_deg", base::degrees(position.latitude_rad)},
+            {"lon_deg", base::degrees(position.longitude_rad)},
+            {"alt_msl_m", record.altitude_msl_m},
+            {"alt_ellipsoid_m", position.height.m},
+            {"heading_deg", base::degrees(record.heading_rad)},
+            {"pitch_deg", base::degrees(record.pitch_rad)},
+            {"roll_deg", base::degrees(record.roll_rad)},
+            {"state", own_ship_state(record.own_ship.state)}};
+}
+
+Json signals_json(const display::FrameRecord& record) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < flight::kSignalCount; ++i) json[flight::to_string(static_cast<flight::Signal>(i))] = base::to_string(record.signals[i]);
+    return json;
+}
+
+Json effects_json(const display::FrameRecord& record) {
+    static constexpr const char* kStates[] = {"run", "replaced", "skipped"};
+    Json json = Json::array();
+    for (const display::EffectRecord& effect : record.effects) {
+        json.push_back({{"name", text(effect.name.view())}, {"state", kStates[static_cast<std::size_t>(effect.state)]},
+                        {"reason", text(effect.reason.view())}, {"replaced_by", text(effect.replaced_by.view())},
+                        {"bound", effect.bound}, {"draws", effect.draws}});
+    }
+    return json;
+}
+
+Json aspect_json(const display::AspectRecord& aspect) {
+    return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
+}
+
+Json flags_json(const display::FrameRecord& record) {
+    Json json = Json::array();
+    for (const display::Name& flag : record.flags) json.push_back(text(flag.view()));
+    return json;
+}
+
+}  // namespace
+
+std::string hash_text(std::uint64_t hash) {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+    return digits;
+}
+
+std::string frame_record_json(const FrameResult& result, base::Time origin) {
+    const display::FrameRecord& record = result.record;
+    Json json;
+    json["frame"] = record.frame;
+    json["time_s"] = (record.time - origin).to_seconds();
+    json["hash"] = hash_text(result.hash);
+    json["phase"] = flight::scenario_name(record.phase.phase);
+    json["sub_phase"] = flight::sub_phase_name(record.phase.phase);
+    json["phase_source"] = flight::to_string(record.phase.source);
+    json["own_ship"] = own_ship_json(record);
+    json["signals"] = signals_json(record);
+    json["flags"] = flags_json(record);
+    json["terrain"] = {{"tau_px", record.terrain.tau_px}, {"worst_error_px", record.terrain.worst_error_px},
+                       {"worst_chunk", text(record.terrain.worst_chunk.view())}, {"triangles", record.terrain.triangles},
+                       {"chunks", record.terrain.chunks}, {"pending", record.terrain.pending}};
+    json["data"] = Json::object();
+    json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
+    json["bytes"] = {{"cpu", record.bytes.cpu}, {"gpu", record.bytes.gpu}, {"cpu_budget", record.bytes.cpu_budget},
+                     {"gpu_budget", record.bytes.gpu_budget}, {"uploaded", record.bytes.uploaded}};
+    json["effects"] = effects_json(record);
+    json["presentation"] = {{"terrain", aspect_json(record.terrain_aspect)}, {"data", aspect_json(record.data_aspect)},
+                            {"uncertainty", aspect_json(record.uncertainty_aspect)}};
+    json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
+    json["latency_ms"] = result.latency_ms;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace tedavis::host_sim

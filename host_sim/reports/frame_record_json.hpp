@@ -1,0 +1,30 @@
+/// A FrameRecord as the line of `frames.jsonl` that scripts rely on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "render_core/base/time.hpp"
+#include "render_core/display/frame_record.hpp"
+
+namespace tedavis::host_sim {
+
+/// What the machine measured: the only entries that differ between two runs of the same flight.
+struct FrameTiming {
+    double plan_ms = 0, draw_ms = 0, total_ms = 0;
+};
+
+struct FrameResult {
+    display::FrameRecord record;
+    std::uint64_t hash = 0;    ///< of the pixels, base::frame_hash
+    FrameTiming timing;
+    double latency_ms = 0;     ///< from the newest message in the picture to the frame's time, both on the source's clock
+};
+
+/// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,
+/// values that are not finite as null. `time_s` counts from `origin`.
+[[nodiscard]] std::string frame_record_json(const FrameResult& result, base::Time origin);
+/// 16 lower-case hex digits.
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
+
+}  // namespace tedavis::host_sim

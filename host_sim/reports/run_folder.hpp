@@ -1,0 +1,17 @@
+/// Names inside the folder that a run leaves.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace tedavis::host_sim {
+
+inline constexpr char kFrameRecordsName[] = "frames.jsonl";
+inline constexpr char kSummaryName[] = "summary.json";
+inline constexpr char kReportName[] = "report.html";
+inline constexpr char kFramesFolder[] = "frames";
+
+/// "<folder>/frames/000123.png".
+[[nodiscard]] std::string frame_picture_path(const std::string& folder, std::uint64_t frame);
+
+}  // namespace tedavis::host_sim

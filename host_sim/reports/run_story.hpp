@@ -1,0 +1,58 @@
+/// What the report needs of every frame, gathered while a run goes on, in memory that does not grow with its length.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host_sim/png_file.hpp"
+#include "host_sim/reports/frame_record_json.hpp"
+
+namespace tedavis::host_sim {
+
+class RunStory {
+public:
+    /// A point of the curves.
+    struct Sample {
+        double time_s = 0, altitude_msl_m = 0, height_above_terrain_m = 0, ground_speed_mps = 0, total_ms = 0;
+        bool position_valid = false, height_above_terrain_known = false;
+    };
+    /// Consecutive frames of one phase from one source.
+    struct PhaseSpan {
+        double begin_s = 0, end_s = 0;
+        std::string phase, source;
+    };
+    struct FlagSpan {
+        double first_s = 0, last_s = 0;
+        std::uint64_t frames = 0;
+    };
+    struct Thumbnail {
+        std::uint64_t frame = 0;
+        double time_s = 0;
+        std::string phase, png;
+    };
+
+    explicit RunStory(base::Time origin) : origin_(origin) {}
+
+    /// `height_above_terrain_m` may be NaN. True when the story wants this frame's picture: give it to `add_picture`.
+    [[nodiscard]] bool add(const FrameResult& result, double height_above_terrain_m, double ground_speed_mps);
+    void add_picture(const FrameResult& result, const RgbaView& view);
+
+    [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+    [[nodiscard]] const std::vector<PhaseSpan>& phases() const { return phases_; }
+    [[nodiscard]] const std::map<std::string, FlagSpan>& flags() const { return flags_; }
+    [[nodiscard]] const std::vector<Thumbnail>& thumbnails() const { return thumbnails_; }
+
+private:
+    void add_phase(const display::FrameRecord& record, double time_s);
+
+    base::Time origin_;
+    std::vector<Sample> samples_;
+    std::uint64_t frames_ = 0, sample_stride_ = 1, picture_stride_ = 1;
+    std::vector<PhaseSpan> phases_;
+    std::map<std::string, FlagSpan> flags_;
+    std::vector<Thumbnail> thumbnails_;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,61 @@
+#include "host_sim/reports/run_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host_sim/version.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json memory_json(const base::BudgetTable& memory) {
+    Json lines = Json::array();
+    for (const base::BudgetLine& line : memory.lines()) {
+        lines.push_back({{"name", std::string(line.name.view())}, {"owner", std::string(line.owner.view())},
+                         {"reason", std::string(line.reason.view())}, {"kind", line.kind == base::MemoryKind::cpu ? "cpu" : "gpu"},
+                         {"bytes", line.bytes}, {"in_use", line.use.in_use}, {"high_water", line.use.high_water}, {"refused", line.use.refused}});
+    }
+    return lines;
+}
+
+}  // namespace
+
+FrameTimes frame_times(std::vector<double> total_ms) {
+    if (total_ms.empty()) return {};
+    std::sort(total_ms.begin(), total_ms.end());
+    const std::size_t count = total_ms.size(), middle = count / 2;
+    const double median = count % 2 == 1 ? total_ms[middle] : 0.5 * (total_ms[middle - 1] + total_ms[middle]);
+    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(count)));
+    return {median, total_ms[rank - 1]};
+}
+
+std::string run_summary_json(const RunSummary& summary, const base::BudgetTable& memory) {
+    Json json;
+    json["frames"] = summary.frames;
+    json["fps_median"] = summary.fps_median;
+    json["ms_p99"] = summary.ms_p99;
+    json["heap_allocations_after_start"] = summary.heap_allocations_after_start;
+    json["worst_error_px"] = summary.worst_error_px;
+    json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
+    json["device"] = summary.device;
+    json["design"] = summary.design;
+    json["terrain"] = summary.terrain;
+    json["scene"] = summary.scene;
+    json["log"] = summary.log;
+    json["switches"] = summary.switches;
+    json["size"] = std::to_string(summary.width) + "x" + std::to_string(summary.height);
+    json["costs"] = summary.costs;
+    json["gl"] = summary.gl;
+    json["version"] = version();
+    json["can"] = {{"frames", summary.can.frames}, {"decoded", summary.can.decoded}, {"alien", summary.can.alien},
+                   {"errors", summary.can.errors}, {"dropped", summary.can.dropped}};
+    json["interrupted"] = summary.interrupted;
+    json["notes"] = summary.notes;
+    json["memory"] = memory_json(memory);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tedavis::host_sim

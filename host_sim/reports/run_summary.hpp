@@ -1,0 +1,42 @@
+/// What a whole run came to: `summary.json`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render_core/base/memory_budget.hpp"
+
+namespace tedavis::host_sim {
+
+/// Frames on the bus by what became of them.
+struct CanCounts {
+    std::uint64_t frames = 0, decoded = 0, alien = 0, errors = 0, dropped = 0;
+};
+
+struct RunSummary {
+    std::uint64_t frames = 0;
+    double fps_median = 0;  ///< 1000 / median of `ms.total`
+    double ms_p99 = 0;
+    std::uint64_t heap_allocations_after_start = 0;
+    double worst_error_px = 0;
+    std::uint64_t gl_calls_outside_device = 0;
+    std::string device, design, terrain, scene, log, switches;  ///< as they were named
+    std::uint32_t width = 0, height = 0;
+    std::string costs;  ///< file of measured costs, or empty
+    std::string gl;     ///< surface and the driver's own name
+    CanCounts can;
+    bool interrupted = false;
+    std::vector<std::string> notes;  ///< what the reader should know: broken lines, synthetic data
+};
+
+/// Median (mean of the middle two) and the 99th percentile (nearest rank) of frame times; zeros for none.
+struct FrameTimes {
+    double median_ms = 0, p99_ms = 0;
+};
+[[nodiscard]] FrameTimes frame_times(std::vector<double> total_ms);
+
+/// Every key of the contract, in a fixed order, with the budget table as `memory`.
+[[nodiscard]] std::string run_summary_json(const RunSummary& summary, const base::BudgetTable& memory);
+
+}  // namespace tedavis::host_sim
