@@ -19,4 +19,6 @@ void drop_current(const base::Surface* surface) noexcept {
 
 bool is_current(const base::Surface* surface) noexcept { return current == surface; }
 
+bool any_current() noexcept { return current != nullptr; }
+
 }  // namespace tedavis::platform

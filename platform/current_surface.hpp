@@ -13,5 +13,6 @@ namespace tedavis::platform {
 /// Does nothing when `surface` is not the current one.
 void drop_current(const base::Surface* surface) noexcept;
 [[nodiscard]] bool is_current(const base::Surface* surface) noexcept;
+[[nodiscard]] bool any_current() noexcept;
 
 }  // namespace tedavis::platform

@@ -1,0 +1,32 @@
+#include "tests/support/device_files.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace tedavis::test_support {
+
+std::string source_file(const std::string& path_from_root) {
+    const std::string path = std::string(TEDAVIS_SOURCE_DIR) + "/" + path_from_root;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        std::fprintf(stderr, "the test needs %s\n", path.c_str());
+        std::abort();
+    }
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+effects::DeviceSettings shipped_device(const std::string& name) {
+    const std::string path = "configs/devices/" + name + ".toml";
+    const auto device = effects::read_device_settings(source_file(path), path);
+    if (!device) {
+        std::fprintf(stderr, "%s\n", device.error().sentence.c_str());
+        std::abort();
+    }
+    return device.value();
+}
+
+}  // namespace tedavis::test_support
