@@ -19,6 +19,10 @@ public:
     template <class Container, class = std::enable_if_t<std::is_convertible_v<decltype(std::declval<Container&>().data()), T*>>>
     constexpr Span(Container& container) : data_(container.data()), size_(container.size()) {}
 
+    /// A view of mutable elements is also one of constant elements.
+    template <class U, class = std::enable_if_t<std::is_same_v<const U, T>>>
+    constexpr Span(const Span<U>& other) : data_(other.data()), size_(other.size()) {}
+
     [[nodiscard]] constexpr T* data() const { return data_; }
     [[nodiscard]] constexpr std::size_t size() const { return size_; }
     [[nodiscard]] constexpr bool empty() const { return size_ == 0; }

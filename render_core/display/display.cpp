@@ -1,0 +1,259 @@
+#include "render_core/display/display.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using flight::Signal;
+
+constexpr double kFar_m = 400000;
+constexpr double kNearestPlane_m = 1;
+constexpr double kFarthestNearPlane_m = 50;
+constexpr double kNearPlaneOfHeight = 0.02;
+
+/// The visible horizon's distance over a sphere, with room for mountains behind it.
+double far_plane_m(double height_m) {
+    constexpr double kHighestSummit_m = 9000;
+    constexpr double kRadius_m = 6371000;
+    const double eye = std::sqrt(2 * kRadius_m * std::fmax(height_m, 1.0));
+    return std::fmin(kFar_m, eye + std::sqrt(2 * kRadius_m * kHighestSummit_m));
+}
+
+glm::dvec3 light_direction(const design::LightSettings& light, const earth::Geodetic& place) {
+    const glm::dmat3 ned = earth::north_east_down(place.latitude_rad, place.longitude_rad);
+    const double c = std::cos(light.elevation_rad);
+    return ned * glm::dvec3(c * std::cos(light.azimuth_rad), c * std::sin(light.azimuth_rad), -std::sin(light.elevation_rad));
+}
+
+}  // namespace
+
+std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
+    // Each child arena may lose a little to alignment.
+    return device.budget.total(base::MemoryKind::cpu) + 4096;
+}
+
+gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface, base::ByteSource* terrain) {
+    settings_ = settings;
+    if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
+    if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
+    if (terrain != nullptr)
+        if (gl::GlError error = open_terrain(*terrain); !error.sentence.empty()) return error;
+    gl_.seal();
+    return {};
+}
+
+gl::GlError Display::cut_memory(base::Arena& memory) {
+    const struct {
+        std::string_view line;
+        base::Arena* arena;
+    } cuts[] = {{effects::kTerrainHeights, &heights_memory_}, {effects::kTerrainIndex, &index_memory_}, {effects::kTerrainChunkSlots, &slots_memory_},
+                {effects::kStaging, &staging_memory_}, {effects::kLodScratch, &lod_memory_}};
+    for (const auto& cut : cuts) {
+        const base::BudgetLine* line = settings_.device.budget.find(cut.line);
+        *cut.arena = memory.carve(line->bytes);
+        if (cut.arena->use().capacity != line->bytes)
+            return gl::make_error("the reservation does not hold the budget line '", cut.line, "'; lower the budgets in the device file");
+    }
+    return {};
+}
+
+gl::GlError Display::open_terrain(base::ByteSource& terrain) {
+    auto opened = terrain::TerrainDatabase::open(terrain, index_memory_);
+    if (!opened.ok())
+        return gl::make_error("the terrain database ", terrain::to_string(opened.error().error), " at offset ", gl::digits(opened.error().offset).view());
+    database_ = opened.value();
+    const std::uint32_t slots = settings_.device.max_chunk_slots;
+    if (!heights_.start(database_, heights_memory_) || !cache_.start(database_, slots, heights_memory_))
+        return gl::make_error("the budget line 'terrain_heights' is too small for max_chunk_slots; raise it in the device file");
+    chunk_states_ = lod_memory_.allocate_array<std::uint8_t>(database_.chunk_count());
+    selected_ = lod_memory_.allocate_array<terrain::SelectedChunk>(slots);
+    const std::uint64_t left = lod_memory_.use().capacity - lod_memory_.use().in_use;
+    lod_work_ = lod_memory_.allocate_array<terrain::ChunkIndex>(left / sizeof(terrain::ChunkIndex) / 2);
+    if (chunk_states_.empty() || selected_.empty() || lod_work_.empty())
+        return gl::make_error("the budget line 'lod_scratch' is too small for this terrain database; raise it in the device file");
+    if (gl::GlError error = terrain_drawer_.start(gl_, database_, cache_, settings_.design, settings_.device, staging_memory_); !error.sentence.empty())
+        return error;
+    has_terrain_ = true;
+    return {};
+}
+
+void Display::stop() { gl_.retire(); }
+
+void Display::set_design(const design::DesignSettings& design) {
+    settings_.design = design;
+    if (has_terrain_) terrain_drawer_.set_design(gl_, design);
+}
+
+void Display::set_free_view(const terrain::View& view) {
+    free_view_ = view;
+    free_view_active_ = true;
+}
+
+void Display::clear_free_view() { free_view_active_ = false; }
+
+base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
+    if (!has_terrain_ || own_ship.state != base::SignalState::valid) return {};
+    const terrain::HeightAnswer ground = heights_.at(own_ship.position.latitude_rad, own_ship.position.longitude_rad);
+    if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea) return {};
+    const double undulation = own_ship.height_is_geometric ? ground.undulation.m : 0;
+    const auto quality = own_ship.height_is_geometric ? base::Quality::good : base::Quality::degraded;
+    return {own_ship.position.height.m - undulation - ground.height.m, now, quality};
+}
+
+TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
+    if (!has_terrain_) return TerrainSource::none;
+    if (terrain_failed_) return TerrainSource::failed;
+    const bool inside = database_.lattice_point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
+    return inside || own_ship.state == base::SignalState::missing ? TerrainSource::ready : TerrainSource::outside;
+}
+
+void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    DisplayConditions conditions;
+    conditions.terrain = terrain_source(state.own_ship);
+    conditions.phase = phase;
+    conditions.generated_flight = settings_.generated_flight;
+    decisions_ = decide_display(state, now, conditions, settings_.design);
+    begin_record(state, phase, now);
+    plan_view(state, now);
+    plan_terrain();
+    note_effects();
+}
+
+void Display::begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    record_ = FrameRecord{};
+    record_.frame = frame_++;
+    record_.time = now;
+    record_.phase = phase;
+    record_.own_ship = state.own_ship;
+    record_.heading_rad = decisions_.view_heading == Signal::count_ ? 0 : state[decisions_.view_heading].value_or(0);
+    record_.pitch_rad = state[Signal::pitch].value_or(0);
+    record_.roll_rad = state[Signal::roll].value_or(0);
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state.state_of(static_cast<Signal>(n), now);
+    for (const auto& name : decisions_.flags) flag(name.view());
+}
+
+void Display::flag(std::string_view name) {
+    for (const Name& known : record_.flags)
+        if (known.view() == name) return;
+    // A full list has counted the refusal itself.
+    static_cast<void>(record_.flags.try_push_back(Name(name)));
+}
+
+void Display::plan_view(const flight::AircraftState& state, base::Time) {
+    const earth::Geodetic& place = state.own_ship.position;
+    const double undulation = has_terrain_ ? database_.undulation(place.latitude_rad, place.longitude_rad).m : 0;
+    const bool geometric = state.own_ship.height_is_geometric;
+    aircraft_msl_m_ = place.height.m - (geometric ? undulation : 0);
+    record_.altitude_msl_m = aircraft_msl_m_;
+    const earth::EllipsoidHeight height{aircraft_msl_m_ + undulation};
+    double heading = record_.heading_rad;
+    if (decisions_.view_heading == Signal::magnetic_heading) heading += state[Signal::magnetic_variation].value_or(0);
+    const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, heading, record_.pitch_rad, record_.roll_rad);
+    const design::ViewSettings& eye = settings_.design.view;
+    view_.forward = body[0];
+    view_.right = body[1];
+    view_.down = body[2];
+    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, height}) + body * glm::dvec3(eye.eye_forward_m, eye.eye_right_m, eye.eye_down_m);
+    view_.width = settings_.width_px;
+    view_.height = settings_.height_px;
+    view_.focal_px = 0.5 * settings_.width_px / std::tan(0.5 * eye.horizontal_field_of_view_rad);
+    const double above = state[Signal::height_above_terrain].value_or(aircraft_msl_m_);
+    view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
+    view_.far_m = far_plane_m(aircraft_msl_m_);
+    if (free_view_active_) view_ = free_view_;
+}
+
+void Display::plan_terrain() {
+    lod_ = {};
+    record_.terrain.tau_px = settings_.design.terrain.tau_px;
+    if (!decisions_.show_terrain) return;
+    const terrain::LodSettings lod{settings_.design.terrain.tau_px, settings_.device.triangle_budget, settings_.device.max_chunk_slots};
+    lod_ = terrain::select_chunks(database_, view_, lod, chunk_states_, lod_work_, selected_);
+    if (!lod_.within_budget) {
+        decisions_.show_terrain = false;
+        decisions_.plain_horizon = true;
+        flag("terrain.over_budget");
+        return;
+    }
+    record_.terrain.worst_error_px = lod_.worst_error_px;
+    if (lod_.tau_reached_px > lod.tau_px) flag("terrain.tau_raised");
+    bool voids = false;
+    for (std::uint32_t n = 0; n < lod_.chunks; ++n) voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
+    if (voids) flag("terrain.void");
+    if (lod_.worst_chunk == terrain::kNoChunk) return;
+    const terrain::ChunkEntry& worst = database_.entry(lod_.worst_chunk);
+    record_.terrain.worst_chunk.append(gl::digits(worst.level).view());
+    record_.terrain.worst_chunk.append("/");
+    record_.terrain.worst_chunk.append(gl::digits(worst.i).view());
+    record_.terrain.worst_chunk.append("/");
+    record_.terrain.worst_chunk.append(gl::digits(worst.j).view());
+}
+
+void Display::note_effects() {
+    const auto note = [this](const char* name, bool runs, const char* reason) {
+        EffectRecord effect;
+        effect.name = Name(name);
+        effect.state = runs ? EffectState::run : EffectState::skipped;
+        effect.reason.append(reason);
+        static_cast<void>(record_.effects.try_push_back(effect));
+    };
+    note("terrain", decisions_.show_terrain, decisions_.show_terrain ? "terrain in view" : "removed by the failure policy");
+    const bool warning = decisions_.show_terrain && decisions_.show_warning_colors;
+    note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
+    record_.terrain_aspect.technique = Name(decisions_.show_terrain ? "hypsometric_lambert" : "none");
+    record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
+    record_.terrain_aspect.weight = 1;
+}
+
+void Display::draw(base::Surface& surface) {
+    gl_.begin_frame();
+    gl::bind_surface(gl_, surface);
+    terrain_result_ = {};
+    const bool ready = decisions_.show_terrain && terrain_drawer_.prepare(gl_, selected_.subspan(0, lod_.chunks), frame_);
+    if (decisions_.show_terrain && !ready) {
+        terrain_failed_ = true;
+        decisions_.show_terrain = false;
+        decisions_.plain_horizon = true;
+        flag("terrain.failed");
+    }
+    const design::Color sky = settings_.design.sky.horizon;
+    gl_->ClearColor(static_cast<float>(sky.red) / 255.0f, static_cast<float>(sky.green) / 255.0f, static_cast<float>(sky.blue) / 255.0f, 1.0f);
+    gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (decisions_.show_terrain) draw_terrain();
+    finish_record();
+}
+
+void Display::draw_terrain() {
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->Enable(GL_CULL_FACE);
+    draw::TerrainDrawInput input;
+    input.view = view_;
+    input.light_direction = light_direction(settings_.design.terrain.light, record_.own_ship.position);
+    input.warning_colors = decisions_.show_warning_colors;
+    input.aircraft_msl_m = aircraft_msl_m_;
+    terrain_result_ = terrain_drawer_.draw(gl_, selected_.subspan(0, lod_.chunks), input);
+    gl_->Disable(GL_CULL_FACE);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+void Display::finish_record() {
+    record_.terrain.triangles = terrain_result_.triangles;
+    record_.terrain.chunks = terrain_result_.draws;
+    for (EffectRecord& effect : record_.effects)
+        if (effect.name.view() == "terrain") effect.draws = terrain_result_.draws;
+    const base::BudgetTable& budget = settings_.device.budget;
+    record_.bytes.cpu = heights_memory_.use().in_use + index_memory_.use().in_use + slots_memory_.use().in_use + staging_memory_.use().in_use +
+                        lod_memory_.use().in_use;
+    record_.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
+    record_.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);
+    record_.bytes.gpu_budget = budget.total(base::MemoryKind::gpu);
+    record_.bytes.uploaded = gl_.frame().uploaded_bytes;
+}
+
+}  // namespace tedavis::display

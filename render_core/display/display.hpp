@@ -1,0 +1,99 @@
+/// The face of the core: aircraft state in, pixels and a FrameRecord out.
+///
+///   start(settings, memory, surface, terrain) · update(state, phase, now) · draw(surface) · stop()
+///
+/// Memory    everything from the arena and the GPU lines of the device's budget table, at start(); nothing later.
+/// Thread    one, on which the surface is current. Time comes from the source with update(); no clock is read.
+/// Failure   start() gives one sentence. Later faults of data remove what is not trustworthy, flag it and keep running.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/ports/byte_source.hpp"
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/display/failure_policy.hpp"
+#include "render_core/display/frame_record.hpp"
+#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/gl.hpp"
+#include "render_core/terrain/height_query.hpp"
+
+namespace tedavis::display {
+
+struct DisplaySettings {
+    effects::DeviceSettings device;
+    design::DesignSettings design;
+    std::uint32_t width_px = 0, height_px = 0;
+    bool generated_flight = false;  ///< said on the display
+};
+
+class Display {
+public:
+    Display() = default;
+    Display(const Display&) = delete;
+    Display& operator=(const Display&) = delete;
+
+    /// The surface must be current; `terrain` may be null (no database). An empty sentence means success.
+    [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface, base::ByteSource* terrain);
+    /// What the reservation handed to start() must hold for this device.
+    [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device);
+
+    /// Plans the frame for `now`. Pure planning: no GL.
+    void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Draws what update() planned.
+    void draw(base::Surface& surface);
+    void stop();
+
+    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update().
+    void set_design(const design::DesignSettings& design);
+    /// Replaces the own ship's eye with another one until cleared: the simulator's free camera.
+    void set_free_view(const terrain::View& view);
+    void clear_free_view();
+
+    /// Height above the terrain below a position; missing outside the database or over voids.
+    [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now);
+
+    [[nodiscard]] const FrameRecord& record() const { return record_; }
+    [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
+    [[nodiscard]] gl::Gl& gl() { return gl_; }
+    [[nodiscard]] const terrain::View& view() const { return view_; }
+    [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const { return has_terrain_ ? &database_ : nullptr; }
+
+private:
+    [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
+    [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
+    [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
+    void plan_view(const flight::AircraftState& state, base::Time now);
+    void plan_terrain();
+    void begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    void note_effects();
+    void flag(std::string_view name);
+    void draw_terrain();
+    void finish_record();
+
+    DisplaySettings settings_;
+    gl::Gl gl_;
+    base::Arena heights_memory_, index_memory_, slots_memory_, staging_memory_, lod_memory_;
+    terrain::TerrainDatabase database_;
+    terrain::ChunkCache cache_;
+    terrain::HeightQuery heights_;
+    draw::TerrainDrawer terrain_drawer_;
+    bool has_terrain_ = false;
+    bool terrain_failed_ = false;
+
+    base::Span<std::uint8_t> chunk_states_;
+    base::Span<terrain::ChunkIndex> lod_work_;
+    base::Span<terrain::SelectedChunk> selected_;
+    terrain::LodResult lod_;
+
+    DisplayDecisions decisions_;
+    terrain::View view_;
+    terrain::View free_view_;
+    bool free_view_active_ = false;
+    double aircraft_msl_m_ = 0;
+    draw::TerrainDrawResult terrain_result_;
+    std::uint64_t frame_ = 0;
+    FrameRecord record_;
+};
+
+}  // namespace tedavis::display
