@@ -1,0 +1,104 @@
+/// Flight phase from the motion of the aircraft, for when neither switches nor bus state one.
+///
+/// An online state machine on ground speed, vertical speed and height above ground; every transition needs its condition
+/// to hold without a break for a time of its own, and leaving a phase needs more than entering it did. Phases follow
+/// thesis section 3.1; the thresholds are settings.
+///
+/// - Missing inputs (no valid speed, vertical speed or height) give no statement; after `forget_after` the phase is
+///   found anew.
+/// - Steps may vary. Across a step longer than `longest_step` no condition is taken to have held. Time that runs back
+///   starts anew (a seek restores a saved state instead).
+/// - No transition takes priority from terrain below `terrain_priority_height_m`, and a phase that gives priority to
+///   something else is left there: the statement is then `unknown`, which shows terrain.
+///
+/// Thread  any, one state each. Memory  the state. Failure  no statement.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/base/time.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+#include "render_core/flight/phase_statement.hpp"
+
+namespace tedavis::flight {
+
+/// Metres, m/s, m/s^2. Heights are above the ground below.
+struct MotionPhaseSettings {
+    double standing_speed_mps = 15;            ///< on the ground below this speed
+    double ground_height_m = 15;               ///< on the ground below this height, as the radio altimeter measures it
+    double terrain_height_margin_m = 15;       ///< added to heights near the ground that come from the terrain database
+    double takeoff_speed_mps = 30;             ///< a take-off run above this, or
+    double takeoff_run_speed_mps = 20;         ///< above this with
+    double takeoff_acceleration_mps2 = 1;      ///< this much acceleration along the body
+    double lift_off_height_m = 11;             ///< 35 ft: first climb
+    double second_climb_height_m = 300;        ///< 1000 ft: second climb
+    double climb_mps = 1.5;                    ///< climbing above this vertical speed
+    double level_mps = 1.5;                    ///< level within this vertical speed, and until
+    double level_hysteresis_mps = 0.5;         ///< this much beyond it
+    double cruise_height_m = 1500;             ///< cruise is level above this
+    double descent_mps = 2.5;                  ///< descent from height faster than this
+    double approach_descent_mps = 1;           ///< descent below the initial approach height faster than this
+    double initial_height_m = 900;             ///< initial approach below this
+    double final_height_m = 300;               ///< final approach below this
+    double not_climbing_mps = 0.5;             ///< final approach and landing only below this vertical speed
+    double go_around_climb_mps = 2.5;          ///< go-around climbs faster than this
+    double go_around_rise_m = 30;              ///< and has gained this height since it began to
+    double replanning_height_m = 500;          ///< after a go-around, re-planning above this
+    double terrain_priority_height_m = 457.2;  ///< 1500 ft: terrain keeps its priority below this
+    double radio_height_limit_m = 750;         ///< a radio altimeter is believed below this
+
+    base::Duration brief = base::Duration::seconds(1);  ///< lift-off, touchdown, low flight
+    base::Duration usual = base::Duration::seconds(2);  ///< between phases that follow each other
+    base::Duration standing = base::Duration::seconds(3);
+    base::Duration go_around = base::Duration::seconds(3);
+    base::Duration vertical = base::Duration::seconds(10);  ///< climbs and descents out of another phase
+    base::Duration level = base::Duration::seconds(30);
+    base::Duration level_after_replanning = base::Duration::seconds(120);
+    base::Duration smoothing = base::Duration::seconds(2);  ///< time constant for the vertical speed
+    base::Duration longest_step = base::Duration::seconds(2);
+    base::Duration forget_after = base::Duration::seconds(10);
+};
+
+enum class MotionStage : std::uint8_t {
+    none,
+    ground,
+    takeoff_start,
+    first_climb,
+    second_climb,
+    cruise,
+    descent,
+    initial,
+    final,
+    landing,
+    abort,
+    replanning,
+    low_flight,  ///< near the ground out of a phase of height: states `unknown`
+};
+
+inline constexpr std::size_t kMaxMotionRules = 24;
+
+/// Everything that the detector remembers; plain, so that it can be saved and restored.
+struct MotionPhaseState {
+    struct Timer {
+        base::Time since;
+        double height_m = 0;  ///< when the condition began to hold
+        bool running = false;
+    };
+    std::array<Timer, kMaxMotionRules> timers{};
+    base::Time last_update;
+    base::Time last_complete;       ///< newest update with all inputs
+    double vertical_speed_mps = 0;  ///< smoothed
+    MotionStage stage = MotionStage::none;
+    bool any_update = false;
+    bool smoothed = false;
+};
+static_assert(std::is_trivially_copyable_v<MotionPhaseState>);
+
+/// One update, at `now` of the source. A second call with the same `now` changes nothing.
+[[nodiscard]] PhaseStatement detect_motion_phase(const AircraftState& aircraft, base::Time now,
+                                                 const MotionPhaseSettings& settings, MotionPhaseState& state);
+
+}  // namespace tedavis::flight

@@ -1,0 +1,114 @@
+#include "render_core/flight/phase_arbiter.hpp"
+
+#include <array>
+
+namespace tedavis::flight {
+namespace {
+
+struct Spoken {
+    PhaseSource source = PhaseSource::none;
+    PhaseStatement statement;
+};
+using AllSpoken = std::array<Spoken, 3>;  // in order of authority
+
+AllSpoken listen(const PhaseInputs& inputs, base::Time now, const PhaseArbiterSettings& settings) {
+    const base::FreshnessLimits limits{settings.can_timeout, settings.can_timeout};
+    const FlightPhase can = inputs.can.value_or(FlightPhase{});
+    const bool can_states = inputs.can.state(now, limits) == base::SignalState::valid && can.scenario != Scenario::unknown;
+    return {Spoken{PhaseSource::switches, inputs.switches}, Spoken{PhaseSource::can, {can, can_states}},
+            Spoken{PhaseSource::motion, inputs.motion}};
+}
+
+/// The statement with the highest authority; source none when nobody states anything.
+Spoken highest(const AllSpoken& all) {
+    for (const Spoken& spoken : all)
+        if (spoken.statement.stated) return spoken;
+    return {};
+}
+
+bool speaks(const AllSpoken& all, PhaseSource source) {
+    for (const Spoken& spoken : all)
+        if (spoken.source == source) return spoken.statement.stated;
+    return false;
+}
+
+bool shows_terrain(FlightPhase phase) { return prioritized_aspect(phase) == Aspect::terrain; }
+
+base::Duration dwell_of(const Spoken& spoken, const PhaseArbiterSettings& settings, const PhaseArbiterState& state) {
+    if (spoken.source == PhaseSource::switches) return {};
+    const bool turns_to_terrain = shows_terrain(spoken.statement.phase) && !shows_terrain(state.phase);
+    if (spoken.source == state.source && turns_to_terrain) return {};
+    return spoken.source == PhaseSource::can ? settings.can_dwell : settings.motion_dwell;
+}
+
+void take(const Spoken& spoken, PhaseArbiterState& state) {
+    state.phase = spoken.statement.phase;
+    state.source = spoken.source;
+    state.candidate_source = PhaseSource::none;
+}
+
+void consider(const Spoken& spoken, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+    if (spoken.source == state.source && spoken.statement.phase == state.phase) {
+        state.candidate_source = PhaseSource::none;
+        return;
+    }
+    if (spoken.source != state.candidate_source || spoken.statement.phase != state.candidate) {
+        state.candidate = spoken.statement.phase;
+        state.candidate_source = spoken.source;
+        state.candidate_since = now;
+    }
+    if (now - state.candidate_since >= dwell_of(spoken, settings, state)) take(spoken, state);
+}
+
+/// Whether a source below the one in effect states another scenario now.
+bool contradicted(const AllSpoken& all, const PhaseArbiterState& state) {
+    if (!speaks(all, state.source)) return false;
+    for (const Spoken& spoken : all) {
+        const bool below = spoken.source < state.source;  // the enumeration is in order of authority
+        const Scenario scenario = spoken.statement.phase.scenario;
+        if (below && spoken.statement.stated && scenario != Scenario::unknown && scenario != state.phase.scenario) return true;
+    }
+    return false;
+}
+
+void update_disagreement(bool contradiction, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+    if (contradiction == state.disagreement) {
+        state.disagreement_waits = false;
+        return;
+    }
+    if (!state.disagreement_waits) state.disagreement_since = now;
+    state.disagreement_waits = true;
+    if (now - state.disagreement_since < settings.disagreement_dwell) return;
+    state.disagreement = contradiction;
+    state.disagreement_waits = false;
+}
+
+}  // namespace
+
+PhaseStatus arbitrate_phase(const PhaseInputs& inputs, base::Time now, const PhaseArbiterSettings& settings,
+                            PhaseArbiterState& state) {
+    if (state.any_update && now < state.last_update) state = {};
+    state.any_update = true;
+    state.last_update = now;
+    const AllSpoken all = listen(inputs, now, settings);
+    for (const Spoken& spoken : all)
+        if (spoken.statement.stated && spoken.statement.phase == state.phase) state.stated_at = now;
+    if (now - state.stated_at > settings.hold) {
+        state.phase = {};
+        state.source = PhaseSource::none;
+    }
+    const Spoken top = highest(all);
+    if (top.source == PhaseSource::none) {
+        state.candidate_source = PhaseSource::none;
+    } else if (state.source == PhaseSource::none) {
+        take(top, state);
+    } else {
+        consider(top, now, settings, state);
+    }
+    if (top.source != PhaseSource::none && top.statement.phase == state.phase) state.stated_at = now;
+    update_disagreement(contradicted(all, state), now, settings, state);
+    const bool held = state.source != PhaseSource::none && !speaks(all, state.source);
+    return {state.phase, held ? PhaseSource::held : state.source, inputs.switch_fault, state.disagreement};
+}
+
+}  // namespace tedavis::flight

@@ -1,0 +1,364 @@
+#include "render_core/flight/motion_phase_detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "render_core/flight/phase_statement.hpp"
+
+namespace tedavis::flight {
+namespace {
+
+constexpr std::int64_t kStart = 1'700'000'000'000'000'000;
+
+std::string name_of(PhaseStatement statement) {
+    if (!statement.stated) return "-";
+    const std::string sub_phase = sub_phase_name(statement.phase);
+    return scenario_name(statement.phase) + (sub_phase.empty() ? "" : "." + sub_phase);
+}
+
+/// A stretch of flight at constant vertical speed, ground speed changing evenly to its end.
+struct Leg {
+    double seconds;
+    double vertical_speed;
+    double end_speed;
+};
+
+struct Sample {
+    double ground_speed = 0;
+    double vertical_speed = 0;
+    double height = 0;
+    double acceleration = 0;
+};
+
+/// The exact motion at `t`, computed from the legs and never by accumulation; height stops at the ground.
+Sample sample_at(const std::vector<Leg>& legs, double t) {
+    Sample s;
+    for (const Leg& leg : legs) {
+        const double in_leg = std::min(t, leg.seconds);
+        s.acceleration = (leg.end_speed - s.ground_speed) / leg.seconds;
+        s.height = std::max(0.0, s.height + leg.vertical_speed * in_leg);
+        s.vertical_speed = s.height > 0 ? leg.vertical_speed : 0;
+        if (t <= leg.seconds) {
+            s.ground_speed += s.acceleration * t;
+            return s;
+        }
+        s.ground_speed = leg.end_speed;
+        t -= leg.seconds;
+    }
+    return s;
+}
+
+double length_of(const std::vector<Leg>& legs) {
+    double seconds = 0;
+    for (const Leg& leg : legs) seconds += leg.seconds;
+    return seconds;
+}
+
+void put(AircraftState& aircraft, Signal signal, double value, base::Time at) { aircraft[signal] = {value, at}; }
+
+enum class HeightFrom { radio, terrain };
+
+AircraftState aircraft_at(const Sample& s, base::Time now, HeightFrom height_from) {
+    AircraftState aircraft;
+    put(aircraft, Signal::ground_speed, s.ground_speed, now);
+    put(aircraft, Signal::vertical_speed, s.vertical_speed, now);
+    put(aircraft, Signal::longitudinal_acceleration, s.acceleration, now);
+    if (height_from == HeightFrom::radio) put(aircraft, Signal::radio_height, s.height, now);
+    put(aircraft, Signal::height_above_terrain, s.height, now);
+    return aircraft;
+}
+
+struct Script {
+    std::vector<Leg> legs;
+    std::function<double(double)> step = [](double) { return 0.1; };  // seconds, by time
+    double vertical_noise = 0;
+    HeightFrom height_from = HeightFrom::radio;
+};
+
+/// The distinct statements in order, "-" left out.
+std::vector<std::string> fly(const Script& script, MotionPhaseState& state) {
+    std::vector<std::string> phases;
+    std::mt19937_64 random(77);
+    std::uniform_real_distribution<double> noise(-script.vertical_noise, script.vertical_noise);
+    const MotionPhaseSettings settings;
+    for (double t = 0; t < length_of(script.legs); t += script.step(t)) {
+        const base::Time now{kStart + std::llround(t * 1e9)};
+        Sample s = sample_at(script.legs, t);
+        s.vertical_speed += noise(random);
+        const PhaseStatement found = detect_motion_phase(aircraft_at(s, now, script.height_from), now, settings, state);
+        const std::string name = name_of(found);
+        if (found.stated && (phases.empty() || phases.back() != name)) phases.push_back(name);
+        const bool takes_priority = found.stated && prioritized_aspect(found.phase) != Aspect::terrain;
+        EXPECT_FALSE(takes_priority && s.height < settings.terrain_priority_height_m - 10) << name << " at " << s.height << " m";
+    }
+    return phases;
+}
+
+std::vector<std::string> fly(const Script& script) {
+    MotionPhaseState state;
+    return fly(script, state);
+}
+
+const std::vector<Leg> kToCruise = {{20, 0, 0}, {25, 0, 60}, {60, 6, 80}, {200, 9, 120}, {120, 0, 150}};
+const std::vector<Leg> kDownToFinal = {{260, -5, 90}, {80, -4, 70}, {90, -4, 60}};
+
+std::vector<Leg> joined(std::initializer_list<std::vector<Leg>> parts) {
+    std::vector<Leg> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+/// Ground to cruise (2160 m), down to 180 m, land, stop.
+const std::vector<Leg> kWholeFlight = joined({kToCruise, kDownToFinal, {{60, -3, 50}, {5, -0.5, 45}, {40, 0, 5}, {30, 0, 5}}});
+const std::vector<std::string> kWholeFlightPhases = {
+    "ground",           "takeoff.start",    "takeoff.first_climb", "takeoff.second_climb", "cruise",
+    "approach.descent", "approach.initial", "approach.final",      "approach.landing",     "ground"};
+
+TEST(MotionPhaseDetector, a_whole_flight_passes_through_every_phase_once) { EXPECT_EQ(fly({kWholeFlight}), kWholeFlightPhases); }
+
+TEST(MotionPhaseDetector, heights_from_the_terrain_database_do_as_well) {
+    Script script{kWholeFlight};
+    script.height_from = HeightFrom::terrain;
+    EXPECT_EQ(fly(script), kWholeFlightPhases);
+}
+
+TEST(MotionPhaseDetector, the_step_may_be_anything_up_to_the_longest) {
+    for (const double step : {0.02, 0.05, 0.3, 1.0, 1.9}) {
+        Script script{kWholeFlight};
+        script.step = [step](double) { return step; };
+        EXPECT_EQ(fly(script), kWholeFlightPhases) << step;
+    }
+    Script uneven{kWholeFlight};
+    uneven.step = [](double t) { return 0.02 + std::abs(std::sin(t * 7.3)); };
+    EXPECT_EQ(fly(uneven), kWholeFlightPhases);
+}
+
+TEST(MotionPhaseDetector, turbulence_makes_no_flicker) {
+    for (const double noise : {0.5, 1.5, 2.5}) {
+        Script script{kWholeFlight};
+        script.vertical_noise = noise;
+        EXPECT_EQ(fly(script), kWholeFlightPhases) << noise;
+    }
+}
+
+TEST(MotionPhaseDetector, a_go_around_is_followed_by_replanning_and_another_approach) {
+    const auto legs =
+        joined({kToCruise,
+                kDownToFinal,
+                {{20, -3, 50}, {60, 7, 70}, {60, 0, 70}, {60, -4, 60}, {80, -3, 50}, {70, -1, 45}, {60, 0, 5}, {30, 0, 0}}});
+    const std::vector<std::string> expected = {"ground",
+                                               "takeoff.start",
+                                               "takeoff.first_climb",
+                                               "takeoff.second_climb",
+                                               "cruise",
+                                               "approach.descent",
+                                               "approach.initial",
+                                               "approach.final",
+                                               "go_around.abort",
+                                               "go_around.replanning",
+                                               "approach.initial",
+                                               "approach.final",
+                                               "approach.landing",
+                                               "ground"};
+    std::vector<std::string> phases = fly({legs});
+    // Descending out of re-planning passes 1500 ft before ten seconds of descent are over: terrain takes over at once.
+    phases.erase(std::remove(phases.begin(), phases.end(), "unknown"), phases.end());
+    EXPECT_EQ(phases, expected);
+}
+
+TEST(MotionPhaseDetector, a_bump_on_final_is_no_go_around) {
+    const auto legs = joined({kToCruise, kDownToFinal, {{20, -3, 50}, {4, 5, 50}, {60, -3, 45}, {20, 0, 5}, {30, 0, 0}}});
+    const auto phases = fly({legs});
+    EXPECT_EQ(phases, kWholeFlightPhases) << "4 s at 5 m/s gain less than 30 m";
+}
+
+TEST(MotionPhaseDetector, a_rejected_takeoff_returns_to_ground) {
+    EXPECT_EQ(fly({{{20, 0, 0}, {20, 0, 40}, {20, 0, 2}, {20, 0, 2}}}),
+              (std::vector<std::string>{"ground", "takeoff.start", "ground"}));
+}
+
+TEST(MotionPhaseDetector, fast_taxiing_is_no_takeoff) {
+    EXPECT_EQ(fly({{{20, 0, 0}, {60, 0, 14}, {60, 0, 0}}}), std::vector<std::string>{"ground"});
+}
+
+TEST(MotionPhaseDetector, a_step_climb_stays_in_cruise) {
+    const auto legs = joined({kToCruise, {{60, 3, 150}, {120, 0, 150}}});
+    EXPECT_EQ(fly({legs}).back(), "cruise");
+    const auto again = joined({kToCruise, {{8, -4, 150}, {120, 0, 150}}});
+    EXPECT_EQ(fly({again}).back(), "cruise") << "eight seconds of descent are none";
+}
+
+TEST(MotionPhaseDetector, levelling_off_high_up_leaves_the_descent_for_cruise) {
+    const auto legs = joined({kToCruise, {{60, -5, 150}, {120, 0, 150}}});
+    const auto phases = fly({legs});
+    EXPECT_EQ(phases[phases.size() - 2], "approach.descent");
+    EXPECT_EQ(phases.back(), "cruise");
+}
+
+TEST(MotionPhaseDetector, finds_its_place_in_the_middle_of_a_flight) {
+    const auto begun_at = [](double height, double vertical_speed) {
+        MotionPhaseState state;
+        PhaseStatement found;
+        for (int i = 0; i < 400; ++i) {
+            const base::Time now{kStart + i * 100'000'000LL};
+            const Sample s{90, vertical_speed, height + 0.1 * i * vertical_speed, 0};
+            found = detect_motion_phase(aircraft_at(s, now, HeightFrom::terrain), now, {}, state);
+        }
+        return name_of(found);
+    };
+    EXPECT_EQ(begun_at(3000, 0), "cruise");
+    EXPECT_EQ(begun_at(3000, -6), "approach.descent");
+    EXPECT_EQ(begun_at(800, -3), "approach.initial");
+    EXPECT_EQ(begun_at(1000, 6), "takeoff.second_climb");
+    EXPECT_EQ(begun_at(600, 0), "-") << "level at 600 m may be anything";
+}
+
+/// In cruise at 2160 m; the state from there on.
+MotionPhaseState cruising(base::Time& now) {
+    MotionPhaseState state;
+    static_cast<void>(fly({kToCruise}, state));
+    EXPECT_EQ(state.stage, MotionStage::cruise);
+    now = state.last_update;
+    return state;
+}
+
+PhaseStatement go_on(MotionPhaseState& state, base::Time& now, double seconds, const std::function<void(AircraftState&)>& change,
+                     Sample s = {150, 0, 2160, 0}) {
+    PhaseStatement found;
+    for (double t = 0; t < seconds; t += 0.1) {
+        now = now + base::Duration::milliseconds(100);
+        AircraftState aircraft = aircraft_at(s, now, HeightFrom::terrain);
+        change(aircraft);
+        found = detect_motion_phase(aircraft, now, {}, state);
+    }
+    return found;
+}
+const auto kNoChange = [](AircraftState&) {};
+
+TEST(MotionPhaseDetector, any_missing_input_gives_no_statement) {
+    const Signal needed[] = {Signal::ground_speed, Signal::vertical_speed, Signal::height_above_terrain};
+    for (const Signal signal : needed) {
+        base::Time now;
+        MotionPhaseState state = cruising(now);
+        EXPECT_FALSE(go_on(state, now, 1, [&](AircraftState& a) { a[signal] = {}; }).stated) << to_string(signal);
+        EXPECT_EQ(name_of(go_on(state, now, 1, kNoChange)), "cruise") << "a short gap forgets nothing";
+        EXPECT_FALSE(go_on(state, now, 11, [&](AircraftState& a) { a[signal] = {}; }).stated);
+        EXPECT_FALSE(go_on(state, now, 1, kNoChange).stated) << "after a long gap the phase is found anew";
+        EXPECT_EQ(name_of(go_on(state, now, 31, kNoChange)), "cruise");
+    }
+}
+
+TEST(MotionPhaseDetector, stale_bad_and_nan_inputs_count_as_missing) {
+    base::Time now;
+    const MotionPhaseState state = cruising(now);
+    const auto stated_with = [&](const std::function<void(AircraftState&, base::Time)>& change) {
+        MotionPhaseState s = state;
+        base::Time t = now;
+        return go_on(s, t, 0.1, [&](AircraftState& a) { change(a, t); }).stated;
+    };
+    EXPECT_TRUE(stated_with([](AircraftState&, base::Time) {}));
+    EXPECT_FALSE(stated_with([](AircraftState& a, base::Time t) {
+        a[Signal::ground_speed] = {150, t - base::Duration::seconds(5)};
+    }));
+    EXPECT_FALSE(stated_with([](AircraftState& a, base::Time t) { a[Signal::ground_speed] = {150, t, base::Quality::bad}; }));
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+        EXPECT_FALSE(stated_with([=](AircraftState& a, base::Time t) { a[Signal::ground_speed] = {bad, t}; }));
+        EXPECT_FALSE(stated_with([=](AircraftState& a, base::Time t) { a[Signal::vertical_speed] = {bad, t}; }));
+        EXPECT_FALSE(stated_with([=](AircraftState& a, base::Time t) { a[Signal::height_above_terrain] = {bad, t}; }));
+    }
+}
+
+TEST(MotionPhaseDetector, the_own_ship_estimate_replaces_missing_speeds) {
+    base::Time now;
+    MotionPhaseState state = cruising(now);
+    const auto estimate = [](AircraftState& a) {
+        a[Signal::ground_speed] = {};
+        a[Signal::vertical_speed] = {};
+        a.own_ship.velocity_north_mps = 90;
+        a.own_ship.velocity_east_mps = 120;
+        a.own_ship.state = base::SignalState::valid;
+    };
+    EXPECT_TRUE(go_on(state, now, 1, estimate).stated);
+    EXPECT_FALSE(go_on(state, now, 1, [&](AircraftState& a) {
+                     estimate(a);
+                     a.own_ship.state = base::SignalState::stale;
+                 }).stated);
+}
+
+TEST(MotionPhaseDetector, terrain_that_rises_below_a_cruise_ends_it) {
+    base::Time now;
+    MotionPhaseState state = cruising(now);
+    const Sample low{150, 0, 400, 0};
+    EXPECT_EQ(name_of(go_on(state, now, 1.5, kNoChange, low)), "unknown") << "which shows terrain";
+    EXPECT_EQ(name_of(go_on(state, now, 60, kNoChange, {150, 0, 800, 0})), "unknown") << "and cruise needs far more height again";
+    EXPECT_EQ(name_of(go_on(state, now, 31, kNoChange, {150, 0, 1600, 0})), "cruise");
+}
+
+TEST(MotionPhaseDetector, no_settings_take_priority_from_terrain_below_1500_ft) {
+    MotionPhaseSettings reckless;
+    reckless.cruise_height_m = 0;
+    reckless.replanning_height_m = 0;
+    MotionPhaseState state;
+    for (int i = 0; i < 3000; ++i) {
+        const base::Time now{kStart + i * 100'000'000LL};
+        const Sample s{80, 0, 450, 0};
+        const PhaseStatement found = detect_motion_phase(aircraft_at(s, now, HeightFrom::terrain), now, reckless, state);
+        ASSERT_FALSE(found.stated && prioritized_aspect(found.phase) != Aspect::terrain);
+    }
+    const base::Time later{kStart + 3000 * 100'000'000LL};
+    const Sample higher{80, 0, 460, 0};
+    EXPECT_EQ(name_of(detect_motion_phase(aircraft_at(higher, later, HeightFrom::terrain), later, reckless, state)), "cruise")
+        << "ten metres higher the same settings do state cruise";
+}
+
+TEST(MotionPhaseDetector, the_lower_of_two_heights_guards_terrain) {
+    base::Time now;
+    MotionPhaseState state = cruising(now);
+    const auto radio_says_low = [&](AircraftState& a) { a[Signal::radio_height] = {300, now}; };
+    EXPECT_EQ(name_of(go_on(state, now, 2, radio_says_low)), "unknown");
+    state = cruising(now);
+    const auto radio_out_of_range = [&](AircraftState& a) { a[Signal::radio_height] = {760, now}; };
+    EXPECT_EQ(name_of(go_on(state, now, 2, radio_out_of_range)), "cruise");
+}
+
+TEST(MotionPhaseDetector, a_long_step_proves_nothing) {
+    MotionPhaseState state;
+    PhaseStatement found;
+    for (int i = 0; i < 40; ++i) {
+        const base::Time now{kStart + i * 5'000'000'000LL};
+        found = detect_motion_phase(aircraft_at({150, 0, 3000, 0}, now, HeightFrom::terrain), now, {}, state);
+    }
+    EXPECT_FALSE(found.stated) << "5 s between updates: nobody knows what happened between them";
+}
+
+TEST(MotionPhaseDetector, asking_twice_at_one_instant_changes_nothing) {
+    MotionPhaseState once, twice;
+    for (int i = 0; i < 1000; ++i) {
+        const base::Time now{kStart + i * 100'000'000LL};
+        const AircraftState a = aircraft_at(sample_at(kWholeFlight, 0.1 * i), now, HeightFrom::radio);
+        const PhaseStatement one = detect_motion_phase(a, now, {}, once);
+        static_cast<void>(detect_motion_phase(a, now, {}, twice));
+        const PhaseStatement two = detect_motion_phase(a, now, {}, twice);
+        ASSERT_EQ(name_of(one), name_of(two));
+    }
+}
+
+TEST(MotionPhaseDetector, time_that_runs_back_starts_anew_and_a_saved_state_goes_on) {
+    base::Time now;
+    MotionPhaseState state = cruising(now);
+    const MotionPhaseState saved = state;
+    base::Time earlier = now - base::Duration::seconds(100);
+    EXPECT_FALSE(go_on(state, earlier, 1, kNoChange).stated);
+    state = saved;
+    EXPECT_EQ(name_of(go_on(state, now, 1, kNoChange)), "cruise");
+}
+
+}  // namespace
+}  // namespace tedavis::flight
