@@ -1,0 +1,46 @@
+/// A display running on the desk: surface, reservation, terrain file and core, opened from the user's options.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/png_file.hpp"
+#include "platform/files/file_byte_source.hpp"
+#include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/display/display.hpp"
+
+namespace tedavis::host_sim {
+
+class DisplaySession {
+public:
+    /// Throws UserError with the sentence of whatever cannot be opened.
+    DisplaySession(const PictureOptions& options, bool generated_flight);
+    ~DisplaySession();
+    DisplaySession(const DisplaySession&) = delete;
+    DisplaySession& operator=(const DisplaySession&) = delete;
+
+    [[nodiscard]] display::Display& display() { return *display_; }
+    [[nodiscard]] const effects::DeviceSettings& device() const { return device_; }
+    [[nodiscard]] std::uint32_t width() const { return surface_->width(); }
+    [[nodiscard]] std::uint32_t height() const { return surface_->height(); }
+    /// "egl: llvmpipe (...)": recorded with every run.
+    [[nodiscard]] std::string gl_description();
+
+    /// Draws what was planned and reads it back; bottom row first.
+    void draw();
+    [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
+    [[nodiscard]] std::uint64_t frame_hash() const;
+
+private:
+    effects::DeviceSettings device_;
+    std::unique_ptr<base::Surface> surface_;
+    platform::MemoryReservation reservation_;
+    platform::FileByteSource terrain_file_;
+    std::unique_ptr<display::Display> display_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace tedavis::host_sim
