@@ -1,0 +1,17 @@
+// Who may include whom. The tables in include_rule.cpp are the rule that CONTRIBUTING.md describes.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/layering/source_file.hpp"
+
+namespace tedavis::tests::layering {
+
+/// Findings of one file: includes of a folder that stands above it, of a system header that its folder may not know, of a
+/// header that no table knows, and includes not written from the root. `known_paths` are all files of the tree; includes
+/// of files that the build generates are judged by their folder alone.
+std::vector<std::string> include_findings(const SourceFile& file, const std::set<std::string>& known_paths);
+
+}  // namespace tedavis::tests::layering

@@ -1,0 +1,138 @@
+#include "tests/layering/source_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace tedavis::tests::layering {
+namespace {
+
+constexpr const char* kFolders[] = {"render_core", "bus", "platform", "target", "host_sim", "tests", "toolchains"};
+
+bool is_source(const std::filesystem::path& path) {
+    const auto extension = path.extension();
+    return extension == ".cpp" || extension == ".hpp" || extension == ".inc";
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw std::runtime_error("cannot read " + path.string());
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// Walks over a source text and blanks what is no code.
+class Blanker {
+public:
+    explicit Blanker(std::string_view text) : text_(text) {}
+
+    std::string run() {
+        while (at_ < text_.size()) {
+            if (ahead("//")) {
+                blank_until("\n", false);
+            } else if (ahead("/*")) {
+                blank_until("*/", true);
+            } else if (ahead("R\"") && !after_word()) {
+                blank_raw_string();
+            } else if (text_[at_] == '"' || (text_[at_] == '\'' && !after_word())) {
+                blank_literal(text_[at_]);
+            } else {
+                out_ += text_[at_++];
+            }
+        }
+        return out_;
+    }
+
+private:
+    bool ahead(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+    bool after_word() const { return at_ > 0 && is_word(text_[at_ - 1]); }
+
+    void blank_to(std::size_t end) {
+        for (end = std::min(end, text_.size()); at_ < end; ++at_) out_ += text_[at_] == '\n' ? '\n' : ' ';
+    }
+
+    void blank_until(std::string_view end, bool with_end) {
+        const auto found = text_.find(end, at_ + 2);
+        blank_to(found == std::string_view::npos ? text_.size() : found + (with_end ? end.size() : 0));
+    }
+
+    void blank_raw_string() {
+        const auto open = text_.find('(', at_);
+        if (open == std::string_view::npos) return blank_to(text_.size());
+        blank_until(")" + std::string(text_.substr(at_ + 2, open - at_ - 2)) + "\"", true);
+    }
+
+    void blank_literal(char quote) {
+        auto end = at_ + 1;
+        while (end < text_.size() && text_[end] != quote && text_[end] != '\n') end += text_[end] == '\\' ? 2 : 1;
+        blank_to(end + 1);
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::string out_;
+};
+
+}  // namespace
+
+std::vector<SourceFile> read_tree(const std::filesystem::path& root) {
+    std::vector<SourceFile> files;
+    for (const char* folder : kFolders) {
+        if (!std::filesystem::is_directory(root / folder)) continue;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+            if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+            files.push_back({entry.path().lexically_relative(root).generic_string(), read_text(entry.path())});
+        }
+    }
+    std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+    return files;
+}
+
+std::vector<IncludeLine> includes_of(const SourceFile& file) {
+    static const std::regex pattern(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
+    std::vector<IncludeLine> includes;
+    std::istringstream lines(file.text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::smatch match;
+        if (line.find("include") == std::string::npos || !std::regex_match(line, match, pattern)) continue;
+        includes.push_back({number, match[2], match[1] == "<"});
+    }
+    return includes;
+}
+
+std::string code_only(std::string_view text) { return Blanker(text).run(); }
+
+std::vector<Token> tokens_of(const SourceFile& file) {
+    const std::string code = code_only(file.text);
+    std::vector<Token> tokens;
+    int line = 1;
+    for (std::size_t i = 0; i < code.size();) {
+        if (code[i] == '\n') ++line;
+        if (std::isspace(static_cast<unsigned char>(code[i])) != 0) {
+            ++i;
+            continue;
+        }
+        auto end = i + 1;
+        if (is_word(code[i])) {
+            while (end < code.size() && is_word(code[end])) ++end;
+        }
+        tokens.push_back({line, code.substr(i, end - i)});
+        i = end;
+    }
+    return tokens;
+}
+
+bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
+
+std::string finding(const SourceFile& file, int line, const std::string& sentence) {
+    return file.path + ":" + std::to_string(line) + ": " + sentence;
+}
+
+}  // namespace tedavis::tests::layering
