@@ -1,0 +1,37 @@
+#include "render_core/gl/readback.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::gl {
+namespace {
+
+TEST(ReadPixels, GivesTheSameBytesThroughBothCalls) {
+    for (const char* device : {"es2-small", "sc2"}) {  // ReadPixels, ReadnPixels
+        test_support::GlSession at("egl", device, 33, 17);
+        at.gl->ClearColor(0.2f, 0.4f, 0.6f, 0.8f);
+        at.gl->Clear(GL_COLOR_BUFFER_BIT);
+        const auto pixels = at.pixels();
+        for (std::size_t i = 0; i < pixels.size(); i += 4) {
+            ASSERT_EQ(pixels[i], 51);
+            ASSERT_EQ(pixels[i + 1], 102);
+            ASSERT_EQ(pixels[i + 2], 153);
+            ASSERT_EQ(pixels[i + 3], 204);
+        }
+        EXPECT_EQ(at.gl.denied().total, 0u);
+    }
+}
+
+TEST(ReadPixels, RefusesMemoryOfAnotherSize) {
+    test_support::GlSession at("egl", "es3-mid");
+    std::vector<std::uint8_t> pixels(64 * 48 * 4);
+    EXPECT_TRUE(read_pixels(at.gl, 64, 48, pixels));
+    EXPECT_FALSE(read_pixels(at.gl, 64, 47, pixels));
+    EXPECT_FALSE(read_pixels(at.gl, 0, 48, base::Span<std::uint8_t>()));
+}
+
+}  // namespace
+}  // namespace tedavis::gl

@@ -1,0 +1,104 @@
+#include "render_core/gl/texture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::gl {
+namespace {
+
+constexpr AttributeBinding kAttributes[] = {{"corner", 0}};
+constexpr const char* kUniforms[] = {"image"};
+
+/// Shows the red component of a texture over the whole surface.
+ProgramSource show_source() {
+    ProgramSource source;
+    source.name = "show";
+    source.vertex =
+        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); }\n";
+    source.fragment = "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = vec4(TEXTURE2D(image, uv).r, 0.0, 0.0, 1.0); }\n";
+    source.attributes = kAttributes;
+    source.uniforms = kUniforms;
+    return source;
+}
+
+class TextureTest : public testing::TestWithParam<const char*> {
+protected:
+    TextureTest() : at_("egl", GetParam(), 32, 32) { line_.bytes = 100'000; }
+
+    std::vector<std::uint8_t> show(const Texture& texture) {
+        auto program = build_program(at_.gl, show_source());
+        EXPECT_TRUE(program.ok()) << program.error().sentence.c_str();
+        auto corners = make_buffer(at_.gl, line_, BufferKind::vertices, BufferUse::fixed, 24);
+        const float triangle[] = {-1, -1, 3, -1, -1, 3};
+        EXPECT_TRUE(corners.value().upload(at_.gl, 0, triangle, sizeof triangle));
+        bind_surface(at_.gl, *at_.surface);
+        program.value().use(at_.gl);
+        texture.bind(at_.gl, 1);
+        at_.gl->Uniform1i(program.value().uniform(0), 1);
+        at_.gl->EnableVertexAttribArray(0);
+        at_.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        at_.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+        return at_.pixels();
+    }
+
+    test_support::GlSession at_;
+    base::BudgetLine line_;
+};
+
+TEST_P(TextureTest, ShowsTheTexelsOfEveryFormat) {
+    for (TextureFormat format : {TextureFormat::r8, TextureFormat::rgba8}) {
+        const std::size_t step = format == TextureFormat::rgba8 ? 4 : 1;
+        auto texture = make_texture(at_.gl, line_, {format, TextureFilter::nearest, 32, 32});
+        ASSERT_TRUE(texture.ok()) << texture.error().sentence.c_str();
+        std::vector<std::uint8_t> texels(32 * 32 * step);
+        for (std::size_t i = 0; i < 32 * 32; ++i) texels[i * step] = static_cast<std::uint8_t>(i * 7);
+        ASSERT_TRUE(texture.value().upload(at_.gl, {0, 0, 32, 32}, texels.data()));
+        const auto pixels = show(texture.value());
+        for (std::size_t i = 0; i < 32 * 32; ++i) ASSERT_EQ(pixels[i * 4], static_cast<std::uint8_t>(i * 7)) << i;
+        texture.value().destroy(at_.gl);
+    }
+    EXPECT_EQ(at_.gl.denied().total, 0u);
+}
+
+TEST_P(TextureTest, UploadsStayInside) {
+    auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba8, TextureFilter::linear, 16, 8});
+    ASSERT_TRUE(texture.ok());
+    const std::vector<std::uint8_t> texels(16 * 8 * 4);
+    EXPECT_TRUE(texture.value().upload(at_.gl, {15, 7, 1, 1}, texels.data()));
+    EXPECT_FALSE(texture.value().upload(at_.gl, {16, 7, 1, 1}, texels.data()));
+    EXPECT_FALSE(texture.value().upload(at_.gl, {0, 1, 16, 8}, texels.data()));
+    EXPECT_FALSE(texture.value().upload(at_.gl, {0xFFFFFFFFu, 0, 2, 1}, texels.data()));
+    EXPECT_EQ(at_.gl.frame().uploaded_bytes, 4u);
+}
+
+TEST_P(TextureTest, TakesItsBytesFromTheLine) {
+    EXPECT_EQ(texture_bytes({TextureFormat::rgba8, TextureFilter::nearest, 16, 8}), 512u);
+    EXPECT_EQ(texture_bytes({TextureFormat::r8, TextureFilter::nearest, 16, 8}), 128u);
+    line_.bytes = 600;
+    auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba8, TextureFilter::nearest, 16, 8});
+    ASSERT_TRUE(texture.ok());
+    EXPECT_EQ(line_.use.in_use, 512u);
+    EXPECT_FALSE(make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, 16, 8}).ok());
+    texture.value().destroy(at_.gl);
+    EXPECT_EQ(line_.use.in_use, 0u);
+}
+
+TEST_P(TextureTest, LargerThanTheDeviceIsRefusedAndTakesNothing) {
+    line_.bytes = 1u << 30;
+    const auto texture = make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, at_.device.capability.gl.max_texture_px + 1, 4});
+    ASSERT_FALSE(texture.ok());
+    EXPECT_NE(texture.error().sentence.view().find("refused a texture of"), std::string_view::npos);
+    EXPECT_EQ(line_.use.in_use, 0u);
+    EXPECT_FALSE(make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, 0, 4}).ok());
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, TextureTest, testing::Values("es2-small", "es3-mid"),
+                         [](const auto& device) { return std::string(device.param).substr(0, 3); });
+
+}  // namespace
+}  // namespace tedavis::gl
