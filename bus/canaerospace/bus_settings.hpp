@@ -60,8 +60,8 @@ struct OwnShipSettings {
     base::Duration lost_after = base::Duration::seconds(2);
     double position_noise_m = 1.0;      ///< standard deviation, where no figure of merit is received
     double height_noise_m = 2.0;
-    double velocity_noise_mps = 0.15;
-    double acceleration_mps2 = 4.0;     ///< standard deviation of what the constant-velocity model leaves out
+    double velocity_noise_mps = 0.1;
+    double acceleration_mps2 = 8.0;     ///< standard deviation of what the constant-velocity model leaves out
 };
 
 struct BusSettings {

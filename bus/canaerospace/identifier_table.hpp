@@ -45,6 +45,10 @@ inline constexpr std::uint16_t kNotInTable = 0xFFFF;
 
 enum class AngleRange : std::uint8_t { as_is, heading, longitude };
 
+/// Latitudes and longitudes: they may come as a pair of DOUBLE halves, and in one dialect as LONG in 1e-7 degrees.
+[[nodiscard]] constexpr bool is_position(const IdentifierEntry& entry) { return (entry.types & type_bit(DataType::double_high)) != 0; }
+inline constexpr double kDegreesPerLongUnit = 1e-7;
+
 /// How this bus's dialect turns an entry's number into the core's value: SI = number * factor + offset, then wrapped.
 struct SignalBinding {
     flight::Signal signal = flight::Signal::count_;
@@ -59,7 +63,5 @@ static_assert(std::is_trivially_copyable_v<SignalBinding>);
 [[nodiscard]] double to_si(const SignalBinding& binding, double number) noexcept;
 /// Headings and directions come out in +-180 degrees, as the standard wants them.
 [[nodiscard]] double from_si(const SignalBinding& binding, double si) noexcept;
-
-inline constexpr double kDegreesPerLongUnit = 1e-7;  ///< of the LONG dialect on 1036 and 1037
 
 }  // namespace tedavis::bus

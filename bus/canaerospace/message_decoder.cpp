@@ -8,6 +8,7 @@ namespace {
 constexpr std::uint16_t kIdentificationRequest = 128;
 constexpr std::uint8_t kRepeatsUntilUnnumbered = 3;
 constexpr std::uint8_t kOldersUntilRestart = 3;
+constexpr double kRoundingShare = 1e-4;  // of the plausible range
 
 bool is_half(std::uint8_t type) {
     return type == static_cast<std::uint8_t>(DataType::double_high) || type == static_cast<std::uint8_t>(DataType::double_low);
@@ -89,7 +90,7 @@ void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value
             message.kind = MessageKind::half;
             return;
         }
-    } else if (value.type == DataType::long32 && entry.unit == BusUnit::degree) {
+    } else if (value.type == DataType::long32 && is_position(entry)) {
         number *= kDegreesPerLongUnit;
     }
     if (!entry.service_code_is_index && status_invalid(message.header.service_code)) {
@@ -102,14 +103,17 @@ void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value
 
 void MessageDecoder::finish_number(double number, std::size_t place, DecodedMessage& message) {
     const IdentifierEntry& entry = identifier_table()[place];
-    const double plain = number * std::fabs(bindings_[place].factor);
-    // Written so that a NaN fails; the half ulp that degrees lose on their way to radians must not refuse a limit itself.
-    const double slack = 1e-6 * (entry.high - entry.low);
+    const double factor = std::fabs(bindings_[place].factor);
+    const double plain = number * factor;
+    // A limit itself may come out a little beyond it (SHORT2 and FLOAT round): taken as the limit. A NaN fails the test.
+    const double slack = kRoundingShare * (entry.high - entry.low);
     if (!(plain >= entry.low - slack && plain <= entry.high + slack)) {
         ++counts_.out_of_range;
         message.healthy = false;
         return;
     }
+    if (plain < entry.low) number = entry.low / factor;
+    if (plain > entry.high) number = entry.high / factor;
     message.value = to_si(bindings_[place], number);
 }
 

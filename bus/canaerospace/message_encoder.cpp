@@ -49,7 +49,7 @@ std::size_t MessageEncoder::encode(std::uint16_t identifier, double si, DataType
     const double number = from_si(bind(entry, settings_.dialect), si);
     if (type == DataType::double_high) return encode_double(identifier, number, time, out, channel, service_code);
     bool fits = false;
-    const TypedValue value = typed(type, number, entry.unit == BusUnit::degree, fits);
+    const TypedValue value = typed(type, number, is_position(entry), fits);
     return fits ? put(identifier, value, time, out, channel, service_code) : 0;
 }
 

@@ -1,0 +1,124 @@
+#include "bus/canaerospace/identifier_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "render_core/base/units.hpp"
+
+namespace tedavis::bus {
+namespace {
+
+TEST(IdentifierTable, EachIdentifierOnceAndFound) {
+    std::uint16_t before = 0;
+    for (std::size_t i = 0; i < identifier_table().size(); ++i) {
+        const IdentifierEntry& entry = identifier_table()[i];
+        EXPECT_GT(entry.identifier, before) << "in ascending order";
+        before = entry.identifier;
+        EXPECT_EQ(identifier_index(entry.identifier), i);
+        EXPECT_NE(entry.types, 0u);
+        EXPECT_LE(entry.low, entry.high) << entry.name;
+        EXPECT_LT(entry.rank, kMaxRanks);
+    }
+    EXPECT_EQ(identifier_index(310), kNotInTable);
+    EXPECT_EQ(identifier_index(2047), kNotInTable);
+    EXPECT_EQ(identifier_index(65535), kNotInTable);
+}
+
+TEST(IdentifierTable, EverySignalOfTheBusHasOnePreferredIdentifier) {
+    std::map<flight::Signal, std::multiset<int>> ranks;
+    for (const IdentifierEntry& entry : identifier_table())
+        if (entry.signal != flight::Signal::count_) ranks[entry.signal].insert(entry.rank);
+    for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
+        const auto signal = static_cast<flight::Signal>(i);
+        if (signal == flight::Signal::height_above_terrain) continue;  // the display computes it
+        ASSERT_EQ(ranks.count(signal), 1u) << flight::to_string(signal);
+        EXPECT_EQ(ranks[signal].count(0), 1u) << flight::to_string(signal);
+        for (const int rank : ranks[signal]) EXPECT_EQ(ranks[signal].count(rank), 1u);
+    }
+}
+
+const IdentifierEntry& entry_of(std::uint16_t identifier) { return identifier_table()[identifier_index(identifier)]; }
+
+TEST(IdentifierTable, ConversionsThereAndBack) {
+    BusDialect other;
+    other.acceleration = AccelerationUnit::mps2;
+    other.pressure = PressureUnit::pa;
+    other.heading = HeadingReference::magnetic;
+    other.wind = WindDirection::to;
+    other.variation = VariationSign::west_positive;
+    for (const BusDialect& dialect : {BusDialect(), other})
+        for (const IdentifierEntry& entry : identifier_table())
+            for (const double number : {-170.0, -1.5, 0.0, 0.25, 90.0, 179.0}) {
+                const SignalBinding binding = bind(entry, dialect);
+                EXPECT_NEAR(from_si(binding, to_si(binding, number)), number, 1e-9) << entry.name;
+            }
+}
+
+TEST(IdentifierTable, DialectsChangeUnitsSignsAndReferences) {
+    const BusDialect standard;
+    EXPECT_NEAR(to_si(bind(entry_of(302), standard), 1), 9.80665, 1e-12);
+    EXPECT_NEAR(to_si(bind(entry_of(319), standard), 1013.25), 101325, 1e-9);
+    EXPECT_NEAR(to_si(bind(entry_of(321), standard), -90), 1.5 * base::kPi, 1e-12);
+    EXPECT_EQ(bind(entry_of(321), standard).signal, flight::Signal::true_heading);
+    EXPECT_NEAR(to_si(bind(entry_of(334), standard), 10), base::radians(10), 1e-12);
+    BusDialect dialect;
+    dialect.acceleration = AccelerationUnit::mps2;
+    dialect.pressure = PressureUnit::pa;
+    dialect.heading = HeadingReference::magnetic;
+    dialect.wind = WindDirection::to;
+    dialect.variation = VariationSign::west_positive;
+    EXPECT_EQ(to_si(bind(entry_of(302), dialect), 1), 1);
+    EXPECT_EQ(to_si(bind(entry_of(319), dialect), 101325), 101325);
+    EXPECT_EQ(bind(entry_of(321), dialect).signal, flight::Signal::magnetic_heading);
+    EXPECT_NEAR(to_si(bind(entry_of(334), dialect), 10), base::radians(190), 1e-12);
+    EXPECT_NEAR(to_si(bind(entry_of(1121), dialect), 3), -base::radians(3), 1e-12);
+}
+
+/// The shipped .dbc says the same as the table: every identifier of the standard's, its unit, and a float value.
+TEST(IdentifierTable, ShippedDbcAgrees) {
+    std::ifstream file(TEDAVIS_SOURCE_DIR "/configs/buses/canaerospace.dbc");
+    ASSERT_TRUE(file.is_open());
+    std::map<int, std::string> names;
+    std::map<int, std::string> units;
+    std::set<int> floats;
+    int current = 0;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word == "BO_") {
+            words >> current >> names[current];
+            EXPECT_LE(names[current].size(), 33u) << "32 characters and a colon";
+        } else if (word == "SG_" && line.find(" Value : ") != std::string::npos) {
+            EXPECT_NE(line.find(": 39|"), std::string::npos) << "big-endian, from the payload's first bit";
+            units[current] = line.substr(line.find('"') + 1, line.rfind('"') - line.find('"') - 1);
+        } else if (word == "SIG_VALTYPE_") {
+            words >> current;
+            floats.insert(current);
+        }
+    }
+    for (const IdentifierEntry& entry : identifier_table()) {
+        if (entry.glider_profile) continue;
+        std::string name = entry.name;
+        for (char& c : name) c = c == ' ' ? '_' : c;
+        EXPECT_EQ(names[entry.identifier], name + ":");
+        const bool clock = entry.unit == BusUnit::time_of_day || entry.unit == BusUnit::date;
+        const bool has_unit = !clock && entry.unit != BusUnit::bits;
+        if (has_unit) {
+            EXPECT_EQ(units[entry.identifier], to_string(entry.unit)) << entry.name;
+        }
+        EXPECT_EQ(floats.count(entry.identifier) == 1, (entry.types & type_bit(DataType::float32)) != 0) << entry.name;
+        names.erase(entry.identifier);
+    }
+    EXPECT_EQ(names.size(), 2u) << "the two phase messages and nothing else";
+    EXPECT_EQ(names.count(1830) + names.count(1831), 2u);
+}
+
+}  // namespace
+}  // namespace tedavis::bus
