@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -33,19 +34,15 @@ struct Medium {
 
 struct FileMedium final : Medium {
     FileMedium() {
-        char name[] = "/tmp/tedavis_bytes_XXXXXX";
-        const int descriptor = mkstemp(name);
-        path = name;
         const auto bytes = content();
-        EXPECT_EQ(write(descriptor, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-        close(descriptor);
-        auto opened = open_file(name);
+        std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        auto opened = open_file(path.c_str());
         EXPECT_TRUE(opened.ok());
         file = std::move(opened.value());
     }
     ~FileMedium() override { std::remove(path.c_str()); }
     base::ByteSource& source() override { return file; }
-    std::string path;
+    const std::string path = testing::TempDir() + "tedavis_bytes_" + std::to_string(getpid());
     FileByteSource file;
 };
 

@@ -6,12 +6,18 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
+#include <fstream>
 #include <string>
 #include <utility>
 
 namespace tedavis::platform {
 namespace {
+
+std::string write_file(const std::string& content) {
+    const std::string name = testing::TempDir() + "tedavis_file_" + std::to_string(getpid());
+    std::ofstream(name, std::ios::binary) << content;
+    return name;
+}
 
 std::string refusal(const char* path) {
     const auto file = open_file(path);
@@ -25,40 +31,34 @@ TEST(FileByteSource, RefusesInOneSentence) {
 }
 
 TEST(FileByteSource, APipeDoesNotHangTheProgram) {
-    const std::string path = "/tmp/tedavis_pipe_" + std::to_string(getpid());
+    const std::string path = testing::TempDir() + "tedavis_pipe_" + std::to_string(getpid());
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
     EXPECT_NE(refusal(path.c_str()).find("not a regular file"), std::string::npos);
     std::remove(path.c_str());
 }
 
 TEST(FileByteSource, AFileThatShrinksGivesFailedReads) {
-    char name[] = "/tmp/tedavis_shrink_XXXXXX";
-    const int descriptor = mkstemp(name);
-    ASSERT_EQ(ftruncate(descriptor, 1000), 0);
-    auto file = open_file(name);
+    const std::string name = write_file(std::string(1000, 'x'));
+    auto file = open_file(name.c_str());
     ASSERT_TRUE(file.ok());
     char bytes[100];
     EXPECT_TRUE(file.value().read(900, bytes, 100));
-    ASSERT_EQ(ftruncate(descriptor, 950), 0);
+    ASSERT_EQ(truncate(name.c_str(), 950), 0);
     EXPECT_FALSE(file.value().read(900, bytes, 100));
     EXPECT_TRUE(file.value().read(800, bytes, 100));
-    close(descriptor);
-    std::remove(name);
+    std::remove(name.c_str());
 }
 
 TEST(FileByteSource, MovesWithItsDescriptor) {
-    char name[] = "/tmp/tedavis_move_XXXXXX";
-    const int descriptor = mkstemp(name);
-    ASSERT_EQ(write(descriptor, "abc", 3), 3);
-    close(descriptor);
-    auto opened = open_file(name);
+    const std::string name = write_file("abc");
+    auto opened = open_file(name.c_str());
     ASSERT_TRUE(opened.ok());
     FileByteSource file(std::move(opened.value()));
     char byte = '\0';
     EXPECT_TRUE(file.read(1, &byte, 1));
     EXPECT_EQ(byte, 'b');
     EXPECT_FALSE(opened.value().read(0, &byte, 1));
-    std::remove(name);
+    std::remove(name.c_str());
 }
 
 }  // namespace
