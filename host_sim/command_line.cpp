@@ -1,0 +1,220 @@
+#include "host_sim/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <new>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "host_sim/commands/check.hpp"
+#include "host_sim/commands/convert.hpp"
+#include "host_sim/commands/diff.hpp"
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/commands/scenario.hpp"
+#include "host_sim/commands/shot.hpp"
+#include "host_sim/commands/terrain.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/user_error.hpp"
+#include "host_sim/version.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr int kDone = 0, kWrongUsage = 2;
+
+/// Everything that the options write to, and what to run once they are parsed.
+struct CommandLine {
+    ConvertOptions convert;
+    ScenarioBuildOptions scenario;
+    TerrainBuildOptions terrain_build;
+    TerrainCheckOptions terrain_check;
+    TerrainInfoOptions terrain_info;
+    TerrainFractalOptions terrain_fractal;
+    ShotOptions shot;
+    DiffOptions diff;
+    CheckOptions check;
+    bool json = false;
+    std::function<int(Console&)> run;
+};
+
+CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose, std::function<int(Console&)> run) {
+    CLI::App* command = parent.add_subcommand(name, purpose);
+    command->add_flag("--json", line.json, "machine-readable result on stdout");
+    command->callback([&line, run = std::move(run)] { line.run = run; });
+    return command;
+}
+
+template <class T>
+CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
+    return command->add_option_function<T>(name, [&target](const T& value) { target = value; }, help);
+}
+
+PictureSize size_from(const std::string& text) {
+    PictureSize size;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%ux%u%c", &size.width, &size.height, &rest) != 2 || size.width < 16 || size.height < 16 ||
+        size.width > 16384 || size.height > 16384) {
+        throw UserError("--size " + text + ": not WIDTHxHEIGHT of 16..16384 pixels, such as 1024x768");
+    }
+    return size;
+}
+
+ShotPose pose_from(const std::string& text) {
+    ShotPose pose;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%c", &pose.latitude_deg, &pose.longitude_deg, &pose.altitude_msl_m,
+                                 &pose.heading_deg, &pose.pitch_deg, &pose.roll_deg, &rest);
+    // Written so that NaN is refused as well.
+    const bool sane = read == 6 && std::abs(pose.latitude_deg) <= 90 && std::abs(pose.longitude_deg) <= 360 &&
+                      std::abs(pose.altitude_msl_m) <= 100'000 && std::abs(pose.heading_deg) <= 360 && std::abs(pose.pitch_deg) <= 90 &&
+                      std::abs(pose.roll_deg) <= 180;
+    if (!sane) throw UserError("--pose " + text + ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level");
+    return pose;
+}
+
+std::string phase_from(const std::string& name) {
+    if (!flight::phase_from_name(name).ok) throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
+    return name;
+}
+
+void add_picture_options(CLI::App* command, PictureOptions& picture) {
+    static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
+    command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
+    command->add_option("--scene", picture.scene, "scene database (.sdb)");
+    command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
+    command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
+    command->add_option_function<std::string>("--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
+    command->add_option("--gl", picture.gl, "egl or osmesa")->transform(CLI::CheckedTransformer(kGl).description(""))->default_str("egl");
+    add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(CLI::PositiveNumber);
+    add_optional(command, "--deadline", picture.deadline_ms, "milliseconds a frame may take; default: off")->check(CLI::PositiveNumber);
+    command->add_option("--costs", picture.costs, "measured costs of the machine");
+    command->add_flag("--force-effects", picture.force_effects, "run every effect that the device can, needed or not");
+}
+
+void add_convert(CLI::App& app, CommandLine& line) {
+    ConvertOptions& o = line.convert;
+    CLI::App* command = add_command(app, line, "convert", "recorded flight (IGC, GPX, ADS-B JSON, CSV) to a candump log of CANaerospace frames",
+                                    [&o](Console& console) { return run_convert(o, console); });
+    command->add_option("FLIGHT", o.flight, "the recording; may be gzip-compressed")->required();
+    command->add_option("-o", o.output, "the log to write")->required();
+    command->add_option("--aircraft", o.aircraft, "identity or callsign where the file holds several");
+    add_optional(command, "--qnh", o.qnh_hpa, "QNH in hPa: barometric altitudes become altitudes above sea level");
+    command->add_flag("--assume-geometric", o.assume_geometric, "without GNSS heights, take barometric altitudes for heights above sea level");
+}
+
+void add_scenario(CLI::App& app, CommandLine& line) {
+    CLI::App* group = app.add_subcommand("scenario", "generated flights");
+    group->require_subcommand(1);
+    ScenarioBuildOptions& o = line.scenario;
+    CLI::App* command = add_command(*group, line, "build", "scenario file to flight.log, flight.switches and scenario.json",
+                                    [&o](Console& console) { return run_scenario_build(o, console); });
+    command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
+    command->add_option("-o", o.output, "folder to write to")->required();
+    add_optional(command, "--seed", o.seed, "replaces the file's seed");
+}
+
+void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
+    command->add_option("--crs", o.crs, "coordinate system of the rasters where they do not state it, such as EPSG:4326");
+    command->add_option("--bounds", o.bounds, "W,S,E,N in degrees");
+    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid")->check(CLI::IsMember({"egm96", "ellipsoid"}))->capture_default_str();
+    add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
+    command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(CLI::NonNegativeNumber);
+}
+
+void add_terrain(CLI::App& app, CommandLine& line) {
+    CLI::App* group = app.add_subcommand("terrain", "terrain databases");
+    group->require_subcommand(1);
+    TerrainBuildOptions& b = line.terrain_build;
+    CLI::App* build = add_command(*group, line, "build", "rasters to a database with error proof", [&b](Console& console) { return run_terrain_build(b, console); });
+    build->add_option("DEM", b.rasters, "any raster that GDAL reads")->required();
+    build->add_option("-o", b.output, "the database to write (.tdb)")->required();
+    add_raster_options(build, b);
+    TerrainCheckOptions& c = line.terrain_check;
+    CLI::App* check = add_command(*group, line, "check", "every chunk against the rasters again", [&c](Console& console) { return run_terrain_check(c, console); });
+    check->add_option("DATABASE", c.database, "database (.tdb)")->required();
+    check->add_option("DEM", c.build.rasters, "the rasters it was built from")->required();
+    add_raster_options(check, c.build);
+    TerrainInfoOptions& i = line.terrain_info;
+    CLI::App* info = add_command(*group, line, "info", "what a database holds", [&i](Console& console) { return run_terrain_info(i, console); });
+    info->add_option("DATABASE", i.database, "database (.tdb)")->required();
+    TerrainFractalOptions& f = line.terrain_fractal;
+    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size", [&f](Console& console) { return run_terrain_fractal(f, console); });
+    fractal->add_option("--size", f.size, "posts a side")->capture_default_str();
+    fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->capture_default_str();
+    fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
+}
+
+void add_shot(CLI::App& app, CommandLine& line) {
+    ShotOptions& o = line.shot;
+    CLI::App* command = add_command(app, line, "shot", "one picture and its record", [&o](Console& console) { return run_shot(o, console); });
+    command->add_option_function<std::string>("--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")->required();
+    command->add_option_function<std::string>("--phase", [&o](const std::string& text) { o.phase = phase_from(text); }, "flight phase; default: unknown");
+    command->add_option("-o", o.output, "the picture to write (.png)")->required();
+    add_picture_options(command, o.picture);
+}
+
+void add_comparisons(CLI::App& app, CommandLine& line) {
+    DiffOptions& d = line.diff;
+    CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ", [&d](Console& console) { return run_diff(d, console); });
+    diff->add_option("RUN_A", d.run_a, "folder that replay wrote")->required();
+    diff->add_option("RUN_B", d.run_b, "another one")->required();
+    CheckOptions& c = line.check;
+    CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs", [&c](Console& console) { return run_check(c, console); });
+    check->add_option("FILE", c.files, "any file that the programs read")->required();
+}
+
+/// CLI11's messages may span lines; the contract is one sentence.
+std::string one_sentence(std::string text) {
+    for (char& c : text) c = c == '\n' ? ' ' : c;
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+int parse_and_run(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live) {
+    CommandLine line;
+    CLI::App app("tedavis: recorded flights through a synthetic-vision display. Not certified for use in flight.", "tedavis");
+    app.set_version_flag("--version", std::string("tedavis ") + version());
+    app.require_subcommand(1);
+    add_convert(app, line);
+    add_scenario(app, line);
+    add_terrain(app, line);
+    add_shot(app, line);
+    add_comparisons(app, line);
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr) {
+        throw UserError(std::string(argv[1]) + ": no such command; tedavis --help lists them");
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& request) {
+        app.exit(request, results, notes);  // --help, --version
+        return kDone;
+    } catch (const CLI::ParseError& error) {
+        notes << "tedavis: " << one_sentence(error.what()) << "; see tedavis --help\n";
+        return kWrongUsage;
+    }
+    Console console(results, notes, line.json, live);
+    return line.run(console);
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live) {
+    try {
+        return parse_and_run(argc, argv, results, notes, live);
+    } catch (const UserError& error) {
+        notes << "tedavis: " << error.what() << '\n';
+    } catch (const std::bad_alloc&) {
+        notes << "tedavis: not enough memory for this input; split it\n";
+    } catch (const std::exception& error) {
+        notes << "tedavis: " << error.what() << "; please report this\n";
+    }
+    return kWrongUsage;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,173 @@
+#include "host_sim/commands/check.hpp"
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <streambuf>
+#include <string_view>
+
+#include "bus/candump/candump_log_source.hpp"
+#include "bus/canaerospace/bus_settings.hpp"
+#include "bus/switches/switch_config.hpp"
+#include "bus/switches/switch_log_source.hpp"
+#include "host_sim/commands/replay_config.hpp"
+#include "host_sim/commands/terrain.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/scenario/scenario.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a sound file is, in a few words; throws UserError otherwise.
+using FileChecker = std::string (*)(const std::string& path);
+
+template <class Loaded>
+void require(const Loaded& loaded) {
+    if (!loaded.ok()) throw UserError(std::string(loaded.error().sentence.view()));
+}
+
+std::string check_design(const std::string& path) {
+    require(design::read_design_settings(read_file(path), path));
+    return "a design";
+}
+
+std::string check_device(const std::string& path) {
+    require(effects::read_device_settings(read_file(path), path));
+    return "a device";
+}
+
+std::string check_bus(const std::string& path) {
+    require(bus::load_bus_settings(read_file(path), path));
+    return "a bus";
+}
+
+std::string check_switches(const std::string& path) {
+    require(bus::load_switch_config(read_file(path), path));
+    return "a switch panel";
+}
+
+std::string check_scenario(const std::string& path) {
+    const Scenario scenario = parse_scenario(read_file(path), path);
+    return "a scenario of " + std::to_string(scenario.legs.size()) + " legs";
+}
+
+std::string check_replay_config(const std::string& path) {
+    (void)load_replay_config(path);
+    return "replay options";
+}
+
+std::string check_log(const std::string& path) {
+    const std::string text = read_file_unpacked(path);
+    bus::CandumpLogSource source({text.data(), text.size()});
+    std::array<bus::CanFrame, 256> frames;
+    constexpr base::Time kEndOfTime{INT64_MAX};
+    while (source.read(kEndOfTime, {frames.data(), frames.size()}) > 0) {
+    }
+    const auto& statistics = source.statistics();
+    if (statistics.frames == 0) {
+        const std::string first = source.reports().empty() ? "" : " (line " + std::to_string(source.reports()[0].line) + ": " + bus::describe(source.reports()[0].fault) + ")";
+        throw UserError(path + ": no line of it is a frame of a candump log" + first + "; record with candump -l or -L");
+    }
+    std::string found = "a candump log of " + std::to_string(statistics.frames) + " frames";
+    if (statistics.malformed > 0) found += ", " + std::to_string(statistics.malformed) + " broken lines (first: line " + std::to_string(source.reports()[0].line) + ")";
+    if (statistics.dropped > 0) found += ", " + std::to_string(statistics.dropped) + " frames lost by the recorder";
+    return found;
+}
+
+/// The log names its lines; without its panel only the form can be judged, so every shipped panel is tried.
+std::string check_switch_log(const std::string& path) {
+    const std::string text = read_file(path);
+    if (!bus::has_switch_log_header(text)) throw UserError(path + ":1: does not begin with '" + std::string(bus::kSwitchLogHeader.substr(0, bus::kSwitchLogHeader.size() - 1)) + "'; it is no switch log");
+    std::uint64_t best_edges = 0, malformed = 0;
+    std::string panel;
+    for (const auto& entry : std::filesystem::directory_iterator(shipped_root() + "/configs/switches")) {
+        if (entry.path().extension() != ".toml") continue;
+        const auto config = bus::load_switch_config(read_file(entry.path().string()), entry.path().string());
+        if (!config.ok()) continue;
+        bus::SwitchLogSource source(text, config.value());
+        std::array<bus::SwitchEdge, 64> edges;
+        while (source.read(base::Time{INT64_MAX}, {edges.data(), edges.size()}) > 0) {
+        }
+        malformed = source.statistics().malformed;
+        if (malformed > 0) throw UserError(path + ":" + std::to_string(source.reports()[0].line) + ": " + bus::describe(source.reports()[0].fault) + "; correct the line");
+        if (source.statistics().edges > best_edges) panel = entry.path().stem().string();
+        best_edges = std::max(best_edges, source.statistics().edges);
+    }
+    return "a switch log" + (panel.empty() ? " of a panel that is not shipped" : " of the panel " + panel + ", " + std::to_string(best_edges) + " edges");
+}
+
+class NoBuffer final : public std::streambuf {
+    int overflow(int c) override { return c; }
+};
+
+std::string check_terrain(const std::string& path) {
+    NoBuffer nowhere;
+    std::ostream silent(&nowhere);
+    Console quiet(silent, silent, false, false);
+    (void)run_terrain_info({path}, quiet);
+    return "a terrain database, every checksum right";
+}
+
+struct FolderKind {
+    std::string_view folder, key;  ///< place under configs/; a key that only this kind has
+    FileChecker check;
+};
+constexpr std::array<FolderKind, 6> kConfigKinds = {{{"designs", "[view]", check_design},
+                                                     {"devices", "[[budget]]", check_device},
+                                                     {"buses", "[dialect]", check_bus},
+                                                     {"switches", "[[pattern]]", check_switches},
+                                                     {"scenarios", "[[leg]]", check_scenario},
+                                                     {"replays", "[picture]", check_replay_config}}};
+
+/// By the folder it lies in; elsewhere by what only its kind holds.
+FileChecker config_checker(const std::string& path) {
+    const std::string folder = std::filesystem::absolute(path).parent_path().filename().string();
+    for (const FolderKind& kind : kConfigKinds) {
+        if (folder == kind.folder) return kind.check;
+    }
+    const std::string text = read_file(path);
+    for (const FolderKind& kind : kConfigKinds) {
+        if (text.find(kind.key) != std::string::npos) return kind.check;
+    }
+    throw UserError(path + ": neither its folder nor its content says what it configures; put it into designs, devices, buses, switches or scenarios");
+}
+
+std::string check_file(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension == ".toml") return config_checker(path)(path);
+    if (extension == ".tdb") return check_terrain(path);
+    if (extension == ".switches") return check_switch_log(path);
+    if (extension == ".log" || extension == ".gz") return check_log(path);
+    (void)read_file(path);
+    throw UserError(path + ": '" + extension + "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz and .switches");
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options, Console& console) {
+    Json results = Json::array();
+    std::string text;
+    bool all_sound = true;
+    for (const std::string& path : options.files) {
+        try {
+            const std::string kind = check_file(path);
+            results.push_back({{"file", path}, {"sound", true}, {"is", kind}});
+            text += path + ": sound, " + kind + "\n";
+        } catch (const UserError& error) {
+            all_sound = false;
+            results.push_back({{"file", path}, {"sound", false}, {"fault", error.what()}});
+            console.note(error.what());
+        }
+    }
+    if (!text.empty() || console.json()) console.result(text, results.dump());
+    return all_sound ? 0 : 2;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,134 @@
+#include "host_sim/scenario/scenario.hpp"
+
+#include <array>
+#include <limits>
+
+#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using base::ConfigSection;
+using base::radians;
+
+constexpr std::array<std::string_view, 6> kKinds = {"stand", "roll", "hold", "fly_to", "final", "land"};
+constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switches"};
+constexpr std::size_t kMostLegs = 256;
+
+double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) { return radians(section.number(key, low_deg, high_deg)); }
+double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) { return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa); }
+
+LandingStrip read_strip(ConfigSection section) {
+    LandingStrip strip;
+    strip.latitude_rad = angle(section, "latitude_deg", -85, 85);
+    strip.longitude_rad = angle(section, "longitude_deg", -180, 180);
+    strip.heading_rad = angle(section, "heading_deg", 0, 360);
+    strip.elevation_msl_m = section.number("elevation_msl_m", -500, 6000);
+    strip.length_m = section.number("length_m", 200, 6000);
+    strip.width_m = section.number("width_m", 5, 100);
+    return strip;
+}
+
+Environment read_environment(ConfigSection section) {
+    Environment air;
+    air.qnh_pa = pressure(section, "qnh_hpa", 900, 1060);
+    air.qnh_spread_pa = pressure(section, "qnh_spread_hpa", 0, 20);
+    air.temperature_deviation_k = section.number("temperature_deviation_k", -40, 40);
+    air.temperature_spread_k = section.number("temperature_spread_k", 0, 20);
+    air.wind_speed_mps = section.number("wind_speed_mps", 0, 30);
+    air.wind_speed_spread_mps = section.number("wind_speed_spread_mps", 0, 10);
+    air.wind_from_rad = angle(section, "wind_from_deg", 0, 360);
+    air.wind_from_spread_rad = angle(section, "wind_from_spread_deg", 0, 180);
+    air.magnetic_variation_rad = angle(section, "magnetic_variation_deg", -60, 60);
+    air.turbulence = section.number("turbulence", 0, 1);
+    return air;
+}
+
+AircraftLimits read_aircraft(ConfigSection section) {
+    AircraftLimits aircraft;
+    aircraft.antenna_height_m = section.number("antenna_height_m", 0, 20);
+    aircraft.bank_rad = angle(section, "bank_deg", 5, 60);
+    aircraft.roll_rate_radps = angle(section, "roll_rate_dps", 2, 90);
+    aircraft.acceleration_mps2 = section.number("acceleration_mps2", 0.1, 10);
+    return aircraft;
+}
+
+void read_target(ConfigSection& section, Leg& leg) {
+    leg.speed_mps = section.number("speed_mps", 20, 300);
+    leg.altitude_msl_m = section.number("altitude_msl_m", -500, 15000);
+    leg.climb_mps = section.number("climb_mps", 0.5, 50);
+}
+
+void read_glide(ConfigSection& section, Leg& leg) {
+    leg.speed_mps = section.number("speed_mps", 20, 300);
+    leg.glide_rad = angle(section, "glide_deg", 2, 8);
+}
+
+/// Only the keys of the leg's kind are read; any other one is a fault of its own.
+void read_kind(ConfigSection& section, Leg& leg) {
+    switch (leg.kind) {
+        case LegKind::stand: leg.duration_s = section.number("duration_s", 0.1, 600); break;
+        case LegKind::roll:
+            leg.speed_mps = section.number("speed_mps", 20, 150);
+            leg.acceleration_mps2 = section.number("acceleration_mps2", 0.5, 10);
+            break;
+        case LegKind::hold:
+            read_target(section, leg);
+            leg.heading_rad = angle(section, "heading_deg", 0, 360);
+            leg.duration_s = section.number("duration_s", 0, 3600, 0);
+            break;
+        case LegKind::fly_to:
+            read_target(section, leg);
+            leg.latitude_rad = angle(section, "latitude_deg", -85, 85);
+            leg.longitude_rad = angle(section, "longitude_deg", -180, 180);
+            leg.capture_m = section.number("capture_m", 50, 20000);
+            break;
+        case LegKind::final_leg:
+            read_glide(section, leg);
+            leg.until_height_m = section.number("until_height_m", 5, 1000);
+            break;
+        case LegKind::land:
+            read_glide(section, leg);
+            leg.acceleration_mps2 = section.number("braking_mps2", 0.5, 6);
+            break;
+    }
+}
+
+Leg read_leg(ConfigSection section) {
+    Leg leg;
+    leg.kind = static_cast<LegKind>(section.choice("kind", {kKinds.data(), kKinds.size()}, 0));
+    leg.stated_by = static_cast<PhaseStatedBy>(section.choice("stated_by", {kStatedBy.data(), kStatedBy.size()}, 0));
+    const flight::ParsedPhase phase = flight::phase_from_name(section.text("phase"));
+    if (!phase.ok) section.fault("phase", "no such flight phase; say for example takeoff.first_climb");
+    leg.phase = phase.phase;
+    read_kind(section, leg);
+    return leg;
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view text, const std::string& file_name) {
+    base::ConfigReader reader(text, file_name);
+    ConfigSection root = reader.root();
+    Scenario scenario;
+    scenario.name = std::string(root.text("name"));
+    scenario.purpose = std::string(root.text("purpose", ""));
+    scenario.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    scenario.switch_config = std::string(root.text("switch_config"));
+    const auto start = parse_iso8601(root.text("start_utc"));
+    if (!start) root.fault("start_utc", "no time such as 2026-06-01T14:00:00Z");
+    scenario.start = start.value_or(base::Time{});
+    scenario.strip = read_strip(root.section("strip"));
+    scenario.environment = read_environment(root.section("environment"));
+    scenario.aircraft = read_aircraft(root.section("aircraft"));
+    const std::size_t legs = root.table_count("leg");
+    if (legs == 0 || legs > kMostLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
+    for (std::size_t i = 0; i < legs && i < kMostLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
+    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    return scenario;
+}
+
+}  // namespace tedavis::host_sim
