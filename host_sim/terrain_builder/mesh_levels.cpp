@@ -165,6 +165,8 @@ std::int64_t top_side(const Lattice& lattice) { return std::int64_t{kChunkCells}
 
 /// Keeps a vertex and everything it depends on up to a level.
 void require(const Lattice& lattice, std::vector<std::uint8_t>& levels, LatticeVertex vertex, std::uint8_t level) {
+    const std::uint8_t before = levels[lattice.at(vertex.i, vertex.j)];
+    if (before != kNeverNeeded && before >= level) return;
     std::vector<LatticeVertex> open{vertex};
     while (!open.empty()) {
         const LatticeVertex v = open.back();
@@ -189,41 +191,56 @@ void keep_chunk_corners(const Lattice& lattice, std::vector<std::uint8_t>& level
     }
 }
 
-/// A vertex on the border line `v` of a chunk depends, through its parents, on vertices of other borders near a corner.
-/// Those are kept one level longer, so that what a chunk leaves out along one border never reaches another.
-void separate_border(const Lattice& lattice, std::vector<std::uint8_t>& levels, LatticeVertex start, std::uint32_t level) {
-    const std::int64_t side = std::int64_t{kChunkCells} << level;
-    const bool on_row = start.j % side == 0;
-    std::vector<LatticeVertex> open{start};
-    while (!open.empty()) {
-        const LatticeVertex v = open.back();
-        open.pop_back();
-        if (!inside(lattice, v) || terrain::lattice_scale(v) >= side || (v.i == 0 && v.j == 0)) continue;
-        const bool same_line = on_row ? v.j == start.j : v.i == start.i;
-        const bool on_border = v.i % side == 0 || v.j % side == 0;
-        if (on_border && !same_line) {
-            require(lattice, levels, v, static_cast<std::uint8_t>(level + 1));
-            continue;  // its ancestors are kept with it
-        }
-        const terrain::VertexParents parents = terrain::parents_of(v);
-        open.push_back(parents.first);
-        open.push_back(parents.second);
-    }
-}
+/// A vertex on a border line of chunks depends, through its parents, on vertices of other borders near a corner. Those
+/// are kept one level longer, so that what a chunk leaves out along one border never reaches another.
+class BorderSeparator {
+public:
+    BorderSeparator(const Lattice& lattice, std::vector<std::uint8_t>& levels) : lattice_(lattice), levels_(levels), seen_(levels.size(), 0) {}
 
-void separate_borders(const Lattice& lattice, std::vector<std::uint8_t>& levels) {
-    for (std::uint32_t level = 0; level + 1 < lattice.levels; ++level) {
-        const std::int64_t side = std::int64_t{kChunkCells} << level;
-        const auto visit = [&](LatticeVertex v) {
-            const std::uint8_t kept = levels[lattice.at(v.i, v.j)];
-            if (kept != kNeverNeeded && kept >= level && terrain::lattice_scale(v) < side) separate_border(lattice, levels, v, level);
-        };
-        for (std::int64_t j = 0; j < lattice.rows; j += side)
-            for (std::int64_t i = 0; i < lattice.columns; ++i) visit({i, j});
-        for (std::int64_t i = 0; i < lattice.columns; i += side)
-            for (std::int64_t j = 0; j < lattice.rows; ++j) visit({i, j});
+    void run() {
+        for (level_ = 0; level_ + 1 < lattice_.levels; ++level_) {
+            side_ = std::int64_t{kChunkCells} << level_;
+            for (std::int64_t j = 0; j < lattice_.rows; j += side_) {
+                ++line_;
+                for (std::int64_t i = 0; i < lattice_.columns; ++i) visit({i, j}, true);
+            }
+            for (std::int64_t i = 0; i < lattice_.columns; i += side_) {
+                ++line_;
+                for (std::int64_t j = 0; j < lattice_.rows; ++j) visit({i, j}, false);
+            }
+        }
     }
-}
+
+private:
+    void visit(LatticeVertex start, bool on_row) {
+        const std::uint8_t kept = levels_[lattice_.at(start.i, start.j)];
+        if (kept == kNeverNeeded || kept < level_ || terrain::lattice_scale(start) >= side_) return;
+        open_.assign(1, start);
+        while (!open_.empty()) {
+            const LatticeVertex v = open_.back();
+            open_.pop_back();
+            if (!inside(lattice_, v) || terrain::lattice_scale(v) >= side_ || (v.i == 0 && v.j == 0)) continue;
+            // Ancestors seen from an earlier vertex of this line have been followed already.
+            if (seen_[lattice_.at(v.i, v.j)] == line_) continue;
+            seen_[lattice_.at(v.i, v.j)] = line_;
+            const bool same_line = on_row ? v.j == start.j : v.i == start.i;
+            if ((v.i % side_ == 0 || v.j % side_ == 0) && !same_line) {
+                require(lattice_, levels_, v, static_cast<std::uint8_t>(level_ + 1));
+                continue;  // its ancestors are kept with it
+            }
+            const terrain::VertexParents parents = terrain::parents_of(v);
+            open_.push_back(parents.first);
+            open_.push_back(parents.second);
+        }
+    }
+
+    const Lattice& lattice_;
+    std::vector<std::uint8_t>& levels_;
+    std::vector<std::uint32_t> seen_;  // the line from which a vertex was last followed
+    std::vector<LatticeVertex> open_;
+    std::uint32_t level_ = 0, line_ = 0;
+    std::int64_t side_ = 0;
+};
 
 }  // namespace
 
@@ -269,7 +286,7 @@ std::vector<std::uint8_t> assign_levels(const Lattice& lattice, const std::vecto
     for (std::size_t n = 0; n < errors.size(); ++n)
         for (std::uint32_t level = 0; level < lattice.levels && errors[n] > tolerance_m[level]; ++level) levels[n] = static_cast<std::uint8_t>(level);
     keep_chunk_corners(lattice, levels);
-    separate_borders(lattice, levels);
+    BorderSeparator(lattice, levels).run();
     return levels;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -22,7 +23,8 @@ using namespace terrain;
 // Chosen so that a chunk is used at about its own size away: tolerance / (side in metres) is the angle of a pixel there.
 constexpr double kToleranceOfCell = 0.05;
 constexpr float kExactTolerance_m = 0.0005f;
-constexpr float kLoosen = 1.25f;
+constexpr float kLoosen = 1.1f;
+constexpr std::size_t kTargetChunkVertices = kMaxChunkVertices * 9 / 10;
 constexpr float kUselessTolerance_m = 2000;
 constexpr double kFinestQuantum_m = 1.0 / 1024;
 
@@ -128,17 +130,40 @@ std::uint32_t first_overfull_level(const TerrainModel& model) {
     return level;
 }
 
-/// Loosens tolerances until every chunk fits; false when no tolerance helps (borders of voids are kept at any).
+/// The tolerance at which no chunk of the level keeps more than `target` posts by its errors alone.
+float tolerance_for(const TerrainModel& model, std::uint32_t level, std::size_t target) {
+    const Lattice& l = model.lattice;
+    const std::int64_t side = std::int64_t{kChunkCells} << level;
+    std::vector<float> errors;
+    float tolerance = 0;
+    for (std::int64_t cj = 0; cj * side < l.raster_rows - 1; ++cj)
+        for (std::int64_t ci = 0; ci * side < l.raster_columns - 1; ++ci) {
+            errors.clear();
+            for (std::int64_t j = cj * side; j <= (cj + 1) * side; ++j)
+                for (std::int64_t i = ci * side; i <= (ci + 1) * side; ++i)
+                    if (model.errors_m[l.at(i, j)] > tolerance) errors.push_back(model.errors_m[l.at(i, j)]);
+            if (errors.size() <= target) continue;
+            std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(target), errors.end(), std::greater<>());
+            tolerance = errors[target];
+        }
+    return tolerance;
+}
+
+/// Tolerances that grow with the level and let every chunk fit; false when none does (borders of voids are always kept).
 bool fit_tolerances(TerrainModel& model) {
     model.tolerance_m = {};
     model.tolerance_m[0] = kExactTolerance_m;
-    for (std::uint32_t level = 1; level < model.lattice.levels; ++level)
-        model.tolerance_m[level] = static_cast<float>(kToleranceOfCell * model.lattice.cell_m * std::exp2(level));
+    for (std::uint32_t level = 1; level < model.lattice.levels; ++level) {
+        const auto wanted = static_cast<float>(kToleranceOfCell * model.lattice.cell_m * std::exp2(level));
+        model.tolerance_m[level] = std::max({wanted, model.tolerance_m[level - 1], tolerance_for(model, level, kTargetChunkVertices)});
+        if (model.tolerance_m[level] > kUselessTolerance_m) return false;
+    }
     for (;;) {
         model.levels = assign_levels(model.lattice, model.errors_m, model.tolerance_m);
         const std::uint32_t overfull = first_overfull_level(model);
         if (overfull == model.lattice.levels) return true;
         if (overfull == 0 || model.tolerance_m[overfull] > kUselessTolerance_m) return false;
+        // Corners and separated borders took more than the room left for them.
         model.tolerance_m[overfull] *= kLoosen;
         for (std::uint32_t level = overfull + 1; level < model.lattice.levels; ++level)
             model.tolerance_m[level] = std::max(model.tolerance_m[level], model.tolerance_m[level - 1]);

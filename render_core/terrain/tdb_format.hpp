@@ -3,9 +3,9 @@
 /// Layout   FileHeader · ChunkEntry[chunk_count] · undulation grid (float) · chunk payloads.
 /// Lattice  posts at longitude west + i*step (i east), latitude north - j*step (j south), i < columns, j < rows. The
 ///          true surface is these posts with two triangles a cell, diagonal (i+1,j)-(i,j+1), on WGS84 plus undulation.
-/// Levels   level k covers 64*2^k cells a chunk; level 0 is exact. Chunks of a level are stored row by row, all that
+/// Levels   level k covers 32*2^k cells a chunk; level 0 is exact. Chunks of a level are stored row by row, all that
 ///          overlap the raster, so that an index follows from (level, i, j).
-/// Payload  ChunkVertex[vertex_count], then at level 0 the posts: float[65*65] heights above MSL and uint8[65*65] classes.
+/// Payload  ChunkVertex[vertex_count], then at level 0 the posts: float[33*33] heights above MSL and uint8[33*33] classes.
 /// Mesh     Right-triangulated irregular network (Evans, Kirkpatrick, Townsend, "Right-Triangulated Irregular Networks",
 ///          Algorithmica 30, 2001) over the whole lattice: a vertex is in the mesh of level k when its `top_level` is at
 ///          least k. Chunks of one level agree on their common border by construction; see chunk_mesh.hpp for two levels.
@@ -19,9 +19,9 @@ namespace tedavis::terrain {
 
 inline constexpr char kTdbMagic[8] = {'T', 'E', 'D', 'A', 'V', 'T', 'D', 'B'};
 inline constexpr std::uint32_t kTdbVersion = 1;
-inline constexpr std::uint32_t kChunkCells = 64;
+inline constexpr std::uint32_t kChunkCells = 32;
 inline constexpr std::uint32_t kChunkPosts = kChunkCells + 1;
-inline constexpr std::uint32_t kMaxLevels = 10;  ///< a chunk's border then has 2^15 cells, which 16-bit coordinates hold
+inline constexpr std::uint32_t kMaxLevels = 11;  ///< a chunk's border then has 2^15 cells, which 16-bit coordinates hold
 inline constexpr std::uint32_t kMaxChunkVertices = 6144;
 inline constexpr std::uint32_t kMaxChunkTriangles = 2 * kMaxChunkVertices;
 

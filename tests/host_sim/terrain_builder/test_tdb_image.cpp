@@ -172,7 +172,7 @@ TEST(TdbImage, LevelZeroIsTheTrueSurfaceAndCoarserLevelsKeepTheirTolerance) {
         EXPECT_LE(e.below_m, h.tolerance_m[e.level] + 0.02f);
         EXPECT_LE(std::max(e.above_m, e.below_m), e.bound_m + 0.001f);
         if (e.level > 0) {
-            EXPECT_LT(e.triangle_count, 2u * 64 * 64 * (1u << (2 * e.level)));
+            EXPECT_LT(e.triangle_count, 2u * kChunkCells * kChunkCells * (1u << (2 * e.level)));
         }
     }
 }
