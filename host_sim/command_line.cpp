@@ -1,6 +1,7 @@
 #include "host_sim/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -176,6 +177,11 @@ std::string one_sentence(std::string text) {
     return text;
 }
 
+bool has_command(const CLI::App& app, const std::string& name) {
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) { return command->check_name(name); });
+}
+
 int parse_and_run(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live) {
     CommandLine line;
     CLI::App app("tedavis: recorded flights through a synthetic-vision display. Not certified for use in flight.", "tedavis");
@@ -186,7 +192,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     add_terrain(app, line);
     add_shot(app, line);
     add_comparisons(app, line);
-    if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr) {
+    if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
         throw UserError(std::string(argv[1]) + ": no such command; tedavis --help lists them");
     }
     try {

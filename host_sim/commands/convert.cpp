@@ -62,6 +62,9 @@ void say_what_was_done(Console& console, const ImportedFile& file, const Cleanin
                      std::to_string(cleaning.gnss_height_jumps) + " GNSS heights, " + std::to_string(cleaning.pressure_jumps) +
                      " pressure altitudes, " + std::to_string(cleaning.duplicates) + " duplicates");
     }
+    if (d.segments > 1) {
+        console.note("note: the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) + " s); nothing is sent there");
+    }
     console.note("note: height: " + d.height);
     console.note("note: heading " + d.heading + "; bank " + d.roll + "; pitch " + d.pitch);
     if (!d.height_is_geometric && !options.qnh_hpa) {
@@ -97,7 +100,7 @@ int run_convert(const ConvertOptions& options, Console& console) {
     companion.commit();
     say_what_was_done(console, about, cleaning, resampled.derivation(), options);
     if (counts.interrupted) console.note("note: interrupted; the log is valid and ends early");
-    console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight " + flight.aircraft, json.dump());
+    console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" + (flight.aircraft.empty() ? "" : " " + flight.aircraft), json.dump());
     return 0;
 }
 

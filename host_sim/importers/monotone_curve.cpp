@@ -28,6 +28,13 @@ MonotoneCurve::MonotoneCurve(std::vector<double> times_s, std::vector<double> va
     }
 }
 
+bool MonotoneCurve::covers(double time_s, double longest_gap_s) const {
+    if (times_.empty() || time_s < times_.front() || time_s > times_.back()) return false;
+    if (times_.size() == 1) return true;
+    const std::size_t i = interval_of(times_, time_s);
+    return times_[i + 1] - times_[i] <= longest_gap_s;
+}
+
 double MonotoneCurve::at(double time_s) const {
     if (times_.size() == 1 || time_s <= times_.front()) return values_.front();
     if (time_s >= times_.back()) return values_.back();

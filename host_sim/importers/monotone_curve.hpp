@@ -14,6 +14,9 @@ public:
 
     /// Before the first and after the last sample their values hold.
     [[nodiscard]] double at(double time_s) const;
+    /// Whether samples lie on either side of the time and no further apart than this.
+    [[nodiscard]] bool covers(double time_s, double longest_gap_s) const;
+    [[nodiscard]] std::size_t size() const { return times_.size(); }
     [[nodiscard]] bool empty() const { return times_.empty(); }
 
 private:

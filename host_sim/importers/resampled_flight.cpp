@@ -69,7 +69,13 @@ double hermite(const std::vector<double>& times, const std::vector<double>& valu
     return values[i] * s * s * (1 + 2 * t) + values[i + 1] * t * t * (3 - 2 * t) + h * t * s * (rates[i] * s - rates[i + 1] * t);
 }
 
-std::vector<double> filtered_123(std::vector<double> values) {
+void set_geometric_altitude(double msl_m, double undulation_m, SignalSample& sample) {
+    sample[Signal::ellipsoid_height] = msl_m + undulation_m;
+    sample[Signal::true_altitude] = msl_m;
+}
+
+/// Binomial weights 1 2 1.
+std::vector<double> filtered(std::vector<double> values) {
     const std::vector<double> raw = values;
     for (std::size_t i = 1; i + 1 < raw.size(); ++i) values[i] = 0.25 * raw[i - 1] + 0.5 * raw[i] + 0.25 * raw[i + 1];
     return values;
@@ -154,7 +160,7 @@ void ResampledFlight::add_heights(const RecordedFlight& flight, const std::vecto
     segment.undulation = MonotoneCurve(segment.times, undulations);
     if (!pressure.empty()) segment.pressure_altitude = smoothed_heights(pressure_times, pressure);
     if (!gnss.empty()) segment.ellipsoid_height = smoothed_heights(gnss_times, gnss);
-    const MonotoneCurve& best = gnss.empty() ? segment.pressure_altitude : segment.ellipsoid_height;
+    const MonotoneCurve& best = gnss.size() >= pressure.size() ? segment.ellipsoid_height : segment.pressure_altitude;
     std::vector<double> heights;
     for (const double t : segment.times) heights.push_back(best.empty() ? 0.0 : best.at(t));
     motion.up_mps = fit_locally(segment.times, heights, settings_.fit_half_window_s).slopes;
@@ -215,8 +221,8 @@ void ResampledFlight::add_attitude(const std::vector<RecordedFix>& fixes, Segmen
         pitches.push_back(std::clamp(path, -kLargestPitch_rad, kLargestPitch_rad));
     }
     const bool has_roll = all_have(fixes, &RecordedFix::roll_rad), has_pitch = all_have(fixes, &RecordedFix::pitch_rad);
-    segment.roll = MonotoneCurve(segment.times, has_roll ? values_of(fixes, &RecordedFix::roll_rad) : filtered_123(rolls));
-    segment.pitch = MonotoneCurve(segment.times, has_pitch ? values_of(fixes, &RecordedFix::pitch_rad) : filtered_123(pitches));
+    segment.roll = MonotoneCurve(segment.times, has_roll ? values_of(fixes, &RecordedFix::roll_rad) : filtered(rolls));
+    segment.pitch = MonotoneCurve(segment.times, has_pitch ? values_of(fixes, &RecordedFix::pitch_rad) : filtered(pitches));
 }
 
 void ResampledFlight::describe(const RecordedFlight& flight) {
@@ -267,21 +273,18 @@ std::optional<SignalSample> ResampledFlight::at(base::Time time) const {
 
 void ResampledFlight::add_altitudes(const Segment& segment, double t, SignalSample& sample) const {
     const double undulation = segment.undulation.at(t);
-    if (!segment.ellipsoid_height.empty()) {
-        sample[Signal::ellipsoid_height] = segment.ellipsoid_height.at(t);
-        sample[Signal::true_altitude] = sample[Signal::ellipsoid_height] - undulation;
-    }
-    if (!segment.ellipsoid_height.empty() || !segment.pressure_altitude.empty()) sample[Signal::vertical_speed] = segment.vertical_speed.at(t);
-    if (segment.pressure_altitude.empty()) return;
+    const bool gnss = segment.ellipsoid_height.covers(t, derivation_.gap_limit_s);
+    const bool pressure = segment.pressure_altitude.covers(t, derivation_.gap_limit_s);
+    if (gnss || pressure) sample[Signal::vertical_speed] = segment.vertical_speed.at(t);
+    if (gnss) set_geometric_altitude(segment.ellipsoid_height.at(t) - undulation, undulation, sample);
+    if (!pressure) return;
     sample[Signal::standard_altitude] = segment.pressure_altitude.at(t);
     if (settings_.qnh_pa) {
         sample[Signal::baro_setting] = *settings_.qnh_pa;
         sample[Signal::baro_altitude] = altitude_on_qnh(sample[Signal::standard_altitude], *settings_.qnh_pa);
     }
     if (segment.ellipsoid_height.empty() && settings_.assume_geometric) {
-        const double altitude = settings_.qnh_pa ? sample[Signal::baro_altitude] : sample[Signal::standard_altitude];
-        sample[Signal::ellipsoid_height] = altitude + undulation;
-        sample[Signal::true_altitude] = altitude;
+        set_geometric_altitude(settings_.qnh_pa ? sample[Signal::baro_altitude] : sample[Signal::standard_altitude], undulation, sample);
     }
 }
 
