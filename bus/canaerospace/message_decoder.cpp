@@ -156,19 +156,8 @@ bool MessageDecoder::status_invalid(std::uint8_t service_code) const {
 bool MessageDecoder::follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message) {
     const base::Duration silence = time - sender.last;
     const bool resumed = silence > dialect_.sender_timeout || base::Duration{} - silence > dialect_.sender_timeout;
-    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(header.message_code - sender.code));
     bool restarted = !sender.seen || resumed || header.node != sender.node;
-    if (!restarted && step == 0) {
-        if (sender.same_codes < kRepeatsUntilUnnumbered && ++sender.same_codes < kRepeatsUntilUnnumbered) return false;
-        sender.numbered = false;
-    } else if (!restarted && step < 0) {
-        if (++sender.older_codes < kOldersUntilRestart) return false;
-        restarted = true;
-    } else if (!restarted) {
-        if (sender.numbered) counts_.lost += static_cast<std::uint64_t>(step - 1);
-        sender.numbered = true;
-        sender.same_codes = 0;
-    }
+    if (!restarted && !step_on(sender, header.message_code, restarted)) return false;
     if (restarted) {
         if (sender.seen) ++counts_.restarts;
         sender = Sender();
@@ -180,6 +169,24 @@ bool MessageDecoder::follows(Sender& sender, const MessageHeader& header, base::
     sender.last = time;
     message.restarted = restarted;
     message.numbered = sender.numbered;
+    return true;
+}
+
+/// Compares a message code with the one before; false for a duplicate or an older message.
+bool MessageDecoder::step_on(Sender& sender, std::uint8_t code, bool& restarted) {
+    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(code - sender.code));
+    if (step == 0) {
+        if (sender.same_codes < kRepeatsUntilUnnumbered && ++sender.same_codes < kRepeatsUntilUnnumbered) return false;
+        sender.numbered = false;
+        return true;
+    }
+    if (step < 0) {
+        restarted = ++sender.older_codes >= kOldersUntilRestart;
+        return restarted;
+    }
+    if (sender.numbered) counts_.lost += static_cast<std::uint64_t>(step - 1);
+    sender.numbered = true;
+    sender.same_codes = 0;
     return true;
 }
 

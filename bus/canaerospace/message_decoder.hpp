@@ -91,6 +91,7 @@ private:
     void finish_clock(const TypedValue& value, DecodedMessage& message);
     void finish_number(double number, std::size_t place, DecodedMessage& message);
     [[nodiscard]] bool follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message);
+    [[nodiscard]] bool step_on(Sender& sender, std::uint8_t code, bool& restarted);
     [[nodiscard]] bool join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits, double& number);
     [[nodiscard]] bool status_invalid(std::uint8_t service_code) const;
 

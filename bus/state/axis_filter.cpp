@@ -80,38 +80,47 @@ AxisFilter::State AxisFilter::after(const State& before, const AxisMeasurement& 
     if (!fresh) return measurement.is_velocity ? before : started_at(measurement);
     State state = before;
     predict(state, measurement.at);
-    const double variance = measurement.sigma * measurement.sigma;
-    double gain_position = 0;
-    double gain_velocity = 0;
-    double innovation = 0;
     if (measurement.is_velocity) {
-        innovation = measurement.value - state.velocity;
-        gain_position = state.p01 / (state.p11 + variance);
-        gain_velocity = state.p11 / (state.p11 + variance);
-        state.p00 -= gain_position * state.p01;
-        state.p01 *= 1 - gain_velocity;
-        state.p11 *= 1 - gain_velocity;
-    } else {
-        innovation = difference_m(state, measurement);
-        if (std::fabs(innovation) > kGateFloor_m + kGateSigmas * std::sqrt(state.p00 + variance)) {
-            if (before.outliers + 1 >= kOutliersToRestart) return started_at(measurement);
-            state = before;
-            ++state.outliers;
-            return state;
-        }
-        gain_position = state.p00 / (state.p00 + variance);
-        gain_velocity = state.p01 / (state.p00 + variance);
-        state.p11 -= gain_velocity * state.p01;
-        state.p01 *= 1 - gain_position;
-        state.p00 *= 1 - gain_position;
-        state.outliers = 0;
-        state.last_position = measurement.at;
-        state.metres_per_unit = measurement.metres_per_unit;
+        correct_by_velocity(state, measurement);
+        return state;
     }
-    state.position += gain_position * innovation / state.metres_per_unit;
-    state.velocity += gain_velocity * innovation;
-    if (model_.wraps) state.position = earth::wrap_longitude(state.position);
+    const double innovation_m = difference_m(state, measurement);
+    if (std::fabs(innovation_m) <= kGateFloor_m + kGateSigmas * std::sqrt(state.p00 + measurement.sigma * measurement.sigma)) {
+        correct_by_position(state, measurement, innovation_m);
+        return state;
+    }
+    if (before.outliers + 1 >= kOutliersToRestart) return started_at(measurement);
+    state = before;
+    ++state.outliers;
     return state;
+}
+
+void AxisFilter::correct_by_velocity(State& state, const AxisMeasurement& measurement) const {
+    const double innovation_mps = measurement.value - state.velocity;
+    const double gain_position = state.p01 / (state.p11 + measurement.sigma * measurement.sigma);
+    const double gain_velocity = state.p11 / (state.p11 + measurement.sigma * measurement.sigma);
+    state.p00 -= gain_position * state.p01;
+    state.p01 *= 1 - gain_velocity;
+    state.p11 *= 1 - gain_velocity;
+    move(state, gain_position * innovation_mps, gain_velocity * innovation_mps);
+}
+
+void AxisFilter::correct_by_position(State& state, const AxisMeasurement& measurement, double innovation_m) const {
+    const double gain_position = state.p00 / (state.p00 + measurement.sigma * measurement.sigma);
+    const double gain_velocity = state.p01 / (state.p00 + measurement.sigma * measurement.sigma);
+    state.p11 -= gain_velocity * state.p01;
+    state.p01 *= 1 - gain_position;
+    state.p00 *= 1 - gain_position;
+    state.outliers = 0;
+    state.last_position = measurement.at;
+    state.metres_per_unit = measurement.metres_per_unit;
+    move(state, gain_position * innovation_m, gain_velocity * innovation_m);
+}
+
+void AxisFilter::move(State& state, double by_m, double by_mps) const {
+    state.position += by_m / state.metres_per_unit;
+    state.velocity += by_mps;
+    if (model_.wraps) state.position = earth::wrap_longitude(state.position);
 }
 
 AxisEstimate AxisFilter::estimate(base::Time now, base::Duration limit) const {

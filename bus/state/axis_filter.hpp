@@ -66,6 +66,9 @@ private:
     [[nodiscard]] State started_at(const AxisMeasurement& measurement) const;
     void predict(State& state, base::Time to) const;
     [[nodiscard]] double difference_m(const State& state, const AxisMeasurement& measurement) const;
+    void correct_by_velocity(State& state, const AxisMeasurement& measurement) const;
+    void correct_by_position(State& state, const AxisMeasurement& measurement, double innovation_m) const;
+    void move(State& state, double by_m, double by_mps) const;
     void push_sorted(const AxisMeasurement& measurement);
 
     AxisModel model_;

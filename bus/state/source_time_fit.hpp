@@ -38,6 +38,8 @@ public:
 
 private:
     void start(std::uint8_t code, base::Time received);
+    [[nodiscard]] bool follow_line(std::uint8_t code, double steps, base::Time received);
+    void correct_line(double residual_ns, double steps);
     void advance(double by_ns);
 
     base::Time line_;            // the line at the last message, whole nanoseconds
