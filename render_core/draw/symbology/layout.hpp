@@ -1,0 +1,49 @@
+/// Where the pieces of the display stand: boxes in pixels that never overlap and never leave the screen.
+///
+/// One unit, the size of the text, makes everything else: it follows the shorter side of the screen and never falls below
+/// what is legible on a panel of the given density, as long as the boxes still fit. Tested from 320x240 to 4K, portrait too.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/draw/rect.hpp"
+
+namespace tedavis::draw {
+
+struct Layout {
+    float text_px = 0;    ///< pixels an em of ordinary text
+    float stroke_px = 0;  ///< width of ordinary lines
+    Rect screen;
+    Rect phase;           ///< top left
+    Rect notices;         ///< top right: warnings and cautions
+    Rect airspeed;        ///< left tape
+    Rect attitude;        ///< around the middle of the screen; ladder, roll scale, flight path
+    Rect altitude;        ///< right tape
+    Rect vertical_speed;  ///< right of it
+    Rect ground_height;   ///< bottom left
+    Rect heading;         ///< bottom, centred on the screen
+    Rect baro_setting;    ///< bottom right
+    Rect information;     ///< last line: where the flight and the data come from
+};
+static_assert(std::is_trivially_copyable_v<Layout>);
+
+inline constexpr std::size_t kLayoutBoxCount = 10;
+struct LayoutBox {
+    const char* name;
+    Rect Layout::*box;
+};
+/// All boxes but the screen.
+inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
+    {"phase", &Layout::phase},       {"notices", &Layout::notices},
+    {"airspeed", &Layout::airspeed}, {"attitude", &Layout::attitude},
+    {"altitude", &Layout::altitude}, {"vertical_speed", &Layout::vertical_speed},
+    {"ground_height", &Layout::ground_height}, {"heading", &Layout::heading},
+    {"baro_setting", &Layout::baro_setting},   {"information", &Layout::information},
+};
+
+/// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.
+[[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi) noexcept;
+
+}  // namespace tedavis::draw

@@ -1,0 +1,121 @@
+#include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using display::Element;
+using display::ElementShow;
+using display::NoticeLevel;
+
+/// A label over a number in one box.
+void labelled_number(const Painter& painter, const Rect& box, std::string_view label, std::string_view number, ElementShow show) {
+    const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
+    const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
+    painter.batch().box(upper, kReadoutGround);
+    painter.fitted_text(label, upper, TextAnchor::center, 0.8f, label_color(show));
+    painter.readout(lower, number, show == ElementShow::flagged);
+}
+
+/// "first_climb" as "FIRST CLIMB".
+void append_upper(base::FixedString<63>& text, std::string_view name) {
+    for (char c : name) {
+        const char upper = c == '_' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        text.append(std::string_view(&upper, 1));
+    }
+}
+
+std::string_view source_text(flight::PhaseSource source) {
+    switch (source) {
+        case flight::PhaseSource::switches: return "BY SWITCH";
+        case flight::PhaseSource::can: return "BY BUS";
+        case flight::PhaseSource::motion: return "FROM MOTION";
+        case flight::PhaseSource::held: return "HELD";
+        case flight::PhaseSource::none: break;
+    }
+    return "NO SOURCE";
+}
+
+design::Color notice_color(NoticeLevel level) {
+    if (level == NoticeLevel::information) return kScaleColor;
+    return level == NoticeLevel::warning ? kWarningColor : kCautionColor;
+}
+
+constexpr std::size_t kNoticePlaces = 4;  // two columns of two lines
+
+Rect notice_place(const Rect& box, std::size_t place, float gap) {
+    const float width = (box.width - gap) / 2, height = (box.height - gap) / 2;
+    return {box.x + static_cast<float>(place % 2) * (width + gap), box.y + static_cast<float>(place / 2) * (height + gap), width, height};
+}
+
+void build_notice(const Painter& painter, const Rect& place, std::string_view text, NoticeLevel level) {
+    painter.batch().box(place, kReadoutGround);
+    painter.batch().frame(place, painter.stroke_px(), notice_color(level));
+    painter.fitted_text(text, place, TextAnchor::center, 0.85f, notice_color(level));
+}
+
+}  // namespace
+
+void build_baro_setting(const Painter& painter, const SymbologyInput& input) {
+    const ElementShow show = input.decisions[Element::baro_setting].show;
+    const Rect& box = painter.layout().baro_setting;
+    if (show == ElementShow::absent) return;
+    if (show == ElementShow::failed) return painter.failed(box, "BARO SET FAIL");
+    const double hpa = limited(input.baro_setting_pa / base::kPascalsPerHectopascal, 0, 9999);
+    labelled_number(painter, box, show == ElementShow::flagged ? "STALE QNH HPA" : "QNH HPA", whole_number(hpa).view(), show);
+}
+
+void build_ground_height(const Painter& painter, const SymbologyInput& input) {
+    const display::ElementDecision& decision = input.decisions[Element::ground_height];
+    const Rect& box = painter.layout().ground_height;
+    if (decision.show == ElementShow::absent) return;
+    const bool radio = decision.source != flight::Signal::height_above_terrain;
+    if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");
+    const double feet = limited(input.ground_height_m / base::kMetresPerFoot, -999, 99'999);
+    const bool stale = decision.show == ElementShow::flagged;
+    labelled_number(painter, box, stale ? "STALE FT" : radio ? "RADIO FT" : "TERRAIN FT", whole_number(feet).view(), decision.show);
+}
+
+void build_phase(const Painter& painter, const SymbologyInput& input) {
+    const Rect& box = painter.layout().phase;
+    const Rect upper{box.x, box.y, box.width, box.height / 2}, lower{box.x, upper.bottom(), box.width, box.height / 2};
+    const bool uncertain = input.phase.source == flight::PhaseSource::none || input.phase.source == flight::PhaseSource::held;
+    base::FixedString<63> text;
+    append_upper(text, scenario_name(input.phase.phase));
+    const std::string_view sub_phase = sub_phase_name(input.phase.phase);
+    if (!sub_phase.empty()) text.append(" ");
+    append_upper(text, sub_phase);
+    painter.batch().box(box, kReadoutGround);
+    painter.fitted_text(text.view(), upper, TextAnchor::left, 0.9f, uncertain ? kCautionColor : kEngagedColor);
+    base::FixedString<63> source("PHASE ");
+    source.append(source_text(input.phase.source));
+    painter.fitted_text(source.view(), lower, TextAnchor::left, 0.8f, uncertain ? kCautionColor : kScaleColor);
+}
+
+void build_notices(const Painter& painter, const SymbologyInput& input) {
+    const Rect& box = painter.layout().notices;
+    const float gap = 0.15f * painter.text_px();
+    const auto& notices = input.decisions.notices;
+    std::size_t urgent = 0;
+    for (const display::Notice& notice : notices) urgent += notice.level != NoticeLevel::information ? 1 : 0;
+    const std::size_t named = urgent <= kNoticePlaces ? urgent : kNoticePlaces - 1;
+    std::size_t place = 0;
+    base::FixedString<127> information;
+    for (const display::Notice& notice : notices) {
+        if (notice.level == NoticeLevel::information) {
+            if (!information.empty()) information.append("  \xC2\xB7  ");
+            information.append(notice.text.view());
+        } else if (place < named) {
+            build_notice(painter, notice_place(box, place++, gap), notice.text.view(), notice.level);
+        }
+    }
+    if (named < urgent) {
+        ShortText more("+");
+        more.append(whole_number(static_cast<double>(urgent - named)).view());
+        more.append(" MORE");
+        build_notice(painter, notice_place(box, place, gap), more.view(), NoticeLevel::caution);
+    }
+    if (!information.empty()) painter.fitted_text(information.view(), painter.layout().information, TextAnchor::center, 0.8f, kScaleColor);
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,20 @@
+#include "render_core/draw/symbology/symbology.hpp"
+
+namespace tedavis::draw {
+
+void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout& layout) {
+    batch.clear();
+    const Painter painter(batch, layout);
+    if (input.shown.attitude) build_attitude(painter, input);
+    if (input.shown.flight_path) build_flight_path(painter, input);
+    if (input.shown.airspeed) build_airspeed(painter, input);
+    if (input.shown.altitude) build_altitude(painter, input);
+    if (input.shown.vertical_speed) build_vertical_speed(painter, input);
+    if (input.shown.heading) build_heading(painter, input);
+    if (input.shown.baro_setting) build_baro_setting(painter, input);
+    if (input.shown.ground_height) build_ground_height(painter, input);
+    if (input.shown.phase) build_phase(painter, input);
+    build_notices(painter, input);  // no design can switch these off
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,32 @@
+/// The flight symbology of a frame, as triangles in a batch.
+///
+/// Every builder draws within its boxes of the layout and shows what the decisions say: the value, the value with its
+/// amber flag, or a red cross with text in the same place. Pure: no GL, no clock, no heap. Thread any.
+#pragma once
+
+#include "render_core/draw/quad_batch.hpp"
+#include "render_core/draw/symbology/layout.hpp"
+#include "render_core/draw/symbology/painter.hpp"
+#include "render_core/draw/symbology/symbology_input.hpp"
+
+namespace tedavis::draw {
+
+/// Upper bounds over all inputs, tested; what a batch needs so that nothing is refused.
+inline constexpr std::size_t kSymbologyVertices = 8192;
+inline constexpr std::size_t kSymbologyIndices = kSymbologyVertices * 3 / 2;
+
+/// Everything that the design shows, in the order in which it covers. Clears the batch first.
+void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout& layout);
+
+void build_attitude(const Painter& painter, const SymbologyInput& input);
+void build_flight_path(const Painter& painter, const SymbologyInput& input);
+void build_airspeed(const Painter& painter, const SymbologyInput& input);
+void build_altitude(const Painter& painter, const SymbologyInput& input);
+void build_vertical_speed(const Painter& painter, const SymbologyInput& input);
+void build_heading(const Painter& painter, const SymbologyInput& input);
+void build_baro_setting(const Painter& painter, const SymbologyInput& input);
+void build_ground_height(const Painter& painter, const SymbologyInput& input);
+void build_phase(const Painter& painter, const SymbologyInput& input);
+void build_notices(const Painter& painter, const SymbologyInput& input);
+
+}  // namespace tedavis::draw

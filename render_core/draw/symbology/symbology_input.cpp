@@ -1,0 +1,53 @@
+#include "render_core/draw/symbology/symbology_input.hpp"
+
+#include "render_core/earth/geodetic.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using display::Element;
+using flight::Signal;
+
+/// 0 for an element that shows no signal.
+double shown_value(const flight::AircraftState& state, const display::DisplayDecisions& decisions, Element element) {
+    const Signal source = decisions[element].source;
+    return source == Signal::count_ ? 0 : state[source].value_or(0);
+}
+
+}  // namespace
+
+double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
+    if (decisions.view_heading == Signal::count_) return 0;
+    const double heading = state[decisions.view_heading].value_or(0);
+    if (decisions.view_heading != Signal::magnetic_heading) return heading;
+    return earth::wrap_heading(heading + state[Signal::magnetic_variation].value_or(0));
+}
+
+SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
+                                    const flight::PhaseStatus& phase, const design::DesignSettings& design, std::uint32_t width,
+                                    std::uint32_t height, double gnss_msl_m) noexcept {
+    SymbologyInput input;
+    input.decisions = decisions;
+    input.shown = design.symbology;
+    input.unusual = design.unusual_attitude;
+    input.sky = design.sky.zenith;
+    input.ground = design.sky.ground;
+    input.phase = phase;
+    input.view_heading_rad = view_heading_rad(state, decisions);
+    input.pitch_rad = state[Signal::pitch].value_or(0);
+    input.roll_rad = state[Signal::roll].value_or(0);
+    input.view = make_view_frame(width, height, design.view.horizontal_field_of_view_rad, input.view_heading_rad, input.pitch_rad, input.roll_rad);
+    input.heading_rad = shown_value(state, decisions, Element::heading);
+    input.airspeed_mps = shown_value(state, decisions, Element::airspeed);
+    const bool gnss = decisions[Element::altitude].source == Signal::ellipsoid_height;
+    input.altitude_m = gnss ? gnss_msl_m : shown_value(state, decisions, Element::altitude);
+    input.vertical_speed_mps = shown_value(state, decisions, Element::vertical_speed);
+    input.baro_setting_pa = shown_value(state, decisions, Element::baro_setting);
+    input.ground_height_m = shown_value(state, decisions, Element::ground_height);
+    input.velocity_north_mps = state.own_ship.velocity_north_mps;
+    input.velocity_east_mps = state.own_ship.velocity_east_mps;
+    input.velocity_up_mps = state.own_ship.velocity_up_mps;
+    return input;
+}
+
+}  // namespace tedavis::draw

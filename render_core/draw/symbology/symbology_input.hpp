@@ -1,0 +1,41 @@
+/// Everything that the symbology of a frame is built from: values in SI, what may be shown, and the view.
+#pragma once
+
+#include <type_traits>
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/display/display_decisions.hpp"
+#include "render_core/draw/view_frame.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::draw {
+
+struct SymbologyInput {
+    display::DisplayDecisions decisions;
+    design::SymbologySettings shown;
+    design::UnusualAttitudeLimits unusual;
+    design::Color sky, ground;      ///< of the permanent horizon
+    flight::PhaseStatus phase;
+    ViewFrame view;                 ///< as terrain and sky are drawn
+    double view_heading_rad = 0;    ///< true
+    double pitch_rad = 0, roll_rad = 0;
+    double heading_rad = 0;         ///< as shown: true, magnetic or track, by decisions[heading].source
+    double airspeed_mps = 0;
+    double altitude_m = 0;          ///< above MSL (or pressure altitude), by decisions[altitude].source
+    double vertical_speed_mps = 0;
+    double baro_setting_pa = 0;
+    double ground_height_m = 0;
+    double velocity_north_mps = 0, velocity_east_mps = 0, velocity_up_mps = 0;
+};
+static_assert(std::is_trivially_copyable_v<SymbologyInput>);
+
+/// True heading of the view by the decision's source, 0 where there is none. Terrain, sky and symbols must share it.
+[[nodiscard]] double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept;
+
+/// `gnss_msl_m`: the ellipsoid height with the geoid's undulation taken off, for use where the decision shows it.
+[[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
+                                                  const flight::PhaseStatus& phase, const design::DesignSettings& design,
+                                                  std::uint32_t width, std::uint32_t height, double gnss_msl_m) noexcept;
+
+}  // namespace tedavis::draw
