@@ -1,0 +1,29 @@
+/// The flight phase in effect: motion, bus and switches through the arbiter, one fixed step after another.
+///
+/// The result depends on the steps, so both programs step it at kStep of the source's time, whatever the frame rate:
+/// a replay that starts in the middle passes through the same steps as a whole run. Plain data; a copy is a checkpoint.
+#pragma once
+
+#include "render_core/flight/motion_phase_detector.hpp"
+#include "render_core/flight/phase_arbiter.hpp"
+
+namespace tedavis::display {
+
+class PhaseMonitor {
+public:
+    static constexpr base::Duration kStep = base::Duration::milliseconds(20);
+
+    /// `aircraft` carries height_above_terrain where it is known. `inputs.motion` is filled in here.
+    flight::PhaseStatus step(const flight::AircraftState& aircraft, flight::PhaseInputs inputs, base::Time now);
+    [[nodiscard]] const flight::PhaseStatus& status() const { return status_; }
+
+private:
+    flight::MotionPhaseSettings motion_settings_;
+    flight::PhaseArbiterSettings arbiter_settings_;
+    flight::MotionPhaseState motion_;
+    flight::PhaseArbiterState arbiter_;
+    flight::PhaseStatus status_;
+};
+static_assert(std::is_trivially_copyable_v<PhaseMonitor>);
+
+}  // namespace tedavis::display
