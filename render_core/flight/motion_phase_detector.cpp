@@ -61,8 +61,8 @@ bool accelerates(const Motion& m, const Settings& s) {
 bool lifts_off(const Motion& m, const Settings& s) {
     return m.height > s.lift_off_height_m + m.near_ground && m.vertical_speed > s.not_climbing_mps;
 }
-bool climbs(const Motion& m, const Settings& s) {
-    return m.vertical_speed > s.climb_mps && m.height > s.lift_off_height_m + m.near_ground;
+bool climbs_low(const Motion& m, const Settings& s) {
+    return m.vertical_speed > s.climb_mps && m.height > s.lift_off_height_m + m.near_ground && m.height < s.second_climb_height_m;
 }
 bool climbs_high(const Motion& m, const Settings& s) {
     return m.vertical_speed > s.climb_mps && m.height > s.second_climb_height_m;
@@ -124,7 +124,7 @@ constexpr Rule kRules[] = {
      is_level, &Settings::level},
     {from(Stage::replanning), Stage::cruise, is_level, &Settings::level_after_replanning},
     {from(Stage::none, Stage::descent), Stage::second_climb, climbs_again, &Settings::vertical},
-    {from(Stage::none), Stage::first_climb, climbs, &Settings::vertical},
+    {from(Stage::none), Stage::first_climb, climbs_low, &Settings::vertical},
 };
 constexpr std::size_t kRuleCount = sizeof kRules / sizeof kRules[0];
 static_assert(kRuleCount <= kMaxMotionRules);

@@ -115,6 +115,19 @@ std::vector<Leg> joined(std::initializer_list<std::vector<Leg>> parts) {
     return all;
 }
 
+PhaseStatement go_on(MotionPhaseState& state, base::Time& now, double seconds, const std::function<void(AircraftState&)>& change,
+                     Sample s = {150, 0, 2160, 0}) {
+    PhaseStatement found;
+    for (double t = 0; t < seconds; t += 0.1) {
+        now = now + base::Duration::milliseconds(100);
+        AircraftState aircraft = aircraft_at(s, now, HeightFrom::terrain);
+        change(aircraft);
+        found = detect_motion_phase(aircraft, now, {}, state);
+    }
+    return found;
+}
+const auto kNoChange = [](AircraftState&) {};
+
 /// Ground to cruise (2160 m), down to 180 m, land, stop.
 const std::vector<Leg> kWholeFlight = joined({kToCruise, kDownToFinal, {{60, -3, 50}, {5, -0.5, 45}, {40, 0, 5}, {30, 0, 5}}});
 const std::vector<std::string> kWholeFlightPhases = {
@@ -176,6 +189,26 @@ TEST(MotionPhaseDetector, a_bump_on_final_is_no_go_around) {
     EXPECT_EQ(phases, kWholeFlightPhases) << "4 s at 5 m/s gain less than 30 m";
 }
 
+TEST(MotionPhaseDetector, a_slow_climb_on_final_is_no_go_around_before_it_has_gained_30_m) {
+    const auto climb_for = [](double seconds) {
+        return fly({joined({kToCruise, kDownToFinal, {{20, -3, 50}, {seconds, 2.8, 50}, {3, -3, 45}}})}).back();
+    };
+    EXPECT_EQ(climb_for(13), "approach.final") << "fast enough for long enough, but not high enough";
+    EXPECT_EQ(climb_for(25), "go_around.abort");
+}
+
+TEST(MotionPhaseDetector, level_flight_may_wander_a_little_further_than_it_began) {
+    const auto after = [](double first, double then) {
+        MotionPhaseState state;
+        base::Time now{kStart};
+        static_cast<void>(go_on(state, now, 10, kNoChange, {150, first, 3000, 0}));
+        return name_of(go_on(state, now, 40, kNoChange, {150, then, 3000, 0}));
+    };
+    EXPECT_EQ(after(0, 1.7), "cruise");
+    EXPECT_EQ(after(0, 2.1), "-");
+    EXPECT_EQ(after(1.7, 1.7), "-");
+}
+
 TEST(MotionPhaseDetector, a_rejected_takeoff_returns_to_ground) {
     EXPECT_EQ(fly({{{20, 0, 0}, {20, 0, 40}, {20, 0, 2}, {20, 0, 2}}}),
               (std::vector<std::string>{"ground", "takeoff.start", "ground"}));
@@ -214,6 +247,8 @@ TEST(MotionPhaseDetector, finds_its_place_in_the_middle_of_a_flight) {
     EXPECT_EQ(begun_at(3000, -6), "approach.descent");
     EXPECT_EQ(begun_at(800, -3), "approach.initial");
     EXPECT_EQ(begun_at(1000, 6), "takeoff.second_climb");
+    EXPECT_EQ(begun_at(100, 2), "takeoff.first_climb");
+    EXPECT_EQ(begun_at(3000, 2), "-") << "a slow climb high up may be part of a cruise";
     EXPECT_EQ(begun_at(600, 0), "-") << "level at 600 m may be anything";
 }
 
@@ -225,19 +260,6 @@ MotionPhaseState cruising(base::Time& now) {
     now = state.last_update;
     return state;
 }
-
-PhaseStatement go_on(MotionPhaseState& state, base::Time& now, double seconds, const std::function<void(AircraftState&)>& change,
-                     Sample s = {150, 0, 2160, 0}) {
-    PhaseStatement found;
-    for (double t = 0; t < seconds; t += 0.1) {
-        now = now + base::Duration::milliseconds(100);
-        AircraftState aircraft = aircraft_at(s, now, HeightFrom::terrain);
-        change(aircraft);
-        found = detect_motion_phase(aircraft, now, {}, state);
-    }
-    return found;
-}
-const auto kNoChange = [](AircraftState&) {};
 
 TEST(MotionPhaseDetector, any_missing_input_gives_no_statement) {
     const Signal needed[] = {Signal::ground_speed, Signal::vertical_speed, Signal::height_above_terrain};
@@ -320,6 +342,12 @@ TEST(MotionPhaseDetector, the_lower_of_two_heights_guards_terrain) {
     MotionPhaseState state = cruising(now);
     const auto radio_says_low = [&](AircraftState& a) { a[Signal::radio_height] = {300, now}; };
     EXPECT_EQ(name_of(go_on(state, now, 2, radio_says_low)), "unknown");
+    state = cruising(now);
+    const auto terrain_is_lower = [&](AircraftState& a) {
+        a[Signal::radio_height] = {600, now};
+        a[Signal::height_above_terrain] = {300, now};
+    };
+    EXPECT_EQ(name_of(go_on(state, now, 2, terrain_is_lower)), "unknown");
     state = cruising(now);
     const auto radio_out_of_range = [&](AircraftState& a) { a[Signal::radio_height] = {760, now}; };
     EXPECT_EQ(name_of(go_on(state, now, 2, radio_out_of_range)), "cruise");
