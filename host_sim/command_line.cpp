@@ -16,6 +16,7 @@
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
 #include "host_sim/commands/replay.hpp"
+#include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/terrain.hpp"
@@ -37,9 +38,11 @@ struct CommandLine {
     TerrainCheckOptions terrain_check;
     TerrainInfoOptions terrain_info;
     TerrainFractalOptions terrain_fractal;
+    ReplayOptions replay;
     ShotOptions shot;
     DiffOptions diff;
     CheckOptions check;
+    std::string replay_config;
     bool json = false;
     std::function<int(Console&)> run;
 };
@@ -160,6 +163,31 @@ void add_shot(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
 }
 
+void add_replay(CLI::App& app, CommandLine& line) {
+    ReplayOptions& o = line.replay;
+    CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report", [&line](Console& console) {
+        if (!line.replay_config.empty()) {
+            const std::string output = line.replay.output;
+            line.replay = load_replay_config(line.replay_config);
+            line.replay.output = output;
+        }
+        if (line.replay.log.empty()) throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
+        return run_replay(line.replay, console);
+    });
+    command->add_option("LOG", o.log, "candump log");
+    command->add_option("--config", line.replay_config, "a file that --save-config wrote; only -o is added to it")->excludes("LOG");
+    command->add_option("-o", o.output, "folder to write to")->required();
+    command->add_option("--switches", o.switches, "switch log");
+    command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
+    add_optional(command, "--from", o.from_s, "seconds since the log's first frame");
+    add_optional(command, "--to", o.to_s, "seconds since the log's first frame");
+    add_optional(command, "--step", o.step_s, "seconds between frames, negative to go backwards; default: the device's rate");
+    const std::map<std::string, FrameOutput> outputs{{"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
+    command->add_option("--frames", o.frames, "png, hash or none; default: png")->transform(CLI::CheckedTransformer(outputs));
+    command->add_option("--save-config", o.save_config, "writes data, design and parameters of this replay to a file");
+    add_picture_options(command, o.picture);
+}
+
 void add_comparisons(CLI::App& app, CommandLine& line) {
     DiffOptions& d = line.diff;
     CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ", [&d](Console& console) { return run_diff(d, console); });
@@ -191,6 +219,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     add_scenario(app, line);
     add_terrain(app, line);
     add_shot(app, line);
+    add_replay(app, line);
     add_comparisons(app, line);
     if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
         throw UserError(std::string(argv[1]) + ": no such command; tedavis --help lists them");
