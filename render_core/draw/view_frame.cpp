@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -24,6 +27,17 @@ ViewFrame make_view_frame(double width, double height, double horizontal_field_o
     view.body_axes[1] = {sin_r * sin_p * cos_h - cos_r * sin_h, sin_r * sin_p * sin_h + cos_r * cos_h, sin_r * cos_p};
     view.body_axes[2] = {cos_r * sin_p * cos_h + sin_r * sin_h, cos_r * sin_p * sin_h - sin_r * cos_h, cos_r * cos_p};
     return view;
+}
+
+ViewFrame make_view_frame(const terrain::View& view) noexcept {
+    const earth::Geodetic place = earth::from_ecef(view.eye);
+    const glm::dmat3 to_local = glm::transpose(earth::north_east_down(place.latitude_rad, place.longitude_rad));
+    ViewFrame frame;
+    frame.focal_px = view.focal_px;
+    frame.center_x = 0.5 * view.width;
+    frame.center_y = 0.5 * view.height;
+    frame.body_axes = to_local * glm::dmat3(view.forward, view.right, view.down);
+    return frame;
 }
 
 ProjectedPoint project(const ViewFrame& view, const glm::dvec3& direction) noexcept {

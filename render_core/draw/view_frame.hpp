@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/draw/rect.hpp"
+#include "render_core/terrain/view.hpp"
 
 namespace tedavis::draw {
 
@@ -21,6 +22,9 @@ struct ViewFrame {
 /// `width`, `height` in pixels; angles in radians as earth::body_axes takes them.
 [[nodiscard]] ViewFrame make_view_frame(double width, double height, double horizontal_field_of_view_rad, double heading_rad,
                                         double pitch_rad, double roll_rad) noexcept;
+
+/// The same view as the terrain is drawn with, in the local frame below the eye.
+[[nodiscard]] ViewFrame make_view_frame(const terrain::View& view) noexcept;
 
 struct ProjectedPoint {
     Point at;

@@ -29,6 +29,24 @@ TEST(ViewFrame, AxesAgreeWithTheEarthModule) {
             }
 }
 
+TEST(ViewFrame, IsTheTerrainsView) {
+    terrain::View view;
+    const double latitude = radians(-33), longitude = radians(151);
+    view.eye = earth::to_ecef({latitude, longitude, {2500}});
+    const glm::dmat3 body = earth::body_axes(latitude, longitude, radians(77), radians(-12), radians(30));
+    view.forward = body[0];
+    view.right = body[1];
+    view.down = body[2];
+    view.width = 640;
+    view.height = 480;
+    view.focal_px = 320 / std::tan(radians(30));
+    const ViewFrame from_terrain = make_view_frame(view), expected = view_of(77, -12, 30);
+    EXPECT_NEAR(from_terrain.focal_px, expected.focal_px, 1e-9);
+    EXPECT_EQ(from_terrain.center_x, expected.center_x);
+    EXPECT_EQ(from_terrain.center_y, expected.center_y);
+    for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(from_terrain.body_axes[i], expected.body_axes[i]), 1e-9);
+}
+
 TEST(ViewFrame, TheFieldOfViewSpansTheWidth) {
     const ViewFrame view = view_of(0, 0, 0);
     EXPECT_NEAR(project(view, direction_of(radians(30), 0)).at.x, 640, 1e-3);

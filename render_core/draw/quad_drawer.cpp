@@ -1,0 +1,93 @@
+#include "render_core/draw/quad_drawer.hpp"
+
+#include <cstddef>
+
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/shader_texts.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/draw_triangles.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+enum Attribute : GLuint { kPosition, kUv, kExtent, kColor };
+constexpr gl::AttributeBinding kAttributes[] = {{"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}};
+enum Uniform : std::size_t { kClipPerPixel, kAtlas };
+constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas"};
+
+void point_attributes(gl::Gl& gl) {
+    const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
+    constexpr GLsizei kStride = sizeof(QuadVertex);
+    gl->VertexAttribPointer(kPosition, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, x)));
+    gl->VertexAttribPointer(kUv, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, u)));
+    gl->VertexAttribPointer(kExtent, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, extent_x)));
+    gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(QuadVertex, rgba)));
+}
+
+}  // namespace
+
+gl::GlError QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
+    const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
+    const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
+    if (vertices.empty() || indices.empty())
+        return gl::make_error("the budget line '", effects::kSymbology, "' is too small for the symbology; raise it in the device file");
+    batch_ = QuadBatch(vertices, indices);
+    return make_objects(gl, budget, vertices.size(), indices.size());
+}
+
+gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std::size_t vertices, std::size_t indices) {
+    base::BudgetLine& quads = *budget.find(effects::kSymbologyVertices);
+    auto vertex_buffer = gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices * sizeof(QuadVertex));
+    if (!vertex_buffer.ok()) return vertex_buffer.error();
+    vertices_ = static_cast<gl::Buffer&&>(vertex_buffer.value());
+    auto index_buffer = gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices * sizeof(std::uint16_t));
+    if (!index_buffer.ok()) return index_buffer.error();
+    indices_ = static_cast<gl::Buffer&&>(index_buffer.value());
+
+    const FontAtlas& font = font_atlas();
+    const auto width = static_cast<std::uint32_t>(font.width), height = static_cast<std::uint32_t>(font.height);
+    auto atlas = gl::make_texture(gl, *budget.find(effects::kFontAtlas), {gl::TextureFormat::r8, gl::TextureFilter::linear, width, height});
+    if (!atlas.ok()) return atlas.error();
+    atlas_ = static_cast<gl::Texture&&>(atlas.value());
+    if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
+
+    auto program = gl::build_program(gl, {"symbology", shader_text(k_symbology_vert), shader_text(k_symbology_frag),
+                                          base::Span<const gl::AttributeBinding>(kAttributes), base::Span<const char* const>(kUniforms)});
+    if (!program.ok()) return program.error();
+    program_ = static_cast<gl::Program&&>(program.value());
+    return {};
+}
+
+std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {
+    const auto vertices = batch_.vertices();
+    const auto indices = batch_.indices();
+    if (indices.empty()) return 0;
+    if (!vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(QuadVertex)) ||
+        !indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t)))
+        return 0;
+    gl->Disable(GL_DEPTH_TEST);
+    gl->Disable(GL_CULL_FACE);
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    program_.use(gl);
+    gl->Uniform2f(program_.uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
+    gl->Uniform1i(program_.uniform(kAtlas), 0);
+    atlas_.bind(gl, 0);
+    vertices_.bind(gl);
+    indices_.bind(gl);
+    for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->EnableVertexAttribArray(attribute);
+    point_attributes(gl);
+    gl::draw_triangles(gl, {0, static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(vertices.size() - 1)});
+    for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->DisableVertexAttribArray(attribute);
+    gl->Disable(GL_BLEND);
+    return 1;
+}
+
+void QuadDrawer::destroy(gl::Gl& gl) {
+    program_.destroy(gl);
+    vertices_.destroy(gl);
+    indices_.destroy(gl);
+    atlas_.destroy(gl);
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,36 @@
+/// Draws sky and ground over the whole screen, the horizon computed for every pixel from its view ray.
+///
+/// The horizon is the geometric one: the tangent from the eye to the mean sphere, below the horizontal by the dip. Without
+/// terrain the picture is the plain blue over brown of an attitude indicator, without dip.
+///
+/// Memory    three vertices from the line `symbology_vertices`. Thread  the GL thread. Failure  start(): one sentence.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/draw/view_frame.hpp"
+#include "render_core/gl/buffer.hpp"
+#include "render_core/gl/program.hpp"
+
+namespace tedavis::draw {
+
+struct SkyInput {
+    ViewFrame view;
+    double dip_rad = 0;       ///< horizon_dip_rad(height), 0 for the plain horizon
+    bool behind_terrain = false;  ///< the ground fades into haze instead of brown at the horizon
+    design::SkySettings colors;
+};
+
+class SkyDrawer {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
+    /// Colours every pixel of the bound framebuffer; leaves depth as it is, depth test, culling and blending off.
+    void draw(gl::Gl& gl, const SkyInput& input) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    gl::Program program_;
+    gl::Buffer corners_;
+};
+
+}  // namespace tedavis::draw
