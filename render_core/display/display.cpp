@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
 
@@ -42,6 +43,7 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     settings_ = settings;
     if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
+    if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
     if (terrain != nullptr)
         if (gl::GlError error = open_terrain(*terrain); !error.sentence.empty()) return error;
     gl_.seal();
@@ -53,7 +55,7 @@ gl::GlError Display::cut_memory(base::Arena& memory) {
         std::string_view line;
         base::Arena* arena;
     } cuts[] = {{effects::kTerrainHeights, &heights_memory_}, {effects::kTerrainIndex, &index_memory_}, {effects::kTerrainChunkSlots, &slots_memory_},
-                {effects::kStaging, &staging_memory_}, {effects::kLodScratch, &lod_memory_}};
+                {effects::kStaging, &staging_memory_}, {effects::kLodScratch, &lod_memory_}, {effects::kSymbology, &symbology_memory_}};
     for (const auto& cut : cuts) {
         const base::BudgetLine* line = settings_.device.budget.find(cut.line);
         *cut.arena = memory.carve(line->bytes);
@@ -61,6 +63,13 @@ gl::GlError Display::cut_memory(base::Arena& memory) {
             return gl::make_error("the reservation does not hold the budget line '", cut.line, "'; lower the budgets in the device file");
     }
     return {};
+}
+
+gl::GlError Display::start_drawers() {
+    base::BudgetTable& budget = settings_.device.budget;
+    layout_ = draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi);
+    if (gl::GlError error = sky_drawer_.start(gl_, budget); !error.sentence.empty()) return error;
+    return quad_drawer_.start(gl_, budget, symbology_memory_, draw::kSymbologyVertices);
 }
 
 gl::GlError Display::open_terrain(base::ByteSource& terrain) {
@@ -83,7 +92,12 @@ gl::GlError Display::open_terrain(base::ByteSource& terrain) {
     return {};
 }
 
-void Display::stop() { gl_.retire(); }
+void Display::stop() {
+    gl_.retire();
+    quad_drawer_.destroy(gl_);
+    sky_drawer_.destroy(gl_);
+    terrain_drawer_.destroy(gl_);
+}
 
 void Display::set_design(const design::DesignSettings& design) {
     settings_.design = design;
@@ -131,7 +145,7 @@ void Display::begin_record(const flight::AircraftState& state, const flight::Pha
     record_.time = now;
     record_.phase = phase;
     record_.own_ship = state.own_ship;
-    record_.heading_rad = decisions_.view_heading == Signal::count_ ? 0 : state[decisions_.view_heading].value_or(0);
+    record_.heading_rad = draw::view_heading_rad(state, decisions_);
     record_.pitch_rad = state[Signal::pitch].value_or(0);
     record_.roll_rad = state[Signal::roll].value_or(0);
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state.state_of(static_cast<Signal>(n), now);
@@ -152,8 +166,7 @@ void Display::plan_view(const flight::AircraftState& state, base::Time) {
     aircraft_msl_m_ = place.height.m - (geometric ? undulation : 0);
     record_.altitude_msl_m = aircraft_msl_m_;
     const earth::EllipsoidHeight height{aircraft_msl_m_ + undulation};
-    double heading = record_.heading_rad;
-    if (decisions_.view_heading == Signal::magnetic_heading) heading += state[Signal::magnetic_variation].value_or(0);
+    const double heading = draw::view_heading_rad(state, decisions_);
     const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, heading, record_.pitch_rad, record_.roll_rad);
     const design::ViewSettings& eye = settings_.design.view;
     view_.forward = body[0];
@@ -166,6 +179,7 @@ void Display::plan_view(const flight::AircraftState& state, base::Time) {
     const double above = state[Signal::height_above_terrain].value_or(aircraft_msl_m_);
     view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
     view_.far_m = far_plane_m(aircraft_msl_m_);
+    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px, settings_.height_px, aircraft_msl_m_);
     if (free_view_active_) view_ = free_view_;
 }
 
@@ -222,11 +236,26 @@ void Display::draw(base::Surface& surface) {
         decisions_.plain_horizon = true;
         flag("terrain.failed");
     }
-    const design::Color sky = settings_.design.sky.horizon;
-    gl_->ClearColor(static_cast<float>(sky.red) / 255.0f, static_cast<float>(sky.green) / 255.0f, static_cast<float>(sky.blue) / 255.0f, 1.0f);
-    gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_->Clear(GL_DEPTH_BUFFER_BIT);
+    draw_sky();
     if (decisions_.show_terrain) draw_terrain();
+    if (!free_view_active_) draw_symbology();
     finish_record();
+}
+
+void Display::draw_sky() {
+    draw::SkyInput sky;
+    sky.view = symbology_.view;
+    sky.behind_terrain = decisions_.show_terrain;
+    sky.dip_rad = decisions_.show_terrain ? draw::horizon_dip_rad(aircraft_msl_m_) : 0;
+    sky.colors = settings_.design.sky;
+    sky_drawer_.draw(gl_, sky);
+}
+
+void Display::draw_symbology() {
+    symbology_.decisions = decisions_;
+    draw::build_symbology(quad_drawer_.batch(), symbology_, layout_);
+    quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 
 void Display::draw_terrain() {
@@ -248,7 +277,7 @@ void Display::finish_record() {
     for (EffectRecord& effect : record_.effects)
         if (effect.name.view() == "terrain") effect.draws = terrain_result_.draws;
     const base::BudgetTable& budget = settings_.device.budget;
-    record_.bytes.cpu = heights_memory_.use().in_use + index_memory_.use().in_use + slots_memory_.use().in_use + staging_memory_.use().in_use +
+    record_.bytes.cpu = symbology_memory_.use().in_use + heights_memory_.use().in_use + index_memory_.use().in_use + slots_memory_.use().in_use + staging_memory_.use().in_use +
                         lod_memory_.use().in_use;
     record_.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
     record_.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);

@@ -13,6 +13,10 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/draw/quad_drawer.hpp"
+#include "render_core/draw/sky_drawer.hpp"
+#include "render_core/draw/symbology/layout.hpp"
+#include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/gl.hpp"
@@ -61,6 +65,7 @@ public:
 
 private:
     [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
+    [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void plan_view(const flight::AircraftState& state, base::Time now);
@@ -68,16 +73,22 @@ private:
     void begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void note_effects();
     void flag(std::string_view name);
+    void draw_sky();
     void draw_terrain();
+    void draw_symbology();
     void finish_record();
 
     DisplaySettings settings_;
     gl::Gl gl_;
-    base::Arena heights_memory_, index_memory_, slots_memory_, staging_memory_, lod_memory_;
+    base::Arena heights_memory_, index_memory_, slots_memory_, staging_memory_, lod_memory_, symbology_memory_;
     terrain::TerrainDatabase database_;
     terrain::ChunkCache cache_;
     terrain::HeightQuery heights_;
     draw::TerrainDrawer terrain_drawer_;
+    draw::SkyDrawer sky_drawer_;
+    draw::QuadDrawer quad_drawer_;
+    draw::Layout layout_;
+    draw::SymbologyInput symbology_;
     bool has_terrain_ = false;
     bool terrain_failed_ = false;
 

@@ -96,6 +96,14 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& dat
     return {};
 }
 
+void TerrainDrawer::destroy(gl::Gl& gl) {
+    plain_.destroy(gl);
+    banded_.destroy(gl);
+    palette_.destroy(gl);
+    indices_.destroy(gl);
+    vertices_.destroy(gl);
+}
+
 void TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
     design_ = design;
     const design::HeightPalette& stops = design.terrain.palette;

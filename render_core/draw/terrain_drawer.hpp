@@ -44,6 +44,7 @@ public:
     [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, std::uint64_t frame);
     /// Draws what prepare() made ready, into the bound framebuffer with depth test and culling as the caller set them.
     [[nodiscard]] TerrainDrawResult draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input);
+    void destroy(gl::Gl& gl);
     [[nodiscard]] const terrain::TdbFailure& failure() const { return cache_->failure(); }
 
 private:
