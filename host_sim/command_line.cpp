@@ -47,7 +47,8 @@ struct CommandLine {
     std::function<int(Console&)> run;
 };
 
-CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose, std::function<int(Console&)> run) {
+CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
+                      std::function<int(Console&)> run) {
     CLI::App* command = parent.add_subcommand(name, purpose);
     command->add_flag("--json", line.json, "machine-readable result on stdout");
     command->callback([&line, run = std::move(run)] { line.run = run; });
@@ -56,7 +57,8 @@ CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& na
 
 template <class T>
 CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
-    return command->add_option_function<T>(name, [&target](const T& value) { target = value; }, help);
+    return command->add_option_function<T>(
+        name, [&target](const T& value) { target = value; }, help);
 }
 
 PictureSize size_from(const std::string& text) {
@@ -72,18 +74,19 @@ PictureSize size_from(const std::string& text) {
 ShotPose pose_from(const std::string& text) {
     ShotPose pose;
     char rest = 0;
-    const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%c", &pose.latitude_deg, &pose.longitude_deg, &pose.altitude_msl_m,
-                                 &pose.heading_deg, &pose.pitch_deg, &pose.roll_deg, &rest);
+    const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%c", &pose.latitude_deg, &pose.longitude_deg,
+                                 &pose.altitude_msl_m, &pose.heading_deg, &pose.pitch_deg, &pose.roll_deg, &rest);
     // Written so that NaN is refused as well.
     const bool sane = read == 6 && std::abs(pose.latitude_deg) <= 90 && std::abs(pose.longitude_deg) <= 360 &&
-                      std::abs(pose.altitude_msl_m) <= 100'000 && std::abs(pose.heading_deg) <= 360 && std::abs(pose.pitch_deg) <= 90 &&
-                      std::abs(pose.roll_deg) <= 180;
+                      std::abs(pose.altitude_msl_m) <= 100'000 && std::abs(pose.heading_deg) <= 360 &&
+                      std::abs(pose.pitch_deg) <= 90 && std::abs(pose.roll_deg) <= 180;
     if (!sane) throw UserError("--pose " + text + ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level");
     return pose;
 }
 
 std::string phase_from(const std::string& name) {
-    if (!flight::phase_from_name(name).ok) throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
+    if (!flight::phase_from_name(name).ok)
+        throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
     return name;
 }
 
@@ -93,23 +96,29 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_option("--scene", picture.scene, "scene database (.sdb)");
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
-    command->add_option_function<std::string>("--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
-    command->add_option("--gl", picture.gl, "egl or osmesa")->transform(CLI::CheckedTransformer(kGl).description(""))->default_str("egl");
+    command->add_option_function<std::string>(
+        "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
+    command->add_option("--gl", picture.gl, "egl or osmesa")
+        ->transform(CLI::CheckedTransformer(kGl).description(""))
+        ->default_str("egl");
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(CLI::PositiveNumber);
-    add_optional(command, "--deadline", picture.deadline_ms, "milliseconds a frame may take; default: off")->check(CLI::PositiveNumber);
+    add_optional(command, "--deadline", picture.deadline_ms, "milliseconds a frame may take; default: off")
+        ->check(CLI::PositiveNumber);
     command->add_option("--costs", picture.costs, "measured costs of the machine");
     command->add_flag("--force-effects", picture.force_effects, "run every effect that the device can, needed or not");
 }
 
 void add_convert(CLI::App& app, CommandLine& line) {
     ConvertOptions& o = line.convert;
-    CLI::App* command = add_command(app, line, "convert", "recorded flight (IGC, GPX, ADS-B JSON, CSV) to a candump log of CANaerospace frames",
-                                    [&o](Console& console) { return run_convert(o, console); });
+    CLI::App* command =
+        add_command(app, line, "convert", "recorded flight (IGC, GPX, ADS-B JSON, CSV) to a candump log of CANaerospace frames",
+                    [&o](Console& console) { return run_convert(o, console); });
     command->add_option("FLIGHT", o.flight, "the recording; may be gzip-compressed")->required();
     command->add_option("-o", o.output, "the log to write")->required();
     command->add_option("--aircraft", o.aircraft, "identity or callsign where the file holds several");
     add_optional(command, "--qnh", o.qnh_hpa, "QNH in hPa: barometric altitudes become altitudes above sea level");
-    command->add_flag("--assume-geometric", o.assume_geometric, "without GNSS heights, take barometric altitudes for heights above sea level");
+    command->add_flag("--assume-geometric", o.assume_geometric,
+                      "without GNSS heights, take barometric altitudes for heights above sea level");
 }
 
 void add_scenario(CLI::App& app, CommandLine& line) {
@@ -126,29 +135,36 @@ void add_scenario(CLI::App& app, CommandLine& line) {
 void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
     command->add_option("--crs", o.crs, "coordinate system of the rasters where they do not state it, such as EPSG:4326");
     command->add_option("--bounds", o.bounds, "W,S,E,N in degrees");
-    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid")->check(CLI::IsMember({"egm96", "ellipsoid"}))->capture_default_str();
+    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid")
+        ->check(CLI::IsMember({"egm96", "ellipsoid"}))
+        ->capture_default_str();
     add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
-    command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(CLI::NonNegativeNumber);
+    command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")
+        ->check(CLI::NonNegativeNumber);
 }
 
 void add_terrain(CLI::App& app, CommandLine& line) {
     CLI::App* group = app.add_subcommand("terrain", "terrain databases");
     group->require_subcommand(1);
     TerrainBuildOptions& b = line.terrain_build;
-    CLI::App* build = add_command(*group, line, "build", "rasters to a database with error proof", [&b](Console& console) { return run_terrain_build(b, console); });
+    CLI::App* build = add_command(*group, line, "build", "rasters to a database with error proof",
+                                  [&b](Console& console) { return run_terrain_build(b, console); });
     build->add_option("DEM", b.rasters, "any raster that GDAL reads")->required();
     build->add_option("-o", b.output, "the database to write (.tdb)")->required();
     add_raster_options(build, b);
     TerrainCheckOptions& c = line.terrain_check;
-    CLI::App* check = add_command(*group, line, "check", "every chunk against the rasters again", [&c](Console& console) { return run_terrain_check(c, console); });
+    CLI::App* check = add_command(*group, line, "check", "every chunk against the rasters again",
+                                  [&c](Console& console) { return run_terrain_check(c, console); });
     check->add_option("DATABASE", c.database, "database (.tdb)")->required();
     check->add_option("DEM", c.build.rasters, "the rasters it was built from")->required();
     add_raster_options(check, c.build);
     TerrainInfoOptions& i = line.terrain_info;
-    CLI::App* info = add_command(*group, line, "info", "what a database holds", [&i](Console& console) { return run_terrain_info(i, console); });
+    CLI::App* info = add_command(*group, line, "info", "what a database holds",
+                                 [&i](Console& console) { return run_terrain_info(i, console); });
     info->add_option("DATABASE", i.database, "database (.tdb)")->required();
     TerrainFractalOptions& f = line.terrain_fractal;
-    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size", [&f](Console& console) { return run_terrain_fractal(f, console); });
+    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size",
+                                    [&f](Console& console) { return run_terrain_fractal(f, console); });
     fractal->add_option("--size", f.size, "posts a side")->capture_default_str();
     fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->capture_default_str();
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
@@ -156,33 +172,42 @@ void add_terrain(CLI::App& app, CommandLine& line) {
 
 void add_shot(CLI::App& app, CommandLine& line) {
     ShotOptions& o = line.shot;
-    CLI::App* command = add_command(app, line, "shot", "one picture and its record", [&o](Console& console) { return run_shot(o, console); });
-    command->add_option_function<std::string>("--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")->required();
-    command->add_option_function<std::string>("--phase", [&o](const std::string& text) { o.phase = phase_from(text); }, "flight phase; default: unknown");
+    CLI::App* command =
+        add_command(app, line, "shot", "one picture and its record", [&o](Console& console) { return run_shot(o, console); });
+    command
+        ->add_option_function<std::string>(
+            "--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")
+        ->required();
+    command->add_option_function<std::string>(
+        "--phase", [&o](const std::string& text) { o.phase = phase_from(text); }, "flight phase; default: unknown");
     command->add_option("-o", o.output, "the picture to write (.png)")->required();
     add_picture_options(command, o.picture);
 }
 
 void add_replay(CLI::App& app, CommandLine& line) {
     ReplayOptions& o = line.replay;
-    CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report", [&line](Console& console) {
-        if (!line.replay_config.empty()) {
-            const std::string output = line.replay.output;
-            line.replay = load_replay_config(line.replay_config);
-            line.replay.output = output;
-        }
-        if (line.replay.log.empty()) throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
-        return run_replay(line.replay, console);
-    });
+    CLI::App* command = add_command(
+        app, line, "replay", "recorded bus through the core: frames, records and a report", [&line](Console& console) {
+            if (!line.replay_config.empty()) {
+                const std::string output = line.replay.output;
+                line.replay = load_replay_config(line.replay_config);
+                line.replay.output = output;
+            }
+            if (line.replay.log.empty())
+                throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
+            return run_replay(line.replay, console);
+        });
     command->add_option("LOG", o.log, "candump log");
-    command->add_option("--config", line.replay_config, "a file that --save-config wrote; only -o is added to it")->excludes("LOG");
+    command->add_option("--config", line.replay_config, "a file that --save-config wrote; only -o is added to it")
+        ->excludes("LOG");
     command->add_option("-o", o.output, "folder to write to")->required();
     command->add_option("--switches", o.switches, "switch log");
     command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
     add_optional(command, "--from", o.from_s, "seconds since the log's first frame");
     add_optional(command, "--to", o.to_s, "seconds since the log's first frame");
     add_optional(command, "--step", o.step_s, "seconds between frames, negative to go backwards; default: the device's rate");
-    const std::map<std::string, FrameOutput> outputs{{"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
+    const std::map<std::string, FrameOutput> outputs{
+        {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
     command->add_option("--frames", o.frames, "png, hash or none; default: png")->transform(CLI::CheckedTransformer(outputs));
     command->add_option("--save-config", o.save_config, "writes data, design and parameters of this replay to a file");
     add_picture_options(command, o.picture);
@@ -190,11 +215,13 @@ void add_replay(CLI::App& app, CommandLine& line) {
 
 void add_comparisons(CLI::App& app, CommandLine& line) {
     DiffOptions& d = line.diff;
-    CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ", [&d](Console& console) { return run_diff(d, console); });
+    CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ",
+                                 [&d](Console& console) { return run_diff(d, console); });
     diff->add_option("RUN_A", d.run_a, "folder that replay wrote")->required();
     diff->add_option("RUN_B", d.run_b, "another one")->required();
     CheckOptions& c = line.check;
-    CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs", [&c](Console& console) { return run_check(c, console); });
+    CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs",
+                                  [&c](Console& console) { return run_check(c, console); });
     check->add_option("FILE", c.files, "any file that the programs read")->required();
 }
 

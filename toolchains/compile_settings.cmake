@@ -14,7 +14,8 @@ target_include_directories(tedavis_settings INTERFACE ${CMAKE_SOURCE_DIR} ${CMAK
 target_compile_options(tedavis_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                        -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Werror=return-type)
 if(TEDAVIS_SANITIZE)
-  target_compile_options(tedavis_settings INTERFACE -fsanitize=${TEDAVIS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # The vptr check needs run-time type information, which flight code does not have.
+  target_compile_options(tedavis_settings INTERFACE -fsanitize=${TEDAVIS_SANITIZE} -fno-sanitize=vptr -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(tedavis_settings INTERFACE -fsanitize=${TEDAVIS_SANITIZE})
 endif()
 

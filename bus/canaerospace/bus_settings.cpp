@@ -45,13 +45,16 @@ void read_dialect(ConfigSection section, BusDialect& dialect) {
 }
 
 void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
-    phase.status_identifier = static_cast<std::uint16_t>(section.integer("status_identifier", 200, 1999, phase.status_identifier));
-    phase.request_identifier = static_cast<std::uint16_t>(section.integer("request_identifier", 200, 1999, phase.request_identifier));
+    phase.status_identifier =
+        static_cast<std::uint16_t>(section.integer("status_identifier", 200, 1999, phase.status_identifier));
+    phase.request_identifier =
+        static_cast<std::uint16_t>(section.integer("request_identifier", 200, 1999, phase.request_identifier));
     if (phase.request_identifier == phase.status_identifier)
         section.fault("request_identifier", "'request_identifier' equals 'status_identifier'; give each its own");
     for (const std::string_view key : {"status_identifier", "request_identifier"}) {
         const std::uint16_t identifier = key[0] == 's' ? phase.status_identifier : phase.request_identifier;
-        if (identifier_index(identifier) != kNotInTable) section.fault(key, "this identifier has a meaning in the standard; choose another");
+        if (identifier_index(identifier) != kNotInTable)
+            section.fault(key, "this identifier has a meaning in the standard; choose another");
     }
     read_duration(section, "timeout_s", 0.1, 60.0, phase.timeout);
 }
@@ -96,13 +99,23 @@ void read_freshness(ConfigSection section, BusSettings& settings) {
 base::FreshnessLimits default_limits(flight::Signal signal) noexcept {
     using flight::Signal;
     switch (signal) {
-        case Signal::pitch: case Signal::roll: case Signal::true_heading: case Signal::magnetic_heading:
-        case Signal::pitch_rate: case Signal::roll_rate: case Signal::yaw_rate: case Signal::sideslip:
-        case Signal::longitudinal_acceleration: case Signal::lateral_acceleration: case Signal::normal_acceleration:
-            return {Duration::milliseconds(300), Duration::seconds(1)};
-        case Signal::horizontal_accuracy: case Signal::vertical_accuracy: case Signal::wind_speed: case Signal::wind_direction:
-        case Signal::outside_temperature: case Signal::baro_setting:
-            return {Duration::seconds(10), Duration::seconds(30)};
+        case Signal::pitch:
+        case Signal::roll:
+        case Signal::true_heading:
+        case Signal::magnetic_heading:
+        case Signal::pitch_rate:
+        case Signal::roll_rate:
+        case Signal::yaw_rate:
+        case Signal::sideslip:
+        case Signal::longitudinal_acceleration:
+        case Signal::lateral_acceleration:
+        case Signal::normal_acceleration: return {Duration::milliseconds(300), Duration::seconds(1)};
+        case Signal::horizontal_accuracy:
+        case Signal::vertical_accuracy:
+        case Signal::wind_speed:
+        case Signal::wind_direction:
+        case Signal::outside_temperature:
+        case Signal::baro_setting: return {Duration::seconds(10), Duration::seconds(30)};
         case Signal::magnetic_variation: return {Duration::seconds(60), Duration::seconds(600)};
         default: return {Duration::seconds(1), Duration::seconds(3)};
     }

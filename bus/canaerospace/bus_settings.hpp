@@ -27,16 +27,16 @@ enum class VariationSign : std::uint8_t { east_positive, west_positive };
 enum class ServiceCodeMeaning : std::uint8_t { invalid, ignored };
 
 struct BusDialect {
-    bool accept_long_position = true;     ///< LONG on 1036/1037 is 1e-7 degrees
-    AccelerationUnit acceleration = AccelerationUnit::g;                      ///< 300..302
-    PressureUnit pressure = PressureUnit::hpa;                                ///< 319, 325, 326
-    HeadingReference heading = HeadingReference::true_north;                  ///< of 321
-    WindDirection wind = WindDirection::from;                                 ///< 334
-    VariationSign variation = VariationSign::east_positive;                   ///< 1121
+    bool accept_long_position = true;                         ///< LONG on 1036/1037 is 1e-7 degrees
+    AccelerationUnit acceleration = AccelerationUnit::g;      ///< 300..302
+    PressureUnit pressure = PressureUnit::hpa;                ///< 319, 325, 326
+    HeadingReference heading = HeadingReference::true_north;  ///< of 321
+    WindDirection wind = WindDirection::from;                 ///< 334
+    VariationSign variation = VariationSign::east_positive;   ///< 1121
     ServiceCodeMeaning service_code = ServiceCodeMeaning::invalid;
-    bool month_from_zero = false;         ///< 1206: January is 0
-    bool glider_identifiers = false;      ///< know 340..350, 354, 1134, ... of a common glider profile
-    std::uint8_t redundancy_channels = 2; ///< 1..kMaxRedundancyChannels; higher channels are other traffic
+    bool month_from_zero = false;          ///< 1206: January is 0
+    bool glider_identifiers = false;       ///< know 340..350, 354, 1134, ... of a common glider profile
+    std::uint8_t redundancy_channels = 2;  ///< 1..kMaxRedundancyChannels; higher channels are other traffic
     base::Duration pair_window = base::Duration::milliseconds(20);  ///< between the halves of a DOUBLE
     base::Duration sender_timeout = base::Duration::seconds(2);     ///< after this silence any message code is accepted
 };
@@ -58,10 +58,10 @@ struct NodeSettings {
 struct OwnShipSettings {
     base::Duration extrapolation_limit = base::Duration::milliseconds(250);
     base::Duration lost_after = base::Duration::seconds(2);
-    double position_noise_m = 1.0;      ///< standard deviation, where no figure of merit is received
+    double position_noise_m = 1.0;  ///< standard deviation, where no figure of merit is received
     double height_noise_m = 2.0;
     double velocity_noise_mps = 0.1;
-    double acceleration_mps2 = 8.0;     ///< standard deviation of what the constant-velocity model leaves out
+    double acceleration_mps2 = 8.0;  ///< standard deviation of what the constant-velocity model leaves out
 };
 
 struct BusSettings {

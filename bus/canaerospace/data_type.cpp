@@ -108,9 +108,15 @@ double number_of(const TypedValue& value) noexcept {
     switch (value.type) {
         case DataType::float32: return static_cast<double>(value.real);
         case DataType::short16x2: return static_cast<double>(value.parts[0]) * static_cast<double>(value.parts[1]) / kShort2Scale;
-        case DataType::long32: case DataType::ulong32: case DataType::blong32:
-        case DataType::short16: case DataType::ushort16: case DataType::bshort16:
-        case DataType::char8: case DataType::uchar8: case DataType::bchar8: return static_cast<double>(value.parts[0]);
+        case DataType::long32:
+        case DataType::ulong32:
+        case DataType::blong32:
+        case DataType::short16:
+        case DataType::ushort16:
+        case DataType::bshort16:
+        case DataType::char8:
+        case DataType::uchar8:
+        case DataType::bchar8: return static_cast<double>(value.parts[0]);
         default: return std::numeric_limits<double>::quiet_NaN();
     }
 }

@@ -25,7 +25,8 @@ IdentificationAnswer answer_identification(const CanFrame& request, const NodeSe
     set_message_id(answer.frame, kResponse, 0);
     write_header(answer.frame, {node.node, static_cast<std::uint8_t>(DataType::uchar8x4), 0, asked.message_code});
     const TypedValue identity{DataType::uchar8x4, 4, 0, {node.hardware_revision, node.software_revision, 0, 0}};
-    answer.frame.length = static_cast<std::uint8_t>(kMessageHeaderBytes + encode_value(identity, answer.frame.data.data() + kMessageHeaderBytes));
+    answer.frame.length =
+        static_cast<std::uint8_t>(kMessageHeaderBytes + encode_value(identity, answer.frame.data.data() + kMessageHeaderBytes));
     return answer;
 }
 

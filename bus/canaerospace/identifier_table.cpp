@@ -12,7 +12,8 @@ using base::kPi;
 using flight::Signal;
 
 constexpr std::uint32_t kAnalogue = type_bit(DataType::float32) | type_bit(DataType::short16x2);
-constexpr std::uint32_t kPosition = kAnalogue | type_bit(DataType::double_high) | type_bit(DataType::double_low) | type_bit(DataType::long32);
+constexpr std::uint32_t kPosition =
+    kAnalogue | type_bit(DataType::double_high) | type_bit(DataType::double_low) | type_bit(DataType::long32);
 constexpr std::uint32_t kUnsigned = type_bit(DataType::ulong32) | type_bit(DataType::ushort16);
 constexpr std::uint32_t kBits = type_bit(DataType::blong32) | type_bit(DataType::bshort16);
 constexpr std::uint32_t kClock = type_bit(DataType::char8x4) | type_bit(DataType::uchar8x4) | type_bit(DataType::uchar8x3);
@@ -20,8 +21,10 @@ constexpr std::uint32_t kAnyNumber = kAnalogue | kUnsigned | type_bit(DataType::
                                      type_bit(DataType::char8) | type_bit(DataType::uchar8);
 
 constexpr IdentifierEntry kTable[] = {
-    {300, "body longitudinal acceleration", BusUnit::acceleration, kAnalogue, Signal::longitudinal_acceleration, 0, false, false, -150, 150},
-    {301, "body lateral acceleration", BusUnit::acceleration, kAnalogue, Signal::lateral_acceleration, 0, false, false, -150, 150},
+    {300, "body longitudinal acceleration", BusUnit::acceleration, kAnalogue, Signal::longitudinal_acceleration, 0, false, false,
+     -150, 150},
+    {301, "body lateral acceleration", BusUnit::acceleration, kAnalogue, Signal::lateral_acceleration, 0, false, false, -150,
+     150},
     {302, "body normal acceleration", BusUnit::acceleration, kAnalogue, Signal::normal_acceleration, 0, false, false, -150, 150},
     {303, "body pitch rate", BusUnit::degree_per_second, kAnalogue, Signal::pitch_rate, 0, false, false, -10, 10},
     {304, "body roll rate", BusUnit::degree_per_second, kAnalogue, Signal::roll_rate, 0, false, false, -10, 10},
@@ -78,7 +81,8 @@ constexpr IdentifierEntry kTable[] = {
     {1044, "GPS glideslope deviation", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, -100000.0, 100000.0},
     {1045, "GPS predicted RAIM", BusUnit::none, kUnsigned, Signal::count_, 0, false, false, 0, 4294967295},
     {1046, "GPS vertical figure of merit", BusUnit::metre, kAnalogue, Signal::vertical_accuracy, 0, false, false, 0, 100000.0},
-    {1047, "GPS horizontal figure of merit", BusUnit::metre, kAnalogue, Signal::horizontal_accuracy, 0, false, false, 0, 100000.0},
+    {1047, "GPS horizontal figure of merit", BusUnit::metre, kAnalogue, Signal::horizontal_accuracy, 0, false, false, 0,
+     100000.0},
     {1048, "GPS mode of operation", BusUnit::none, type_bit(DataType::short16), Signal::count_, 0, false, false, -32768, 32767},
     {1049, "INS latitude", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi / 2, kPi / 2},
     {1050, "INS longitude", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
@@ -107,7 +111,8 @@ constexpr IdentifierEntry kTable[] = {
     {1121, "magnetic variation", BusUnit::degree, kAnalogue, Signal::magnetic_variation, 0, false, false, -kPi, kPi},
     {1122, "selected glidepath angle", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi / 2, kPi / 2},
     {1123, "selected runway heading", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
-    {1124, "computed vertical velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 1, false, false, -300, 300},
+    {1124, "computed vertical velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 1, false, false, -300,
+     300},
     {1125, "selected course", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
     {1130, "true east velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
     {1131, "true north velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
@@ -139,15 +144,18 @@ double unit_factor(BusUnit unit, const BusDialect& dialect) {
     switch (unit) {
         case BusUnit::acceleration: return dialect.acceleration == AccelerationUnit::g ? base::kStandardGravity : 1.0;
         case BusUnit::pressure: return dialect.pressure == PressureUnit::hpa ? base::kPascalsPerHectopascal : 1.0;
-        case BusUnit::degree: case BusUnit::degree_per_second: return base::kRadiansPerDegree;
+        case BusUnit::degree:
+        case BusUnit::degree_per_second: return base::kRadiansPerDegree;
         default: return 1.0;
     }
 }
 
 AngleRange range_of(Signal signal) {
     switch (signal) {
-        case Signal::true_heading: case Signal::magnetic_heading: case Signal::true_track: case Signal::wind_direction:
-            return AngleRange::heading;
+        case Signal::true_heading:
+        case Signal::magnetic_heading:
+        case Signal::true_track:
+        case Signal::wind_direction: return AngleRange::heading;
         case Signal::longitude: return AngleRange::longitude;
         default: return AngleRange::as_is;
     }
@@ -183,9 +191,11 @@ SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noex
     binding.signal = entry.signal;
     binding.rank = entry.rank;
     binding.factor = unit_factor(entry.unit, dialect);
-    if (entry.identifier == kHeadingAngle && dialect.heading == HeadingReference::magnetic) binding.signal = Signal::magnetic_heading;
+    if (entry.identifier == kHeadingAngle && dialect.heading == HeadingReference::magnetic)
+        binding.signal = Signal::magnetic_heading;
     if (entry.identifier == kWindDirection && dialect.wind == WindDirection::to) binding.offset = kPi;
-    if (entry.identifier == kMagneticVariation && dialect.variation == VariationSign::west_positive) binding.factor = -binding.factor;
+    if (entry.identifier == kMagneticVariation && dialect.variation == VariationSign::west_positive)
+        binding.factor = -binding.factor;
     binding.range = range_of(binding.signal);
     return binding;
 }

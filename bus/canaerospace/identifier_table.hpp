@@ -17,7 +17,17 @@ namespace tedavis::bus {
 
 /// The unit on the bus.
 enum class BusUnit : std::uint8_t {
-    none, acceleration, degree, degree_per_second, metre, metre_per_second, kelvin, pressure, bits, time_of_day, date,
+    none,
+    acceleration,
+    degree,
+    degree_per_second,
+    metre,
+    metre_per_second,
+    kelvin,
+    pressure,
+    bits,
+    time_of_day,
+    date,
 };
 /// "deg", "m/s", ...; as the standard states it, whatever the dialect says.
 [[nodiscard]] const char* to_string(BusUnit unit) noexcept;
@@ -46,7 +56,9 @@ inline constexpr std::uint16_t kNotInTable = 0xFFFF;
 enum class AngleRange : std::uint8_t { as_is, heading, longitude };
 
 /// Latitudes and longitudes: they may come as a pair of DOUBLE halves, and in one dialect as LONG in 1e-7 degrees.
-[[nodiscard]] constexpr bool is_position(const IdentifierEntry& entry) { return (entry.types & type_bit(DataType::double_high)) != 0; }
+[[nodiscard]] constexpr bool is_position(const IdentifierEntry& entry) {
+    return (entry.types & type_bit(DataType::double_high)) != 0;
+}
 inline constexpr double kDegreesPerLongUnit = 1e-7;
 
 /// How this bus's dialect turns an entry's number into the core's value: SI = number * factor + offset, then wrapped.

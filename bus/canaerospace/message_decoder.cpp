@@ -30,7 +30,8 @@ MessageDecoder::MessageDecoder(const BusSettings& settings) : dialect_(settings.
 DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
     DecodedMessage message;
     const MessageId id = message_id(frame.id, frame.extended);
-    if (frame.kind == FrameKind::data && frame.length >= kMessageHeaderBytes && id.valid && id.channel < dialect_.redundancy_channels) {
+    if (frame.kind == FrameKind::data && frame.length >= kMessageHeaderBytes && id.valid &&
+        id.channel < dialect_.redundancy_channels) {
         const std::uint16_t index = identifier_index(id.identifier);
         if (id.identifier == phase_.status_identifier || id.identifier == phase_.request_identifier) {
             const bool request = id.identifier == phase_.request_identifier;
@@ -55,8 +56,10 @@ DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id,
     TypedValue value;
     const std::size_t payload = frame.length - kMessageHeaderBytes;
     const std::uint8_t type = message.header.data_type;
-    if (!decode_value(type, frame.data.data() + kMessageHeaderBytes, payload, value) || (types & type_bit(value.type)) == 0) return message;
-    if (value.type == DataType::long32 && !dialect_.accept_long_position && (types & type_bit(DataType::double_high)) != 0) return message;
+    if (!decode_value(type, frame.data.data() + kMessageHeaderBytes, payload, value) || (types & type_bit(value.type)) == 0)
+        return message;
+    if (value.type == DataType::long32 && !dialect_.accept_long_position && (types & type_bit(DataType::double_high)) != 0)
+        return message;
     if (payload > type_layout(type).bytes) ++counts_.padded;
     Sender& sender = senders_[place][id.channel];
     if (!follows(sender, message.header, frame.time, message)) {
@@ -191,7 +194,8 @@ bool MessageDecoder::step_on(Sender& sender, std::uint8_t code, bool& restarted)
 }
 
 /// True with the number when this half completes a pair; otherwise it waits for the other.
-bool MessageDecoder::join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits, double& number) {
+bool MessageDecoder::join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits,
+                                 double& number) {
     const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(header.message_code - sender.half_code));
     const bool adjacent = sender.half_type != 0 && sender.half_type != header.data_type && (step == 1 || !sender.numbered);
     const base::Duration apart = time - sender.half_time;

@@ -22,13 +22,15 @@
 namespace tedavis::bus {
 
 enum class MessageKind : std::uint8_t {
-    alien,      ///< not CANaerospace, or nothing this display knows
-    repeated,   ///< duplicate or older message
-    half,       ///< first half of a DOUBLE
-    known,      ///< in the table, without a signal of the core; value decoded
+    alien,     ///< not CANaerospace, or nothing this display knows
+    repeated,  ///< duplicate or older message
+    half,      ///< first half of a DOUBLE
+    known,     ///< in the table, without a signal of the core; value decoded
     signal,
-    phase, phase_request,
-    utc, date,
+    phase,
+    phase_request,
+    utc,
+    date,
     identification_request,
 };
 
@@ -37,15 +39,15 @@ struct DecodedMessage {
     MessageHeader header;
     std::uint16_t identifier = 0;
     std::uint8_t channel = 0;
-    bool restarted = false;     ///< first message of a sender after start, silence or restart
-    bool numbered = true;       ///< false: the message code says nothing
-    bool healthy = true;        ///< false: the sender says invalid, or the value is implausible (then `value` is not set)
+    bool restarted = false;  ///< first message of a sender after start, silence or restart
+    bool numbered = true;    ///< false: the message code says nothing
+    bool healthy = true;     ///< false: the sender says invalid, or the value is implausible (then `value` is not set)
     flight::Signal signal = flight::Signal::count_;
     std::uint8_t rank = 0;
-    double value = 0;           ///< SI
-    flight::FlightPhase phase;  ///< of phase messages
-    std::uint8_t phase_origin = 0;  ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
-    std::uint8_t confidence = 255;  ///< percent, 255 not stated
+    double value = 0;                     ///< SI
+    flight::FlightPhase phase;            ///< of phase messages
+    std::uint8_t phase_origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
+    std::uint8_t confidence = 255;        ///< percent, 255 not stated
     std::array<std::uint8_t, 4> clock{};  ///< utc: h, m, s, 0; date: day, month 1..12, year / 100, year % 100
 };
 
@@ -53,7 +55,7 @@ struct DecoderCounts {
     std::uint64_t decoded = 0;
     std::uint64_t alien = 0;
     std::uint64_t repeated = 0;
-    std::uint64_t lost = 0;          ///< messages missing by message code
+    std::uint64_t lost = 0;  ///< messages missing by message code
     std::uint64_t restarts = 0;
     std::uint64_t padded = 0;
     std::uint64_t halves_dropped = 0;
@@ -92,7 +94,8 @@ private:
     void finish_number(double number, std::size_t place, DecodedMessage& message);
     [[nodiscard]] bool follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message);
     [[nodiscard]] bool step_on(Sender& sender, std::uint8_t code, bool& restarted);
-    [[nodiscard]] bool join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits, double& number);
+    [[nodiscard]] bool join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits,
+                                   double& number);
     [[nodiscard]] bool status_invalid(std::uint8_t service_code) const;
 
     BusDialect dialect_;

@@ -31,16 +31,17 @@ public:
     std::size_t encode_phase(flight::FlightPhase phase, PhaseOrigin origin, std::uint8_t confidence, bool valid, base::Time time,
                              base::Span<CanFrame> out);
     std::size_t encode_phase_request(flight::FlightPhase phase, base::Time time, base::Span<CanFrame> out);
-    std::size_t encode_utc(std::uint8_t hour, std::uint8_t minute, std::uint8_t second, base::Time time, base::Span<CanFrame> out);
+    std::size_t encode_utc(std::uint8_t hour, std::uint8_t minute, std::uint8_t second, base::Time time,
+                           base::Span<CanFrame> out);
     /// `month` 1..12.
     std::size_t encode_date(std::uint8_t day, std::uint8_t month, std::uint16_t year, base::Time time, base::Span<CanFrame> out);
 
 private:
     static constexpr std::size_t kIdentifiers = 2048;
-    std::size_t put(std::uint16_t identifier, const TypedValue& value, base::Time time, base::Span<CanFrame> out, std::uint8_t channel,
-                    std::uint8_t service_code);
-    std::size_t encode_double(std::uint16_t identifier, double number, base::Time time, base::Span<CanFrame> out, std::uint8_t channel,
-                              std::uint8_t service_code);
+    std::size_t put(std::uint16_t identifier, const TypedValue& value, base::Time time, base::Span<CanFrame> out,
+                    std::uint8_t channel, std::uint8_t service_code);
+    std::size_t encode_double(std::uint16_t identifier, double number, base::Time time, base::Span<CanFrame> out,
+                              std::uint8_t channel, std::uint8_t service_code);
 
     BusSettings settings_;
     std::uint8_t node_;

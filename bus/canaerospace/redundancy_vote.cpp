@@ -16,7 +16,8 @@ int demerits(const base::Stamped<double>& candidate, base::Time now, const base:
 
 }  // namespace
 
-std::size_t vote(base::Span<const base::Stamped<double>> candidates, base::Time now, const base::FreshnessLimits& limits) noexcept {
+std::size_t vote(base::Span<const base::Stamped<double>> candidates, base::Time now,
+                 const base::FreshnessLimits& limits) noexcept {
     std::size_t best = 0;
     int best_demerits = 6;
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -9,8 +9,7 @@ namespace {
 
 constexpr std::uint8_t kNoDigit = 0xFF;
 constexpr std::uint32_t kErrorFrameBit = 0x20000000u;
-constexpr std::int64_t kMaxSeconds = 9'223'372'035;  // the last whole second that int64 nanoseconds hold
-constexpr std::size_t kMaxInterfaceName = 15;        // IFNAMSIZ without its zero
+constexpr std::size_t kMaxInterfaceName = 15;  // IFNAMSIZ without its zero
 
 constexpr std::array<std::uint8_t, 256> make_hex_digits() {
     std::array<std::uint8_t, 256> digits{};
@@ -60,7 +59,9 @@ std::size_t take_decimal(Cursor& cursor, std::size_t limit, std::int64_t& value)
 bool take_time(Cursor& cursor, base::Time& time) {
     std::int64_t seconds = 0;
     std::int64_t fraction = 0;
-    if (!cursor.take('(') || take_decimal(cursor, 11, seconds) == 0 || seconds > kMaxSeconds || !cursor.take('.')) return false;
+    if (!cursor.take('(') || take_decimal(cursor, 11, seconds) == 0 || seconds >= kLatestStamp.ns / 1'000'000'000 ||
+        !cursor.take('.'))
+        return false;
     const std::size_t digits = take_decimal(cursor, 9, fraction);
     if ((digits != 6 && digits != 9) || !cursor.take(')')) return false;
     time.ns = seconds * 1'000'000'000 + (digits == 6 ? fraction * 1000 : fraction);

@@ -26,10 +26,23 @@ enum class LineKind : std::uint8_t {
 };
 
 enum class LineFault : std::uint8_t {
-    none, time_stamp, interface_name, identifier, data, length, fd_flags, raw_length_code, can_xl, trailing_text, too_long,
+    none,
+    time_stamp,
+    interface_name,
+    identifier,
+    data,
+    length,
+    fd_flags,
+    raw_length_code,
+    can_xl,
+    trailing_text,
+    too_long,
 };
 /// What is wrong, as the end of a sentence: "the time stamp is not (seconds.6 or 9 digits)".
 [[nodiscard]] const char* describe(LineFault fault) noexcept;
+
+/// Later stamps are refused (year 2255): sums of times and durations then never leave int64.
+inline constexpr base::Time kLatestStamp{9'000'000'000'000'000'000};
 
 struct CandumpLine {
     LineKind kind = LineKind::malformed;
@@ -50,7 +63,7 @@ inline constexpr std::size_t kMaxCandumpLine = 256;
 /// Writes the line with a newline at its end and returns its length; 0 when `out` is shorter than kMaxCandumpLine, the
 /// time is negative or the interface name is not 1..15 characters. With `direction` the suffix ` R` or ` T` is added.
 /// Micro stamps cut the digits below the microsecond, as candump does.
-[[nodiscard]] std::size_t format_candump_line(const CanFrame& frame, std::string_view interface_name, StampDigits digits, bool direction,
-                                              base::Span<char> out) noexcept;
+[[nodiscard]] std::size_t format_candump_line(const CanFrame& frame, std::string_view interface_name, StampDigits digits,
+                                              bool direction, base::Span<char> out) noexcept;
 
 }  // namespace tedavis::bus

@@ -6,6 +6,9 @@ namespace {
 constexpr base::Duration kStepBack = base::Duration::seconds(1);
 constexpr base::Duration kLeapAhead = base::Duration::seconds(4);
 
+/// `shift` is never negative; a log whose clock was set back again and again cannot carry time past the latest stamp.
+base::Time shifted(base::Time stamp, base::Duration shift) { return shift < kLatestStamp - stamp ? stamp + shift : kLatestStamp; }
+
 }  // namespace
 
 CandumpLogSource::CandumpLogSource(base::Span<const char> text) : reader_(text) {}
@@ -83,7 +86,7 @@ void CandumpLogSource::report(LineFault fault) {
 }
 
 void CandumpLogSource::settle_stamp(CanFrame& frame) {
-    frame.time = frame.time + position_.shift;
+    frame.time = shifted(frame.time, position_.shift);
     if (!position_.any_frame) {
         position_.any_frame = true;
         position_.newest = frame.time;
@@ -110,7 +113,8 @@ bool CandumpLogSource::leaps_and_returns(base::Time stamp) {
     CanFrame following;
     const bool found = parse_next_frame(following);
     seek(here);
-    return found && following.time + here.shift < stamp - kStepBack && following.time + here.shift >= here.newest - kStepBack;
+    const base::Time next = shifted(following.time, here.shift);
+    return found && next < stamp - kStepBack && next >= here.newest - kStepBack;
 }
 
 std::uint8_t CandumpLogSource::channel_of(std::string_view name) {

@@ -44,8 +44,8 @@ struct LogLineCounts {
 /// the same counts as reading everything before it.
 struct LogPosition {
     std::uint64_t offset = 0;
-    base::Time newest;      ///< newest stamp handed out so far, after re-anchoring
-    base::Duration shift;   ///< added to the stamps that follow
+    base::Time newest;     ///< newest stamp handed out so far, after re-anchoring
+    base::Duration shift;  ///< added to the stamps that follow
     bool any_frame = false;
     SourceStatistics statistics;
     LogLineCounts lines;

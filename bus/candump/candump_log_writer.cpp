@@ -2,7 +2,8 @@
 
 namespace tedavis::bus {
 
-CandumpLogWriter::CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits, bool direction)
+CandumpLogWriter::CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits,
+                                   bool direction)
     : sink_(sink), digits_(digits), direction_(direction) {
     for (const std::string_view name : interface_names) TEDAVIS_CHECK(names_.try_push_back(base::FixedString<15>(name)));
 }

@@ -37,11 +37,11 @@ private:
 
     base::ByteSource* source_ = nullptr;  // null in memory mode
     base::Span<char> window_;
-    const char* text_ = nullptr;     // the window's or the whole text's first byte
-    std::uint64_t total_ = 0;        // bytes of the whole text
-    std::uint64_t window_start_ = 0; // offset of text_[0]
-    std::size_t filled_ = 0;         // bytes at text_
-    std::size_t at_ = 0;             // first unread byte of them
+    const char* text_ = nullptr;      // the window's or the whole text's first byte
+    std::uint64_t total_ = 0;         // bytes of the whole text
+    std::uint64_t window_start_ = 0;  // offset of text_[0]
+    std::size_t filled_ = 0;          // bytes at text_
+    std::size_t at_ = 0;              // first unread byte of them
 };
 
 }  // namespace tedavis::bus

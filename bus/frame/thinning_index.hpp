@@ -40,8 +40,10 @@ public:
         std::size_t high = size_;
         while (low < high) {
             const std::size_t middle = low + (high - low) / 2;
-            if (storage_[middle].newest <= time) low = middle + 1;
-            else high = middle;
+            if (storage_[middle].newest <= time)
+                low = middle + 1;
+            else
+                high = middle;
         }
         return low == 0 ? nullptr : &storage_[low - 1];
     }

@@ -17,8 +17,8 @@ struct CanFilter {
 };
 
 struct SocketCanSettings {
-    base::FixedString<15> interface_name;        ///< "can0"
-    base::FixedVector<CanFilter, 512> filters;   ///< none: everything; 512 is the kernel's limit
+    base::FixedString<15> interface_name;       ///< "can0"
+    base::FixedVector<CanFilter, 512> filters;  ///< none: everything; 512 is the kernel's limit
     bool can_fd = false;
     std::uint32_t receive_buffer_bytes = 1u << 20;
     base::Duration reopen_interval = base::Duration::seconds(1);  ///< at most one attempt in this time
@@ -29,7 +29,7 @@ struct SocketCanSettings {
 [[nodiscard]] bool add_identifier_filters(SocketCanSettings& settings, std::uint16_t identifier);
 
 struct OpenedSocket {
-    int descriptor = -1;  ///< non-blocking; -1 when it could not be opened
+    int descriptor = -1;            ///< non-blocking; -1 when it could not be opened
     base::FixedString<191> reason;  ///< then what is wrong and what to do
 };
 

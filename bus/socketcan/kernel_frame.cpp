@@ -70,7 +70,8 @@ ControllerEvent controller_event(const CanFrame& error_frame) noexcept {
     if ((error_frame.id & CAN_ERR_CRTL) == 0) return ControllerEvent::none;
     const std::uint8_t detail = error_frame.data[1];
     if ((detail & CAN_ERR_CRTL_RX_OVERFLOW) != 0) return ControllerEvent::overflow;
-    constexpr std::uint8_t kBad = CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING | CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
+    constexpr std::uint8_t kBad =
+        CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING | CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
     return (detail & kBad) != 0 ? ControllerEvent::warning : ControllerEvent::none;
 }
 

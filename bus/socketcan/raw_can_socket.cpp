@@ -22,7 +22,8 @@ bool set_option(int descriptor, int level, int option, const Value& value) {
 bool set_filters(int descriptor, const SocketCanSettings& settings) {
     if (settings.filters.empty()) return true;
     std::array<can_filter, 512> filters{};
-    for (std::size_t i = 0; i < settings.filters.size(); ++i) filters[i] = {settings.filters[i].identifier, settings.filters[i].mask};
+    for (std::size_t i = 0; i < settings.filters.size(); ++i)
+        filters[i] = {settings.filters[i].identifier, settings.filters[i].mask};
     const auto bytes = static_cast<socklen_t>(settings.filters.size() * sizeof(can_filter));
     return setsockopt(descriptor, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), bytes) == 0;
 }
@@ -76,7 +77,8 @@ OpenedSocket RawCanSocket::open(const SocketCanSettings& settings) {
         return failure(settings, absent ? "this kernel has no CAN; load the modules can and can_raw" : "no socket can be opened");
     }
     const unsigned index = if_nametoindex(settings.interface_name.c_str());
-    const char* fault = index == 0 ? "there is no such interface; check its name with `ip link`" : configure(descriptor, settings);
+    const char* fault =
+        index == 0 ? "there is no such interface; check its name with `ip link`" : configure(descriptor, settings);
     if (fault == nullptr && !bind_to(descriptor, index)) fault = "the socket cannot be bound; is it a CAN interface?";
     if (fault == nullptr) return {descriptor, {}};
     close(descriptor);

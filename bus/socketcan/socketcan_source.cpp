@@ -82,8 +82,10 @@ SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
     message.msg_controllen = control.size();
     const ssize_t size = recvmsg(descriptor_, &message, MSG_DONTWAIT);
     if (size <= 0) {
-        if (size == 0) note_failure(ENODEV);
-        else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) note_failure(errno);
+        if (size == 0)
+            note_failure(ENODEV);
+        else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)
+            note_failure(errno);
         return Received::nothing;
     }
     frame = CanFrame();
@@ -93,8 +95,10 @@ SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
         return Received::not_a_frame;
     }
     frame.transmitted = (message.msg_flags & MSG_DONTROUTE) != 0;
-    if (frame.kind == FrameKind::error) note_error_frame(frame);
-    else health_ = SourceHealth::running;
+    if (frame.kind == FrameKind::error)
+        note_error_frame(frame);
+    else
+        health_ = SourceHealth::running;
     return Received::frame;
 }
 

@@ -20,7 +20,8 @@ bool AxisFilter::add(const AxisMeasurement& measurement) {
     refused = refused || (count_ == kRing && measurement.at < ring_[0].at);
     for (std::size_t i = 0; i < count_ && !refused; ++i) {
         const base::Duration apart = measurement.at - ring_[i].at;
-        refused = ring_[i].is_velocity == measurement.is_velocity && apart < kSameInstant && base::Duration{} - apart < kSameInstant;
+        refused =
+            ring_[i].is_velocity == measurement.is_velocity && apart < kSameInstant && base::Duration{} - apart < kSameInstant;
     }
     if (refused) {
         ++dropped_;
@@ -71,7 +72,8 @@ void AxisFilter::predict(State& state, base::Time to) const {
 }
 
 double AxisFilter::difference_m(const State& state, const AxisMeasurement& measurement) const {
-    const double units = model_.wraps ? earth::angle_difference(measurement.value, state.position) : measurement.value - state.position;
+    const double units =
+        model_.wraps ? earth::angle_difference(measurement.value, state.position) : measurement.value - state.position;
     return units * measurement.metres_per_unit;
 }
 

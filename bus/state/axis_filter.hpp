@@ -18,10 +18,10 @@
 namespace tedavis::bus {
 
 struct AxisMeasurement {
-    base::Time at;                 ///< source time
-    double value = 0;              ///< position (rad or m) or velocity (m/s)
-    double sigma = 1;              ///< standard deviation, m or m/s
-    double metres_per_unit = 1;    ///< of the position at this place
+    base::Time at;               ///< source time
+    double value = 0;            ///< position (rad or m) or velocity (m/s)
+    double sigma = 1;            ///< standard deviation, m or m/s
+    double metres_per_unit = 1;  ///< of the position at this place
     bool is_velocity = false;
 };
 

@@ -16,7 +16,9 @@ double sigma_of(double accuracy_m) {
     return sigma < kMinSigma_m ? kMinSigma_m : sigma > kMaxSigma_m ? kMaxSigma_m : sigma;
 }
 
-AxisModel model_of(const OwnShipSettings& settings, bool wraps) { return {settings.acceleration_mps2, settings.lost_after, wraps}; }
+AxisModel model_of(const OwnShipSettings& settings, bool wraps) {
+    return {settings.acceleration_mps2, settings.lost_after, wraps};
+}
 
 /// How far a state is from being usable; the worse of two axes counts.
 base::SignalState state_of(const AxisEstimate& axis, const OwnShipSettings& settings) {
@@ -33,8 +35,11 @@ base::SignalState worse(base::SignalState a, base::SignalState b) {
 }  // namespace
 
 OwnShipFilter::OwnShipFilter(const OwnShipSettings& settings)
-    : settings_(settings), latitude_(model_of(settings, false)), longitude_(model_of(settings, true)),
-      position_sigma_m_(settings.position_noise_m), height_sigma_m_(settings.height_noise_m) {
+    : settings_(settings),
+      latitude_(model_of(settings, false)),
+      longitude_(model_of(settings, true)),
+      position_sigma_m_(settings.position_noise_m),
+      height_sigma_m_(settings.height_noise_m) {
     for (AxisFilter& height : heights_) height = AxisFilter(model_of(settings, false));
 }
 

@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kMinPeriod_ns = 0.5e6;
 constexpr double kMaxPeriod_ns = 10e9;
-constexpr double kLockedScatter = 0.35;   // standard deviation in periods
-constexpr double kGate = 0.9;             // off the line by more periods than this: not used
+constexpr double kLockedScatter = 0.35;  // standard deviation in periods
+constexpr double kGate = 0.9;            // off the line by more periods than this: not used
 constexpr double kMaxCorrection_ns = 0.5e9;
 constexpr std::uint8_t kMissesToRestart = 16;
 constexpr std::uint16_t kVarianceMemory = 64;

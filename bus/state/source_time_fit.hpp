@@ -42,13 +42,13 @@ private:
     void correct_line(double residual_ns, double steps);
     void advance(double by_ns);
 
-    base::Time line_;            // the line at the last message, whole nanoseconds
-    double fraction_ns_ = 0;     // and the rest
+    base::Time line_;         // the line at the last message, whole nanoseconds
+    double fraction_ns_ = 0;  // and the rest
     double period_ns_ = 0;
-    double variance_ns2_ = 0;    // of the stamps about the line
+    double variance_ns2_ = 0;  // of the stamps about the line
     std::uint16_t messages_ = 0;
     std::uint8_t code_ = 0;
-    std::uint8_t misses_ = 0;    // stamps off the line in a row
+    std::uint8_t misses_ = 0;  // stamps off the line in a row
 };
 static_assert(std::is_trivially_copyable_v<SourceTimeFit>);
 

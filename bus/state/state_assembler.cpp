@@ -88,8 +88,12 @@ void StateAssembler::filter_signal(const DecodedMessage& message, base::Time at,
         case Signal::ellipsoid_height: own.add_height(HeightSource::ellipsoid, message.value, at); break;
         case Signal::baro_altitude: own.add_height(HeightSource::baro, message.value, at); break;
         case Signal::standard_altitude: own.add_height(HeightSource::standard, message.value, at); break;
-        case Signal::ground_speed: if (message.rank == 0) own.add_ground_speed(message.value, at); break;
-        case Signal::true_track: if (message.rank == 0) own.add_true_track(message.value, at); break;
+        case Signal::ground_speed:
+            if (message.rank == 0) own.add_ground_speed(message.value, at);
+            break;
+        case Signal::true_track:
+            if (message.rank == 0) own.add_true_track(message.value, at);
+            break;
         case Signal::vertical_speed: own.add_up_velocity(message.value, at); break;
         case Signal::horizontal_accuracy: own.set_horizontal_accuracy(message.value); break;
         case Signal::vertical_accuracy: own.set_vertical_accuracy(message.value); break;

@@ -22,16 +22,16 @@ namespace tedavis::bus {
 /// A flight phase as the bus states it. Quality is bad while the sender says invalid or the code is impossible.
 struct PhaseMessage {
     base::Stamped<flight::FlightPhase> phase;
-    base::FreshnessLimits limits;  ///< both at the bus file's timeout
-    std::uint8_t origin = 0;       ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
-    std::uint8_t confidence = 255; ///< percent, 255 not stated
+    base::FreshnessLimits limits;   ///< both at the bus file's timeout
+    std::uint8_t origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
+    std::uint8_t confidence = 255;  ///< percent, 255 not stated
 };
 
 /// UTC as the bus states it, for reports; never used as a time base.
 struct BusClock {
-    std::array<std::uint8_t, 3> utc{};  ///< h, m, s
-    std::array<std::uint8_t, 3> date{}; ///< day, month 1..12, year of century
-    std::uint8_t century = 0;           ///< first two digits of the year
+    std::array<std::uint8_t, 3> utc{};   ///< h, m, s
+    std::array<std::uint8_t, 3> date{};  ///< day, month 1..12, year of century
+    std::uint8_t century = 0;            ///< first two digits of the year
     bool utc_received = false;
     bool date_received = false;
 };

@@ -28,10 +28,14 @@ class FrameInstants {
 public:
     FrameInstants(const ReplayOptions& options, const FlightPlayer& player, double rate_hz) : origin_(player.first()) {
         const double end_s = (player.last() - player.first()).to_seconds();
-        const double from_s = options.from_s.value_or(0), to_s = options.to_s.value_or(end_s), step_s = options.step_s.value_or(1 / rate_hz);
-        if (!(from_s >= 0 && from_s <= end_s)) throw UserError("--from " + std::to_string(from_s) + ": the log lasts " + std::to_string(end_s) + " s; choose a time inside it");
+        const double from_s = options.from_s.value_or(0), to_s = options.to_s.value_or(end_s),
+                     step_s = options.step_s.value_or(1 / rate_hz);
+        if (!(from_s >= 0 && from_s <= end_s))
+            throw UserError("--from " + std::to_string(from_s) + ": the log lasts " + std::to_string(end_s) +
+                            " s; choose a time inside it");
         if (!(to_s >= from_s)) throw UserError("--to " + std::to_string(to_s) + ": lies before --from; give a later time");
-        if (!(std::abs(step_s) >= 1e-3)) throw UserError("--step " + std::to_string(step_s) + ": must be at least 0.001 s, or negative to go backwards");
+        if (!(std::abs(step_s) >= 1e-3))
+            throw UserError("--step " + std::to_string(step_s) + ": must be at least 0.001 s, or negative to go backwards");
         // Times are whole steps from the log's start where --from is one, so that a part of a run has the whole run's instants.
         from_ = base::Duration::from_seconds(from_s);
         step_ = base::Duration::from_seconds(std::abs(step_s));
@@ -55,7 +59,12 @@ private:
 class ReplayRun {
 public:
     ReplayRun(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player, Console& console)
-        : options_(options), session_(session), player_(player), console_(console), records_(options.output, player.first()), story_(player.first()) {}
+        : options_(options),
+          session_(session),
+          player_(player),
+          console_(console),
+          records_(options.output, player.first()),
+          story_(player.first()) {}
 
     void run(const FrameInstants& times) {
         const InterruptGuard interrupt;
@@ -104,15 +113,18 @@ private:
         session_.draw();
         const base::Time drawn = platform::monotonic_now();
         result.record = session_.display().record();
-        result.timing = {milliseconds_between(start, planned), milliseconds_between(planned, drawn), milliseconds_between(start, drawn)};
+        result.timing = {milliseconds_between(start, planned), milliseconds_between(planned, drawn),
+                         milliseconds_between(start, drawn)};
         result.latency_ms = milliseconds_between(instant.newest_frame, time);
         if (options_.frames != FrameOutput::none) result.hash = session_.frame_hash();
         records_.write(result);
         total_ms_.push_back(result.timing.total_ms);
         worst_error_px_ = std::max(worst_error_px_, result.record.terrain.worst_error_px);
         const double above = instant.aircraft[Signal::height_above_terrain].value_or(std::nan(""));
-        if (story_.add(result, above, instant.aircraft[Signal::ground_speed].value_or(0))) story_.add_picture(result, session_.pixels());
-        if (options_.frames == FrameOutput::png) write_png(frame_picture_path(options_.output, result.record.frame), session_.pixels());
+        if (story_.add(result, above, instant.aircraft[Signal::ground_speed].value_or(0)))
+            story_.add_picture(result, session_.pixels());
+        if (options_.frames == FrameOutput::png)
+            write_png(frame_picture_path(options_.output, result.record.frame), session_.pixels());
     }
 
     const ReplayOptions& options_;
@@ -151,8 +163,8 @@ int run_replay(const ReplayOptions& options, Console& console) {
     const RunSummary summary = run.summary();
     write_run_reports(options.output, summary, run.story(), session.display().budget());
     char line[200];
-    std::snprintf(line, sizeof line, ": %llu frames, %.1f frames/s median, worst terrain error %.2f px", static_cast<unsigned long long>(summary.frames),
-                  summary.fps_median, summary.worst_error_px);
+    std::snprintf(line, sizeof line, ": %llu frames, %.1f frames/s median, worst terrain error %.2f px",
+                  static_cast<unsigned long long>(summary.frames), summary.fps_median, summary.worst_error_px);
     console.result(options.output + line, run_summary_json(summary, session.display().budget()));
     return 0;
 }

@@ -69,8 +69,9 @@ int run_shot(const ShotOptions& options, Console& console) {
     const std::string json = frame_record_json(result, kShotTime);
     write_png(options.output, session.pixels());
     write_file_atomically(record_path(options.output), json + "\n");
-    console.result(options.output + ": " + std::to_string(session.width()) + " x " + std::to_string(session.height()) + " pixels, " +
-                       std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " + hash_text(result.hash),
+    console.result(options.output + ": " + std::to_string(session.width()) + " x " + std::to_string(session.height()) +
+                       " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
+                       hash_text(result.hash),
                    json);
     return 0;
 }

@@ -27,9 +27,10 @@ using Json = nlohmann::ordered_json;
 GeoBounds parse_bounds(const std::string& text) {
     GeoBounds b;
     char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &b.west_deg, &b.south_deg, &b.east_deg, &b.north_deg, &rest) != 4 || !(b.south_deg < b.north_deg) ||
-        !(b.west_deg < b.east_deg))
-        throw UserError("--bounds " + text + ": not W,S,E,N in degrees with W < E and S < N; write for instance 9.6,46.5,10.2,47.1");
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &b.west_deg, &b.south_deg, &b.east_deg, &b.north_deg, &rest) != 4 ||
+        !(b.south_deg < b.north_deg) || !(b.west_deg < b.east_deg))
+        throw UserError("--bounds " + text +
+                        ": not W,S,E,N in degrees with W < E and S < N; write for instance 9.6,46.5,10.2,47.1");
     return b;
 }
 
@@ -44,7 +45,8 @@ RasterOptions raster_options(const TerrainBuildOptions& options) {
     return raster;
 }
 
-BuildOptions build_options(const TerrainBuildOptions& options, const RasterOptions& raster, const InterruptGuard& interrupt, Console& console) {
+BuildOptions build_options(const TerrainBuildOptions& options, const RasterOptions& raster, const InterruptGuard& interrupt,
+                           Console& console) {
     BuildOptions build;
     build.le90_m = options.accuracy_m;
     build.vertical_datum = raster.vertical_datum;
@@ -84,8 +86,10 @@ std::string describe_in_words(const terrain::FileHeader& h, const std::string& n
     std::ostringstream text;
     text << name << ": " << h.columns << " x " << h.rows << " posts from " << h.source << "\n"
          << "  " << h.north_deg - h.step_lat_deg * (h.rows - 1) << " .. " << h.north_deg << " N, " << h.west_deg << " .. "
-         << h.west_deg + h.step_lon_deg * (h.columns - 1) << " E, heights " << h.min_height_m << " .. " << h.max_height_m << " m above MSL (EGM96)\n"
-         << "  " << h.void_posts << " void posts, " << h.chunk_count << " chunks on " << h.levels << " levels, " << h.file_bytes << " bytes";
+         << h.west_deg + h.step_lon_deg * (h.columns - 1) << " E, heights " << h.min_height_m << " .. " << h.max_height_m
+         << " m above MSL (EGM96)\n"
+         << "  " << h.void_posts << " void posts, " << h.chunk_count << " chunks on " << h.levels << " levels, " << h.file_bytes
+         << " bytes";
     return text.str();
 }
 
@@ -95,7 +99,8 @@ terrain::FileHeader verified_header(const std::vector<std::uint8_t>& image, cons
     base::Arena arena(memory.data(), memory.size());
     auto opened = terrain::TerrainDatabase::open(bytes, arena);
     const auto refuse = [&](const terrain::TdbFailure& failure) {
-        throw UserError(name + ": " + to_string(failure.error) + " at offset " + std::to_string(failure.offset) + "; build it again with 'terrain build'");
+        throw UserError(name + ": " + to_string(failure.error) + " at offset " + std::to_string(failure.offset) +
+                        "; build it again with 'terrain build'");
     };
     if (!opened.ok()) refuse(opened.error());
     std::vector<std::uint8_t> payload(terrain::kMaxChunkVertices * sizeof(terrain::ChunkVertex) + terrain::kLeafPostBytes);
@@ -140,8 +145,10 @@ int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     std::ostringstream text;
     text << options.database << ": " << check.chunks << " chunks, " << check.violations.size() << " violations";
     for (const ChunkViolation& violation : check.violations) {
-        json["violating_chunks"].push_back({{"chunk", violation.chunk}, {"reason", violation.reason}, {"excess_m", violation.excess_m}});
-        if (json["violating_chunks"].size() <= 10) text << "\n  chunk " << violation.chunk << ": " << violation.reason << " (" << violation.excess_m << " m)";
+        json["violating_chunks"].push_back(
+            {{"chunk", violation.chunk}, {"reason", violation.reason}, {"excess_m", violation.excess_m}});
+        if (json["violating_chunks"].size() <= 10)
+            text << "\n  chunk " << violation.chunk << ": " << violation.reason << " (" << violation.excess_m << " m)";
     }
     console.result(text.str(), json.dump());
     return check.violations.empty() ? 0 : 1;
@@ -156,14 +163,17 @@ int run_terrain_info(const TerrainInfoOptions& options, Console& console) {
 /// Fractional Brownian terrain by the diamond-square method (Fournier, Fussell, Carpenter, CACM 25(6), 1982).
 int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) {
     constexpr std::uint32_t kLargest = 16385;
-    if (options.size < 3 || options.size > kLargest) throw UserError("--size " + std::to_string(options.size) + ": must be from 3 to 16385 posts");
+    if (options.size < 3 || options.size > kLargest)
+        throw UserError("--size " + std::to_string(options.size) + ": must be from 3 to 16385 posts");
     std::uint32_t side = 2;
     while (side + 1 < options.size) side *= 2;
     const std::uint32_t posts = side + 1;
     std::vector<float> height(std::size_t{posts} * posts, 0.0f);
     std::mt19937_64 random(options.seed);
     // Drawn from the engine's own bits: library distributions differ between implementations.
-    const auto jitter = [&random](float amplitude) { return amplitude * (static_cast<float>(random() >> 40) / 8388608.0f - 1.0f); };
+    const auto jitter = [&random](float amplitude) {
+        return amplitude * (static_cast<float>(random() >> 40) / 8388608.0f - 1.0f);
+    };
     const auto at = [&](std::uint32_t i, std::uint32_t j) -> float& { return height[std::size_t{j} * posts + i]; };
     constexpr float kCell_m = 30;
     float amplitude = 0.15f * kCell_m * static_cast<float>(side) / 2;
@@ -171,7 +181,9 @@ int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) 
         const std::uint32_t half = step / 2;
         for (std::uint32_t j = half; j < posts; j += step)
             for (std::uint32_t i = half; i < posts; i += step)
-                at(i, j) = 0.25f * (at(i - half, j - half) + at(i + half, j - half) + at(i - half, j + half) + at(i + half, j + half)) + jitter(amplitude);
+                at(i, j) =
+                    0.25f * (at(i - half, j - half) + at(i + half, j - half) + at(i - half, j + half) + at(i + half, j + half)) +
+                    jitter(amplitude);
         for (std::uint32_t j = 0; j < posts; j += half)
             for (std::uint32_t i = (j / half) % 2 == 0 ? half : 0; i < posts; i += step) {
                 float sum = 0;
@@ -200,7 +212,8 @@ int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) 
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     const std::string part = options.output + ".part";
     const int size = static_cast<int>(options.size);
-    std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter> file(driver->Create(part.c_str(), size, size, 1, GDT_Float32, nullptr));
+    std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter> file(
+        driver->Create(part.c_str(), size, size, 1, GDT_Float32, nullptr));
     if (file == nullptr) throw UserError(options.output + ": cannot be written; check the folder");
     constexpr double kStep_deg = 1.0 / 3600;
     double transform[6] = {10.0, kStep_deg, 0, 47.0, 0, -kStep_deg};
@@ -210,14 +223,18 @@ int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) 
     file->SetSpatialRef(&wgs84);
     bool written = true;
     for (int j = 0; j < size; ++j)
-        written = written && file->GetRasterBand(1)->RasterIO(GF_Write, 0, j, size, 1, &at(0, static_cast<std::uint32_t>(j)), size, 1, GDT_Float32, 0, 0) == CE_None;
+        written = written && file->GetRasterBand(1)->RasterIO(GF_Write, 0, j, size, 1, &at(0, static_cast<std::uint32_t>(j)),
+                                                              size, 1, GDT_Float32, 0, 0) == CE_None;
     file.reset();
-    if (!written || std::rename(part.c_str(), options.output.c_str()) != 0) throw UserError(options.output + ": cannot be written whole; check the disk");
+    if (!written || std::rename(part.c_str(), options.output.c_str()) != 0)
+        throw UserError(options.output + ": cannot be written whole; check the disk");
     Json json;
     json["file"] = options.output;
     json["size"] = options.size;
     json["seed"] = options.seed;
-    console.result(options.output + ": generated terrain, " + std::to_string(options.size) + " posts a side, seed " + std::to_string(options.seed), json.dump());
+    console.result(options.output + ": generated terrain, " + std::to_string(options.size) + " posts a side, seed " +
+                       std::to_string(options.seed),
+                   json.dump());
     return 0;
 }
 

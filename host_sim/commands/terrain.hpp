@@ -12,16 +12,16 @@ namespace tedavis::host_sim {
 struct TerrainBuildOptions {
     std::vector<std::string> rasters;
     std::string output;
-    std::string crs;                ///< empty: the files' own
-    std::string bounds;             ///< "W,S,E,N" in degrees; empty: all
+    std::string crs;     ///< empty: the files' own
+    std::string bounds;  ///< "W,S,E,N" in degrees; empty: all
     std::string vertical_datum = "egm96";
     std::optional<double> void_value;
-    double accuracy_m = 0;          ///< LE90 of the source; 0 unknown
+    double accuracy_m = 0;  ///< LE90 of the source; 0 unknown
 };
 
 struct TerrainCheckOptions {
     std::string database;
-    TerrainBuildOptions build;      ///< the rasters and options it was built with
+    TerrainBuildOptions build;  ///< the rasters and options it was built with
 };
 
 struct TerrainInfoOptions {
@@ -29,7 +29,7 @@ struct TerrainInfoOptions {
 };
 
 struct TerrainFractalOptions {
-    std::uint32_t size = 1025;      ///< posts a side
+    std::uint32_t size = 1025;  ///< posts a side
     std::uint64_t seed = 1;
     std::string output;
 };

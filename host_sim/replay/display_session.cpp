@@ -40,7 +40,8 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
         terrain_file_ = std::move(file.value());
     }
     const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
-    auto surface = platform::make_surface(options.gl == GlChoice::egl ? "egl" : "osmesa", {settings.width_px, settings.height_px, lane});
+    auto surface =
+        platform::make_surface(options.gl == GlChoice::egl ? "egl" : "osmesa", {settings.width_px, settings.height_px, lane});
     if (!surface.ok()) throw UserError(std::string(surface.error().sentence.view()));
     surface_ = std::move(surface.value());
     if (!surface_->make_current()) throw UserError("--gl: the drawing surface cannot be made current; try the other --gl");
@@ -48,8 +49,10 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     if (!reservation.ok()) throw UserError(std::string(reservation.error().sentence.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
-    const gl::GlError error = display_->start(settings, reservation_.arena(), *surface_, options.terrain.empty() ? nullptr : &terrain_file_);
-    if (!error.sentence.empty()) throw UserError((options.terrain.empty() ? std::string() : options.terrain + ": ") + std::string(error.sentence.view()));
+    const gl::GlError error =
+        display_->start(settings, reservation_.arena(), *surface_, options.terrain.empty() ? nullptr : &terrain_file_);
+    if (!error.sentence.empty())
+        throw UserError((options.terrain.empty() ? std::string() : options.terrain + ": ") + std::string(error.sentence.view()));
     pixels_.resize(std::size_t{settings.width_px} * settings.height_px * 4);
 }
 
@@ -61,7 +64,8 @@ DisplaySession::~DisplaySession() {
 
 std::string DisplaySession::gl_description() {
     const gl::DriverFacts& driver = display_->gl().driver();
-    return std::string(surface_->backend_name()) + ": " + std::string(driver.renderer.view()) + ", " + std::string(driver.version.view());
+    return std::string(surface_->backend_name()) + ": " + std::string(driver.renderer.view()) + ", " +
+           std::string(driver.version.view());
 }
 
 void DisplaySession::draw() {
@@ -70,6 +74,8 @@ void DisplaySession::draw() {
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
 }
 
-std::uint64_t DisplaySession::frame_hash() const { return base::frame_hash(pixels_.data(), surface_->width(), surface_->height(), true); }
+std::uint64_t DisplaySession::frame_hash() const {
+    return base::frame_hash(pixels_.data(), surface_->width(), surface_->height(), true);
+}
 
 }  // namespace tedavis::host_sim

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "bus/switches/switch_log.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
-#include "bus/switches/switch_log.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -23,11 +23,14 @@ bus::BusSettings load_bus(const std::string& name) {
     return settings.value();
 }
 
-std::string line_note(const std::string& file, std::uint64_t line, const char* reason) { return file + ":" + std::to_string(line) + ": " + reason; }
+std::string line_note(const std::string& file, std::uint64_t line, const char* reason) {
+    return file + ":" + std::to_string(line) + ": " + reason;
+}
 
 }  // namespace
 
-FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display) : display_(display), bus_settings_(load_bus(files.bus)) {
+FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display)
+    : display_(display), bus_settings_(load_bus(files.bus)) {
     open_log(files);
     open_switches(files);
     find_extent();
@@ -51,14 +54,16 @@ void FlightPlayer::open_switches(const PlayerFiles& files) {
     if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
     switch_config_ = config.value();
     const std::string text = read_file(files.switches);
-    if (!bus::has_switch_log_header(text)) throw UserError(files.switches + ":1: not a switch log; its first line must be '# tedavis switch log 1'");
+    if (!bus::has_switch_log_header(text))
+        throw UserError(files.switches + ":1: not a switch log; its first line must be '# tedavis switch log 1'");
     bus::SwitchLogSource log(text, *switch_config_);
     bus::SwitchEdge batch[kFramesAtOnce];
     for (std::size_t count = 1; count > 0;) {
         count = log.read(kEnd, base::Span<bus::SwitchEdge>(batch));
         edges_.insert(edges_.end(), batch, batch + count);
     }
-    for (const bus::SwitchLineReport& report : log.reports()) switch_notes_.push_back(line_note(files.switches, report.line, bus::describe(report.fault)));
+    for (const bus::SwitchLineReport& report : log.reports())
+        switch_notes_.push_back(line_note(files.switches, report.line, bus::describe(report.fault)));
 }
 
 void FlightPlayer::find_extent() {
@@ -85,7 +90,8 @@ void FlightPlayer::restart() {
 }
 
 void FlightPlayer::go_back_before(base::Time time) {
-    const auto later = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), time, [](base::Time t, const Progress& p) { return t < p.reached; });
+    const auto later = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), time,
+                                        [](base::Time t, const Progress& p) { return t < p.reached; });
     progress_ = *(later - 1);
     source_->seek(progress_.position);
 }
@@ -146,7 +152,8 @@ PlayedInstant FlightPlayer::at(base::Time time) {
 
 std::vector<std::string> FlightPlayer::notes() const {
     std::vector<std::string> notes = switch_notes_;
-    for (const bus::LineReport& report : source_->reports()) notes.push_back(line_note(log_name_, report.line, bus::describe(report.fault)));
+    for (const bus::LineReport& report : source_->reports())
+        notes.push_back(line_note(log_name_, report.line, bus::describe(report.fault)));
     return notes;
 }
 

@@ -27,7 +27,7 @@ struct PlayedInstant {
     bus::BusSnapshot bus;
     flight::AircraftState aircraft;  ///< with height_above_terrain
     flight::PhaseStatus phase;
-    base::Time newest_frame;         ///< receive stamp of the last frame fed
+    base::Time newest_frame;  ///< receive stamp of the last frame fed
 };
 
 class FlightPlayer {

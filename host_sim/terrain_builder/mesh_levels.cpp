@@ -15,7 +15,9 @@ using terrain::PostClass;
 
 constexpr double kLeastRadius_m = 6335000;  // below the least radius of curvature of WGS84
 
-bool inside(const Lattice& lattice, LatticeVertex v) { return v.i >= 0 && v.j >= 0 && v.i < lattice.columns && v.j < lattice.rows; }
+bool inside(const Lattice& lattice, LatticeVertex v) {
+    return v.i >= 0 && v.j >= 0 && v.i < lattice.columns && v.j < lattice.rows;
+}
 
 /// The plane through a triangle's corners, in heights over lattice coordinates.
 struct Plane {
@@ -69,7 +71,8 @@ struct Extremes {
     bool void_cells = false;  ///< a cell that the triangle covers in part has a void corner
 };
 
-void scan_posts(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last, Extremes& extremes) {
+void scan_posts(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last,
+                Extremes& extremes) {
     const std::size_t row = lattice.at(0, j);
     for (std::int64_t i = first; i <= last; ++i) {
         const std::size_t n = row + static_cast<std::size_t>(i);
@@ -84,9 +87,11 @@ void scan_posts(const Lattice& lattice, const Plane& plane, std::int64_t j, std:
     }
 }
 
-void scan_centres(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last, Extremes& extremes) {
+void scan_centres(const Lattice& lattice, const Plane& plane, std::int64_t j, std::int64_t first, std::int64_t last,
+                  Extremes& extremes) {
     for (std::int64_t i = first; i <= last; ++i) {
-        const std::size_t north_west = lattice.at(i, j), north_east = north_west + 1, south_west = lattice.at(i, j + 1), south_east = south_west + 1;
+        const std::size_t north_west = lattice.at(i, j), north_east = north_west + 1, south_west = lattice.at(i, j + 1),
+                          south_east = south_west + 1;
         for (const std::size_t corner : {north_west, north_east, south_west, south_east})
             extremes.void_cells = extremes.void_cells || lattice.post_class[corner] == PostClass::void_;
         const double truth = 0.5 * (static_cast<double>(lattice.surface_m[north_east]) + lattice.surface_m[south_west]);
@@ -99,7 +104,8 @@ void scan_centres(const Lattice& lattice, const Plane& plane, std::int64_t j, st
 /// What the true surface's diagonal can differ from the network's alternating one in a cell.
 double diagonal_error(const Lattice& lattice, std::int64_t i, std::int64_t j) {
     if (((i + j) & 1) != 0 || i < 0 || j < 0 || i + 1 >= lattice.raster_columns || j + 1 >= lattice.raster_rows) return 0;
-    const double diagonal = static_cast<double>(lattice.surface_m[lattice.at(i, j)]) + lattice.surface_m[lattice.at(i + 1, j + 1)];
+    const double diagonal =
+        static_cast<double>(lattice.surface_m[lattice.at(i, j)]) + lattice.surface_m[lattice.at(i + 1, j + 1)];
     const double other = static_cast<double>(lattice.surface_m[lattice.at(i + 1, j)]) + lattice.surface_m[lattice.at(i, j + 1)];
     return 0.5 * std::abs(diagonal - other);
 }
@@ -117,10 +123,13 @@ SplitPair triangles_of(LatticeVertex v) {
     return {{a, b, parents.first}, {b, a, parents.second}};
 }
 
-bool is_inside(const Lattice& lattice, const LatticeTriangle& t) { return inside(lattice, t.a) && inside(lattice, t.b) && inside(lattice, t.c); }
+bool is_inside(const Lattice& lattice, const LatticeTriangle& t) {
+    return inside(lattice, t.a) && inside(lattice, t.b) && inside(lattice, t.c);
+}
 
 bool beyond_raster(const Lattice& lattice, const LatticeTriangle& t) {
-    return std::min({t.a.i, t.b.i, t.c.i}) >= lattice.raster_columns - 1 || std::min({t.a.j, t.b.j, t.c.j}) >= lattice.raster_rows - 1;
+    return std::min({t.a.i, t.b.i, t.c.i}) >= lattice.raster_columns - 1 ||
+           std::min({t.a.j, t.b.j, t.c.j}) >= lattice.raster_rows - 1;
 }
 
 float own_error(const Lattice& lattice, LatticeVertex v) {
@@ -139,7 +148,8 @@ float own_error(const Lattice& lattice, LatticeVertex v) {
 }
 
 /// Vertices whose parents include v.
-void raise_to_children(const Lattice& lattice, const std::vector<float>& errors, LatticeVertex v, bool centre, std::int64_t scale, float& error) {
+void raise_to_children(const Lattice& lattice, const std::vector<float>& errors, LatticeVertex v, bool centre, std::int64_t scale,
+                       float& error) {
     const std::int64_t d = centre ? scale : scale / 2;
     if (d == 0) return;
     const std::int64_t axis[4][2] = {{d, 0}, {-d, 0}, {0, d}, {0, -d}};
@@ -195,7 +205,8 @@ void keep_chunk_corners(const Lattice& lattice, std::vector<std::uint8_t>& level
 /// are kept one level longer, so that what a chunk leaves out along one border never reaches another.
 class BorderSeparator {
 public:
-    BorderSeparator(const Lattice& lattice, std::vector<std::uint8_t>& levels) : lattice_(lattice), levels_(levels), seen_(levels.size(), 0) {}
+    BorderSeparator(const Lattice& lattice, std::vector<std::uint8_t>& levels)
+        : lattice_(lattice), levels_(levels), seen_(levels.size(), 0) {}
 
     void run() {
         for (level_ = 0; level_ + 1 < lattice_.levels; ++level_) {
@@ -281,10 +292,12 @@ std::vector<float> measure_errors(const Lattice& lattice) {
     return errors;
 }
 
-std::vector<std::uint8_t> assign_levels(const Lattice& lattice, const std::vector<float>& errors, const std::array<float, 16>& tolerance_m) {
+std::vector<std::uint8_t> assign_levels(const Lattice& lattice, const std::vector<float>& errors,
+                                        const std::array<float, 16>& tolerance_m) {
     std::vector<std::uint8_t> levels(errors.size(), kNeverNeeded);
     for (std::size_t n = 0; n < errors.size(); ++n)
-        for (std::uint32_t level = 0; level < lattice.levels && errors[n] > tolerance_m[level]; ++level) levels[n] = static_cast<std::uint8_t>(level);
+        for (std::uint32_t level = 0; level < lattice.levels && errors[n] > tolerance_m[level]; ++level)
+            levels[n] = static_cast<std::uint8_t>(level);
     keep_chunk_corners(lattice, levels);
     BorderSeparator(lattice, levels).run();
     return levels;

@@ -17,10 +17,10 @@ namespace tedavis::host_sim {
 
 /// The raster padded to whole chunks of the top level. `surface_m` is above the ellipsoid, as the display draws it.
 struct Lattice {
-    std::int64_t columns = 0, rows = 0;            ///< posts, a multiple of the top chunk side plus one
+    std::int64_t columns = 0, rows = 0;  ///< posts, a multiple of the top chunk side plus one
     std::int64_t raster_columns = 0, raster_rows = 0;
     std::uint32_t levels = 1;
-    double cell_m = 0;                             ///< the larger side of a cell, metres
+    double cell_m = 0;  ///< the larger side of a cell, metres
     std::vector<float> surface_m;
     std::vector<terrain::PostClass> post_class;
 
@@ -45,6 +45,7 @@ inline constexpr std::uint8_t kNeverNeeded = 0xFF;
 
 /// For every post the highest level whose mesh has it (kNeverNeeded: none). Chunk corners are kept as chunk_mesh.hpp
 /// requires, and border vertices are made independent of other borders.
-[[nodiscard]] std::vector<std::uint8_t> assign_levels(const Lattice& lattice, const std::vector<float>& errors, const std::array<float, 16>& tolerance_m);
+[[nodiscard]] std::vector<std::uint8_t> assign_levels(const Lattice& lattice, const std::vector<float>& errors,
+                                                      const std::array<float, 16>& tolerance_m);
 
 }  // namespace tedavis::host_sim

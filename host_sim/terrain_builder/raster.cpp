@@ -56,7 +56,8 @@ Dataset open_raster(const std::string& file) {
     if (VSIStatL(file.c_str(), &info) != 0) throw UserError(file + ": no such file; check the name");
     Dataset dataset(GDALDataset::Open(inside_zip(file).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
     if (dataset == nullptr || dataset->GetRasterCount() < 1)
-        throw UserError(file + ": not a raster that GDAL can read (" + CPLGetLastErrorMsg() + "); give a height raster such as GeoTIFF, HGT, HF2, TER or BT");
+        throw UserError(file + ": not a raster that GDAL can read (" + CPLGetLastErrorMsg() +
+                        "); give a height raster such as GeoTIFF, HGT, HF2, TER or BT");
     double transform[6];
     if (dataset->GetGeoTransform(transform) != CE_None)
         throw UserError(file + ": the raster does not say where on Earth it lies; georeference it first");
@@ -92,7 +93,8 @@ bool is_plain_geographic(GDALDataset& dataset, const OGRSpatialReference& refere
 
 Dataset warp_to_geographic(std::vector<Dataset>& sources, const std::vector<std::string>& files, const RasterOptions& options) {
     CPLStringList arguments;
-    for (const char* argument : {"-of", "MEM", "-t_srs", "EPSG:4326", "-r", "bilinear", "-ot", "Float32", "-dstnodata", "nan", "-wo", "NUM_THREADS=2"})
+    for (const char* argument :
+         {"-of", "MEM", "-t_srs", "EPSG:4326", "-r", "bilinear", "-ot", "Float32", "-dstnodata", "nan", "-wo", "NUM_THREADS=2"})
         arguments.AddString(argument);
     if (options.crs) {
         arguments.AddString("-s_srs");
@@ -102,9 +104,12 @@ Dataset warp_to_geographic(std::vector<Dataset>& sources, const std::vector<std:
     for (Dataset& source : sources) handles.push_back(GDALDataset::ToHandle(source.get()));
     GDALWarpAppOptions* warp = GDALWarpAppOptionsNew(arguments.List(), nullptr);
     int usage_error = 0;
-    Dataset warped(GDALDataset::FromHandle(GDALWarp("", nullptr, static_cast<int>(handles.size()), handles.data(), warp, &usage_error)));
+    Dataset warped(
+        GDALDataset::FromHandle(GDALWarp("", nullptr, static_cast<int>(handles.size()), handles.data(), warp, &usage_error)));
     GDALWarpAppOptionsFree(warp);
-    if (warped == nullptr) throw UserError(files.front() + ": cannot be brought to geographic coordinates (" + CPLGetLastErrorMsg() + "); check its coordinate system");
+    if (warped == nullptr)
+        throw UserError(files.front() + ": cannot be brought to geographic coordinates (" + CPLGetLastErrorMsg() +
+                        "); check its coordinate system");
     return warped;
 }
 
@@ -122,7 +127,8 @@ Window window_of(const double* t, int columns, int rows, const RasterOptions& op
     const int last_i = std::min(columns - 1, static_cast<int>(std::floor((b.east_deg - west) / t[1] + 1e-9)));
     const int first_j = std::max(0, static_cast<int>(std::ceil((b.north_deg - north) / t[5] - 1e-9)));
     const int last_j = std::min(rows - 1, static_cast<int>(std::floor((b.south_deg - north) / t[5] + 1e-9)));
-    if (last_i - first_i < 1 || last_j - first_j < 1) throw UserError("--bounds: no posts of the rasters lie inside; give W,S,E,N in degrees");
+    if (last_i - first_i < 1 || last_j - first_j < 1)
+        throw UserError("--bounds: no posts of the rasters lie inside; give W,S,E,N in degrees");
     return {first_i, first_j, last_i - first_i + 1, last_j - first_j + 1};
 }
 
@@ -130,13 +136,16 @@ void classify(Raster& raster, const RasterOptions& options, bool has_no_data, do
     raster.post_class.resize(raster.height_m.size());
     for (std::size_t n = 0; n < raster.height_m.size(); ++n) {
         float& height = raster.height_m[n];
-        const bool is_void = !(height >= kLowestHeight_m && height <= kHighestHeight_m) || (has_no_data && height == static_cast<float>(no_data)) ||
+        const bool is_void = !(height >= kLowestHeight_m && height <= kHighestHeight_m) ||
+                             (has_no_data && height == static_cast<float>(no_data)) ||
                              (options.void_value && height == static_cast<float>(*options.void_value));
         if (is_void) {
             height = std::numeric_limits<float>::quiet_NaN();
             ++raster.void_posts;
         }
-        raster.post_class[n] = is_void ? terrain::PostClass::void_ : height == 0 ? terrain::PostClass::sea : terrain::PostClass::land;
+        raster.post_class[n] = is_void       ? terrain::PostClass::void_
+                               : height == 0 ? terrain::PostClass::sea
+                                             : terrain::PostClass::land;
     }
 }
 
@@ -145,8 +154,10 @@ void to_msl(Raster& raster) {
     for (std::uint32_t j = 0; j < raster.rows; ++j)
         for (std::uint32_t i = 0; i < raster.columns; ++i)
             raster.height_m[raster.at(i, j)] -=
-                static_cast<float>(geoid.undulation(base::radians(raster.north_deg - raster.step_lat_deg * j),
-                                                                                base::radians(raster.west_deg + raster.step_lon_deg * i)).m);
+                static_cast<float>(geoid
+                                       .undulation(base::radians(raster.north_deg - raster.step_lat_deg * j),
+                                                   base::radians(raster.west_deg + raster.step_lon_deg * i))
+                                       .m);
 }
 
 Raster read_posts(GDALDataset& dataset, const std::string& file, const RasterOptions& options) {
@@ -154,7 +165,8 @@ Raster read_posts(GDALDataset& dataset, const std::string& file, const RasterOpt
     dataset.GetGeoTransform(t);
     const Window window = window_of(t, dataset.GetRasterXSize(), dataset.GetRasterYSize(), options);
     if (window.columns < 2 || window.rows < 2) throw UserError(file + ": a raster needs at least 2 by 2 posts");
-    if (std::int64_t{window.columns} * window.rows > kMaxPosts) throw UserError(file + ": more than 2^30 posts; build parts of it with --bounds");
+    if (std::int64_t{window.columns} * window.rows > kMaxPosts)
+        throw UserError(file + ": more than 2^30 posts; build parts of it with --bounds");
     Raster raster;
     raster.columns = static_cast<std::uint32_t>(window.columns);
     raster.rows = static_cast<std::uint32_t>(window.rows);
@@ -164,7 +176,8 @@ Raster read_posts(GDALDataset& dataset, const std::string& file, const RasterOpt
     raster.north_deg = t[3] + (window.j + 0.5) * t[5];
     raster.height_m.resize(std::size_t{raster.columns} * raster.rows);
     GDALRasterBand* band = dataset.GetRasterBand(1);
-    if (band->RasterIO(GF_Read, window.i, window.j, window.columns, window.rows, raster.height_m.data(), window.columns, window.rows, GDT_Float32, 0, 0) != CE_None)
+    if (band->RasterIO(GF_Read, window.i, window.j, window.columns, window.rows, raster.height_m.data(), window.columns,
+                       window.rows, GDT_Float32, 0, 0) != CE_None)
         throw UserError(file + ": the raster ends early or is damaged (" + CPLGetLastErrorMsg() + "); get a whole copy");
     int has_no_data = 0;
     const double no_data = band->GetNoDataValue(&has_no_data);
@@ -200,7 +213,8 @@ Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& 
     bool plain = files.size() == 1;
     for (const std::string& file : files) {
         Dataset source = unscaled(open_raster(file));
-        if (source == nullptr) throw UserError(file + ": the raster ends early or is damaged (" + CPLGetLastErrorMsg() + "); get a whole copy");
+        if (source == nullptr)
+            throw UserError(file + ": the raster ends early or is damaged (" + CPLGetLastErrorMsg() + "); get a whole copy");
         SpatialReferences references;
         read_crs(*source, file, options, references);
         plain = plain && is_plain_geographic(*source, references.own);
@@ -211,7 +225,8 @@ Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& 
     Raster raster = read_posts(plain ? *sources.front() : *warped, files.front(), options);
     raster.source = names;
     raster.resampled = !plain;
-    if (raster.void_posts == raster.height_m.size()) throw UserError(files.front() + ": no post has a height from -500 to 9000 m; check the file or its void value");
+    if (raster.void_posts == raster.height_m.size())
+        throw UserError(files.front() + ": no post has a height from -500 to 9000 m; check the file or its void value");
     if (options.vertical_datum == VerticalDatum::ellipsoid) to_msl(raster);
     return raster;
 }

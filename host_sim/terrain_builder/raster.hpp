@@ -17,9 +17,9 @@ struct GeoBounds {
 };
 
 struct RasterOptions {
-    std::optional<std::string> crs;             ///< overrides the files' own, e.g. "EPSG:21781"
-    std::optional<GeoBounds> bounds;            ///< posts outside are left out
-    std::optional<double> void_value;           ///< an additional value that means "no height"
+    std::optional<std::string> crs;    ///< overrides the files' own, e.g. "EPSG:21781"
+    std::optional<GeoBounds> bounds;   ///< posts outside are left out
+    std::optional<double> void_value;  ///< an additional value that means "no height"
     VerticalDatum vertical_datum = VerticalDatum::egm96;
 };
 

@@ -28,7 +28,9 @@ constexpr std::size_t kTargetChunkVertices = kMaxChunkVertices * 9 / 10;
 constexpr float kUselessTolerance_m = 2000;
 constexpr double kFinestQuantum_m = 1.0 / 1024;
 
-double post_longitude(const Raster& raster, std::int64_t i) { return raster.west_deg + raster.step_lon_deg * static_cast<double>(i); }
+double post_longitude(const Raster& raster, std::int64_t i) {
+    return raster.west_deg + raster.step_lon_deg * static_cast<double>(i);
+}
 double post_latitude(const Raster& raster, std::int64_t j) {
     return std::max(-90.0, raster.north_deg - raster.step_lat_deg * static_cast<double>(j));
 }
@@ -39,7 +41,8 @@ double grid_undulation(const TerrainModel& model, double latitude_deg, double lo
     const double i = std::min(std::max(std::floor(x), 0.0), model.undulation_columns - 2.0);
     const double j = std::min(std::max(std::floor(y), 0.0), model.undulation_rows - 2.0);
     const double u = std::min(std::max(x - i, 0.0), 1.0), v = std::min(std::max(y - j, 0.0), 1.0);
-    const float* p = model.undulation_m.data() + static_cast<std::size_t>(j) * model.undulation_columns + static_cast<std::size_t>(i);
+    const float* p =
+        model.undulation_m.data() + static_cast<std::size_t>(j) * model.undulation_columns + static_cast<std::size_t>(i);
     const std::uint32_t row = model.undulation_columns;
     return (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * ((1 - u) * p[row] + u * p[row + 1]);
 }
@@ -50,15 +53,19 @@ void cut_geoid(TerrainModel& model) {
     const double south_deg = post_latitude(r, r.rows - 1), east_deg = post_longitude(r, r.columns - 1);
     model.undulation_west_deg = std::floor(r.west_deg / kUndulationStep_deg) * kUndulationStep_deg;
     model.undulation_north_deg = std::ceil(r.north_deg / kUndulationStep_deg) * kUndulationStep_deg;
-    model.undulation_columns = static_cast<std::uint32_t>(std::ceil((east_deg - model.undulation_west_deg) / kUndulationStep_deg)) + 1;
-    model.undulation_rows = static_cast<std::uint32_t>(std::ceil((model.undulation_north_deg - south_deg) / kUndulationStep_deg)) + 1;
+    model.undulation_columns =
+        static_cast<std::uint32_t>(std::ceil((east_deg - model.undulation_west_deg) / kUndulationStep_deg)) + 1;
+    model.undulation_rows =
+        static_cast<std::uint32_t>(std::ceil((model.undulation_north_deg - south_deg) / kUndulationStep_deg)) + 1;
     model.undulation_columns = std::max(model.undulation_columns, 2u);
     model.undulation_rows = std::max(model.undulation_rows, 2u);
     for (std::uint32_t j = 0; j < model.undulation_rows; ++j)
         for (std::uint32_t i = 0; i < model.undulation_columns; ++i)
-            model.undulation_m.push_back(
-                static_cast<float>(geoid.undulation(base::radians(std::max(-90.0, model.undulation_north_deg - kUndulationStep_deg * j)),
-                                                    base::radians(model.undulation_west_deg + kUndulationStep_deg * i)).m));
+            model.undulation_m.push_back(static_cast<float>(
+                geoid
+                    .undulation(base::radians(std::max(-90.0, model.undulation_north_deg - kUndulationStep_deg * j)),
+                                base::radians(model.undulation_west_deg + kUndulationStep_deg * i))
+                    .m));
 }
 
 /// Posts beyond the raster repeat its last row and column, so that edge chunks are whole; they are never drawn.
@@ -69,7 +76,8 @@ void fill_lattice(TerrainModel& model) {
     l.post_class.resize(l.surface_m.size());
     for (std::int64_t j = 0; j < l.rows; ++j) {
         for (std::int64_t i = 0; i < l.columns; ++i) {
-            const std::int64_t source_i = std::min<std::int64_t>(i, r.columns - 1), source_j = std::min<std::int64_t>(j, r.rows - 1);
+            const std::int64_t source_i = std::min<std::int64_t>(i, r.columns - 1),
+                               source_j = std::min<std::int64_t>(j, r.rows - 1);
             const std::size_t from = r.at(static_cast<std::uint32_t>(source_i), static_cast<std::uint32_t>(source_j));
             const bool outside = i != source_i || j != source_j;
             const bool is_void = r.post_class[from] == PostClass::void_;
@@ -90,7 +98,8 @@ void size_lattice(TerrainModel& model, std::uint32_t levels) {
     l.columns = (r.columns - 1 + side - 1) / side * side + 1;
     l.rows = (r.rows - 1 + side - 1) / side * side + 1;
     const double north_m = base::radians(r.step_lat_deg) * 6400000.0;  // above the largest radius of curvature: never too small
-    const double nearest_equator = std::max(std::cos(base::radians(r.north_deg)), std::cos(base::radians(post_latitude(r, r.rows - 1))));
+    const double nearest_equator =
+        std::max(std::cos(base::radians(r.north_deg)), std::cos(base::radians(post_latitude(r, r.rows - 1))));
     const bool spans_equator = r.north_deg > 0 && post_latitude(r, r.rows - 1) < 0;
     l.cell_m = std::max(north_m, base::radians(r.step_lon_deg) * 6400000.0 * (spans_equator ? 1.0 : nearest_equator));
 }
@@ -143,7 +152,8 @@ float tolerance_for(const TerrainModel& model, std::uint32_t level, std::size_t 
                 for (std::int64_t i = ci * side; i <= (ci + 1) * side; ++i)
                     if (model.errors_m[l.at(i, j)] > tolerance) errors.push_back(model.errors_m[l.at(i, j)]);
             if (errors.size() <= target) continue;
-            std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(target), errors.end(), std::greater<>());
+            std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(target), errors.end(),
+                             std::greater<>());
             tolerance = errors[target];
         }
     return tolerance;
@@ -155,7 +165,8 @@ bool fit_tolerances(TerrainModel& model) {
     model.tolerance_m[0] = kExactTolerance_m;
     for (std::uint32_t level = 1; level < model.lattice.levels; ++level) {
         const auto wanted = static_cast<float>(kToleranceOfCell * model.lattice.cell_m * std::exp2(level));
-        model.tolerance_m[level] = std::max({wanted, model.tolerance_m[level - 1], tolerance_for(model, level, kTargetChunkVertices)});
+        model.tolerance_m[level] =
+            std::max({wanted, model.tolerance_m[level - 1], tolerance_for(model, level, kTargetChunkVertices)});
         if (model.tolerance_m[level] > kUselessTolerance_m) return false;
     }
     for (;;) {
@@ -213,11 +224,13 @@ public:
 
 private:
     [[nodiscard]] glm::dvec3 ecef(std::int64_t i, std::int64_t j) const {
-        return earth::to_ecef({base::radians(post_latitude(r_, j)), base::radians(post_longitude(r_, i)), {l_.surface_m[l_.at(i, j)]}});
+        return earth::to_ecef(
+            {base::radians(post_latitude(r_, j)), base::radians(post_longitude(r_, i)), {l_.surface_m[l_.at(i, j)]}});
     }
 
     void place_box(ChunkEntry& entry) {
-        const double latitude = base::radians(post_latitude(r_, north_ + side_ / 2)), longitude = base::radians(post_longitude(r_, west_ + side_ / 2));
+        const double latitude = base::radians(post_latitude(r_, north_ + side_ / 2)),
+                     longitude = base::radians(post_longitude(r_, west_ + side_ / 2));
         float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
         entry.min_height_m = low;
         entry.max_height_m = high;
@@ -288,7 +301,8 @@ private:
     /// Central differences over valid neighbours; the vertical where there are none.
     [[nodiscard]] glm::dvec3 normal_at(std::int64_t i, std::int64_t j) const {
         const auto valid = [&](std::int64_t a, std::int64_t b) {
-            return a >= 0 && b >= 0 && a < l_.raster_columns && b < l_.raster_rows && l_.post_class[l_.at(a, b)] != PostClass::void_;
+            return a >= 0 && b >= 0 && a < l_.raster_columns && b < l_.raster_rows &&
+                   l_.post_class[l_.at(a, b)] != PostClass::void_;
         };
         const glm::dmat3 axes = earth::north_east_down(base::radians(post_latitude(r_, j)), base::radians(post_longitude(r_, i)));
         const std::int64_t west = valid(i - 1, j) ? i - 1 : i, east = valid(i + 1, j) ? i + 1 : i;
@@ -301,12 +315,13 @@ private:
     void measure(ChunkEntry& entry, const std::vector<ChunkVertex>& vertices) {
         entry.vertex_count = static_cast<std::uint32_t>(vertices.size());
         if (vertices.size() > kMaxChunkVertices)
-            throw UserError("terrain build: chunk " + std::to_string(entry.level) + "/" + std::to_string(entry.i) + "/" + std::to_string(entry.j) +
-                            " needs more than " + std::to_string(kMaxChunkVertices) + " vertices; report this raster");
+            throw UserError("terrain build: chunk " + std::to_string(entry.level) + "/" + std::to_string(entry.i) + "/" +
+                            std::to_string(entry.j) + " needs more than " + std::to_string(kMaxChunkVertices) +
+                            " vertices; report this raster");
         std::vector<std::uint16_t> indices(3 * kMaxChunkTriangles);
         const base::Span<const ChunkVertex> span(vertices.data(), vertices.size());
-        const MeshCount mesh = build_chunk_indices(span, {entry.level, entry.i, entry.j, r_.columns - 1, r_.rows - 1}, 0, scratch_,
-                                                   base::Span<std::uint16_t>(indices.data(), indices.size()));
+        const MeshCount mesh = build_chunk_indices(span, {entry.level, entry.i, entry.j, r_.columns - 1, r_.rows - 1}, 0,
+                                                   scratch_, base::Span<std::uint16_t>(indices.data(), indices.size()));
         if (!mesh.sound) throw UserError("terrain build: the mesh of a chunk is not conforming; report this raster");
         entry.triangle_count = mesh.indices / 3;
         measure_mesh(entry, vertices, indices, mesh.indices);
@@ -315,7 +330,8 @@ private:
     }
 
     /// Exhaustive over the drawn triangles.
-    void measure_mesh(ChunkEntry& entry, const std::vector<ChunkVertex>& vertices, const std::vector<std::uint16_t>& indices, std::uint32_t count) {
+    void measure_mesh(ChunkEntry& entry, const std::vector<ChunkVertex>& vertices, const std::vector<std::uint16_t>& indices,
+                      std::uint32_t count) {
         double above = 0, below = 0;
         for (std::uint32_t n = 0; n < count; n += 3) {
             LatticeVertex c[3];
@@ -343,8 +359,10 @@ private:
     [[nodiscard]] double bound_of(const ChunkEntry& entry) const {
         const std::int64_t margin = entry.level == 0 ? 0 : side_ / 2;
         float bound = 0;
-        for (std::int64_t j = std::max<std::int64_t>(0, north_ - margin); j <= std::min(l_.rows - 1, north_ + side_ + margin); ++j)
-            for (std::int64_t i = std::max<std::int64_t>(0, west_ - margin); i <= std::min(l_.columns - 1, west_ + side_ + margin); ++i) {
+        for (std::int64_t j = std::max<std::int64_t>(0, north_ - margin); j <= std::min(l_.rows - 1, north_ + side_ + margin);
+             ++j)
+            for (std::int64_t i = std::max<std::int64_t>(0, west_ - margin);
+                 i <= std::min(l_.columns - 1, west_ + side_ + margin); ++i) {
                 const std::uint8_t kept = model_.levels[l_.at(i, j)];
                 if (kept == kNeverNeeded || kept < entry.level) bound = std::max(bound, model_.errors_m[l_.at(i, j)]);
             }
@@ -356,7 +374,9 @@ private:
         double half[3] = {0, 0, 0};
         const auto include = [&](const glm::dvec3& offset) {
             for (int a = 0; a < 3; ++a)
-                half[a] = std::max(half[a], std::abs(glm::dot(offset, glm::dvec3(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]))));
+                half[a] = std::max(
+                    half[a],
+                    std::abs(glm::dot(offset, glm::dvec3(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]))));
         };
         for (const ChunkVertex& v : vertices) include({v.x, v.y, v.z});
         // Posts left out lie within the error of triangles between vertices; the margin also covers the axes' rounding.
@@ -416,7 +436,8 @@ FileHeader make_header(const TerrainModel& model, const BuildOptions& options) {
     h.undulation_columns = model.undulation_columns;
     h.undulation_rows = model.undulation_rows;
     std::strncpy(h.source, r.source.c_str(), sizeof h.source - 1);
-    std::strncpy(h.vertical_datum, options.vertical_datum == VerticalDatum::egm96 ? "egm96" : "ellipsoid", sizeof h.vertical_datum - 1);
+    std::strncpy(h.vertical_datum, options.vertical_datum == VerticalDatum::egm96 ? "egm96" : "ellipsoid",
+                 sizeof h.vertical_datum - 1);
     return h;
 }
 
@@ -441,8 +462,11 @@ std::vector<std::uint8_t> make_tdb(const TerrainModel& model, const BuildOptions
     std::vector<ChunkEntry> entries;
     std::vector<std::vector<std::uint8_t>> payloads;
     ChunkWriter writer(model);
-    const auto across = [](std::uint32_t posts, std::uint32_t level) { return (posts - 1 + (kChunkCells << level) - 1) / (kChunkCells << level); };
-    for (std::uint32_t level = 0; level < header.levels; ++level) header.chunk_count += across(header.columns, level) * across(header.rows, level);
+    const auto across = [](std::uint32_t posts, std::uint32_t level) {
+        return (posts - 1 + (kChunkCells << level) - 1) / (kChunkCells << level);
+    };
+    for (std::uint32_t level = 0; level < header.levels; ++level)
+        header.chunk_count += across(header.columns, level) * across(header.rows, level);
     for (std::uint32_t level = 0; level < header.levels; ++level)
         for (std::uint32_t j = 0; j < across(header.rows, level); ++j)
             for (std::uint32_t i = 0; i < across(header.columns, level); ++i) {

@@ -14,7 +14,9 @@ namespace {
 
 using namespace terrain;
 
-std::string chunk_name(const ChunkEntry& e) { return std::to_string(e.level) + "/" + std::to_string(e.i) + "/" + std::to_string(e.j); }
+std::string chunk_name(const ChunkEntry& e) {
+    return std::to_string(e.level) + "/" + std::to_string(e.i) + "/" + std::to_string(e.j);
+}
 
 struct Image {
     FileHeader header{};
@@ -23,12 +25,15 @@ struct Image {
 
 Image parse(const std::vector<std::uint8_t>& bytes, const std::string& name) {
     Image image;
-    if (bytes.size() < sizeof image.header) throw UserError(name + ": not a terrain database; give a file that 'terrain build' wrote");
+    if (bytes.size() < sizeof image.header)
+        throw UserError(name + ": not a terrain database; give a file that 'terrain build' wrote");
     std::memcpy(&image.header, bytes.data(), sizeof image.header);
     if (std::memcmp(image.header.magic, kTdbMagic, sizeof kTdbMagic) != 0 || image.header.version != kTdbVersion)
         throw UserError(name + ": not a terrain database of this version; build it again with 'terrain build'");
     const std::uint64_t end = sizeof image.header + std::uint64_t{image.header.chunk_count} * sizeof(ChunkEntry);
-    if (image.header.chunk_count == 0 || end > bytes.size()) throw UserError(name + ": offset " + std::to_string(bytes.size()) + ": the file ends inside its directory; get a whole copy");
+    if (image.header.chunk_count == 0 || end > bytes.size())
+        throw UserError(name + ": offset " + std::to_string(bytes.size()) +
+                        ": the file ends inside its directory; get a whole copy");
     image.entries.resize(image.header.chunk_count);
     std::memcpy(image.entries.data(), bytes.data() + sizeof image.header, image.entries.size() * sizeof(ChunkEntry));
     return image;
@@ -38,13 +43,15 @@ void require_same_lattice(const Image& image, const Raster& raster, const std::s
     const FileHeader& h = image.header;
     const bool same = h.columns == raster.columns && h.rows == raster.rows && std::abs(h.west_deg - raster.west_deg) < 1e-9 &&
                       std::abs(h.north_deg - raster.north_deg) < 1e-9 && std::abs(h.step_lon_deg - raster.step_lon_deg) < 1e-12;
-    if (!same) throw UserError(name + ": was not built from these rasters (other posts); name the rasters and options of its build");
+    if (!same)
+        throw UserError(name + ": was not built from these rasters (other posts); name the rasters and options of its build");
 }
 
 /// One chunk of the file against the same chunk made anew.
 class ChunkComparison {
 public:
-    ChunkComparison(const std::vector<std::uint8_t>& file, const std::vector<std::uint8_t>& fresh, const ChunkEntry& stated, const ChunkEntry& expected)
+    ChunkComparison(const std::vector<std::uint8_t>& file, const std::vector<std::uint8_t>& fresh, const ChunkEntry& stated,
+                    const ChunkEntry& expected)
         : file_(file), fresh_(fresh), stated_(stated), expected_(expected) {}
 
     /// An empty reason when nothing is wrong.
@@ -54,7 +61,8 @@ public:
             violation.reason = "lies beyond the end of the file";
         } else if (base::crc32(file_.data() + stated_.offset, stated_.bytes) != stated_.crc) {
             violation.reason = "checksum does not match its bytes";
-        } else if (stated_.bytes != expected_.bytes || std::memcmp(file_.data() + stated_.offset, fresh_.data() + expected_.offset, stated_.bytes) != 0) {
+        } else if (stated_.bytes != expected_.bytes ||
+                   std::memcmp(file_.data() + stated_.offset, fresh_.data() + expected_.offset, stated_.bytes) != 0) {
             violation.reason = "differs from the rasters";
             violation.excess_m = largest_height_difference();
         }
@@ -96,7 +104,8 @@ private:
 
 }  // namespace
 
-TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string& name, const TerrainModel& model, const BuildOptions& options) {
+TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string& name, const TerrainModel& model,
+                       const BuildOptions& options) {
     const Image image = parse(bytes, name);
     require_same_lattice(image, model.raster, name);
     const std::vector<std::uint8_t> fresh_bytes = make_tdb(model, options);
@@ -104,14 +113,16 @@ TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string
     TerrainCheck check;
     check.chunks = fresh.entries.size();
     if (fresh.entries.size() != image.entries.size())
-        throw UserError(name + ": has " + std::to_string(image.entries.size()) + " chunks where its rasters give " + std::to_string(fresh.entries.size()) + "; build it again");
+        throw UserError(name + ": has " + std::to_string(image.entries.size()) + " chunks where its rasters give " +
+                        std::to_string(fresh.entries.size()) + "; build it again");
     for (std::size_t n = 0; n < fresh.entries.size(); ++n) {
         const ChunkViolation violation = ChunkComparison(bytes, fresh_bytes, image.entries[n], fresh.entries[n]).run();
         if (violation.reason.empty()) continue;
         check.violations.push_back(violation);
         check.worst_excess_m = std::max(check.worst_excess_m, violation.excess_m);
     }
-    const bool header_differs = std::memcmp(bytes.data(), fresh_bytes.data(), sizeof(FileHeader)) != 0 && check.violations.empty();
+    const bool header_differs =
+        std::memcmp(bytes.data(), fresh_bytes.data(), sizeof(FileHeader)) != 0 && check.violations.empty();
     if (header_differs && std::memcmp(&image.header, &fresh.header, offsetof(FileHeader, le90_m)) != 0)
         check.violations.push_back({"header", "differs from the rasters", 0});
     return check;

@@ -10,9 +10,9 @@
 namespace tedavis::host_sim {
 
 struct ChunkViolation {
-    std::string chunk;   ///< "level/i/j"
+    std::string chunk;  ///< "level/i/j"
     std::string reason;
-    double excess_m = 0; ///< error found minus error stated, where that is the reason
+    double excess_m = 0;  ///< error found minus error stated, where that is the reason
 };
 
 struct TerrainCheck {
@@ -24,6 +24,7 @@ struct TerrainCheck {
 /// `image` is the whole file. Finds damaged checksums, posts or vertices that differ from the rasters (also where the
 /// checksums were rewritten to match) and meshes whose exhaustive error exceeds what the database states.
 /// Throws UserError when the file is no database or was not built from a raster of this lattice.
-[[nodiscard]] TerrainCheck check_tdb(const std::vector<std::uint8_t>& image, const std::string& name, const TerrainModel& model, const BuildOptions& options);
+[[nodiscard]] TerrainCheck check_tdb(const std::vector<std::uint8_t>& image, const std::string& name, const TerrainModel& model,
+                                     const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

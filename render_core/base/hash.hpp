@@ -19,7 +19,8 @@ private:
 
 /// The frame hash: width and height, then the RGBA8 rows, top row first. `rows` holds width*height*4 bytes with the
 /// bottom row first when `bottom_up` (as GL reads them back).
-[[nodiscard]] std::uint64_t frame_hash(const std::uint8_t* rows, std::uint32_t width, std::uint32_t height, bool bottom_up) noexcept;
+[[nodiscard]] std::uint64_t frame_hash(const std::uint8_t* rows, std::uint32_t width, std::uint32_t height,
+                                       bool bottom_up) noexcept;
 
 /// CRC-32 (ISO 3309, polynomial 0xEDB88320 reflected); detects every single flipped bit and every burst up to 32 bits.
 [[nodiscard]] std::uint32_t crc32(const void* bytes, std::size_t count, std::uint32_t previous = 0) noexcept;

@@ -39,7 +39,8 @@ std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
     return device.budget.total(base::MemoryKind::cpu) + 4096;
 }
 
-gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface, base::ByteSource* terrain) {
+gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
+                           base::ByteSource* terrain) {
     settings_ = settings;
     if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
@@ -54,13 +55,15 @@ gl::GlError Display::cut_memory(base::Arena& memory) {
     const struct {
         std::string_view line;
         base::Arena* arena;
-    } cuts[] = {{effects::kTerrainHeights, &heights_memory_}, {effects::kTerrainIndex, &index_memory_}, {effects::kTerrainChunkSlots, &slots_memory_},
-                {effects::kStaging, &staging_memory_}, {effects::kLodScratch, &lod_memory_}, {effects::kSymbology, &symbology_memory_}};
+    } cuts[] = {{effects::kTerrainHeights, &heights_memory_},  {effects::kTerrainIndex, &index_memory_},
+                {effects::kTerrainChunkSlots, &slots_memory_}, {effects::kStaging, &staging_memory_},
+                {effects::kLodScratch, &lod_memory_},          {effects::kSymbology, &symbology_memory_}};
     for (const auto& cut : cuts) {
         const base::BudgetLine* line = settings_.device.budget.find(cut.line);
         *cut.arena = memory.carve(line->bytes);
         if (cut.arena->use().capacity != line->bytes)
-            return gl::make_error("the reservation does not hold the budget line '", cut.line, "'; lower the budgets in the device file");
+            return gl::make_error("the reservation does not hold the budget line '", cut.line,
+                                  "'; lower the budgets in the device file");
     }
     return {};
 }
@@ -75,7 +78,8 @@ gl::GlError Display::start_drawers() {
 gl::GlError Display::open_terrain(base::ByteSource& terrain) {
     auto opened = terrain::TerrainDatabase::open(terrain, index_memory_);
     if (!opened.ok())
-        return gl::make_error("the terrain database ", terrain::to_string(opened.error().error), " at offset ", gl::digits(opened.error().offset).view());
+        return gl::make_error("the terrain database ", terrain::to_string(opened.error().error), " at offset ",
+                              gl::digits(opened.error().offset).view());
     database_ = opened.value();
     const std::uint32_t slots = settings_.device.max_chunk_slots;
     if (!heights_.start(database_, heights_memory_) || !cache_.start(database_, slots, heights_memory_))
@@ -85,8 +89,10 @@ gl::GlError Display::open_terrain(base::ByteSource& terrain) {
     const std::uint64_t left = lod_memory_.use().capacity - lod_memory_.use().in_use;
     lod_work_ = lod_memory_.allocate_array<terrain::ChunkIndex>(left / sizeof(terrain::ChunkIndex) / 2);
     if (chunk_states_.empty() || selected_.empty() || lod_work_.empty())
-        return gl::make_error("the budget line 'lod_scratch' is too small for this terrain database; raise it in the device file");
-    if (gl::GlError error = terrain_drawer_.start(gl_, database_, cache_, settings_.design, settings_.device, staging_memory_); !error.sentence.empty())
+        return gl::make_error(
+            "the budget line 'lod_scratch' is too small for this terrain database; raise it in the device file");
+    if (gl::GlError error = terrain_drawer_.start(gl_, database_, cache_, settings_.design, settings_.device, staging_memory_);
+        !error.sentence.empty())
         return error;
     has_terrain_ = true;
     return {};
@@ -167,19 +173,22 @@ void Display::plan_view(const flight::AircraftState& state, base::Time) {
     record_.altitude_msl_m = aircraft_msl_m_;
     const earth::EllipsoidHeight height{aircraft_msl_m_ + undulation};
     const double heading = draw::view_heading_rad(state, decisions_);
-    const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, heading, record_.pitch_rad, record_.roll_rad);
+    const glm::dmat3 body =
+        earth::body_axes(place.latitude_rad, place.longitude_rad, heading, record_.pitch_rad, record_.roll_rad);
     const design::ViewSettings& eye = settings_.design.view;
     view_.forward = body[0];
     view_.right = body[1];
     view_.down = body[2];
-    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, height}) + body * glm::dvec3(eye.eye_forward_m, eye.eye_right_m, eye.eye_down_m);
+    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, height}) +
+                body * glm::dvec3(eye.eye_forward_m, eye.eye_right_m, eye.eye_down_m);
     view_.width = settings_.width_px;
     view_.height = settings_.height_px;
     view_.focal_px = 0.5 * settings_.width_px / std::tan(0.5 * eye.horizontal_field_of_view_rad);
     const double above = state[Signal::height_above_terrain].value_or(aircraft_msl_m_);
     view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
     view_.far_m = far_plane_m(aircraft_msl_m_);
-    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px, settings_.height_px, aircraft_msl_m_);
+    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px,
+                                            settings_.height_px, aircraft_msl_m_);
     if (free_view_active_) view_ = free_view_;
 }
 
@@ -187,7 +196,8 @@ void Display::plan_terrain() {
     lod_ = {};
     record_.terrain.tau_px = settings_.design.terrain.tau_px;
     if (!decisions_.show_terrain) return;
-    const terrain::LodSettings lod{settings_.design.terrain.tau_px, settings_.device.triangle_budget, settings_.device.max_chunk_slots};
+    const terrain::LodSettings lod{settings_.design.terrain.tau_px, settings_.device.triangle_budget,
+                                   settings_.device.max_chunk_slots};
     lod_ = terrain::select_chunks(database_, view_, lod, chunk_states_, lod_work_, selected_);
     if (!lod_.within_budget) {
         decisions_.show_terrain = false;
@@ -198,7 +208,8 @@ void Display::plan_terrain() {
     record_.terrain.worst_error_px = lod_.worst_error_px;
     if (lod_.tau_reached_px > lod.tau_px) flag("terrain.tau_raised");
     bool voids = false;
-    for (std::uint32_t n = 0; n < lod_.chunks; ++n) voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
+    for (std::uint32_t n = 0; n < lod_.chunks; ++n)
+        voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
     if (voids) flag("terrain.void");
     if (lod_.worst_chunk == terrain::kNoChunk) return;
     const terrain::ChunkEntry& worst = database_.entry(lod_.worst_chunk);
@@ -277,8 +288,8 @@ void Display::finish_record() {
     for (EffectRecord& effect : record_.effects)
         if (effect.name.view() == "terrain") effect.draws = terrain_result_.draws;
     const base::BudgetTable& budget = settings_.device.budget;
-    record_.bytes.cpu = symbology_memory_.use().in_use + heights_memory_.use().in_use + index_memory_.use().in_use + slots_memory_.use().in_use + staging_memory_.use().in_use +
-                        lod_memory_.use().in_use;
+    record_.bytes.cpu = symbology_memory_.use().in_use + heights_memory_.use().in_use + index_memory_.use().in_use +
+                        slots_memory_.use().in_use + staging_memory_.use().in_use + lod_memory_.use().in_use;
     record_.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
     record_.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);
     record_.bytes.gpu_budget = budget.total(base::MemoryKind::gpu);

@@ -38,7 +38,8 @@ public:
     Display& operator=(const Display&) = delete;
 
     /// The surface must be current; `terrain` may be null (no database). An empty sentence means success.
-    [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface, base::ByteSource* terrain);
+    [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
+                                    base::ByteSource* terrain);
     /// What the reservation handed to start() must hold for this device.
     [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device);
 

@@ -67,26 +67,34 @@ constexpr SourceChain kLongitude{SignalGroup::longitude, 1, 1, {Signal::longitud
 constexpr SourceChain kGeometricHeight{SignalGroup::geometric_height, 2, 2, {Signal::ellipsoid_height, Signal::true_altitude}};
 constexpr SourceChain kPitch{SignalGroup::pitch, 1, 1, {Signal::pitch}};
 constexpr SourceChain kRoll{SignalGroup::roll, 1, 1, {Signal::roll}};
-constexpr SourceChain kHeading{SignalGroup::view_heading, 3, 2, {Signal::true_heading, Signal::magnetic_heading, Signal::true_track}};
-constexpr SourceChain kAltitude{SignalGroup::altitude, 4, 1,
-                                {Signal::baro_altitude, Signal::true_altitude, Signal::ellipsoid_height, Signal::standard_altitude}};
-constexpr SourceChain kAirspeed{SignalGroup::airspeed, 4, 2,
-                                {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed, Signal::ground_speed}};
+constexpr SourceChain kHeading{
+    SignalGroup::view_heading, 3, 2, {Signal::true_heading, Signal::magnetic_heading, Signal::true_track}};
+constexpr SourceChain kAltitude{
+    SignalGroup::altitude,
+    4,
+    1,
+    {Signal::baro_altitude, Signal::true_altitude, Signal::ellipsoid_height, Signal::standard_altitude}};
+constexpr SourceChain kAirspeed{
+    SignalGroup::airspeed,
+    4,
+    2,
+    {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed, Signal::ground_speed}};
 constexpr SourceChain kVerticalSpeed{SignalGroup::vertical_speed, 1, 1, {Signal::vertical_speed}};
 constexpr SourceChain kBaroSetting{SignalGroup::baro_setting, 1, 1, {Signal::baro_setting}};
 constexpr SourceChain kGroundHeight{SignalGroup::ground_height, 2, 2, {Signal::radio_height, Signal::height_above_terrain}};
 constexpr SourceChain kHorizontalAccuracy{SignalGroup::horizontal_accuracy, 1, 1, {Signal::horizontal_accuracy}};
 constexpr SourceChain kVerticalAccuracy{SignalGroup::vertical_accuracy, 1, 1, {Signal::vertical_accuracy}};
-constexpr const SourceChain* kChains[] = {&kLatitude,      &kLongitude,   &kGeometricHeight, &kPitch,         &kRoll,
-                                          &kHeading,       &kAltitude,    &kAirspeed,        &kVerticalSpeed, &kBaroSetting,
-                                          &kGroundHeight,  &kHorizontalAccuracy, &kVerticalAccuracy};
+constexpr const SourceChain* kChains[] = {&kLatitude,     &kLongitude,          &kGeometricHeight, &kPitch,         &kRoll,
+                                          &kHeading,      &kAltitude,           &kAirspeed,        &kVerticalSpeed, &kBaroSetting,
+                                          &kGroundHeight, &kHorizontalAccuracy, &kVerticalAccuracy};
 
 constexpr double kSlowestFlightPath_mps = 10;  // below, the direction of motion on the ground is noise
 
 /// The states of one frame, and the decisions as they are made.
 class Policy {
 public:
-    Policy(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions, const design::DesignSettings& design)
+    Policy(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions,
+           const design::DesignSettings& design)
         : state_(state), now_(now), conditions_(conditions), design_(design) {}
 
     DisplayDecisions decide() {
@@ -162,7 +170,8 @@ private:
         if (out_[Element::attitude].show == ElementShow::failed) return;
         const double pitch_rad = state_[Signal::pitch].value_or(0), roll_rad = state_[Signal::roll].value_or(0);
         const design::UnusualAttitudeLimits& limits = design_.unusual_attitude;
-        out_.unusual_attitude = pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad || std::fabs(roll_rad) > limits.roll_rad;
+        out_.unusual_attitude =
+            pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad || std::fabs(roll_rad) > limits.roll_rad;
     }
 
     void decide_heading() {
@@ -192,8 +201,8 @@ private:
         const bool known = (all_gathered_ & kRemoveTerrain) == 0;
         out_.show_terrain = known && conditions_.terrain == TerrainSource::ready;
         out_.terrain_degraded = out_.show_terrain && (all_gathered_ & kDegradeTerrain) != 0;
-        out_.show_warning_colors = out_.show_terrain && design_.warning_colors && !out_.unusual_attitude &&
-                                   (all_gathered_ & kRemoveWarningColors) == 0;
+        out_.show_warning_colors =
+            out_.show_terrain && design_.warning_colors && !out_.unusual_attitude && (all_gathered_ & kRemoveWarningColors) == 0;
         out_.plain_horizon = !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         if (out_.terrain_degraded) flag("terrain", "degraded");
         if (conditions_.terrain == TerrainSource::none) flag("terrain", "missing");

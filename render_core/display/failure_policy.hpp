@@ -18,7 +18,7 @@ namespace tedavis::display {
 
 /// The state of the terrain database for this frame.
 enum class TerrainSource : std::uint8_t {
-    none,     ///< no database was given
+    none,  ///< no database was given
     ready,
     outside,  ///< the own ship is not over it
     failed,   ///< it could not be read or did not check
@@ -51,11 +51,11 @@ enum class SignalGroup : std::uint8_t {
 /// What follows when no signal of a group is valid; bits.
 enum Consequence : std::uint8_t {
     kNoConsequence = 0,
-    kRemoveTerrain = 1,         ///< and with it the warning colours
+    kRemoveTerrain = 1,  ///< and with it the warning colours
     kRemoveWarningColors = 2,
     kDegradeTerrain = 4,
-    kFailElement = 8,           ///< red cross in its place; without this bit the last value stays, flagged
-    kFlag = 16,                 ///< named in the flags
+    kFailElement = 8,  ///< red cross in its place; without this bit the last value stays, flagged
+    kFlag = 16,        ///< named in the flags
 };
 
 /// A row of the table: the consequences of a signal's state while no other signal of its group is valid. While another
@@ -69,7 +69,7 @@ struct SignalRule {
 [[nodiscard]] const SignalRule& signal_rule(flight::Signal signal) noexcept;
 [[nodiscard]] std::uint8_t consequences(const SignalRule& rule, base::SignalState state) noexcept;
 
-[[nodiscard]] DisplayDecisions decide_display(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions,
-                                              const design::DesignSettings& design) noexcept;
+[[nodiscard]] DisplayDecisions decide_display(const flight::AircraftState& state, base::Time now,
+                                              const DisplayConditions& conditions, const design::DesignSettings& design) noexcept;
 
 }  // namespace tedavis::display

@@ -17,13 +17,26 @@ constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVerti
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
 
 enum Attribute : GLuint { kPosition, kHeight, kNormal, kKind, kPlace };
-constexpr gl::AttributeBinding kAttributes[] = {{"position", kPosition}, {"height", kHeight}, {"normal", kNormal}, {"kind", kKind}, {"place", kPlace}};
+constexpr gl::AttributeBinding kAttributes[] = {
+    {"position", kPosition}, {"height", kHeight}, {"normal", kNormal}, {"kind", kKind}, {"place", kPlace}};
 
 enum Uniform : std::size_t {
-    kChunkOffset, kViewProjection, kLightDirection, kLight, kHaze, kPalette, kPaletteRange, kSeaColor, kHazeColor, kLastPlace, kBandColor, kBandLower
+    kChunkOffset,
+    kViewProjection,
+    kLightDirection,
+    kLight,
+    kHaze,
+    kPalette,
+    kPaletteRange,
+    kSeaColor,
+    kHazeColor,
+    kLastPlace,
+    kBandColor,
+    kBandLower
 };
-constexpr const char* kUniforms[] = {"chunk_offset", "view_projection", "light_direction", "light", "haze_per_m", "palette", "palette_range",
-                                     "sea_color", "haze_color", "last_place", "band_color", "band_lower"};
+constexpr const char* kUniforms[] = {"chunk_offset", "view_projection", "light_direction", "light",
+                                     "haze_per_m",   "palette",         "palette_range",   "sea_color",
+                                     "haze_color",   "last_place",      "band_color",      "band_lower"};
 constexpr std::size_t kPlainUniforms = 10;
 
 /// Perspective with the view's axes in ECEF, from eye-relative metres to clip space (z -1..1).
@@ -40,13 +53,15 @@ glm::dmat4 view_projection(const terrain::View& view, const glm::dvec3& eye_frac
 }
 
 void set_color(gl::Gl& gl, GLint location, design::Color c) {
-    gl->Uniform4f(location, static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f, static_cast<float>(c.blue) / 255.0f,
-                  static_cast<float>(c.alpha) / 255.0f);
+    gl->Uniform4f(location, static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f,
+                  static_cast<float>(c.blue) / 255.0f, static_cast<float>(c.alpha) / 255.0f);
 }
 
 void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     const std::uint64_t start = slot * kSlotVertexBytes;
-    const auto at = [&](std::size_t offset) { return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(start + offset)); };
+    const auto at = [&](std::size_t offset) {
+        return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(start + offset));
+    };
     constexpr GLsizei kStride = sizeof(ChunkVertex);
     gl->VertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, x)));
     gl->VertexAttribPointer(kHeight, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, height_m)));
@@ -57,8 +72,8 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
 
 }  // namespace
 
-gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::ChunkCache& cache, const design::DesignSettings& design,
-                                 effects::DeviceSettings& device, base::Arena& staging) {
+gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::ChunkCache& cache,
+                                 const design::DesignSettings& design, effects::DeviceSettings& device, base::Arena& staging) {
     database_ = &database;
     cache_ = &cache;
     const std::uint32_t slots = device.max_chunk_slots;
@@ -66,15 +81,18 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& dat
     index_staging_ = staging.allocate_array<std::uint16_t>(kSlotIndices);
     scratch_ = static_cast<terrain::ChunkMeshScratch*>(staging.allocate(sizeof *scratch_, alignof(terrain::ChunkMeshScratch)));
     if (slots_.empty() || index_staging_.empty() || scratch_ == nullptr)
-        return gl::make_error("the budget line 'staging' is too small for the terrain's index staging; raise it in the device file");
+        return gl::make_error(
+            "the budget line 'staging' is too small for the terrain's index staging; raise it in the device file");
 
     base::BudgetLine* vertex_line = device.budget.find(effects::kTerrainVertices);
     base::BudgetLine* index_line = device.budget.find(effects::kTerrainIndices);
     base::BudgetLine* palette_line = device.budget.find(effects::kRenderTargets);
-    auto vertices = gl::make_buffer(gl, *vertex_line, gl::BufferKind::vertices, gl::BufferUse::streamed, slots * kSlotVertexBytes);
+    auto vertices =
+        gl::make_buffer(gl, *vertex_line, gl::BufferKind::vertices, gl::BufferUse::streamed, slots * kSlotVertexBytes);
     if (!vertices.ok()) return vertices.error();
     vertices_ = static_cast<gl::Buffer&&>(vertices.value());
-    auto indices = gl::make_buffer(gl, *index_line, gl::BufferKind::indices, gl::BufferUse::streamed, slots * kSlotIndices * sizeof(std::uint16_t));
+    auto indices = gl::make_buffer(gl, *index_line, gl::BufferKind::indices, gl::BufferUse::streamed,
+                                   slots * kSlotIndices * sizeof(std::uint16_t));
     if (!indices.ok()) return indices.error();
     indices_ = static_cast<gl::Buffer&&>(indices.value());
     auto palette = gl::make_texture(gl, *palette_line, {gl::TextureFormat::rgba8, gl::TextureFilter::linear, kPaletteTexels, 1});
@@ -141,15 +159,19 @@ bool TerrainDrawer::upload(gl::Gl& gl, terrain::SlotIndex slot, const terrain::S
     if (gpu.indexed && gpu.coarser_edges == selected.coarser_edges) return true;
     const terrain::ChunkEntry& entry = database_->entry(selected.chunk);
     const terrain::FileHeader& header = database_->header();
-    const terrain::MeshCount mesh = terrain::build_chunk_indices(vertices, {entry.level, entry.i, entry.j, header.columns - 1, header.rows - 1},
-                                                                 selected.coarser_edges, *scratch_, index_staging_);
-    if (!mesh.sound || !indices_.upload(gl, slot * kSlotIndices * sizeof(std::uint16_t), index_staging_.data(), mesh.indices * sizeof(std::uint16_t))) return false;
+    const terrain::MeshCount mesh =
+        terrain::build_chunk_indices(vertices, {entry.level, entry.i, entry.j, header.columns - 1, header.rows - 1},
+                                     selected.coarser_edges, *scratch_, index_staging_);
+    if (!mesh.sound || !indices_.upload(gl, slot * kSlotIndices * sizeof(std::uint16_t), index_staging_.data(),
+                                        mesh.indices * sizeof(std::uint16_t)))
+        return false;
     uploaded_ += mesh.indices * sizeof(std::uint16_t);
     gpu = {gpu.loads, mesh.indices, selected.coarser_edges, true};
     return true;
 }
 
-TerrainDrawResult TerrainDrawer::draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input) {
+TerrainDrawResult TerrainDrawer::draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected,
+                                      const TerrainDrawInput& input) {
     TerrainDrawResult result;
     result.uploaded_bytes = uploaded_;
     const gl::Program& program = input.warning_colors ? banded_ : plain_;
@@ -180,7 +202,8 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     gl->Uniform1f(program.uniform(kHaze), haze_m > 0 ? static_cast<float>(1.0 / haze_m) : 0.0f);
     gl->Uniform1i(program.uniform(kPalette), 0);
     const double low = design_.terrain.palette[0].height_m, high = design_.terrain.palette.back().height_m;
-    gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low), high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
+    gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low),
+                  high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
     set_color(gl, program.uniform(kSeaColor), design_.terrain.sea);
     set_color(gl, program.uniform(kHazeColor), design_.sky.haze);
     if (input.warning_colors) set_bands(gl, program, input);
@@ -204,16 +227,17 @@ void TerrainDrawer::set_bands(gl::Gl& gl, const gl::Program& program, const Terr
     gl->Uniform1fv(program.uniform(kBandLower), static_cast<GLsizei>(design::kMaxWarningBands), lower);
 }
 
-void TerrainDrawer::draw_chunk(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& selected, const glm::dvec3& eye_whole,
-                               TerrainDrawResult& result) {
+void TerrainDrawer::draw_chunk(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& selected,
+                               const glm::dvec3& eye_whole, TerrainDrawResult& result) {
     const terrain::SlotIndex slot = cache_->acquire(selected.chunk, frame_);
     if (slot == terrain::kNoSlot || !slots_[slot].indexed) return;
     const terrain::ChunkEntry& entry = database_->entry(selected.chunk);
     const std::int64_t side = std::int64_t{terrain::kChunkCells} << entry.level;
     const auto beyond = [&](std::uint32_t posts, std::uint32_t at) { return static_cast<float>(posts - 1 - at * side); };
-    gl->Uniform3f(program.uniform(kChunkOffset), static_cast<float>(entry.centre_m[0] - eye_whole.x), static_cast<float>(entry.centre_m[1] - eye_whole.y),
-                  static_cast<float>(entry.centre_m[2] - eye_whole.z));
-    gl->Uniform2f(program.uniform(kLastPlace), beyond(database_->header().columns, entry.i), beyond(database_->header().rows, entry.j));
+    gl->Uniform3f(program.uniform(kChunkOffset), static_cast<float>(entry.centre_m[0] - eye_whole.x),
+                  static_cast<float>(entry.centre_m[1] - eye_whole.y), static_cast<float>(entry.centre_m[2] - eye_whole.z));
+    gl->Uniform2f(program.uniform(kLastPlace), beyond(database_->header().columns, entry.i),
+                  beyond(database_->header().rows, entry.j));
     point_attributes(gl, slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(slot * kSlotIndices), slots_[slot].index_count, entry.vertex_count - 1});
     result.triangles += slots_[slot].index_count / 3;

@@ -20,9 +20,9 @@ namespace tedavis::draw {
 
 struct TerrainDrawInput {
     terrain::View view;
-    glm::dvec3 light_direction;          ///< ECEF, towards the light
+    glm::dvec3 light_direction;  ///< ECEF, towards the light
     bool warning_colors = false;
-    double aircraft_msl_m = 0;           ///< for warning colours
+    double aircraft_msl_m = 0;  ///< for warning colours
     bool gear_down = false;
 };
 
@@ -30,7 +30,7 @@ struct TerrainDrawResult {
     std::uint32_t triangles = 0;
     std::uint32_t draws = 0;
     std::uint64_t uploaded_bytes = 0;
-    bool complete = false;               ///< every selected chunk was drawn
+    bool complete = false;  ///< every selected chunk was drawn
 };
 
 class TerrainDrawer {
@@ -43,13 +43,14 @@ public:
     /// Reads and uploads what is missing. False when a chunk cannot be had: then nothing of the terrain may be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, std::uint64_t frame);
     /// Draws what prepare() made ready, into the bound framebuffer with depth test and culling as the caller set them.
-    [[nodiscard]] TerrainDrawResult draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input);
+    [[nodiscard]] TerrainDrawResult draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected,
+                                         const TerrainDrawInput& input);
     void destroy(gl::Gl& gl);
     [[nodiscard]] const terrain::TdbFailure& failure() const { return cache_->failure(); }
 
 private:
     struct GpuSlot {
-        std::uint64_t loads = 0;         ///< of the cache slot when it was uploaded
+        std::uint64_t loads = 0;  ///< of the cache slot when it was uploaded
         std::uint32_t index_count = 0;
         std::uint8_t coarser_edges = 0;
         bool indexed = false;

@@ -13,7 +13,11 @@ constexpr std::uint16_t kEmpty = 0xFFFF;
 class VertexIndex {
 public:
     VertexIndex(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, ChunkMeshScratch& scratch)
-        : vertices_(vertices), scratch_(scratch), side_(std::int64_t{kChunkCells} << place.level), west_(place.i * side_), north_(place.j * side_) {
+        : vertices_(vertices),
+          scratch_(scratch),
+          side_(std::int64_t{kChunkCells} << place.level),
+          west_(place.i * side_),
+          north_(place.j * side_) {
         std::memset(scratch_.table, 0xFF, sizeof scratch_.table);
         for (std::uint32_t n = 0; n < vertices_.size(); ++n) insert(static_cast<std::uint16_t>(n));
     }
@@ -56,8 +60,8 @@ private:
 };
 
 std::uint8_t edges_of(const ChunkVertex& v, std::int64_t side) {
-    return static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == side ? kEdgeEast : 0) | (v.j == side ? kEdgeSouth : 0) |
-                                     (v.i == 0 ? kEdgeWest : 0));
+    return static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == side ? kEdgeEast : 0) |
+                                     (v.j == side ? kEdgeSouth : 0) | (v.i == 0 ? kEdgeWest : 0));
 }
 
 bool is_corner(std::uint8_t edges) { return (edges & (edges - 1)) != 0; }
@@ -67,8 +71,8 @@ bool parent_effective(const VertexIndex& index, LatticeVertex parent) {
 }
 
 /// Coarse scales come first in file order, so parents are decided before their children.
-void mark_effective(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges, const VertexIndex& index,
-                    ChunkMeshScratch& scratch) {
+void mark_effective(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges,
+                    const VertexIndex& index, ChunkMeshScratch& scratch) {
     for (std::uint32_t n = 0; n < vertices.size(); ++n) {
         const ChunkVertex& v = vertices[n];
         const std::uint8_t edges = edges_of(v, index.side());
@@ -87,7 +91,8 @@ void mark_effective(base::Span<const ChunkVertex> vertices, const ChunkPlace& pl
 
 class TriangleWriter {
 public:
-    TriangleWriter(const VertexIndex& index, const ChunkPlace& place, base::Span<std::uint16_t> out) : index_(index), place_(place), out_(out) {}
+    TriangleWriter(const VertexIndex& index, const ChunkPlace& place, base::Span<std::uint16_t> out)
+        : index_(index), place_(place), out_(out) {}
 
     [[nodiscard]] bool write(const LatticeTriangle& t) {
         if (beyond_raster(t)) return true;
@@ -97,7 +102,9 @@ public:
 
 private:
     [[nodiscard]] bool beyond_raster(const LatticeTriangle& t) const {
-        const auto min3 = [](std::int64_t a, std::int64_t b, std::int64_t c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); };
+        const auto min3 = [](std::int64_t a, std::int64_t b, std::int64_t c) {
+            return a < b ? (a < c ? a : c) : (b < c ? b : c);
+        };
         return min3(t.a.i, t.b.i, t.c.i) >= place_.last_column || min3(t.a.j, t.b.j, t.c.j) >= place_.last_row;
     }
     [[nodiscard]] bool is_void(LatticeVertex v) const {
@@ -134,8 +141,8 @@ private:
 
 }  // namespace
 
-MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges, ChunkMeshScratch& scratch,
-                              base::Span<std::uint16_t> indices) {
+MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges,
+                              ChunkMeshScratch& scratch, base::Span<std::uint16_t> indices) {
     if (vertices.size() > kMaxChunkVertices || place.level >= kMaxLevels) return {};
     const VertexIndex index(vertices, place, scratch);
     mark_effective(vertices, place, coarser_edges, index, scratch);

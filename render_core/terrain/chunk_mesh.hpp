@@ -25,8 +25,8 @@ struct ChunkMeshScratch {
 };
 
 struct ChunkPlace {
-    std::uint32_t level = 0, i = 0, j = 0;         ///< chunk coordinates
-    std::uint32_t last_column = 0, last_row = 0;   ///< of the database, in posts
+    std::uint32_t level = 0, i = 0, j = 0;        ///< chunk coordinates
+    std::uint32_t last_column = 0, last_row = 0;  ///< of the database, in posts
 };
 
 struct MeshCount {
@@ -36,7 +36,8 @@ struct MeshCount {
 
 /// Writes triangles (counter-clockwise seen from above) as indices into `vertices`, which must be in file order:
 /// coarse scales first. Deterministic; bounded by the vertex count; allocates nothing.
-[[nodiscard]] MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges,
-                                            ChunkMeshScratch& scratch, base::Span<std::uint16_t> indices);
+[[nodiscard]] MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place,
+                                            std::uint8_t coarser_edges, ChunkMeshScratch& scratch,
+                                            base::Span<std::uint16_t> indices);
 
 }  // namespace tedavis::terrain

@@ -12,7 +12,7 @@ enum class HeightStatus : std::uint8_t { land, sea, void_, outside, damaged };
 
 struct HeightAnswer {
     HeightStatus status = HeightStatus::outside;
-    earth::MslHeight height;                ///< only for land and sea
+    earth::MslHeight height;  ///< only for land and sea
     earth::GeoidUndulation undulation;
 };
 

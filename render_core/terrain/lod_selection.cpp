@@ -131,8 +131,8 @@ private:
     std::size_t count_ = 0;
 };
 
-LodResult collect(const TerrainDatabase& database, const View& view, const Selector& selector, const LodSettings& settings, double tau_px,
-                  base::Span<SelectedChunk> selected) {
+LodResult collect(const TerrainDatabase& database, const View& view, const Selector& selector, const LodSettings& settings,
+                  double tau_px, base::Span<SelectedChunk> selected) {
     LodResult result;
     result.tau_reached_px = tau_px;
     result.within_budget = true;
@@ -188,8 +188,8 @@ double projected_error_px(const ChunkEntry& entry, const View& view) {
     return std::fmin(by_distance, by_depth);
 }
 
-LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings, base::Span<std::uint8_t> states,
-                        base::Span<ChunkIndex> work, base::Span<SelectedChunk> selected) {
+LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings,
+                        base::Span<std::uint8_t> states, base::Span<ChunkIndex> work, base::Span<SelectedChunk> selected) {
     TEDAVIS_CHECK(states.size() >= database.chunk_count());
     Selector selector(database, view, states.subspan(0, database.chunk_count()), work);
     const auto attempt = [&](int step) {

@@ -32,15 +32,16 @@ struct LodSettings {
 
 struct LodResult {
     std::uint32_t chunks = 0;
-    std::uint32_t triangles = 0;       ///< upper bound, without coarser edges
+    std::uint32_t triangles = 0;  ///< upper bound, without coarser edges
     double tau_reached_px = 0;
     double worst_error_px = 0;
     ChunkIndex worst_chunk = kNoChunk;
-    bool within_budget = false;        ///< false only when the coarsest selection exceeds the budgets
+    bool within_budget = false;  ///< false only when the coarsest selection exceeds the budgets
 };
 
 [[nodiscard]] LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings,
-                                      base::Span<std::uint8_t> states, base::Span<ChunkIndex> work, base::Span<SelectedChunk> selected);
+                                      base::Span<std::uint8_t> states, base::Span<ChunkIndex> work,
+                                      base::Span<SelectedChunk> selected);
 
 /// True when no point of the chunk's box can be in the view. Never true for a visible one.
 [[nodiscard]] bool is_outside_view(const ChunkEntry& entry, const View& view);

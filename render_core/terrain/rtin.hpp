@@ -30,7 +30,8 @@ struct VertexParents {
     const bool j_odd = ((v.j / s) & 1) != 0;
     if (i_odd && j_odd) {
         const bool north_west_even = (((v.i - s) / (2 * s) + (v.j - s) / (2 * s)) & 1) == 0;
-        return north_west_even ? VertexParents{{v.i + s, v.j - s}, {v.i - s, v.j + s}} : VertexParents{{v.i - s, v.j - s}, {v.i + s, v.j + s}};
+        return north_west_even ? VertexParents{{v.i + s, v.j - s}, {v.i - s, v.j + s}}
+                               : VertexParents{{v.i - s, v.j - s}, {v.i + s, v.j + s}};
     }
     return i_odd ? VertexParents{{v.i, v.j - s}, {v.i, v.j + s}} : VertexParents{{v.i - s, v.j}, {v.i + s, v.j}};
 }

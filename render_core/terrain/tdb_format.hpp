@@ -36,14 +36,14 @@ struct FileHeader {
     char magic[8];
     std::uint32_t version;
     std::uint32_t header_bytes;
-    double west_deg, north_deg;          ///< post (0,0)
-    double step_lon_deg, step_lat_deg;   ///< both positive
+    double west_deg, north_deg;         ///< post (0,0)
+    double step_lon_deg, step_lat_deg;  ///< both positive
     std::uint32_t columns, rows;
     std::uint32_t levels;
     std::uint32_t chunk_count;
-    float tolerance_m[16];               ///< mesh tolerance by level; 0 at level 0
-    float min_height_m, max_height_m;    ///< valid posts, above MSL
-    float le90_m;                        ///< vertical accuracy of the source, 90 % linear error; 0 unknown
+    float tolerance_m[16];             ///< mesh tolerance by level; 0 at level 0
+    float min_height_m, max_height_m;  ///< valid posts, above MSL
+    float le90_m;                      ///< vertical accuracy of the source, 90 % linear error; 0 unknown
     std::uint32_t void_posts;
     double undulation_west_deg, undulation_north_deg, undulation_step_deg;
     std::uint32_t undulation_columns, undulation_rows;
@@ -51,11 +51,11 @@ struct FileHeader {
     std::uint64_t file_bytes;
     std::uint32_t undulation_crc;
     std::uint32_t directory_crc;
-    char source[160];                    ///< names of the rasters, zero-terminated
-    char vertical_datum[16];             ///< of the source: "egm96" or "ellipsoid"
+    char source[160];         ///< names of the rasters, zero-terminated
+    char vertical_datum[16];  ///< of the source: "egm96" or "ellipsoid"
     std::uint32_t max_chunk_vertices, max_chunk_triangles;
     std::uint32_t reserved;
-    std::uint32_t header_crc;            ///< over all bytes before it
+    std::uint32_t header_crc;  ///< over all bytes before it
 };
 static_assert(std::is_trivially_copyable_v<FileHeader> && sizeof(FileHeader) == 392);
 
@@ -64,15 +64,15 @@ struct ChunkEntry {
     std::uint32_t bytes;
     std::uint32_t crc;
     std::uint16_t level, reserved0;
-    std::uint32_t i, j;                  ///< chunk coordinates at its level
+    std::uint32_t i, j;  ///< chunk coordinates at its level
     std::uint32_t vertex_count, triangle_count;
-    float above_m, below_m;              ///< exhaustive signed error of its mesh: drawn above / below the true surface
-    float bound_m;                       ///< see lod_selection.hpp: error bound also for the strips of finer neighbours
-    float min_height_m, max_height_m;    ///< of its posts, above MSL
-    double centre_m[3];                  ///< ECEF, whole metres: the vertices' origin
-    float axes[9];                       ///< north, east, down unit vectors of the box, ECEF
-    float half_extent_m[3];              ///< box about the centre along these axes, holds surface and mesh
-    std::uint32_t flags;                 ///< bit 0: contains void posts; bit 1: reaches outside the raster
+    float above_m, below_m;            ///< exhaustive signed error of its mesh: drawn above / below the true surface
+    float bound_m;                     ///< see lod_selection.hpp: error bound also for the strips of finer neighbours
+    float min_height_m, max_height_m;  ///< of its posts, above MSL
+    double centre_m[3];                ///< ECEF, whole metres: the vertices' origin
+    float axes[9];                     ///< north, east, down unit vectors of the box, ECEF
+    float half_extent_m[3];            ///< box about the centre along these axes, holds surface and mesh
+    std::uint32_t flags;               ///< bit 0: contains void posts; bit 1: reaches outside the raster
     std::uint32_t reserved1;
 };
 static_assert(std::is_trivially_copyable_v<ChunkEntry> && sizeof(ChunkEntry) == 136);

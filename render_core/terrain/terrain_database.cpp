@@ -10,7 +10,7 @@
 namespace tedavis::terrain {
 namespace {
 
-constexpr std::uint32_t kMaxPosts = 1u << 24;         // a side; 2^24 posts of 1" circle the Earth twelve times
+constexpr std::uint32_t kMaxPosts = 1u << 24;  // a side; 2^24 posts of 1" circle the Earth twelve times
 constexpr std::uint32_t kMaxUndulationSide = 1u << 13;
 
 std::uint32_t chunks_across(std::uint32_t posts, std::uint32_t level) {
@@ -19,9 +19,11 @@ std::uint32_t chunks_across(std::uint32_t posts, std::uint32_t level) {
 }
 
 bool ranges_hold(const FileHeader& h) {
-    const bool sizes = h.columns >= 2 && h.rows >= 2 && h.columns <= kMaxPosts && h.rows <= kMaxPosts && h.levels >= 1 && h.levels <= kMaxLevels;
+    const bool sizes =
+        h.columns >= 2 && h.rows >= 2 && h.columns <= kMaxPosts && h.rows <= kMaxPosts && h.levels >= 1 && h.levels <= kMaxLevels;
     const bool steps = h.step_lon_deg > 0 && h.step_lat_deg > 0 && h.step_lon_deg <= 10 && h.step_lat_deg <= 10;
-    const bool place = std::abs(h.west_deg) <= 360 && std::abs(h.north_deg) <= 90 && h.north_deg - h.step_lat_deg * (h.rows - 1) >= -90.000001;
+    const bool place =
+        std::abs(h.west_deg) <= 360 && std::abs(h.north_deg) <= 90 && h.north_deg - h.step_lat_deg * (h.rows - 1) >= -90.000001;
     const bool grid = h.undulation_columns >= 2 && h.undulation_rows >= 2 && h.undulation_columns <= kMaxUndulationSide &&
                       h.undulation_rows <= kMaxUndulationSide && h.undulation_step_deg > 0;
     const bool heights = h.min_height_m >= -12000 && h.max_height_m <= 12000 && h.min_height_m <= h.max_height_m;
@@ -66,7 +68,8 @@ base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource
     if (!source.read(0, &h, sizeof h)) return base::fail(TdbFailure{TdbError::unreadable, 0});
     if (std::memcmp(h.magic, kTdbMagic, sizeof kTdbMagic) != 0) return base::fail(TdbFailure{TdbError::not_a_tdb, 0});
     if (h.version != kTdbVersion) return base::fail(TdbFailure{TdbError::wrong_version, offsetof(FileHeader, version)});
-    if (base::crc32(&h, offsetof(FileHeader, header_crc)) != h.header_crc || !ranges_hold(h) || expected_chunks(h) != h.chunk_count)
+    if (base::crc32(&h, offsetof(FileHeader, header_crc)) != h.header_crc || !ranges_hold(h) ||
+        expected_chunks(h) != h.chunk_count)
         return base::fail(TdbFailure{TdbError::header_damaged, 0});
     if (source.size() != h.file_bytes) return base::fail(TdbFailure{TdbError::truncated, source.size()});
 
@@ -78,10 +81,12 @@ base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource
     db.entries_ = arena.allocate_array<ChunkEntry>(h.chunk_count);
     db.undulation_ = arena.allocate_array<float>(grid_count);
     if (db.entries_.empty() || db.undulation_.empty()) return base::fail(TdbFailure{TdbError::too_large, 0});
-    if (!source.read(sizeof h, db.entries_.data(), directory_bytes)) return base::fail(TdbFailure{TdbError::unreadable, sizeof h});
+    if (!source.read(sizeof h, db.entries_.data(), directory_bytes))
+        return base::fail(TdbFailure{TdbError::unreadable, sizeof h});
     if (!source.read(h.undulation_offset, db.undulation_.data(), grid_count * sizeof(float)))
         return base::fail(TdbFailure{TdbError::unreadable, h.undulation_offset});
-    if (base::crc32(db.entries_.data(), directory_bytes) != h.directory_crc) return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h});
+    if (base::crc32(db.entries_.data(), directory_bytes) != h.directory_crc)
+        return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h});
     if (base::crc32(db.undulation_.data(), grid_count * sizeof(float)) != h.undulation_crc)
         return base::fail(TdbFailure{TdbError::directory_damaged, h.undulation_offset});
     for (std::uint32_t index = 0; index < h.chunk_count; ++index)
@@ -107,7 +112,8 @@ ChunkIndex TerrainDatabase::parent(ChunkIndex index) const {
 
 ChunkIndex TerrainDatabase::child(ChunkIndex index, std::uint32_t quadrant) const {
     const ChunkEntry& e = entry(index);
-    return e.level == 0 ? kNoChunk : at(e.level - 1u, std::int64_t{e.i} * 2 + (quadrant & 1u), std::int64_t{e.j} * 2 + (quadrant >> 1));
+    return e.level == 0 ? kNoChunk
+                        : at(e.level - 1u, std::int64_t{e.i} * 2 + (quadrant & 1u), std::int64_t{e.j} * 2 + (quadrant >> 1));
 }
 
 TdbFailure TerrainDatabase::read_chunk(ChunkIndex index, base::Span<std::uint8_t> destination) const {
@@ -120,15 +126,18 @@ TdbFailure TerrainDatabase::read_chunk(ChunkIndex index, base::Span<std::uint8_t
 
 earth::GeoidUndulation TerrainDatabase::undulation(double latitude_rad, double longitude_rad) const {
     const FileHeader& h = header_;
-    const double west_offset_deg = std::remainder(base::degrees(longitude_rad) - h.west_deg, 360.0) + h.west_deg - h.undulation_west_deg;
+    const double west_offset_deg =
+        std::remainder(base::degrees(longitude_rad) - h.west_deg, 360.0) + h.west_deg - h.undulation_west_deg;
     const double last_i = h.undulation_columns - 1.0, last_j = h.undulation_rows - 1.0;
     const double x = std::fmin(std::fmax(west_offset_deg / h.undulation_step_deg, 0.0), last_i);
-    const double y = std::fmin(std::fmax((h.undulation_north_deg - base::degrees(latitude_rad)) / h.undulation_step_deg, 0.0), last_j);
+    const double y =
+        std::fmin(std::fmax((h.undulation_north_deg - base::degrees(latitude_rad)) / h.undulation_step_deg, 0.0), last_j);
     const double i = std::fmin(std::floor(x), last_i - 1), j = std::fmin(std::floor(y), last_j - 1);
     const auto corner = static_cast<std::size_t>(j) * h.undulation_columns + static_cast<std::size_t>(i);
     const double u = x - i, v = y - j;
     const double north = (1 - u) * undulation_[corner] + u * undulation_[corner + 1];
-    const double south = (1 - u) * undulation_[corner + h.undulation_columns] + u * undulation_[corner + h.undulation_columns + 1];
+    const double south =
+        (1 - u) * undulation_[corner + h.undulation_columns] + u * undulation_[corner + h.undulation_columns + 1];
     return {(1 - v) * north + v * south};
 }
 
@@ -142,7 +151,8 @@ TerrainDatabase::LatticePoint TerrainDatabase::lattice_point(double latitude_rad
     // Degrees and radians do not convert back exactly: a border post asked for by its own place must count as inside.
     constexpr double kRounding = 1e-6;
     const double last_i = h.columns - 1.0, last_j = h.rows - 1.0;
-    point.inside = point.i >= -kRounding && point.j >= -kRounding && point.i <= last_i + kRounding && point.j <= last_j + kRounding;
+    point.inside =
+        point.i >= -kRounding && point.j >= -kRounding && point.i <= last_i + kRounding && point.j <= last_j + kRounding;
     if (point.inside) {
         point.i = std::fmin(std::fmax(point.i, 0.0), last_i);
         point.j = std::fmin(std::fmax(point.j, 0.0), last_j);

@@ -14,7 +14,17 @@
 
 namespace tedavis::terrain {
 
-enum class TdbError : std::uint8_t { none, unreadable, not_a_tdb, wrong_version, truncated, header_damaged, directory_damaged, chunk_damaged, too_large };
+enum class TdbError : std::uint8_t {
+    none,
+    unreadable,
+    not_a_tdb,
+    wrong_version,
+    truncated,
+    header_damaged,
+    directory_damaged,
+    chunk_damaged,
+    too_large
+};
 /// Half a sentence: "is not a terrain database".
 [[nodiscard]] const char* to_string(TdbError error) noexcept;
 

@@ -9,11 +9,11 @@
 namespace tedavis::terrain {
 
 struct View {
-    glm::dvec3 eye;          ///< ECEF, m
-    glm::dvec3 forward;      ///< unit vectors in ECEF
+    glm::dvec3 eye;      ///< ECEF, m
+    glm::dvec3 forward;  ///< unit vectors in ECEF
     glm::dvec3 right;
     glm::dvec3 down;
-    double focal_px = 1;     ///< pixels per unit tangent, both axes
+    double focal_px = 1;  ///< pixels per unit tangent, both axes
     std::uint32_t width = 1, height = 1;
     double near_m = 1;
     double far_m = 400000;

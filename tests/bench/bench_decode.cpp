@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "bus/canaerospace/message_encoder.hpp"
 #include "bus/candump/candump_line.hpp"
 #include "bus/candump/candump_log_source.hpp"
-#include "bus/canaerospace/message_encoder.hpp"
 #include "bus/state/replay_index.hpp"
 
 namespace {
@@ -29,8 +29,9 @@ constexpr int kRuns = 5;
 /// The standard's example of a bus: nine values at 80 Hz, 32 at 10 Hz, ten at 1 Hz (section 6).
 std::string flight_log() {
     constexpr std::uint16_t kFast[] = {300, 301, 302, 303, 304, 305, 311, 312, 321};
-    constexpr std::uint16_t kMedium[] = {314, 315, 316, 317, 319, 320, 322, 1036, 1037, 1038, 1039, 1040, 1046, 1047, 332, 333,
-                                         334, 1070, 1121, 1124, 1130, 1131, 1132, 1133, 1069, 327, 328, 329, 313, 1087, 1091, 318};
+    constexpr std::uint16_t kMedium[] = {314,  315,  316,  317, 319, 320, 322,  1036, 1037, 1038, 1039,
+                                         1040, 1046, 1047, 332, 333, 334, 1070, 1121, 1124, 1130, 1131,
+                                         1132, 1133, 1069, 327, 328, 329, 313,  1087, 1091, 318};
     constexpr std::uint16_t kSlow[] = {323, 324, 325, 326, 335, 1041, 1042, 1043, 1044, 430};
     MessageEncoder encoder(BusSettings(), 1);
     std::string text;
@@ -38,17 +39,21 @@ std::string flight_log() {
     char line[kMaxCandumpLine];
     const auto put = [&](std::uint16_t identifier, std::int64_t ns) {
         const IdentifierEntry& entry = identifier_table()[identifier_index(identifier)];
-        const double middle = 0.5 * (entry.low + entry.high) + 0.1 * (entry.high - entry.low) * std::sin(static_cast<double>(ns) * 1e-9);
+        const double middle =
+            0.5 * (entry.low + entry.high) + 0.1 * (entry.high - entry.low) * std::sin(static_cast<double>(ns) * 1e-9);
         const bool position = is_position(entry);
         const std::size_t count = encoder.encode(identifier, middle, position ? DataType::double_high : DataType::float32,
                                                  {kFirstSecond * 1'000'000'000 + ns}, frames);
-        for (std::size_t i = 0; i < count; ++i) text.append(line, format_candump_line(frames[i], "can0", StampDigits::micro, false, line));
+        for (std::size_t i = 0; i < count; ++i)
+            text.append(line, format_candump_line(frames[i], "can0", StampDigits::micro, false, line));
     };
     for (int tick = 0; tick < kBlockSeconds * 80; ++tick) {
         const std::int64_t ns = tick * 12'500'000ll;
         for (const std::uint16_t identifier : kFast) put(identifier, ns);
-        if (tick % 8 == 0) for (const std::uint16_t identifier : kMedium) put(identifier, ns + 1'000'000);
-        if (tick % 80 == 0) for (const std::uint16_t identifier : kSlow) put(identifier, ns + 2'000'000);
+        if (tick % 8 == 0)
+            for (const std::uint16_t identifier : kMedium) put(identifier, ns + 1'000'000);
+        if (tick % 80 == 0)
+            for (const std::uint16_t identifier : kSlow) put(identifier, ns + 2'000'000);
     }
     return text;
 }
@@ -130,14 +135,17 @@ struct Line {
 void print_table(const std::vector<Line>& lines) {
     std::printf("%-44s %14s %-10s %12s %6s %12s\n", "name", "value", "unit", "target", "holds", "baseline");
     for (const Line& line : lines)
-        std::printf("%-44s %14.4g %-10s %12.4g %6s %12.4g\n", line.name.c_str(), line.value, line.unit, line.target, line.holds ? "yes" : "no", line.baseline);
+        std::printf("%-44s %14.4g %-10s %12.4g %6s %12.4g\n", line.name.c_str(), line.value, line.unit, line.target,
+                    line.holds ? "yes" : "no", line.baseline);
 }
 
 void print_json(const std::vector<Line>& lines) {
     std::printf("[");
     for (std::size_t i = 0; i < lines.size(); ++i)
-        std::printf("%s\n  {\"name\": \"%s\", \"value\": %.9g, \"unit\": \"%s\", \"target\": %.9g, \"holds\": %s, \"baseline\": %.9g}", i > 0 ? "," : "",
-                    lines[i].name.c_str(), lines[i].value, lines[i].unit, lines[i].target, lines[i].holds ? "true" : "false", lines[i].baseline);
+        std::printf(
+            "%s\n  {\"name\": \"%s\", \"value\": %.9g, \"unit\": \"%s\", \"target\": %.9g, \"holds\": %s, \"baseline\": %.9g}",
+            i > 0 ? "," : "", lines[i].name.c_str(), lines[i].value, lines[i].unit, lines[i].target,
+            lines[i].holds ? "true" : "false", lines[i].baseline);
     std::printf("\n]\n");
 }
 
@@ -160,9 +168,11 @@ void measure_decoding(const std::string& text, std::vector<Line>& lines) {
     const auto frames = static_cast<double>(newlines);
     const bool whole = snapshot.counters.frames == newlines && snapshot.counters.alien == 0;
     const double scan_rate = frames / scan;
-    lines.push_back({"decode: line to frame to signal", frames / decode, "frames/s", 5e6, whole && frames / decode >= 5e6, scan_rate});
+    lines.push_back(
+        {"decode: line to frame to signal", frames / decode, "frames/s", 5e6, whole && frames / decode >= 5e6, scan_rate});
     lines.push_back({"parse: line to frame", frames / parse, "frames/s", 5e6, frames / parse >= 5e6, scan_rate});
-    lines.push_back({"decode time / newline scan time", decode / scan, "ratio", scan_rate / 5e6, whole && decode / scan <= scan_rate / 5e6, 1});
+    lines.push_back({"decode time / newline scan time", decode / scan, "ratio", scan_rate / 5e6,
+                     whole && decode / scan <= scan_rate / 5e6, 1});
 }
 
 void measure_long_log(const std::string& text, std::vector<Line>& lines) {
@@ -170,21 +180,27 @@ void measure_long_log(const std::string& text, std::vector<Line>& lines) {
     std::vector<char> window(256 * 1024);
     CandumpLogSource source(log, {window.data(), window.size()});
     std::vector<ReplayCheckpoint> checkpoints(64);
-    auto index = std::make_unique<ReplayIndex>(source, BusSettings(), base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
-    const double indexing = best_seconds(1, [&] { while (index->extend(1 << 20)) {} });
+    auto index = std::make_unique<ReplayIndex>(source, BusSettings(),
+                                               base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
+    const double indexing = best_seconds(1, [&] {
+        while (index->extend(1 << 20)) {
+        }
+    });
     const base::Duration length = index->extent().last - index->extent().first;
     std::vector<CanFrame> batch(64);
     double slowest = 0;
     for (int i = 1; i < 16; ++i) {
         const base::Time wanted = index->extent().first + base::Duration{length.ns / 16 * i};
         slowest = std::max(slowest, best_seconds(1, [&] {
-            auto assembler = std::make_unique<StateAssembler>(index->seek(wanted));
-            while (const std::size_t count = source.read(wanted, {batch.data(), batch.size()})) assembler->feed({batch.data(), count});
-        }));
+                               auto assembler = std::make_unique<StateAssembler>(index->seek(wanted));
+                               while (const std::size_t count = source.read(wanted, {batch.data(), batch.size()}))
+                                   assembler->feed({batch.data(), count});
+                           }));
     }
     const double resident = resident_peak_mib();
     lines.push_back({"seek into 1 GiB, slowest of 15", slowest, "s", 1, slowest <= 1, indexing});
-    lines.push_back({"peak resident memory, 1 GiB log", resident, "MiB", 256, resident <= 256, static_cast<double>(log.size()) / (1 << 20)});
+    lines.push_back(
+        {"peak resident memory, 1 GiB log", resident, "MiB", 256, resident <= 256, static_cast<double>(log.size()) / (1 << 20)});
 }
 
 }  // namespace

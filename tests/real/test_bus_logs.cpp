@@ -68,7 +68,8 @@ TEST(BusLogs, GliderLogSaysNoDataAndIsTakenAtItsWord) {
 /// The same log with the type FLOAT put in: indicated airspeed (315) in its plausible range, flaps known.
 TEST(BusLogs, GliderLogWithItsTypeMended) {
     std::string text = read_log("canaerospace_ubx_flaps_canlog.log");
-    for (std::size_t place = text.find("13B#0000"); place != std::string::npos; place = text.find("13B#0000", place)) text[place + 7] = '2';
+    for (std::size_t place = text.find("13B#0000"); place != std::string::npos; place = text.find("13B#0000", place))
+        text[place + 7] = '2';
     const Replayed run = replay(text, BusSettings());
     EXPECT_EQ(run.snapshot.counters.decoded, 288u);
     const base::Stamped<double>& airspeed = run.snapshot.state[flight::Signal::indicated_airspeed];

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/display/failure_policy.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
 
 namespace tedavis::test_support {
 

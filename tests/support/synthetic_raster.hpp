@@ -8,8 +8,9 @@
 
 namespace tedavis::test_support {
 
-inline host_sim::Raster make_raster(std::uint32_t columns, std::uint32_t rows, const std::function<float(std::uint32_t, std::uint32_t)>& height,
-                                    double west_deg = 9.6, double north_deg = 47.1, double step_deg = 1.0 / 1200) {
+inline host_sim::Raster make_raster(std::uint32_t columns, std::uint32_t rows,
+                                    const std::function<float(std::uint32_t, std::uint32_t)>& height, double west_deg = 9.6,
+                                    double north_deg = 47.1, double step_deg = 1.0 / 1200) {
     host_sim::Raster raster;
     raster.columns = columns;
     raster.rows = rows;
@@ -37,7 +38,8 @@ inline host_sim::Raster make_rough_raster(std::uint32_t columns, std::uint32_t r
         float h = 1000;
         for (int octave = 0; octave < 6; ++octave) {
             const float length = 128.0f / static_cast<float>(1 << octave);
-            h += 4 * length * std::sin(static_cast<float>(i) / length) * std::cos(static_cast<float>(j) / length * 1.3f + static_cast<float>(octave));
+            h += 4 * length * std::sin(static_cast<float>(i) / length) *
+                 std::cos(static_cast<float>(j) / length * 1.3f + static_cast<float>(octave));
         }
         return h + noise[std::size_t{j} * columns + i];
     });

@@ -68,7 +68,8 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
     EXPECT_NE(error_of("[freshness]\nspeed = [1.0, 2.0]\n").find("no such signal"), std::string::npos);
     EXPECT_NE(error_of("[freshness]\nheight_above_terrain = [1.0, 2.0]\n").find("no such signal"), std::string::npos);
     EXPECT_NE(error_of("[phase]\nstatus_identifier = 311\n").find("has a meaning in the standard"), std::string::npos);
-    EXPECT_NE(error_of("[phase]\nstatus_identifier = 1840\nrequest_identifier = 1840\n").find("give each its own"), std::string::npos);
+    EXPECT_NE(error_of("[phase]\nstatus_identifier = 1840\nrequest_identifier = 1840\n").find("give each its own"),
+              std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nextrapolation_limit_s = 3.0\n").find("lost_after_s"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nposition_noise_m = -1\n").find("bus.toml:2"), std::string::npos);
     EXPECT_NE(error_of("[node]\nid = 0\n").find("bus.toml:2"), std::string::npos);

@@ -11,7 +11,8 @@ namespace tedavis::bus {
 namespace {
 
 /// Lengths as the standard's table of types lists them.
-constexpr std::uint8_t kBytes[kDataTypeCount] = {0, 4, 4, 4, 4, 4, 2, 2, 2, 1, 1, 1, 4, 4, 4, 4, 4, 4, 2, 2, 2, 4, 4, 1, 2, 4, 3, 3, 3, 3, 4, 4};
+constexpr std::uint8_t kBytes[kDataTypeCount] = {0, 4, 4, 4, 4, 4, 2, 2, 2, 1, 1, 1, 4, 4, 4, 4,
+                                                 4, 4, 2, 2, 2, 4, 4, 1, 2, 4, 3, 3, 3, 3, 4, 4};
 
 TEST(DataType, LengthsOfAllTypes) {
     for (std::uint8_t code = 0; code < kDataTypeCount; ++code) {

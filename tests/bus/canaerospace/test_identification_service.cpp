@@ -22,16 +22,16 @@ TEST(IdentificationService, AnswersARequestToThisNodeOrAll) {
 
 TEST(IdentificationService, KeepsSilentOtherwise) {
     const char* others[] = {
-        "080#1F000000",      // another node
-        "080#1E020000",      // not NODATA
-        "080#1E000100",      // another service
-        "081#1E000000",      // a response
-        "082#1E000000",      // another service channel
-        "080#1E0000",        // too short
-        "080#R4",            // remote frame
-        "00010080#1E000000", // redundancy channel 1
-        "20000080#1E000000", // error frame
-        "080##01E000000",    // CAN FD
+        "080#1F000000",       // another node
+        "080#1E020000",       // not NODATA
+        "080#1E000100",       // another service
+        "081#1E000000",       // a response
+        "082#1E000000",       // another service channel
+        "080#1E0000",         // too short
+        "080#R4",             // remote frame
+        "00010080#1E000000",  // redundancy channel 1
+        "20000080#1E000000",  // error frame
+        "080##01E000000",     // CAN FD
     };
     for (const char* other : others) EXPECT_FALSE(answer_identification(frame_of(other), kNode).due) << other;
     NodeSettings passive = kNode;

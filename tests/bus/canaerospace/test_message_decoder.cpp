@@ -66,12 +66,12 @@ TEST(MessageDecoder, HalvesThatDoNotBelongTogetherAreDropped) {
         std::int64_t apart;
     };
     const Pair strangers[] = {
-        {"40C#091E00024047A14E", "40C#091F00043BCD35A8", 2 * kMs},           // a message between them was lost
-        {"40C#091E00024047A14E", "40C#091F00033BCD35A8", 21 * kMs},          // too far apart
-        {"40C#091E00024047A14E", "40C#0A1F00033BCD35A8", 2 * kMs},           // another node
-        {"40C#091E00024047A14E", "0001040C#091F00033BCD35A8", 2 * kMs},      // another channel
-        {"40C#091E00024047A14E", "40D#091F00033BCD35A8", 2 * kMs},           // another identifier
-        {"40C#091E00024047A14E", "40C#091E00034047A14E", 2 * kMs},           // two high halves
+        {"40C#091E00024047A14E", "40C#091F00043BCD35A8", 2 * kMs},       // a message between them was lost
+        {"40C#091E00024047A14E", "40C#091F00033BCD35A8", 21 * kMs},      // too far apart
+        {"40C#091E00024047A14E", "40C#0A1F00033BCD35A8", 2 * kMs},       // another node
+        {"40C#091E00024047A14E", "0001040C#091F00033BCD35A8", 2 * kMs},  // another channel
+        {"40C#091E00024047A14E", "40D#091F00033BCD35A8", 2 * kMs},       // another identifier
+        {"40C#091E00024047A14E", "40C#091E00034047A14E", 2 * kMs},       // two high halves
     };
     for (const Pair& pair : strangers) {
         MessageDecoder decoder{BusSettings()};
@@ -132,11 +132,13 @@ TEST(MessageDecoder, PaddedFramesAreTakenAndCounted) {
 
 TEST(MessageDecoder, ForeignTrafficChangesOnlyCounters) {
     const char* foreign[] = {
-        "137#01FF002A40A00000",   // reserved type
-        "137#0103002A40A00000",   // LONG pitch
-        "137#0102002A40A000",     // too short
-        "137#010200",             // no header
-        "137#R4", "137##00102002A40A00000", "20000137#0102002A40A00000",
+        "137#01FF002A40A00000",  // reserved type
+        "137#0103002A40A00000",  // LONG pitch
+        "137#0102002A40A000",    // too short
+        "137#010200",            // no header
+        "137#R4",
+        "137##00102002A40A00000",
+        "20000137#0102002A40A00000",
         "00000937#0102002A40A00000",  // bits 11..15
         "00020137#0102002A40A00000",  // channel 2 of 2
         "154#0102002A40A00000",       // glider profile, off
@@ -249,7 +251,8 @@ TEST(MessageDecoder, RandomFramesNeverGiveWildValues) {
         frame.time.ns = static_cast<std::int64_t>(random() % 1000) * 10 * kMs;
         frame.kind = random() % 50 == 0 ? static_cast<FrameKind>(random() % 4) : FrameKind::data;
         const bool known = random() % 4 != 0;
-        frame.id = known ? identifier_table()[random() % identifier_table().size()].identifier : static_cast<std::uint32_t>(random() & 0x1FFFFFFF);
+        frame.id = known ? identifier_table()[random() % identifier_table().size()].identifier
+                         : static_cast<std::uint32_t>(random() & 0x1FFFFFFF);
         frame.extended = !known || random() % 8 == 0;
         frame.length = static_cast<std::uint8_t>(random() % 9);
         for (std::uint8_t& byte : frame.data) byte = static_cast<std::uint8_t>(random());

@@ -103,7 +103,8 @@ TEST(MessageEncoder, EveryIdentifierAndTypeGoesRound) {
                     const double expected = to_si(binding, number);
                     const double tolerance = tolerance_of(type, number, is_position(entry)) * std::fabs(binding.factor);
                     const bool angle = binding.range != AngleRange::as_is;
-                    const double error = angle ? std::remainder(message.value - expected, 2 * base::kPi) : message.value - expected;
+                    const double error =
+                        angle ? std::remainder(message.value - expected, 2 * base::kPi) : message.value - expected;
                     ASSERT_NEAR(error, 0, tolerance) << entry.name << ' ' << int{code} << ' ' << number;
                     ++round_trips;
                 }

@@ -12,7 +12,9 @@ using base::Stamped;
 constexpr base::FreshnessLimits kLimits{Duration::milliseconds(300), Duration::seconds(1)};
 constexpr base::Time kNow{10'000'000'000};
 
-Stamped<double> aged(std::int64_t ms, Quality quality = Quality::good) { return {1.0, kNow - Duration::milliseconds(ms), quality}; }
+Stamped<double> aged(std::int64_t ms, Quality quality = Quality::good) {
+    return {1.0, kNow - Duration::milliseconds(ms), quality};
+}
 
 std::size_t winner(Stamped<double> a, Stamped<double> b) {
     const Stamped<double> both[] = {a, b};
@@ -20,7 +22,7 @@ std::size_t winner(Stamped<double> a, Stamped<double> b) {
 }
 
 TEST(RedundancyVote, OrderOfBelief) {
-    const Stamped<double> order[] = {aged(10),  aged(10, Quality::degraded), aged(500), aged(10, Quality::bad), aged(5000), {}};
+    const Stamped<double> order[] = {aged(10), aged(10, Quality::degraded), aged(500), aged(10, Quality::bad), aged(5000), {}};
     for (std::size_t better = 0; better < 6; ++better)
         for (std::size_t worse = better + 1; worse < 6; ++worse) {
             EXPECT_EQ(winner(order[better], order[worse]), 0u) << better << " against " << worse;

@@ -44,8 +44,9 @@ TEST(CandumpLogSource, HandsOutFramesUpToTheGivenTimeOnce) {
 
 TEST(CandumpLogSource, CountsEveryLineByKindAndReportsBrokenOnes) {
     const std::string text = line(1) + "\n" + "garbage\n" + "(broken\n" + line(2) +
-                             "DROPCOUNT: dropped 5 CAN frames on 'can0' socket (total drops 5)\n" + line(3, "20000040#0000000000000000") +
-                             "(3.000000) can0 123#1\n" + std::string(2 * kMaxLogLine, '(') + "\n";
+                             "DROPCOUNT: dropped 5 CAN frames on 'can0' socket (total drops 5)\n" +
+                             line(3, "20000040#0000000000000000") + "(3.000000) can0 123#1\n" +
+                             std::string(2 * kMaxLogLine, '(') + "\n";
     CandumpLogSource source(span_of(text));
     EXPECT_EQ(read_all(source).size(), 3u);
     EXPECT_EQ(source.line_counts().lines, 9u);
@@ -123,6 +124,18 @@ TEST(CandumpLogSource, OneLeapingStampDoesNotMoveTime) {
     EXPECT_EQ(source.line_counts().leaping_stamps, 1u);
     EXPECT_EQ(source.line_counts().clock_steps, 0u);
     EXPECT_EQ(source.statistics().malformed, 1u);
+}
+
+TEST(CandumpLogSource, AClockSetBackOverAndOverStaysWithinTime) {
+    std::string text;
+    for (int i = 0; i < 20; ++i) text += line(8e9) + line(8e9 + 0.1) + line(0) + line(0.1);
+    CandumpLogSource source(span_of(text));
+    const std::vector<CanFrame> frames = read_all(source);
+    ASSERT_EQ(frames.size(), 80u);
+    for (const CanFrame& frame : frames) {
+        EXPECT_GE(frame.time.ns, 0);
+        EXPECT_LE(frame.time, kLatestStamp);
+    }
 }
 
 TEST(CandumpLogSource, APauseInTheRecordingIsNoLeap) {

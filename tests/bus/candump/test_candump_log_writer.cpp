@@ -68,7 +68,8 @@ std::vector<CanFrame> mixed_frames() {
     constexpr std::uint8_t kFdLengths[] = {0, 5, 8, 12, 16, 20, 24, 32, 48, 64};
     std::vector<CanFrame> frames;
     for (int i = 0; i < 300; ++i) {
-        const std::uint32_t id = i % 2 == 0 ? 0x100u + static_cast<std::uint32_t>(i) : 0x10000u * 3u + static_cast<std::uint32_t>(i);
+        const std::uint32_t id =
+            i % 2 == 0 ? 0x100u + static_cast<std::uint32_t>(i) : 0x10000u * 3u + static_cast<std::uint32_t>(i);
         CanFrame frame = data_frame(id, static_cast<std::uint8_t>(i % 9), 1'700'000'000'000'000'000 + i * 1'234'000ll);
         if (i % 5 == 3) {
             frame.kind = FrameKind::remote;

@@ -22,9 +22,10 @@ std::vector<std::string> read_all(LineReader& reader) {
 
 std::string long_text() {
     std::string text;
-    for (int i = 0; i < 3000; ++i) text += "line " + std::to_string(i) + std::string(static_cast<std::size_t>(i % 97), 'x') + "\n";
-    text += "\n" + std::string(9 * kMaxLogLine, 'y') + "\n" + std::string(kMaxLogLine, 'z') + "\n" + std::string(kMaxLogLine + 1, 'w') +
-            "\nlast without newline";
+    for (int i = 0; i < 3000; ++i)
+        text += "line " + std::to_string(i) + std::string(static_cast<std::size_t>(i % 97), 'x') + "\n";
+    text += "\n" + std::string(9 * kMaxLogLine, 'y') + "\n" + std::string(kMaxLogLine, 'z') + "\n" +
+            std::string(kMaxLogLine + 1, 'w') + "\nlast without newline";
     return text;
 }
 
@@ -58,7 +59,8 @@ TEST(LineReader, SeeksToAnyLineInBothModes) {
             ASSERT_EQ(reader->next(line), LineReader::Status::line);
             places.emplace_back(offset, line);
         }
-        for (const std::size_t index : {std::size_t{2899}, std::size_t{0}, std::size_t{1500}, std::size_t{1499}, std::size_t{2000}}) {
+        for (const std::size_t index :
+             {std::size_t{2899}, std::size_t{0}, std::size_t{1500}, std::size_t{1499}, std::size_t{2000}}) {
             reader->seek(places[index].first);
             ASSERT_EQ(reader->next(line), LineReader::Status::line);
             EXPECT_EQ(line, places[index].second);

@@ -76,7 +76,8 @@ TEST(KernelFrame, GoesRound) {
         frame.length = static_cast<std::uint8_t>(frame.kind == FrameKind::fd && random() % 2 == 0 ? 64 : random() % 9);
         if (frame.kind == FrameKind::fd) frame.fd_flags = static_cast<std::uint8_t>(random() % 8);
         if (frame.kind != FrameKind::fd && frame.length == 8) frame.raw_dlc = 0xC;
-        for (std::size_t k = 0; frame.kind != FrameKind::remote && k < frame.length; ++k) frame.data[k] = static_cast<std::uint8_t>(random());
+        for (std::size_t k = 0; frame.kind != FrameKind::remote && k < frame.length; ++k)
+            frame.data[k] = static_cast<std::uint8_t>(random());
         unsigned char record[kKernelFdFrameBytes];
         const std::size_t size = frame_to_kernel(frame, record);
         ASSERT_EQ(size, frame.kind == FrameKind::fd ? sizeof(canfd_frame) : sizeof(can_frame));

@@ -63,7 +63,8 @@ TEST(AxisFilter, OrderOfArrivalWithinTheRingDoesNotMatter) {
     AxisFilter sorted;
     for (const AxisMeasurement& measurement : measurements) ASSERT_TRUE(sorted.add(measurement));
     for (std::size_t i = 0; i + 4 <= measurements.size(); i += 4)
-        std::shuffle(measurements.begin() + static_cast<std::ptrdiff_t>(i), measurements.begin() + static_cast<std::ptrdiff_t>(i + 4), random);
+        std::shuffle(measurements.begin() + static_cast<std::ptrdiff_t>(i),
+                     measurements.begin() + static_cast<std::ptrdiff_t>(i + 4), random);
     AxisFilter shuffled;
     for (const AxisMeasurement& measurement : measurements) ASSERT_TRUE(shuffled.add(measurement));
     for (const double t : {9.9, 10.0, 10.2}) {
@@ -128,7 +129,8 @@ TEST(AxisFilter, AnyMeasurementsGiveFiniteContinuousEstimates) {
         now += static_cast<double>(random() % 100) * 1e-3;
         double stamp = now;
         if (random() % 10 == 0) stamp -= static_cast<double>(random() % 2000) * 1e-3;
-        AxisMeasurement measurement = random() % 2 == 0 ? position(stamp, 100 * std::sin(stamp * 0.1)) : velocity(stamp, 10 * std::cos(stamp * 0.1));
+        AxisMeasurement measurement =
+            random() % 2 == 0 ? position(stamp, 100 * std::sin(stamp * 0.1)) : velocity(stamp, 10 * std::cos(stamp * 0.1));
         if (random() % 5 != 0) (void)filter.add(measurement);
         const AxisEstimate estimate = filter.estimate(at(now), kLimit);
         ASSERT_TRUE(std::isfinite(estimate.position) && std::isfinite(estimate.velocity_mps));

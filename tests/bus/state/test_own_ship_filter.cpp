@@ -16,13 +16,15 @@ using base::SignalState;
 base::Time at(double seconds) { return base::Time{5'000'000'000'000} + Duration::from_seconds(seconds); }
 
 /// Straight flight at `speed` on `track` from a place, told message by message.
-void fly(OwnShipFilter& filter, double latitude, double longitude, double track, double speed, double from_s, double to_s, bool gnss_height = true) {
+void fly(OwnShipFilter& filter, double latitude, double longitude, double track, double speed, double from_s, double to_s,
+         bool gnss_height = true) {
     for (double t = from_s; t < to_s; t += 0.1) {
         const double north = speed * std::cos(track) * t;
         const double east = speed * std::sin(track) * t;
         const double lat = latitude + north / earth::meridian_radius_m(latitude);
         filter.add_latitude(lat, at(t));
-        filter.add_longitude(earth::wrap_longitude(longitude + east / (earth::prime_vertical_radius_m(lat) * std::cos(lat))), at(t + 0.002));
+        filter.add_longitude(earth::wrap_longitude(longitude + east / (earth::prime_vertical_radius_m(lat) * std::cos(lat))),
+                             at(t + 0.002));
         if (gnss_height) filter.add_height(HeightSource::ellipsoid, 1500 + 2 * t, at(t + 0.004));
         filter.add_height(HeightSource::standard, 1400 + 2 * t, at(t + 0.006));
         filter.add_ground_speed(speed, at(t + 0.005));
@@ -46,14 +48,16 @@ TEST(OwnShipFilter, StraightFlightAtManyPlaces) {
         double latitude;
         double longitude;
     };
-    for (const Place place : {Place{0.82, 0.17}, Place{-0.6, 2.6}, Place{1.4, -1}, Place{0.3, base::kPi - 1e-6}, Place{0, -base::kPi}}) {
+    for (const Place place :
+         {Place{0.82, 0.17}, Place{-0.6, 2.6}, Place{1.4, -1}, Place{0.3, base::kPi - 1e-6}, Place{0, -base::kPi}}) {
         OwnShipFilter filter;
         fly(filter, place.latitude, place.longitude, 1.0, 80, 0, 10);
         const flight::OwnShipEstimate estimate = filter.estimate(at(10));
         ASSERT_EQ(estimate.state, SignalState::valid);
         const double north = 80 * std::cos(1.0) * 10;
         const double lat = place.latitude + north / earth::meridian_radius_m(place.latitude);
-        const double east_m = earth::angle_difference(estimate.position.longitude_rad, place.longitude) * earth::prime_vertical_radius_m(lat) * std::cos(lat);
+        const double east_m = earth::angle_difference(estimate.position.longitude_rad, place.longitude) *
+                              earth::prime_vertical_radius_m(lat) * std::cos(lat);
         EXPECT_NEAR((estimate.position.latitude_rad - lat) * earth::meridian_radius_m(lat), 0, 0.2) << place.latitude;
         EXPECT_NEAR(east_m, 80 * std::sin(1.0) * 10, 0.5) << place.latitude << ' ' << place.longitude;
         EXPECT_NEAR(estimate.position.height.m, 1520, 0.2);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bus/candump/candump_line.hpp"
 #include "bus/canaerospace/message_encoder.hpp"
+#include "bus/candump/candump_line.hpp"
 #include "tests/bus/text_bytes.hpp"
 
 namespace tedavis::bus {
@@ -58,7 +58,8 @@ bool same_bits(const flight::AircraftState& a, const flight::AircraftState& b) {
     bool same = std::memcmp(&a.own_ship.position, &b.own_ship.position, sizeof a.own_ship.position) == 0;
     same = same && std::memcmp(&a.own_ship.velocity_north_mps, &b.own_ship.velocity_north_mps, 3 * sizeof(double)) == 0;
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
-        same = same && a.signals[i].source_time() == b.signals[i].source_time() && a.signals[i].quality() == b.signals[i].quality();
+        same =
+            same && a.signals[i].source_time() == b.signals[i].source_time() && a.signals[i].quality() == b.signals[i].quality();
         same = same && a.signals[i].value_or(0) == b.signals[i].value_or(0);
     }
     return same;
@@ -70,7 +71,8 @@ TEST(ReplayIndex, SeekingGivesTheBitsOfAWholeRun) {
     std::vector<char> window(64 * 1024);
     CandumpLogSource source(bytes, {window.data(), window.size()});
     std::vector<ReplayCheckpoint> checkpoints(6);
-    auto index = std::make_unique<ReplayIndex>(source, BusSettings(), base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
+    auto index = std::make_unique<ReplayIndex>(source, BusSettings(),
+                                               base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
     int turns = 0;
     while (index->extend(5000)) ++turns;
     EXPECT_GT(turns, 3);
@@ -93,7 +95,8 @@ TEST(ReplayIndex, SeekingReadsLittle) {
     std::vector<char> window(8 * 1024);
     CandumpLogSource source(bytes, {window.data(), window.size()});
     std::vector<ReplayCheckpoint> checkpoints(8);
-    auto index = std::make_unique<ReplayIndex>(source, BusSettings(), base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
+    auto index = std::make_unique<ReplayIndex>(source, BusSettings(),
+                                               base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
     while (index->extend(100000)) {
     }
     const std::uint64_t before = bytes.bytes_read();
@@ -104,7 +107,8 @@ TEST(ReplayIndex, SeekingReadsLittle) {
 TEST(ReplayIndex, AnEmptyLogHasNoExtent) {
     CandumpLogSource source(base::Span<const char>{});
     std::vector<ReplayCheckpoint> checkpoints(2);
-    auto index = std::make_unique<ReplayIndex>(source, BusSettings(), base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
+    auto index = std::make_unique<ReplayIndex>(source, BusSettings(),
+                                               base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
     EXPECT_FALSE(index->extend(10));
     EXPECT_EQ(index->extent().frames, 0u);
 }

@@ -132,8 +132,10 @@ TEST(SourceTimeFit, AnyStampsGiveAnswersNearTheirStamp) {
     std::int64_t now = kEpoch;
     for (int i = 0; i < 200000; ++i) {
         const std::uint64_t kind = random() % 20;
-        now += kind == 0 ? static_cast<std::int64_t>(random() % 100'000'000'000) - 50'000'000'000 : static_cast<std::int64_t>(random() % 40'000'000);
-        const SourceTime time = fit.add(static_cast<std::uint8_t>(random() % 8 == 0 ? random() : static_cast<std::uint64_t>(i)), {now});
+        now += kind == 0 ? static_cast<std::int64_t>(random() % 100'000'000'000) - 50'000'000'000
+                         : static_cast<std::int64_t>(random() % 40'000'000);
+        const SourceTime time =
+            fit.add(static_cast<std::uint8_t>(random() % 8 == 0 ? random() : static_cast<std::uint64_t>(i)), {now});
         ASSERT_LE(std::llabs(time.time.ns - now), 500'000'000);
         ASSERT_TRUE(std::isfinite(fit.period_s()));
     }

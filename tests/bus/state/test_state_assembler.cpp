@@ -33,8 +33,12 @@ struct Bus {
         ASSERT_GE(count, 1u);
         assembler.feed({frames, count});
     }
-    [[nodiscard]] SignalState state(Signal signal, double seconds) const { return assembler.snapshot(at(seconds)).state.state_of(signal, at(seconds)); }
-    [[nodiscard]] double value(Signal signal, double seconds) const { return assembler.snapshot(at(seconds)).state[signal].value_or(NAN); }
+    [[nodiscard]] SignalState state(Signal signal, double seconds) const {
+        return assembler.snapshot(at(seconds)).state.state_of(signal, at(seconds));
+    }
+    [[nodiscard]] double value(Signal signal, double seconds) const {
+        return assembler.snapshot(at(seconds)).state[signal].value_or(NAN);
+    }
 
     MessageEncoder encoder;
     StateAssembler assembler;
@@ -78,7 +82,8 @@ TEST(StateAssembler, SourceTimesAreBetterThanReceiveStamps) {
     for (int i = 0; i < 1000; ++i) {
         bus.send(311, 0.1, 0.02 * i + delay(random));
         if (i > 300) {
-            const double stamp = (bus.assembler.snapshot(at(0.02 * i)).state[Signal::pitch].source_time() - at(0.02 * i + 0.005)).to_seconds();
+            const double stamp =
+                (bus.assembler.snapshot(at(0.02 * i)).state[Signal::pitch].source_time() - at(0.02 * i + 0.005)).to_seconds();
             worst = std::max(worst, std::fabs(stamp));
         }
     }
@@ -166,7 +171,8 @@ TEST(StateAssembler, ForeignTrafficLeavesTheStateAlone) {
     std::vector<CanFrame> frames(50000);
     for (CanFrame& frame : frames) {
         frame.id = static_cast<std::uint32_t>(random() % 2048);
-        if (identifier_index(static_cast<std::uint16_t>(frame.id)) != kNotInTable || frame.id == 1830 || frame.id == 1831) frame.id = 310;
+        if (identifier_index(static_cast<std::uint16_t>(frame.id)) != kNotInTable || frame.id == 1830 || frame.id == 1831)
+            frame.id = 310;
         frame.length = static_cast<std::uint8_t>(random() % 9);
         for (std::uint8_t& byte : frame.data) byte = static_cast<std::uint8_t>(random());
     }
@@ -235,7 +241,8 @@ TurnErrors fly_turn(double noise_m) {
         CanFrame out[9];
         std::size_t count = 0;
         const auto put = [&](std::uint16_t identifier, double si, DataType type) {
-            count += encoder.encode(identifier, si, type, at(received + 0.00013 * static_cast<double>(count)), {out + count, 9 - count});
+            count += encoder.encode(identifier, si, type, at(received + 0.00013 * static_cast<double>(count)),
+                                    {out + count, 9 - count});
         };
         put(1036, lat, DataType::double_high);
         put(1037, lon, DataType::double_high);

@@ -57,8 +57,9 @@ struct Mesh {
         static ChunkMeshScratch scratch;
         std::vector<std::uint16_t> out(3 * kMaxChunkTriangles);
         const auto& h = built.database.header();
-        const MeshCount count = build_chunk_indices({vertices.data(), vertices.size()}, {e.level, e.i, e.j, h.columns - 1, h.rows - 1}, coarser, scratch,
-                                                    {out.data(), out.size()});
+        const MeshCount count =
+            build_chunk_indices({vertices.data(), vertices.size()}, {e.level, e.i, e.j, h.columns - 1, h.rows - 1}, coarser,
+                                scratch, {out.data(), out.size()});
         EXPECT_TRUE(count.sound);
         indices.assign(out.begin(), out.begin() + count.indices);
     }
@@ -121,7 +122,8 @@ TEST(TdbImage, BordersOfOneLevelAgree) {
             for (std::uint32_t i = 0; i + 1 < built.database.grid_columns(level); ++i)
                 for (const std::uint8_t west_mask : {0, 1, 4, 8, 13})
                     for (const std::uint8_t east_mask : {0, 1, 4, 2, 7}) {
-                        const Mesh west(built, built.database.at(level, i, j), west_mask), east(built, built.database.at(level, i + 1, j), east_mask);
+                        const Mesh west(built, built.database.at(level, i, j), west_mask),
+                            east(built, built.database.at(level, i + 1, j), east_mask);
                         EXPECT_EQ(west.border(kEdgeEast), east.border(kEdgeWest)) << level << ": " << i << "," << j;
                     }
 }
@@ -209,7 +211,8 @@ TEST(TdbImage, HeightQueryReturnsPostsAndBothTriangles) {
     HeightQuery query;
     ASSERT_TRUE(query.start(built.database, arena));
     const auto ask = [&](double i, double j) {
-        return query.at(base::radians(raster.north_deg - j * raster.step_lat_deg), base::radians(raster.west_deg + i * raster.step_lon_deg));
+        return query.at(base::radians(raster.north_deg - j * raster.step_lat_deg),
+                        base::radians(raster.west_deg + i * raster.step_lon_deg));
     };
     const auto post = [&](std::uint32_t i, std::uint32_t j) { return double{raster.height_m[raster.at(i, j)]}; };
     for (const auto& [i, j] : {std::pair{0u, 0u}, {63u, 64u}, {64u, 64u}, {130u, 77u}, {199u, 149u}})
