@@ -87,7 +87,8 @@ WarningBand read_band(ConfigSection band) {
 void read_custom_bands(ConfigSection& section, WarningBands& bands) {
     bands.clear();
     const std::size_t count = section.table_count("band");
-    if (count == 0) fault_of(section, "profile", "'custom' needs at least one [[warning.band]]; add one or choose egpws or garmin");
+    if (count == 0)
+        fault_of(section, "profile", "'custom' needs at least one [[warning.band]]; add one or choose egpws or garmin");
     for (std::size_t i = 0; i < count; ++i)
         if (!bands.try_push_back(read_band(section.table_at("band", i))))
             fault_of(section, "band", "has too many entries; keep at most 8");

@@ -19,9 +19,9 @@
 namespace tedavis::design {
 
 struct ViewSettings {
-    double horizontal_field_of_view_rad = base::radians(60);  ///< (10 .. 120 degrees), over the whole width
-    double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0; ///< eye in body axes from the reference point of the own ship
-    double dpi = 96;                                          ///< pixels an inch of the panel; text never gets smaller than legible on it
+    double horizontal_field_of_view_rad = base::radians(60);    ///< (10 .. 120 degrees), over the whole width
+    double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0;  ///< eye in body axes from the reference point of the own ship
+    double dpi = 96;  ///< pixels an inch of the panel; text never gets smaller than legible on it
 };
 
 struct HeightColor {
@@ -35,9 +35,9 @@ using HeightPalette = base::FixedVector<HeightColor, kMaxHeightColors>;  ///< as
 [[nodiscard]] Color color_of_height(const HeightPalette& palette, double height_m) noexcept;
 
 struct LightSettings {
-    double azimuth_rad = base::radians(315);  ///< from which it shines, clockwise from true north
-    double elevation_rad = base::radians(45); ///< above the horizontal
-    double ambient = 0.35;                    ///< 0..1 of full light that reaches slopes in the shade
+    double azimuth_rad = base::radians(315);   ///< from which it shines, clockwise from true north
+    double elevation_rad = base::radians(45);  ///< above the horizontal
+    double ambient = 0.35;                     ///< 0..1 of full light that reaches slopes in the shade
 };
 
 struct TerrainSettings {
@@ -51,10 +51,10 @@ struct TerrainSettings {
 struct SkySettings {
     Color zenith{0x1C, 0x54, 0xA8};
     Color horizon{0x9C, 0xC4, 0xE8};
-    Color ground{0x6E, 0x4A, 0x26};        ///< below the horizon where no terrain is drawn
+    Color ground{0x6E, 0x4A, 0x26};  ///< below the horizon where no terrain is drawn
     Color ground_horizon{0x96, 0x74, 0x4C};
     Color haze{0xB4, 0xC8, 0xDC};
-    double haze_distance_m = 60'000;       ///< at which the haze hides 1 - 1/e of the terrain; 0 for none
+    double haze_distance_m = 60'000;  ///< at which the haze hides 1 - 1/e of the terrain; 0 for none
 };
 
 /// Beyond these figures of merit terrain is shown as degraded.
@@ -97,7 +97,8 @@ struct DesignSettings {
 static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
 /// Reads a design file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
-[[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name);
+[[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text,
+                                                                                   std::string_view file_name);
 
 /// The values of an empty file: the picture of a display that was given no design.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;

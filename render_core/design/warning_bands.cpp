@@ -36,7 +36,8 @@ WarningBands garmin_bands() noexcept {
 
 std::size_t first_band_out_of_order(const WarningBands& bands) noexcept {
     for (std::size_t i = 1; i < bands.size(); ++i)
-        if (!(bands[i].lower_m < bands[i - 1].lower_m) || !(bands[i].lower_gear_down_m < bands[i - 1].lower_gear_down_m)) return i;
+        if (!(bands[i].lower_m < bands[i - 1].lower_m) || !(bands[i].lower_gear_down_m < bands[i - 1].lower_gear_down_m))
+            return i;
     return bands.size();
 }
 

@@ -19,7 +19,7 @@ struct WarningBand {
     double lower_m = 0;
     double lower_gear_down_m = 0;  ///< the same limit with the gear down
     Color color;
-    double strength = 0;           ///< 0..1 of the colour over the terrain's own; the two densities of a hue
+    double strength = 0;  ///< 0..1 of the colour over the terrain's own; the two densities of a hue
 };
 using WarningBands = base::FixedVector<WarningBand, kMaxWarningBands>;
 

@@ -8,7 +8,8 @@
 namespace tedavis::draw {
 namespace {
 
-static_assert(b612::k_b612_atlas_bin_size == static_cast<std::size_t>(b612::kWidth) * b612::kHeight, "atlas and measures are of one baking");
+static_assert(b612::k_b612_atlas_bin_size == static_cast<std::size_t>(b612::kWidth) * b612::kHeight,
+              "atlas and measures are of one baking");
 
 constexpr std::size_t kGlyphCount = sizeof b612::kGlyphs / sizeof b612::kGlyphs[0];
 constexpr FontAtlas kAtlas{b612::kWidth,

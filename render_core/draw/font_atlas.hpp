@@ -22,12 +22,12 @@ struct Glyph {
 };
 
 struct FontAtlas {
-    int width = 0, height = 0;     ///< texels, powers of two
+    int width = 0, height = 0;  ///< texels, powers of two
     float texels_per_em = 0;
-    float spread_em = 0;           ///< distance at which a texel reaches 0 or 1
-    float cap_height_em = 0;       ///< height of the capitals and digits
-    base::Span<const Glyph> glyphs;          ///< ascending code points
-    base::Span<const std::uint8_t> texels;   ///< one byte each, top row first
+    float spread_em = 0;                    ///< distance at which a texel reaches 0 or 1
+    float cap_height_em = 0;                ///< height of the capitals and digits
+    base::Span<const Glyph> glyphs;         ///< ascending code points
+    base::Span<const std::uint8_t> texels;  ///< one byte each, top row first
 };
 [[nodiscard]] const FontAtlas& font_atlas() noexcept;
 

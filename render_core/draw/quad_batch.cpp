@@ -44,7 +44,8 @@ Rect common(const Rect& a, const Rect& b) {
 
 }  // namespace
 
-QuadBatch::QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices) : vertices_(vertices), indices_(indices) {
+QuadBatch::QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices)
+    : vertices_(vertices), indices_(indices) {
     use_.capacity = std::min(vertices.size(), kMostVertices);
 }
 
@@ -132,7 +133,8 @@ bool QuadBatch::box(const Rect& rect, design::Color color) {
 
 bool QuadBatch::frame(const Rect& rect, float width_px, design::Color color) {
     const Rect middle = rect.shrunk(width_px / 2);
-    const Point corners[4] = {{middle.x, middle.y}, {middle.right(), middle.y}, {middle.right(), middle.bottom()}, {middle.x, middle.bottom()}};
+    const Point corners[4] = {
+        {middle.x, middle.y}, {middle.right(), middle.y}, {middle.right(), middle.bottom()}, {middle.x, middle.bottom()}};
     return polyline(corners, width_px, color, true);
 }
 
@@ -159,7 +161,8 @@ bool QuadBatch::text(std::string_view text, Point anchor_point, TextAnchor ancho
     return glyphs(text, pen, style, 0, style.color, along) && fits;
 }
 
-bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color, Point along) {
+bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color,
+                       Point along) {
     const FontAtlas& atlas = font_atlas();
     const float texel_px = style.size_px / atlas.texels_per_em;
     const float range_px = 2 * atlas.spread_em * style.size_px;  // pixels between the atlas's values 0 and 1
@@ -175,8 +178,9 @@ bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style,
         bool inside = !box.empty();
         for (int i = 0; inside && i < 4; ++i) {
             const float x = i == 1 || i == 2 ? box.right() : box.x, y = i >= 2 ? box.bottom() : box.y;
-            corners[i] = {{pen.x + along.x * x - along.y * y, pen.y + along.y * x + along.x * y},
-                          {(glyph.u + (x - whole.x) / texel_px) / atlas_width, (glyph.v + (y - whole.y) / texel_px) / atlas_height}};
+            corners[i] = {
+                {pen.x + along.x * x - along.y * y, pen.y + along.y * x + along.x * y},
+                {(glyph.u + (x - whole.x) / texel_px) / atlas_width, (glyph.v + (y - whole.y) / texel_px) / atlas_height}};
             inside = upright || !clipped_ || clip_.contains(corners[i].at);
         }
         if (inside) fits = add_quad(corners, -(1 + fatten_px), range_px, color) && fits;

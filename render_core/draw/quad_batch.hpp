@@ -33,7 +33,7 @@ static_assert(sizeof(QuadVertex) == 28);
 struct TextStyle {
     float size_px = 16;  ///< pixels an em
     design::Color color;
-    float halo_px = 0;   ///< dark rim for legibility over terrain
+    float halo_px = 0;  ///< dark rim for legibility over terrain
     design::Color halo_color{0, 0, 0, 255};
 };
 enum class TextAnchor : std::uint8_t { left, center, right };

@@ -30,29 +30,34 @@ gl::GlError QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena
     const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
     const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
     if (vertices.empty() || indices.empty())
-        return gl::make_error("the budget line '", effects::kSymbology, "' is too small for the symbology; raise it in the device file");
+        return gl::make_error("the budget line '", effects::kSymbology,
+                              "' is too small for the symbology; raise it in the device file");
     batch_ = QuadBatch(vertices, indices);
     return make_objects(gl, budget, vertices.size(), indices.size());
 }
 
 gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std::size_t vertices, std::size_t indices) {
     base::BudgetLine& quads = *budget.find(effects::kSymbologyVertices);
-    auto vertex_buffer = gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices * sizeof(QuadVertex));
+    auto vertex_buffer =
+        gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices * sizeof(QuadVertex));
     if (!vertex_buffer.ok()) return vertex_buffer.error();
     vertices_ = static_cast<gl::Buffer&&>(vertex_buffer.value());
-    auto index_buffer = gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices * sizeof(std::uint16_t));
+    auto index_buffer =
+        gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices * sizeof(std::uint16_t));
     if (!index_buffer.ok()) return index_buffer.error();
     indices_ = static_cast<gl::Buffer&&>(index_buffer.value());
 
     const FontAtlas& font = font_atlas();
     const auto width = static_cast<std::uint32_t>(font.width), height = static_cast<std::uint32_t>(font.height);
-    auto atlas = gl::make_texture(gl, *budget.find(effects::kFontAtlas), {gl::TextureFormat::r8, gl::TextureFilter::linear, width, height});
+    auto atlas = gl::make_texture(gl, *budget.find(effects::kFontAtlas),
+                                  {gl::TextureFormat::r8, gl::TextureFilter::linear, width, height});
     if (!atlas.ok()) return atlas.error();
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
     if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
 
-    auto program = gl::build_program(gl, {"symbology", shader_text(k_symbology_vert), shader_text(k_symbology_frag),
-                                          base::Span<const gl::AttributeBinding>(kAttributes), base::Span<const char* const>(kUniforms)});
+    auto program =
+        gl::build_program(gl, {"symbology", shader_text(k_symbology_vert), shader_text(k_symbology_frag),
+                               base::Span<const gl::AttributeBinding>(kAttributes), base::Span<const char* const>(kUniforms)});
     if (!program.ok()) return program.error();
     program_ = static_cast<gl::Program&&>(program.value());
     return {};

@@ -9,7 +9,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kEarthMeanRadius_m = 6'371'008.8;  // (2a + b) / 3 of WGS84
+constexpr double kEarthMeanRadius_m = 6'371'008.8;      // (2a + b) / 3 of WGS84
 constexpr double kCosineOfWidest = 0.0174524064372835;  // 89 degrees
 
 }  // namespace
@@ -54,7 +54,8 @@ glm::dvec3 ray_of(const ViewFrame& view, double x, double y) noexcept {
 }
 
 glm::dvec3 direction_of(double heading_rad, double elevation_rad) noexcept {
-    return {std::cos(elevation_rad) * std::cos(heading_rad), std::cos(elevation_rad) * std::sin(heading_rad), -std::sin(elevation_rad)};
+    return {std::cos(elevation_rad) * std::cos(heading_rad), std::cos(elevation_rad) * std::sin(heading_rad),
+            -std::sin(elevation_rad)};
 }
 
 double horizon_dip_rad(double height_m) noexcept {

@@ -60,7 +60,8 @@ std::string text_of(const draw::QuadBatch& batch) {
         const float u = (vertices[i].u + vertices[i + 2].u) / 2 * static_cast<float>(atlas.width);
         const float v = (vertices[i].v + vertices[i + 2].v) / 2 * static_cast<float>(atlas.height);
         for (const draw::Glyph& glyph : atlas.glyphs)
-            if (u > glyph.u && u < glyph.u + glyph.width && v > glyph.v && v < glyph.v + glyph.height) text += static_cast<char>(glyph.code_point);
+            if (u > glyph.u && u < glyph.u + glyph.width && v > glyph.v && v < glyph.v + glyph.height)
+                text += static_cast<char>(glyph.code_point);
         i += 3;
     }
     return text;

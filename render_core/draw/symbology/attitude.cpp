@@ -125,7 +125,8 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
     const Point strip_middle{middle.x + to_ground.x * strip, middle.y + to_ground.y * strip};
     painter.batch().set_clip(painter.layout().attitude);
     painter.batch().line({strip_middle.x - along.x * half, strip_middle.y - along.y * half},
-                         {strip_middle.x + along.x * half, strip_middle.y + along.y * half}, thick, in_ground ? input.sky : input.ground);
+                         {strip_middle.x + along.x * half, strip_middle.y + along.y * half}, thick,
+                         in_ground ? input.sky : input.ground);
     painter.line({middle.x - along.x * half, middle.y - along.y * half}, {middle.x + along.x * half, middle.y + along.y * half});
     painter.batch().lift_clip();
 }
@@ -146,14 +147,18 @@ void build_roll_scale(const Painter& painter, const SymbologyInput& input) {
     const float t = painter.text_px(), radius = roll_radius(painter.layout());
     const Point center = painter.layout().screen.center();
     const auto on_circle = [&](double angle_rad, float r) {
-        return Point{center.x + r * static_cast<float>(std::sin(angle_rad)), center.y - r * static_cast<float>(std::cos(angle_rad))};
+        return Point{center.x + r * static_cast<float>(std::sin(angle_rad)),
+                     center.y - r * static_cast<float>(std::cos(angle_rad))};
     };
     Point arc[kArcSteps + 1];
     for (int i = 0; i <= kArcSteps; ++i) arc[i] = on_circle(radians(-60.0 + 120.0 * i / kArcSteps), radius);
     painter.polyline(arc);
     for (int degrees : {-60, -45, -30, -20, -10, 10, 20, 30, 45, 60})
-        painter.line(on_circle(radians(degrees), radius), on_circle(radians(degrees), radius + (degrees % 30 == 0 ? 0.8f : 0.45f) * t));
-    const Point mark[3] = {on_circle(0, radius), {center.x - 0.4f * t, center.y - radius - 0.7f * t}, {center.x + 0.4f * t, center.y - radius - 0.7f * t}};
+        painter.line(on_circle(radians(degrees), radius),
+                     on_circle(radians(degrees), radius + (degrees % 30 == 0 ? 0.8f : 0.45f) * t));
+    const Point mark[3] = {on_circle(0, radius),
+                           {center.x - 0.4f * t, center.y - radius - 0.7f * t},
+                           {center.x + 0.4f * t, center.y - radius - 0.7f * t}};
     painter.batch().triangle(mark[0], mark[1], mark[2], kScaleColor);
     // Right bank turns the sky to the left.
     const double sky = -input.roll_rad;
@@ -176,7 +181,9 @@ void build_aircraft_symbol(const Painter& painter) {
     painter.polyline(left, kReferenceColor, 2);
     painter.polyline(right, kReferenceColor, 2);
     const Rect nose{c.x - 0.2f * t, c.y - 0.2f * t, 0.4f * t, 0.4f * t};
-    painter.batch().box({nose.x - painter.stroke_px(), nose.y - painter.stroke_px(), nose.width + 2 * painter.stroke_px(), nose.height + 2 * painter.stroke_px()}, kRimColor);
+    painter.batch().box({nose.x - painter.stroke_px(), nose.y - painter.stroke_px(), nose.width + 2 * painter.stroke_px(),
+                         nose.height + 2 * painter.stroke_px()},
+                        kRimColor);
     painter.batch().box(nose, kReferenceColor);
 }
 

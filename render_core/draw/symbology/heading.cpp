@@ -57,7 +57,8 @@ void build_heading(const Painter& painter, const SymbologyInput& input) {
     build_card(painter, card, heading_deg);
     painter.batch().lift_clip();
     const Rect number{box.center().x - 1.6f * t, box.y, 3.2f * t, 1.55f * t};
-    painter.readout(number, whole_number(static_cast<int>(std::lround(heading_deg)) % 360, 3).view(), decision.show == ElementShow::flagged);
+    painter.readout(number, whole_number(static_cast<int>(std::lround(heading_deg)) % 360, 3).view(),
+                    decision.show == ElementShow::flagged);
     const Rect label{box.x, box.y, number.x - box.x, 1.5f * t};
     painter.fitted_text(heading_label(decision.source), label, TextAnchor::right, 0.8f, label_color(decision.show));
     const Rect right{number.right() + 0.2f * t, box.y, 2.4f * t, 1.5f * t};

@@ -8,7 +8,7 @@ namespace {
 constexpr float kTextsAcrossShortSide = 30;  // ordinary size
 constexpr float kTextsAcrossWidth = 40;      // below this width in texts the columns would meet
 constexpr float kTextsAcrossHeight = 28;
-constexpr double kLegibleText_inch = 0.1;    // 2.5 mm an em at arm's length
+constexpr double kLegibleText_inch = 0.1;  // 2.5 mm an em at arm's length
 
 // In texts.
 constexpr float kMargin = 0.4f;

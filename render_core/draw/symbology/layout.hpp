@@ -36,11 +36,16 @@ struct LayoutBox {
 };
 /// All boxes but the screen.
 inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
-    {"phase", &Layout::phase},       {"notices", &Layout::notices},
-    {"airspeed", &Layout::airspeed}, {"attitude", &Layout::attitude},
-    {"altitude", &Layout::altitude}, {"vertical_speed", &Layout::vertical_speed},
-    {"ground_height", &Layout::ground_height}, {"heading", &Layout::heading},
-    {"baro_setting", &Layout::baro_setting},   {"information", &Layout::information},
+    {"phase", &Layout::phase},
+    {"notices", &Layout::notices},
+    {"airspeed", &Layout::airspeed},
+    {"attitude", &Layout::attitude},
+    {"altitude", &Layout::altitude},
+    {"vertical_speed", &Layout::vertical_speed},
+    {"ground_height", &Layout::ground_height},
+    {"heading", &Layout::heading},
+    {"baro_setting", &Layout::baro_setting},
+    {"information", &Layout::information},
 };
 
 /// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.

@@ -38,9 +38,11 @@ public:
 
     /// White by default, with a dark rim.
     void line(Point from, Point to, design::Color color = kScaleColor, float strokes = 1) const;
-    void polyline(base::Span<const Point> points, design::Color color = kScaleColor, float strokes = 1, bool closed = false) const;
+    void polyline(base::Span<const Point> points, design::Color color = kScaleColor, float strokes = 1,
+                  bool closed = false) const;
     /// `size` in texts.
-    void text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color = kScaleColor, float angle_rad = 0) const;
+    void text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color = kScaleColor,
+              float angle_rad = 0) const;
     /// Shrunk to the width where it does not fit; middle of the height.
     void fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color) const;
     /// The picture of failed information in its place: a dark box, a red cross and what failed.

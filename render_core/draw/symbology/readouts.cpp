@@ -45,7 +45,8 @@ constexpr std::size_t kNoticePlaces = 4;  // two columns of two lines
 
 Rect notice_place(const Rect& box, std::size_t place, float gap) {
     const float width = (box.width - gap) / 2, height = (box.height - gap) / 2;
-    return {box.x + static_cast<float>(place % 2) * (width + gap), box.y + static_cast<float>(place / 2) * (height + gap), width, height};
+    return {box.x + static_cast<float>(place % 2) * (width + gap), box.y + static_cast<float>(place / 2) * (height + gap), width,
+            height};
 }
 
 void build_notice(const Painter& painter, const Rect& place, std::string_view text, NoticeLevel level) {
@@ -73,7 +74,11 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");
     const double feet = limited(input.ground_height_m / base::kMetresPerFoot, -999, 99'999);
     const bool stale = decision.show == ElementShow::flagged;
-    labelled_number(painter, box, stale ? "STALE FT" : radio ? "RADIO FT" : "TERRAIN FT", whole_number(feet).view(), decision.show);
+    labelled_number(painter, box,
+                    stale   ? "STALE FT"
+                    : radio ? "RADIO FT"
+                            : "TERRAIN FT",
+                    whole_number(feet).view(), decision.show);
 }
 
 void build_phase(const Painter& painter, const SymbologyInput& input) {
@@ -115,7 +120,8 @@ void build_notices(const Painter& painter, const SymbologyInput& input) {
         more.append(" MORE");
         build_notice(painter, notice_place(box, place, gap), more.view(), NoticeLevel::caution);
     }
-    if (!information.empty()) painter.fitted_text(information.view(), painter.layout().information, TextAnchor::center, 0.8f, kScaleColor);
+    if (!information.empty())
+        painter.fitted_text(information.view(), painter.layout().information, TextAnchor::center, 0.8f, kScaleColor);
 }
 
 }  // namespace tedavis::draw

@@ -39,7 +39,8 @@ void build_vertical_speed_scale(const Painter& painter, const Rect& scale, doubl
         const float y = y_of(hundreds * 100.0);
         const bool thousand = hundreds % 10 == 0;
         painter.line({scale.x, y}, {scale.x + (thousand ? 0.7f : 0.4f) * t, y});
-        if (thousand && hundreds != 0) painter.text(whole_number(std::abs(hundreds) / 10).view(), {scale.x + 0.95f * t, y}, TextAnchor::left, 0.85f);
+        if (thousand && hundreds != 0)
+            painter.text(whole_number(std::abs(hundreds) / 10).view(), {scale.x + 0.95f * t, y}, TextAnchor::left, 0.85f);
     }
     const float y = y_of(limited(fpm, -kVerticalSpeedEnd_fpm, kVerticalSpeedEnd_fpm));
     painter.line({scale.x + 0.3f * t, center}, {scale.x + 0.3f * t, y}, kEngagedColor, 2);

@@ -36,7 +36,8 @@ SymbologyInput make_symbology_input(const flight::AircraftState& state, const di
     input.view_heading_rad = view_heading_rad(state, decisions);
     input.pitch_rad = state[Signal::pitch].value_or(0);
     input.roll_rad = state[Signal::roll].value_or(0);
-    input.view = make_view_frame(width, height, design.view.horizontal_field_of_view_rad, input.view_heading_rad, input.pitch_rad, input.roll_rad);
+    input.view = make_view_frame(width, height, design.view.horizontal_field_of_view_rad, input.view_heading_rad, input.pitch_rad,
+                                 input.roll_rad);
     input.heading_rad = shown_value(state, decisions, Element::heading);
     input.airspeed_mps = shown_value(state, decisions, Element::airspeed);
     const bool gnss = decisions[Element::altitude].source == Signal::ellipsoid_height;

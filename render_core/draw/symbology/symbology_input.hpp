@@ -15,14 +15,14 @@ struct SymbologyInput {
     display::DisplayDecisions decisions;
     design::SymbologySettings shown;
     design::UnusualAttitudeLimits unusual;
-    design::Color sky, ground;      ///< of the permanent horizon
+    design::Color sky, ground;  ///< of the permanent horizon
     flight::PhaseStatus phase;
-    ViewFrame view;                 ///< as terrain and sky are drawn
-    double view_heading_rad = 0;    ///< true
+    ViewFrame view;               ///< as terrain and sky are drawn
+    double view_heading_rad = 0;  ///< true
     double pitch_rad = 0, roll_rad = 0;
-    double heading_rad = 0;         ///< as shown: true, magnetic or track, by decisions[heading].source
+    double heading_rad = 0;  ///< as shown: true, magnetic or track, by decisions[heading].source
     double airspeed_mps = 0;
-    double altitude_m = 0;          ///< above MSL (or pressure altitude), by decisions[altitude].source
+    double altitude_m = 0;  ///< above MSL (or pressure altitude), by decisions[altitude].source
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
     double ground_height_m = 0;

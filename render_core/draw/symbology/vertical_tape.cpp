@@ -22,7 +22,8 @@ void build_ticks(const Painter& painter, const VerticalTape& tape, const Rect& s
         const bool major = std::fmod(step, static_cast<double>(tape.majors)) == 0;
         painter.line({edge, y}, {edge + inwards * (major ? 0.7f : 0.4f) * t, y});
         if (major)
-            painter.text(whole_number(unit).view(), {edge + inwards * 0.95f * t, y}, tape.ticks_right ? TextAnchor::right : TextAnchor::left, 0.85f);
+            painter.text(whole_number(unit).view(), {edge + inwards * 0.95f * t, y},
+                         tape.ticks_right ? TextAnchor::right : TextAnchor::left, 0.85f);
     }
 }
 

@@ -48,7 +48,8 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     EXPECT_EQ(file.sky.haze_distance_m, built_in.sky.haze_distance_m);
     EXPECT_EQ(file.degradation.vertical_accuracy_m, built_in.degradation.vertical_accuracy_m);
     ASSERT_EQ(file.terrain.palette.size(), built_in.terrain.palette.size());
-    for (std::size_t i = 0; i < file.terrain.palette.size(); ++i) EXPECT_EQ(file.terrain.palette[i].color, built_in.terrain.palette[i].color);
+    for (std::size_t i = 0; i < file.terrain.palette.size(); ++i)
+        EXPECT_EQ(file.terrain.palette[i].color, built_in.terrain.palette[i].color);
 }
 
 TEST(DesignSettings, ConvertsUnits) {
@@ -74,7 +75,8 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
         {"name = 'x'\n[terrain]\ntau = 2\n", "d.toml:3: unknown key 'terrain.tau'"},
         {"name = 'x'\n[warning]\nprofile = 'radar'\n", "d.toml:3: 'profile' must be one of: egpws, garmin, custom"},
         {"name = 'x'\n[warning]\nprofile = 'custom'\n", "d.toml:3: 'profile' 'custom' needs"},
-        {"name = 'x'\n[[terrain.palette]]\nheight_m = 5\ncolor = '#000000'\n[[terrain.palette]]\nheight_m = 5\ncolor = '#000000'\n",
+        {"name = 'x'\n[[terrain.palette]]\nheight_m = 5\ncolor = '#000000'\n[[terrain.palette]]\nheight_m = 5\ncolor = "
+         "'#000000'\n",
          "d.toml:6: 'height_m' must lie above"},
         {"name = 'x'\n[warning]\nprofile = 'custom'\n[[warning.band]]\nlower_ft = 0\ncolor = '#000000'\nstrength = 1\n"
          "[[warning.band]]\nlower_ft = 10\ncolor = '#000000'\nstrength = 1\n",
@@ -84,13 +86,15 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
         {"name = 'x'\nname = 'y'\n", "d.toml:2: "},
         {"", "name"},
     };
-    for (const auto& [text, expected] : faults) EXPECT_NE(error_of(text).find(expected), std::string::npos) << text << "\n-> " << error_of(text);
+    for (const auto& [text, expected] : faults)
+        EXPECT_NE(error_of(text).find(expected), std::string::npos) << text << "\n-> " << error_of(text);
 }
 
 TEST(DesignSettings, TooManyStopsAndBandsAreRefused) {
     std::string palette = "name = 'x'\n", bands = "name = 'x'\n[warning]\nprofile = 'custom'\n";
     for (int i = 0; i < 17; ++i) palette += "[[terrain.palette]]\nheight_m = " + std::to_string(i) + "\ncolor = '#000000'\n";
-    for (int i = 0; i < 9; ++i) bands += "[[warning.band]]\nlower_ft = " + std::to_string(-i) + "\ncolor = '#000000'\nstrength = 0\n";
+    for (int i = 0; i < 9; ++i)
+        bands += "[[warning.band]]\nlower_ft = " + std::to_string(-i) + "\ncolor = '#000000'\nstrength = 0\n";
     EXPECT_NE(error_of(palette).find("at most 16"), std::string::npos);
     EXPECT_NE(error_of(bands).find("at most 8"), std::string::npos);
 }

@@ -37,7 +37,8 @@ TEST(WarningBands, GearDownNarrowsTheYellowBandOnly) {
     EXPECT_EQ(band_at(bands, -300, false), 2u);
     EXPECT_EQ(band_at(bands, -300, true), 3u);
     EXPECT_EQ(band_at(bands, -249, true), 2u);
-    for (double ft : {2500.0, 1500.0, -700.0, -1500.0, -3000.0}) EXPECT_EQ(band_at(bands, ft, true), band_at(bands, ft, false)) << ft;
+    for (double ft : {2500.0, 1500.0, -700.0, -1500.0, -3000.0})
+        EXPECT_EQ(band_at(bands, ft, true), band_at(bands, ft, false)) << ft;
 }
 
 TEST(WarningBands, GarminLimits) {

@@ -74,7 +74,8 @@ bool has_flag(const DisplayDecisions& decisions, const std::string& name) {
     return std::find(flags.begin(), flags.end(), name) != flags.end();
 }
 bool has_notice(const DisplayDecisions& decisions, std::string_view text) {
-    return std::any_of(decisions.notices.begin(), decisions.notices.end(), [&](const Notice& n) { return n.text.view() == text; });
+    return std::any_of(decisions.notices.begin(), decisions.notices.end(),
+                       [&](const Notice& n) { return n.text.view() == text; });
 }
 
 constexpr SignalState kBadStates[] = {SignalState::missing, SignalState::stale, SignalState::lost, SignalState::invalid};
@@ -85,7 +86,7 @@ constexpr SignalState kBadStates[] = {SignalState::missing, SignalState::stale, 
 struct Row {
     Signal signal;
     Element element;
-    const char* alone[4];       ///< all other signals valid
+    const char* alone[4];          ///< all other signals valid
     const char* without_peers[4];  ///< no other source of the same information received
 };
 
@@ -154,7 +155,8 @@ std::string picture(const DisplayDecisions& decisions, const Row& row, SignalSta
 
 TEST(FailurePolicy, TheTableHasARowForEverySignal) {
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
-        const auto rows = std::count_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
+        const auto rows =
+            std::count_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
         EXPECT_EQ(rows, 1) << to_string(static_cast<Signal>(i));
         EXPECT_EQ(signal_rule(static_cast<Signal>(i)).signal, static_cast<Signal>(i));
         EXPECT_EQ(consequences(signal_rule(static_cast<Signal>(i)), SignalState::valid), kNoConsequence);
@@ -166,7 +168,8 @@ TEST(FailurePolicy, EveryCellWithAllOtherSignalsValid) {
         for (int i = 0; i < 4; ++i) {
             AircraftState state = everything_valid();
             put(state, row.signal, kBadStates[i]);
-            EXPECT_EQ(picture(decide(state), row, kBadStates[i]), row.alone[i]) << to_string(row.signal) << "." << to_string(kBadStates[i]);
+            EXPECT_EQ(picture(decide(state), row, kBadStates[i]), row.alone[i])
+                << to_string(row.signal) << "." << to_string(kBadStates[i]);
         }
 }
 
@@ -177,7 +180,8 @@ TEST(FailurePolicy, EveryCellWithoutAnotherSourceOfTheInformation) {
             for (Signal peer : peers_of(row.signal)) put(state, peer, SignalState::missing);
             put(state, row.signal, kBadStates[i]);
             const DisplayDecisions decisions = decide(state);
-            EXPECT_EQ(picture(decisions, row, kBadStates[i]), row.without_peers[i]) << to_string(row.signal) << "." << to_string(kBadStates[i]);
+            EXPECT_EQ(picture(decisions, row, kBadStates[i]), row.without_peers[i])
+                << to_string(row.signal) << "." << to_string(kBadStates[i]);
             const bool attitude_lost = decisions[Element::attitude].show == ElementShow::failed;
             EXPECT_EQ(decisions.plain_horizon, !decisions.show_terrain && !attitude_lost);
         }
@@ -265,8 +269,9 @@ TEST(FailurePolicy, HeadingFallsBackFromTrueToMagneticToTrack) {
 }
 
 TEST(FailurePolicy, TheDatabaseHasItsPictures) {
-    const std::pair<TerrainSource, const char*> cases[] = {
-        {TerrainSource::none, "NO TERRAIN DATA"}, {TerrainSource::outside, "OUTSIDE DATABASE"}, {TerrainSource::failed, "TERRAIN FAIL"}};
+    const std::pair<TerrainSource, const char*> cases[] = {{TerrainSource::none, "NO TERRAIN DATA"},
+                                                           {TerrainSource::outside, "OUTSIDE DATABASE"},
+                                                           {TerrainSource::failed, "TERRAIN FAIL"}};
     for (const auto& [source, text] : cases) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = source;
@@ -304,7 +309,8 @@ TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     EXPECT_TRUE(has_flag(decisions, "phase.switch_fault"));
     EXPECT_TRUE(has_flag(decisions, "phase.disagreement"));
     EXPECT_TRUE(has_notice(decisions, "GENERATED FLIGHT"));
-    for (std::size_t i = 1; i < decisions.notices.size(); ++i) EXPECT_GE(decisions.notices[i].level, decisions.notices[i - 1].level);
+    for (std::size_t i = 1; i < decisions.notices.size(); ++i)
+        EXPECT_GE(decisions.notices[i].level, decisions.notices[i - 1].level);
 }
 
 TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {

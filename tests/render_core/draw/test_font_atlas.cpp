@@ -75,7 +75,8 @@ TEST(TakeCodePoint, ReadsUtf8AndCountsBrokenBytesOnce) {
     EXPECT_EQ(take_code_point(text), 0x1F600u);
     EXPECT_TRUE(text.empty());
     // Lone continuation, overlong, surrogate, beyond Unicode, cut.
-    for (const std::string broken : {"\x80", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x86", "\xFF"}) {
+    for (const std::string broken :
+         {"\x80", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x86", "\xFF"}) {
         std::string_view rest = broken;
         std::size_t taken = 0;
         for (; !rest.empty(); ++taken) EXPECT_EQ(take_code_point(rest), 0xFFFDu);

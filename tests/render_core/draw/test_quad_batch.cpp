@@ -19,7 +19,10 @@ constexpr design::Color kWhite{255, 255, 255};
 constexpr design::Color kBlack{0, 0, 0};
 
 struct Store {
-    explicit Store(std::size_t vertices = 4000) : vertex_store(vertices), index_store(vertices * 3 / 2), batch({vertex_store.data(), vertex_store.size()}, {index_store.data(), index_store.size()}) {}
+    explicit Store(std::size_t vertices = 4000)
+        : vertex_store(vertices),
+          index_store(vertices * 3 / 2),
+          batch({vertex_store.data(), vertex_store.size()}, {index_store.data(), index_store.size()}) {}
     std::vector<QuadVertex> vertex_store;
     std::vector<std::uint16_t> index_store;
     QuadBatch batch;
@@ -122,7 +125,8 @@ TEST(QuadBatch, TextStandsAroundItsAnchor) {
         int left = 120, right = -1, top = 100, bottom = -1;
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 120; ++x)
-                if (picture.at(x, y).red > 127) left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+                if (picture.at(x, y).red > 127)
+                    left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
         const double width = static_cast<double>(text_width_px("HHH", 20));
         const double expected_left = 60 - (anchor == TextAnchor::left ? 0 : anchor == TextAnchor::center ? width / 2 : width);
         EXPECT_NEAR(left, expected_left, 3);

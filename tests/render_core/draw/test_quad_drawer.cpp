@@ -19,7 +19,9 @@ using test_support::GlSession;
 
 struct QuadSession {
     QuadSession(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height)
-        : session(backend, device, width, height), block(session.device.budget.find(effects::kSymbology)->bytes), arena(block.data(), block.size()) {
+        : session(backend, device, width, height),
+          block(session.device.budget.find(effects::kSymbology)->bytes),
+          arena(block.data(), block.size()) {
         const gl::GlError error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
         EXPECT_EQ(error.sentence.view(), "");
         session.gl.seal();
@@ -56,7 +58,9 @@ TEST(QuadDrawer, DrawsWhatTheFormulaSays) {
                 for (std::uint32_t x = 0; x < width; ++x) {
                     const std::uint8_t* pixel = &pixels[4 * (static_cast<std::size_t>(height - 1 - y) * width + x)];
                     const design::Color wanted = expected.at(static_cast<int>(x), static_cast<int>(y));
-                    if (std::abs(pixel[0] - wanted.red) > 8 || std::abs(pixel[1] - wanted.green) > 8 || std::abs(pixel[2] - wanted.blue) > 8) ++different;
+                    if (std::abs(pixel[0] - wanted.red) > 8 || std::abs(pixel[1] - wanted.green) > 8 ||
+                        std::abs(pixel[2] - wanted.blue) > 8)
+                        ++different;
                     ASSERT_EQ(pixel[3], 255);
                 }
             // Filtering precision and the rules for pixels on shared edges differ; nothing else may.
@@ -69,7 +73,8 @@ TEST(QuadDrawer, DrawsWhatTheFormulaSays) {
 TEST(QuadDrawer, AnEmptyBatchLeavesThePicture) {
     QuadSession gl("egl", "es3-mid", 64, 48);
     const auto pixels = gl.picture();
-    for (std::size_t i = 0; i < pixels.size(); i += 4) ASSERT_TRUE(pixels[i] == 60 && pixels[i + 1] == 90 && pixels[i + 2] == 120);
+    for (std::size_t i = 0; i < pixels.size(); i += 4)
+        ASSERT_TRUE(pixels[i] == 60 && pixels[i + 1] == 90 && pixels[i + 2] == 120);
 }
 
 TEST(QuadDrawer, RefusesTooSmallABudgetWithTheLinesName) {
@@ -85,7 +90,8 @@ TEST(QuadDrawer, OsMesaAndEglAgreeBitForBit) {
     std::vector<std::vector<std::uint8_t>> pictures;
     for (const std::string& backend : test_support::headless_backends()) {
         QuadSession gl(backend, "es3-mid", 640, 480);
-        build_symbology(gl.quads.batch(), test_support::scene_input(test_support::scene_state(200, -7, 31), 640, 480), make_layout(640, 480, 96));
+        build_symbology(gl.quads.batch(), test_support::scene_input(test_support::scene_state(200, -7, 31), 640, 480),
+                        make_layout(640, 480, 96));
         pictures.push_back(gl.picture());
     }
     for (const auto& picture : pictures) EXPECT_EQ(picture, pictures.front());

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/matrix.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <string>
 
 #include "render_core/base/units.hpp"
@@ -36,7 +36,8 @@ bool misses_the_earth(double x, double y, double pitch_deg, double roll_deg, dou
     const double focal = kWidth / 2.0 / std::tan(radians(30));
     const glm::dvec3 ray = body * glm::dvec3(1, (x - kWidth / 2.0) / focal, (y - kHeight / 2.0) / focal);
     const long double radius = 6'371'008.8L, eye = radius + static_cast<long double>(height_m);  // at (eye, 0, 0)
-    const long double b = eye * static_cast<long double>(ray.x), a = static_cast<long double>(glm::dot(ray, ray)), c = eye * eye - radius * radius;
+    const long double b = eye * static_cast<long double>(ray.x), a = static_cast<long double>(glm::dot(ray, ray)),
+                      c = eye * eye - radius * radius;
     return b >= 0 || b * b - a * c < 0;
 }
 
@@ -68,13 +69,16 @@ TEST(SkyDrawer, TheHorizonIsWhereRaysTouchTheEarth) {
                     const auto pixels = gl.picture(sky_input(pitch, roll, height));
                     for (std::uint32_t row = 0; row < kHeight; ++row)
                         for (std::uint32_t column = 0; column < kWidth; ++column) {
-                            const std::uint8_t* pixel = &pixels[4 * (static_cast<std::size_t>(kHeight - 1 - row) * kWidth + column)];
+                            const std::uint8_t* pixel =
+                                &pixels[4 * (static_cast<std::size_t>(kHeight - 1 - row) * kWidth + column)];
                             const double x = column + 0.5, y = row + 0.5;
                             // A pixel whose neighbourhood of one pixel is all sky or all ground must be that, purely.
                             int sky = 0;
-                            for (int i = 0; i < 4; ++i) sky += misses_the_earth(x + (i % 2 ? 1 : -1), y + (i / 2 ? 1 : -1), pitch, roll, height) ? 1 : 0;
+                            for (int i = 0; i < 4; ++i)
+                                sky += misses_the_earth(x + (i % 2 ? 1 : -1), y + (i / 2 ? 1 : -1), pitch, roll, height) ? 1 : 0;
                             if (sky != 0 && sky != 4) continue;
-                            ASSERT_EQ(pixel[0], sky == 4 ? 255 : 0) << device << " " << height << " m, pitch " << pitch << " roll " << roll << " at " << x << "," << y;
+                            ASSERT_EQ(pixel[0], sky == 4 ? 255 : 0) << device << " " << height << " m, pitch " << pitch
+                                                                    << " roll " << roll << " at " << x << "," << y;
                             ASSERT_EQ(pixel[1], sky == 4 ? 0 : 255);
                             ASSERT_EQ(pixel[3], 255);
                         }
@@ -95,7 +99,8 @@ TEST(SkyDrawer, TheDipMovesTheHorizonDown) {
     const int flat = count_sky(0), high = count_sky(12'000);
     EXPECT_EQ(flat, static_cast<int>(kWidth * kHeight / 2));
     const double focal = kWidth / 2.0 / std::tan(radians(30));
-    EXPECT_NEAR((high - flat) / static_cast<double>(kWidth), focal * std::tan(std::acos(6'371'008.8 / 6'383'008.8)), 1.2);  // 3.5 degrees
+    EXPECT_NEAR((high - flat) / static_cast<double>(kWidth), focal * std::tan(std::acos(6'371'008.8 / 6'383'008.8)),
+                1.2);  // 3.5 degrees
 }
 
 TEST(SkyDrawer, StraightUpIsAllSkyAndStraightDownAllGround) {

@@ -10,8 +10,8 @@ namespace {
 struct Screen {
     std::uint32_t width, height;
 };
-constexpr Screen kScreens[] = {{320, 240}, {240, 320}, {640, 480}, {480, 640}, {800, 480}, {1024, 768}, {768, 1024},
-                               {1080, 1920}, {1920, 1080}, {2560, 1080}, {1080, 2560}, {3840, 2160}};
+constexpr Screen kScreens[] = {{320, 240},  {240, 320},   {640, 480},   {480, 640},   {800, 480},   {1024, 768},
+                               {768, 1024}, {1080, 1920}, {1920, 1080}, {2560, 1080}, {1080, 2560}, {3840, 2160}};
 
 TEST(Layout, NoBoxOverlapsAnotherOrLeavesTheScreen) {
     for (const Screen& screen : kScreens)
@@ -20,10 +20,12 @@ TEST(Layout, NoBoxOverlapsAnotherOrLeavesTheScreen) {
             for (std::size_t i = 0; i < kLayoutBoxCount; ++i) {
                 const Rect& box = layout.*kLayoutBoxes[i].box;
                 EXPECT_FALSE(box.empty()) << kLayoutBoxes[i].name;
-                EXPECT_TRUE(layout.screen.contains(box)) << kLayoutBoxes[i].name << " " << screen.width << "x" << screen.height << " " << dpi;
+                EXPECT_TRUE(layout.screen.contains(box))
+                    << kLayoutBoxes[i].name << " " << screen.width << "x" << screen.height << " " << dpi;
                 for (std::size_t j = i + 1; j < kLayoutBoxCount; ++j)
                     EXPECT_FALSE(box.overlaps(layout.*kLayoutBoxes[j].box))
-                        << kLayoutBoxes[i].name << " and " << kLayoutBoxes[j].name << " " << screen.width << "x" << screen.height << " " << dpi;
+                        << kLayoutBoxes[i].name << " and " << kLayoutBoxes[j].name << " " << screen.width << "x" << screen.height
+                        << " " << dpi;
             }
         }
 }

@@ -42,12 +42,14 @@ constexpr Piece kPieces[] = {
     {"flight_path", build_flight_path, &Layout::attitude, Element::flight_path, &SymbologyInput::velocity_east_mps},
     {"airspeed", build_airspeed, &Layout::airspeed, Element::airspeed, &SymbologyInput::airspeed_mps},
     {"altitude", build_altitude, &Layout::altitude, Element::altitude, &SymbologyInput::altitude_m},
-    {"vertical_speed", build_vertical_speed, &Layout::vertical_speed, Element::vertical_speed, &SymbologyInput::vertical_speed_mps},
+    {"vertical_speed", build_vertical_speed, &Layout::vertical_speed, Element::vertical_speed,
+     &SymbologyInput::vertical_speed_mps},
     {"heading", build_heading, &Layout::heading, Element::heading, &SymbologyInput::heading_rad},
     {"baro_setting", build_baro_setting, &Layout::baro_setting, Element::baro_setting, &SymbologyInput::baro_setting_pa},
     {"ground_height", build_ground_height, &Layout::ground_height, Element::ground_height, &SymbologyInput::ground_height_m},
 };
-constexpr ElementShow kShows[] = {ElementShow::normal, ElementShow::substituted, ElementShow::flagged, ElementShow::failed, ElementShow::absent};
+constexpr ElementShow kShows[] = {ElementShow::normal, ElementShow::substituted, ElementShow::flagged, ElementShow::failed,
+                                  ElementShow::absent};
 
 struct Screen {
     std::uint32_t width, height;
@@ -103,7 +105,8 @@ TEST(Symbology, PhaseAndNoticesStayInTheirBoxes) {
             const Layout layout = make_layout(screen.width, screen.height, 96);
             input.decisions.notices.clear();
             for (std::size_t i = 0; i < notices; ++i)
-                ASSERT_TRUE(input.decisions.notices.try_push_back({display::NoticeLevel::caution, "TERRAIN DATABASE FAILURE 12345"}));
+                ASSERT_TRUE(
+                    input.decisions.notices.try_push_back({display::NoticeLevel::caution, "TERRAIN DATABASE FAILURE 12345"}));
             BatchStore store;
             build_notices(Painter(store.batch, layout), input);
             expect_inside(store.batch, layout.notices, "notices");
@@ -156,21 +159,25 @@ TEST(Symbology, FailuresAreRedWithTextAndStaleValuesAmberWithText) {
 TEST(Symbology, NumbersAreInTheCockpitsUnitsWithTheirSource) {
     const SymbologyInput input = scene_input(scene_state(47.2, 0, 0), 640, 480);
     const Layout layout = make_layout(640, 480, 96);
-    const std::pair<Builder, std::vector<std::string>> expected[] = {
-        {build_airspeed, {"IASKT", "128"}},    {build_altitude, {"BAROFT", "4520"}},   {build_vertical_speed, {"FT/MIN", "-500"}},
-        {build_heading, {"HDGTRUE", "047"}},   {build_baro_setting, {"QNHHPA", "1009"}}, {build_ground_height, {"RADIOFT", "1240"}},
-        {build_phase, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
+    const std::pair<Builder, std::vector<std::string>> expected[] = {{build_airspeed, {"IASKT", "128"}},
+                                                                     {build_altitude, {"BAROFT", "4520"}},
+                                                                     {build_vertical_speed, {"FT/MIN", "-500"}},
+                                                                     {build_heading, {"HDGTRUE", "047"}},
+                                                                     {build_baro_setting, {"QNHHPA", "1009"}},
+                                                                     {build_ground_height, {"RADIOFT", "1240"}},
+                                                                     {build_phase, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
     for (const auto& [build, texts] : expected) {
         BatchStore store;
         build(Painter(store.batch, layout), input);
-        for (const std::string& text : texts) EXPECT_NE(text_of(store.batch).find(text), std::string::npos) << text << " in " << text_of(store.batch);
+        for (const std::string& text : texts)
+            EXPECT_NE(text_of(store.batch).find(text), std::string::npos) << text << " in " << text_of(store.batch);
     }
 }
 
 TEST(Symbology, SubstitutesNameTheirSource) {
     flight::AircraftState state = scene_state(47, 0, 0);
-    for (Signal lost : {Signal::true_heading, Signal::magnetic_heading, Signal::baro_altitude, Signal::true_altitude, Signal::indicated_airspeed,
-                        Signal::calibrated_airspeed, Signal::true_airspeed})
+    for (Signal lost : {Signal::true_heading, Signal::magnetic_heading, Signal::baro_altitude, Signal::true_altitude,
+                        Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed})
         state[lost] = {};
     state[Signal::ground_speed] = {100 * base::kMpsPerKnot, kSceneNow};
     const SymbologyInput input = scene_input(state, 640, 480);
@@ -202,18 +209,21 @@ TEST(Symbology, TheHorizonLineLiesOnTheHorizontal) {
             Picture picture(640, 480, {0, 0, 0});
             rasterize(store.batch, picture);
             // Directions on the horizontal, through the Earth module's frames.
-            const glm::dmat3 to_body = glm::transpose(earth::body_axes(0, 0, base::radians(77), base::radians(pitch), base::radians(roll)));
+            const glm::dmat3 to_body =
+                glm::transpose(earth::body_axes(0, 0, base::radians(77), base::radians(pitch), base::radians(roll)));
             const glm::dmat3 ned = earth::north_east_down(0, 0);
             const double focal = 320 / std::tan(base::radians(30));
             int checked = 0;
             for (double azimuth = 40; azimuth < 114; azimuth += 0.5) {
-                const glm::dvec3 body = to_body * (ned[0] * std::cos(base::radians(azimuth)) + ned[1] * std::sin(base::radians(azimuth)));
+                const glm::dvec3 body =
+                    to_body * (ned[0] * std::cos(base::radians(azimuth)) + ned[1] * std::sin(base::radians(azimuth)));
                 const double x = 320 + focal * body.y / body.x, y = 240 + focal * body.z / body.x;
                 if (!layout.attitude.shrunk(3).contains(Point{static_cast<float>(x), static_cast<float>(y)})) continue;
                 int brightest = 0;
                 for (int dy = -1; dy <= 1; ++dy)
                     for (int dx = -1; dx <= 1; ++dx)
-                        brightest = std::max<int>(brightest, picture.at(static_cast<int>(x) + dx, static_cast<int>(y) + dy).red);  // white, or the yellow symbol over it
+                        brightest = std::max<int>(brightest, picture.at(static_cast<int>(x) + dx, static_cast<int>(y) + dy)
+                                                                 .red);  // white, or the yellow symbol over it
                 EXPECT_GT(brightest, 100) << pitch << " " << roll << " azimuth " << azimuth;
                 ++checked;
             }
@@ -230,10 +240,12 @@ TEST(Symbology, TheFlightPathLiesOnTheDirectionOfMotion) {
     BatchStore store;
     build_flight_path(Painter(store.batch, make_layout(1024, 768, 96)), input);
     double sum_x = 0, sum_y = 0, count = 0;  // the circle's and wings' middle; the fin pulls up a little
-    for (const QuadVertex& vertex : store.batch.vertices()) sum_x += static_cast<double>(vertex.x), sum_y += static_cast<double>(vertex.y), ++count;
+    for (const QuadVertex& vertex : store.batch.vertices())
+        sum_x += static_cast<double>(vertex.x), sum_y += static_cast<double>(vertex.y), ++count;
     const glm::dmat3 to_body = glm::transpose(earth::body_axes(0, 0, base::radians(30), base::radians(4), base::radians(20)));
     const glm::dmat3 ned = earth::north_east_down(0, 0);
-    const glm::dvec3 body = to_body * (ned[0] * state.own_ship.velocity_north_mps + ned[1] * state.own_ship.velocity_east_mps + ned[2] * 3.0);
+    const glm::dvec3 body =
+        to_body * (ned[0] * state.own_ship.velocity_north_mps + ned[1] * state.own_ship.velocity_east_mps + ned[2] * 3.0);
     const double focal = 512 / std::tan(base::radians(30));
     EXPECT_NEAR(sum_x / count, 512 + focal * body.y / body.x, 0.5);
     EXPECT_NEAR(sum_y / count, 384 + focal * body.z / body.x, 2.5);
@@ -258,7 +270,8 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
             }
     // Nose far up: the strip is ground; nose far down: sky.
     BatchStore up, down;
-    const SymbologyInput high = scene_input(scene_state(10, 70, 0), 640, 480), low = scene_input(scene_state(10, -70, 0), 640, 480);
+    const SymbologyInput high = scene_input(scene_state(10, 70, 0), 640, 480),
+                         low = scene_input(scene_state(10, -70, 0), 640, 480);
     build_attitude(Painter(up.batch, make_layout(640, 480, 96)), high);
     build_attitude(Painter(down.batch, make_layout(640, 480, 96)), low);
     EXPECT_TRUE(has_color(up.batch, high.ground));
@@ -283,16 +296,18 @@ TEST(Symbology, RightBankTurnsTheSkyPointerLeft) {
         build_attitude(Painter(store.batch, layout), scene_input(scene_state(10, 0, roll), 640, 480));
         double lowest_y = 1e9, x_of_lowest = 0;
         for (const QuadVertex& v : store.batch.vertices())
-            if (v.rgba[0] == kReferenceColor.red && v.rgba[1] == kReferenceColor.green && v.rgba[2] == kReferenceColor.blue && static_cast<double>(v.y) < lowest_y)
+            if (v.rgba[0] == kReferenceColor.red && v.rgba[1] == kReferenceColor.green && v.rgba[2] == kReferenceColor.blue &&
+                static_cast<double>(v.y) < lowest_y)
                 lowest_y = static_cast<double>(v.y), x_of_lowest = static_cast<double>(v.x);
-        EXPECT_EQ(x_of_lowest < 320, roll > 0);
+        EXPECT_EQ(x_of_lowest<320, roll> 0);
     }
 }
 
 TEST(Symbology, NothingIsRefusedOverManyStatesAndHostileValues) {
     std::uint32_t random = 7;
     const auto next = [&](std::uint32_t below) { return (random = random * 1664525u + 1013904223u, (random >> 12) % below); };
-    const double hostile[] = {0, 1e300, -1e300, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 3, -3, 7};
+    const double hostile[] = {0, 1e300, -1e300, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                              3, -3,    7};
     std::uint64_t most = 0;
     for (int round = 0; round < 3000; ++round) {
         flight::AircraftState state = scene_state(next(360), next(180) - 90.0, next(360) - 180.0);
@@ -304,7 +319,8 @@ TEST(Symbology, NothingIsRefusedOverManyStatesAndHostileValues) {
         if (round % 3 == 1) state.own_ship.velocity_up_mps = hostile[next(8)];
         const Screen screen = kScreens[next(4)];
         BatchStore store;
-        build_symbology(store.batch, scene_input(state, screen.width, screen.height), make_layout(screen.width, screen.height, 96));
+        build_symbology(store.batch, scene_input(state, screen.width, screen.height),
+                        make_layout(screen.width, screen.height, 96));
         EXPECT_EQ(store.batch.use().refused, 0u);
         most = std::max(most, store.batch.use().high_water);
         for (const QuadVertex& v : store.batch.vertices()) ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));
@@ -327,7 +343,8 @@ TEST(Symbology, PicturesAreTheSameForTheSameInput) {
     build_symbology(once.batch, input, layout);
     build_symbology(twice.batch, input, layout);
     build_symbology(twice.batch, input, layout);
-    EXPECT_TRUE(same({once.batch.vertices().begin(), once.batch.vertices().end()}, {twice.batch.vertices().begin(), twice.batch.vertices().end()}));
+    EXPECT_TRUE(same({once.batch.vertices().begin(), once.batch.vertices().end()},
+                     {twice.batch.vertices().begin(), twice.batch.vertices().end()}));
 }
 
 }  // namespace
