@@ -48,15 +48,15 @@ void FlightPlayer::open_log(const PlayerFiles& files) {
 }
 
 void FlightPlayer::open_switches(const PlayerFiles& files) {
-    if (files.switches.empty()) return;
     const std::string path = resolve_config(files.switch_config, "switches");
     auto config = bus::load_switch_config(read_file(path), path);
     if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
     switch_config_ = config.value();
+    if (files.switches.empty()) return;
     const std::string text = read_file(files.switches);
     if (!bus::has_switch_log_header(text))
         throw UserError(files.switches + ":1: not a switch log; its first line must be '# tedavis switch log 1'");
-    bus::SwitchLogSource log(text, *switch_config_);
+    bus::SwitchLogSource log(text, switch_config_);
     bus::SwitchEdge batch[kFramesAtOnce];
     for (std::size_t count = 1; count > 0;) {
         count = log.read(kEnd, base::Span<bus::SwitchEdge>(batch));
@@ -83,7 +83,7 @@ void FlightPlayer::restart() {
     progress_ = Progress();
     progress_.position = start_;
     progress_.assembler = bus::StateAssembler(bus_settings_);
-    if (switch_config_) progress_.switches.emplace(*switch_config_);
+    progress_.switches.emplace(switch_config_);
     progress_.reached = first_ - base::Duration::seconds(1);
     source_->seek(start_);
     if (checkpoints_.empty()) checkpoints_.push_back(progress_);
@@ -105,7 +105,7 @@ void FlightPlayer::feed_until(base::Time time) {
     }
     progress_.assembler.note_dropped(source_->statistics().dropped);
     for (; progress_.next_edge < edges_.size() && edges_[progress_.next_edge].time <= time; ++progress_.next_edge)
-        if (progress_.switches) progress_.switches->add(edges_[progress_.next_edge]);
+        progress_.switches->add(edges_[progress_.next_edge]);
 }
 
 void FlightPlayer::step_phase(base::Time time) {
@@ -114,11 +114,9 @@ void FlightPlayer::step_phase(base::Time time) {
     aircraft[flight::Signal::height_above_terrain] = display_.height_above_terrain(aircraft.own_ship, time);
     flight::PhaseInputs inputs;
     inputs.can = snapshot.phase_status.phase;
-    if (progress_.switches) {
-        const bus::SwitchPhase switches = progress_.switches->status(time);
-        inputs.switches = switches.statement;
-        inputs.switch_fault = switches.fault;
-    }
+    const bus::SwitchPhase switches = progress_.switches->status(time);
+    inputs.switches = switches.statement;
+    inputs.switch_fault = switches.fault;
     progress_.monitor.step(aircraft, inputs, time);
 }
 
@@ -148,6 +146,15 @@ PlayedInstant FlightPlayer::at(base::Time time) {
     instant.newest_frame = progress_.newest_frame;
     progress_.reached = wanted;
     return instant;
+}
+
+void FlightPlayer::replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges) {
+    const auto later =
+        std::find_if(edges_.begin(), edges_.end(), [kept_until](const bus::SwitchEdge& e) { return e.time > kept_until; });
+    edges_.erase(later, edges_.end());
+    edges_.insert(edges_.end(), edges.begin(), edges.end());
+    while (checkpoints_.size() > 1 && checkpoints_.back().reached > kept_until) checkpoints_.pop_back();
+    if (progress_.reached > kept_until) go_back_before(kept_until);
 }
 
 std::vector<std::string> FlightPlayer::notes() const {

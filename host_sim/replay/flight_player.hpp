@@ -41,6 +41,12 @@ public:
     /// Clamped to first() .. last().
     [[nodiscard]] PlayedInstant at(base::Time time);
 
+    /// The phase switches' lines and patterns, and the edges played, in order of time.
+    [[nodiscard]] const bus::SwitchConfig& switch_config() const { return switch_config_; }
+    [[nodiscard]] const std::vector<bus::SwitchEdge>& switch_edges() const { return edges_; }
+    /// Other switches from here on: the edges up to `kept_until` stay, later ones give way to `edges` (all later, in order).
+    void replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges);
+
     /// Sentences about broken lines, for the report.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] bus::BusCounters counters_of_whole_log();
@@ -75,7 +81,7 @@ private:
     bus::BusSettings bus_settings_;
     std::string switch_name_;
     std::vector<bus::SwitchEdge> edges_;
-    std::optional<bus::SwitchConfig> switch_config_;
+    bus::SwitchConfig switch_config_;
     std::vector<std::string> switch_notes_;
     base::Time first_, last_;
     Progress progress_;
