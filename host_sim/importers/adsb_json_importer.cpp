@@ -74,14 +74,17 @@ std::vector<Row> rows_of(const Json& document, const std::string& name) {
     std::vector<Row> rows;
     if (document.is_array()) {
         for (const Json& record : document) {
-            if (!record.is_object()) throw UserError(name + ": entry " + std::to_string(rows.size()) + " of the list is no record; give a list of objects");
+            if (!record.is_object())
+                throw UserError(name + ": entry " + std::to_string(rows.size()) +
+                                " of the list is no record; give a list of objects");
             rows.emplace_back(record);
         }
         return rows;
     }
     const auto timestamps = document.find("timestamp");
     if (!document.is_object() || timestamps == document.end() || !timestamps->is_object()) {
-        throw UserError(name + ": neither a list of records nor a table of columns with `timestamp`; see the README for the layout");
+        throw UserError(name +
+                        ": neither a list of records nor a table of columns with `timestamp`; see the README for the layout");
     }
     for (const auto& item : timestamps->items()) rows.emplace_back(document, item.key());
     return rows;

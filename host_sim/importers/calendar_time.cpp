@@ -6,6 +6,7 @@
 namespace tedavis::host_sim {
 namespace {
 
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kSecondsPerDay = 86400, kMostSeconds = 7'000'000'000;
 constexpr int kDaysOfMonth[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
 
 bool is_leap_year(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
@@ -69,11 +70,10 @@ std::optional<base::Time> midnight_of(int year, int month, int day) {
     for (int y = 1970; y < year; ++y) days += is_leap_year(y) ? 366 : 365;
     for (int y = year; y < 1970; ++y) days -= is_leap_year(y) ? 366 : 365;
     for (int m = 1; m < month; ++m) days += days_of(year, m);
-    return base::Time{} + base::Duration::seconds((days + day - 1) * 86400);
+    return base::Time{} + base::Duration::seconds((days + day - 1) * kSecondsPerDay);
 }
 
 CalendarDate calendar_date(base::Time time) {
-    constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kSecondsPerDay = 86400;
     const std::int64_t second = time.ns / kNanosecondsPerSecond - (time.ns % kNanosecondsPerSecond < 0 ? 1 : 0);
     std::int64_t days = second / kSecondsPerDay - (second % kSecondsPerDay < 0 ? 1 : 0);
     CalendarDate date;
@@ -103,6 +103,19 @@ std::optional<base::Time> parse_iso8601(std::string_view text) {
     const auto midnight = midnight_of(year, month, day);
     if (!reader.ok() || !reader.at_end() || !midnight || hour > 23 || minute > 59 || second > 60) return std::nullopt;
     return *midnight + base::Duration::seconds(hour * 3600 + minute * 60 + second - offset_s) + base::Duration{fraction};
+}
+
+std::optional<base::Time> parse_unix_seconds(std::string_view text) {
+    FieldReader reader(text);
+    const bool negative = reader.accept('-');
+    std::int64_t seconds = reader.digits(1);
+    while (reader.ok() && !reader.at_end() && !reader.accept('.')) {
+        seconds = seconds * 10 + reader.digits(1);
+        if (seconds > kMostSeconds) return std::nullopt;
+    }
+    const std::int64_t ns = seconds * kNanosecondsPerSecond + reader.fraction_ns();
+    if (!reader.ok() || !reader.at_end()) return std::nullopt;
+    return base::Time{negative ? -ns : ns};
 }
 
 }  // namespace tedavis::host_sim

@@ -18,5 +18,7 @@ struct CalendarDate {
 [[nodiscard]] CalendarDate calendar_date(base::Time time);
 /// ISO 8601 "2020-04-12T09:47:00[.fraction][Z|+hh:mm]"; a missing zone means UTC.
 [[nodiscard]] std::optional<base::Time> parse_iso8601(std::string_view text);
+/// Seconds since 1970 UTC with a decimal fraction, exact to the nanosecond (a double is not). Empty beyond +-7e9 s.
+[[nodiscard]] std::optional<base::Time> parse_unix_seconds(std::string_view text);
 
 }  // namespace tedavis::host_sim

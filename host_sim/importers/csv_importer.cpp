@@ -14,18 +14,43 @@
 namespace tedavis::host_sim {
 namespace {
 
-enum class Column { time, latitude, longitude, height_ellipsoid, height_msl, pressure_altitude, ground_speed, track, vertical_speed, pitch, roll, heading, on_ground, aircraft, ignored };
+enum class Column {
+    time,
+    latitude,
+    longitude,
+    height_ellipsoid,
+    height_msl,
+    pressure_altitude,
+    ground_speed,
+    track,
+    vertical_speed,
+    pitch,
+    roll,
+    heading,
+    on_ground,
+    aircraft,
+    ignored
+};
 
-const std::map<std::string_view, Column> kColumns = {
-    {"time", Column::time}, {"latitude_deg", Column::latitude}, {"longitude_deg", Column::longitude},
-    {"height_ellipsoid_m", Column::height_ellipsoid}, {"height_msl_m", Column::height_msl},
-    {"pressure_altitude_m", Column::pressure_altitude}, {"ground_speed_mps", Column::ground_speed}, {"track_deg", Column::track},
-    {"vertical_speed_mps", Column::vertical_speed}, {"pitch_deg", Column::pitch}, {"roll_deg", Column::roll},
-    {"heading_deg", Column::heading}, {"on_ground", Column::on_ground}, {"aircraft", Column::aircraft}};
+const std::map<std::string_view, Column> kColumns = {{"time", Column::time},
+                                                     {"latitude_deg", Column::latitude},
+                                                     {"longitude_deg", Column::longitude},
+                                                     {"height_ellipsoid_m", Column::height_ellipsoid},
+                                                     {"height_msl_m", Column::height_msl},
+                                                     {"pressure_altitude_m", Column::pressure_altitude},
+                                                     {"ground_speed_mps", Column::ground_speed},
+                                                     {"track_deg", Column::track},
+                                                     {"vertical_speed_mps", Column::vertical_speed},
+                                                     {"pitch_deg", Column::pitch},
+                                                     {"roll_deg", Column::roll},
+                                                     {"heading_deg", Column::heading},
+                                                     {"on_ground", Column::on_ground},
+                                                     {"aircraft", Column::aircraft}};
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"')) text.remove_suffix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"'))
+        text.remove_suffix(1);
     return text;
 }
 
@@ -78,15 +103,19 @@ private:
             const auto count = std::count(columns_.begin(), columns_.end(), column);
             const bool required = column == Column::time || column == Column::latitude || column == Column::longitude;
             if (count > 1) refuse("the column `" + std::string(column_name) + "` stands twice; keep one");
-            if (required && count == 0) refuse("the column `" + std::string(column_name) + "` is missing from the first line; see the README for the columns");
+            if (required && count == 0)
+                refuse("the column `" + std::string(column_name) +
+                       "` is missing from the first line; see the README for the columns");
         }
-        if (has(Column::height_ellipsoid) && has(Column::height_msl)) refuse("both `height_ellipsoid_m` and `height_msl_m` are given; keep the one that was measured");
+        if (has(Column::height_ellipsoid) && has(Column::height_msl))
+            refuse("both `height_ellipsoid_m` and `height_msl_m` are given; keep the one that was measured");
         if (!ignored.empty()) file_.notes.push_back("columns that are not known were ignored: " + ignored);
     }
 
     void read_row(const std::vector<std::string_view>& cells) {
         if (cells.size() != columns_.size()) {
-            refuse(std::to_string(cells.size()) + " cells, but the first line names " + std::to_string(columns_.size()) + " columns; correct the row");
+            refuse(std::to_string(cells.size()) + " cells, but the first line names " + std::to_string(columns_.size()) +
+                   " columns; correct the row");
         }
         RecordedFix fix;
         std::string aircraft;
@@ -127,9 +156,9 @@ private:
 
     base::Time time_in(std::string_view cell) {
         if (const auto iso = parse_iso8601(cell)) return *iso;
-        const auto seconds = number_in(cell);
-        if (!seconds || std::abs(*seconds) > 7e9) refuse("'" + std::string(cell) + "' is no time; give seconds since 1970 UTC or ISO 8601");
-        return base::Time{} + base::Duration::from_seconds(*seconds);
+        const auto seconds = parse_unix_seconds(cell);
+        if (!seconds) refuse("'" + std::string(cell) + "' is no time; give seconds since 1970 UTC or ISO 8601");
+        return *seconds;
     }
 
     RecordedFlight& flight_of(const std::string& aircraft) {
@@ -142,7 +171,9 @@ private:
     }
 
     [[nodiscard]] bool has(Column column) const { return std::find(columns_.begin(), columns_.end(), column) != columns_.end(); }
-    [[noreturn]] void refuse(const std::string& what) const { throw UserError(name_ + ":" + std::to_string(line_number_) + ": " + what); }
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw UserError(name_ + ":" + std::to_string(line_number_) + ": " + what);
+    }
 
     const std::string& name_;
     ImportedFile file_;

@@ -28,14 +28,16 @@ double seconds_between(const RecordedFix& a, const RecordedFix& b) { return (b.t
 void sort_and_drop_duplicates(std::vector<RecordedFix>& fixes, CleaningCounts& counts) {
     for (std::size_t i = 1; i < fixes.size(); ++i) counts.out_of_order += fixes[i].time < fixes[i - 1].time ? 1 : 0;
     std::stable_sort(fixes.begin(), fixes.end(), [](const RecordedFix& a, const RecordedFix& b) { return a.time < b.time; });
-    const auto end = std::unique(fixes.begin(), fixes.end(), [](const RecordedFix& a, const RecordedFix& b) { return a.time == b.time; });
+    const auto end =
+        std::unique(fixes.begin(), fixes.end(), [](const RecordedFix& a, const RecordedFix& b) { return a.time == b.time; });
     counts.duplicates = static_cast<std::size_t>(fixes.end() - end);
     fixes.erase(end, fixes.end());
 }
 
 double speed_limit_mps(const std::vector<RecordedFix>& fixes) {
     std::vector<double> speeds;
-    for (std::size_t i = 1; i < fixes.size(); ++i) speeds.push_back(distance_m(fixes[i - 1], fixes[i]) / seconds_between(fixes[i - 1], fixes[i]));
+    for (std::size_t i = 1; i < fixes.size(); ++i)
+        speeds.push_back(distance_m(fixes[i - 1], fixes[i]) / seconds_between(fixes[i - 1], fixes[i]));
     if (speeds.empty()) return kFastest_mps;
     const auto place = speeds.begin() + static_cast<std::ptrdiff_t>(kSpeedQuantile * static_cast<double>(speeds.size() - 1));
     std::nth_element(speeds.begin(), place, speeds.end());
@@ -84,7 +86,8 @@ bool is_outlier(const std::vector<RecordedFix>& fixes, std::ptrdiff_t i, HeightM
     if (near.size() < 3) return false;
     const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::nth_element(near.begin(), middle, near.end());
-    const double interval_s = seconds_between(fixes[static_cast<std::size_t>(first)], fixes[static_cast<std::size_t>(last)]) / static_cast<double>(last - first);
+    const double interval_s = seconds_between(fixes[static_cast<std::size_t>(first)], fixes[static_cast<std::size_t>(last)]) /
+                              static_cast<double>(last - first);
     return std::abs(*(fixes[static_cast<std::size_t>(i)].*height) - *middle) > kHeightMargin_m + kHeightMargin_mps * interval_s;
 }
 

@@ -18,13 +18,16 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](unsigned char x, unsigned char y) {
+               return std::tolower(x) == std::tolower(y);
+           });
 }
 
 /// An IGC file starts with its manufacturer's A record or a header record; both lines hold no comma.
 bool looks_like_igc(std::string_view text) {
     const std::string_view line = text.substr(0, text.find('\n'));
-    const bool record = line.size() > 3 && (line[0] == 'A' || line.substr(0, 2) == "HF") && line.find(',') == std::string_view::npos;
+    const bool record =
+        line.size() > 3 && (line[0] == 'A' || line.substr(0, 2) == "HF") && line.find(',') == std::string_view::npos;
     return record && text.find("\nB") != std::string_view::npos;
 }
 
@@ -44,8 +47,10 @@ ImportedFile import_flight_file(const std::string& path) {
     std::string_view text = content;
     if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
     const std::size_t start = text.find_first_not_of(" \t\r\n");
-    if (start == std::string_view::npos) throw UserError(path + ": the file is empty; give an IGC, GPX, ADS-B JSON or CSV flight");
-    if (text.find('\0') != std::string_view::npos) throw UserError(path + ": binary data; give an IGC, GPX, ADS-B JSON or CSV flight");
+    if (start == std::string_view::npos)
+        throw UserError(path + ": the file is empty; give an IGC, GPX, ADS-B JSON or CSV flight");
+    if (text.find('\0') != std::string_view::npos)
+        throw UserError(path + ": binary data; give an IGC, GPX, ADS-B JSON or CSV flight");
     const char first = text[start];
     if (first == '<') return import_gpx(text, path);
     if (first == '[' || first == '{') return import_adsb_json(text, path);
@@ -55,10 +60,12 @@ ImportedFile import_flight_file(const std::string& path) {
 RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path) {
     if (aircraft.empty()) {
         if (file.flights.size() == 1) return std::move(file.flights[0]);
-        throw UserError(path + ": holds " + std::to_string(file.flights.size()) + " aircraft; choose one with --aircraft: " + choices(file));
+        throw UserError(path + ": holds " + std::to_string(file.flights.size()) +
+                        " aircraft; choose one with --aircraft: " + choices(file));
     }
     for (RecordedFlight& flight : file.flights) {
-        if (equal_ignoring_case(flight.aircraft, aircraft) || equal_ignoring_case(flight.callsign, aircraft)) return std::move(flight);
+        if (equal_ignoring_case(flight.aircraft, aircraft) || equal_ignoring_case(flight.callsign, aircraft))
+            return std::move(flight);
     }
     throw UserError(path + ": no aircraft '" + aircraft + "'; it holds: " + choices(file));
 }

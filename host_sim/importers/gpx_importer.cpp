@@ -94,9 +94,11 @@ ImportedFile import_gpx(std::string_view text, const std::string& name) {
         });
         if (!flight.fixes.empty()) file.flights.push_back(std::move(flight));
     });
-    if (file.flights.empty()) throw UserError(name + ": no track point with a position and a time; a route or waypoints alone cannot be flown");
+    if (file.flights.empty())
+        throw UserError(name + ": no track point with a position and a time; a route or waypoints alone cannot be flown");
     if (counts.untimed > 0) file.notes.push_back(std::to_string(counts.untimed) + " track points have no time and were skipped");
-    if (counts.malformed > 0) file.notes.push_back(std::to_string(counts.malformed) + " track points have no position and were skipped");
+    if (counts.malformed > 0)
+        file.notes.push_back(std::to_string(counts.malformed) + " track points have no position and were skipped");
     return file;
 }
 

@@ -58,7 +58,9 @@ public:
         RecordedFlight& flight = file_.flights[0];
         if (flight.fixes.empty()) throw UserError(name_ + ": no usable B record (fix) was found; is this an IGC flight?");
         drop_absent_altitudes(flight);
-        if (!datum_stated_) file_.notes.emplace_back("no HFALG record: GNSS heights are taken as above the WGS84 ellipsoid, the rule of the format");
+        if (!datum_stated_)
+            file_.notes.emplace_back(
+                "no HFALG record: GNSS heights are taken as above the WGS84 ellipsoid, the rule of the format");
         note(malformed_, "B records are malformed and were skipped");
         note(out_of_order_, "B records step back in time and were skipped");
         note(without_3d_, "fixes have no 3D validity; their GNSS heights were dropped");
@@ -101,7 +103,8 @@ private:
             const std::size_t offset = 3 + 7 * static_cast<std::size_t>(i);
             const auto first = digits(line, offset, 2), last = digits(line, offset + 2, 2);
             if (!first || !last || line.size() < offset + 7 || *first < 36 || *last < *first) return;
-            extensions_[std::string(line.substr(offset + 4, 3))] = {static_cast<std::size_t>(*first), static_cast<std::size_t>(*last)};
+            extensions_[std::string(line.substr(offset + 4, 3))] = {static_cast<std::size_t>(*first),
+                                                                    static_cast<std::size_t>(*last)};
         }
     }
 
@@ -130,7 +133,8 @@ private:
     }
 
     void read_fix(std::string_view line) {
-        if (!midnight_) throw UserError(where() + ": a fix comes before the date record (HFDTE); the file is no valid IGC flight");
+        if (!midnight_)
+            throw UserError(where() + ": a fix comes before the date record (HFDTE); the file is no valid IGC flight");
         if (line.size() < kBasicFixLength || !append_fix(line)) ++malformed_;
     }
 
@@ -172,7 +176,8 @@ private:
 
     void add_extensions(std::string_view line, RecordedFix& fix) const {
         if (const auto track = extension(line, "TRT"); track && *track <= 360) fix.true_track_rad = base::radians(*track);
-        if (const auto heading = extension(line, "HDT"); heading && *heading <= 360) fix.true_heading_rad = base::radians(*heading);
+        if (const auto heading = extension(line, "HDT"); heading && *heading <= 360)
+            fix.true_heading_rad = base::radians(*heading);
         if (const auto speed = extension(line, "GSP")) {
             const Columns columns = extensions_.at("GSP");  // km/h; digits beyond the third are decimals
             double scale = 1;

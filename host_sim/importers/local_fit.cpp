@@ -13,7 +13,8 @@ struct Parabola {
 
 /// Normal equations of y = a + b t + c t^2 about the centre, times scaled to [-1, 1] for their condition. The centre
 /// value is subtracted first, so that large offsets (a longitude, an altitude) cost no digits.
-Parabola fit_around(const std::vector<double>& times, const std::vector<double>& values, std::size_t centre, std::size_t first, std::size_t last) {
+Parabola fit_around(const std::vector<double>& times, const std::vector<double>& values, std::size_t centre, std::size_t first,
+                    std::size_t last) {
     const double scale = std::max(times[centre] - times[first], times[last] - times[centre]);
     std::array<double, 5> moments{};
     std::array<double, 3> sums{};

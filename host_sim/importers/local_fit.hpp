@@ -13,6 +13,7 @@ struct FittedSeries {
 
 /// Fits at each sample those within `half_window_s` of it and always one neighbour on either side. Times rise strictly.
 /// Fewer than three samples give the samples themselves and their difference quotient.
-[[nodiscard]] FittedSeries fit_locally(const std::vector<double>& times_s, const std::vector<double>& values, double half_window_s);
+[[nodiscard]] FittedSeries fit_locally(const std::vector<double>& times_s, const std::vector<double>& values,
+                                       double half_window_s);
 
 }  // namespace tedavis::host_sim

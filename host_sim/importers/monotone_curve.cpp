@@ -11,7 +11,8 @@ std::size_t interval_of(const std::vector<double>& times_s, double time_s) {
     return std::min(index, times_s.size() - 2);
 }
 
-MonotoneCurve::MonotoneCurve(std::vector<double> times_s, std::vector<double> values) : times_(std::move(times_s)), values_(std::move(values)) {
+MonotoneCurve::MonotoneCurve(std::vector<double> times_s, std::vector<double> values)
+    : times_(std::move(times_s)), values_(std::move(values)) {
     const std::size_t count = times_.size();
     slopes_.assign(count, 0.0);
     const auto chord = [&](std::size_t i) { return (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]); };
@@ -40,7 +41,8 @@ double MonotoneCurve::at(double time_s) const {
     if (time_s >= times_.back()) return values_.back();
     const std::size_t i = interval_of(times_, time_s);
     const double h = times_[i + 1] - times_[i], t = (time_s - times_[i]) / h, s = 1 - t;
-    const double value = values_[i] * s * s * (1 + 2 * t) + values_[i + 1] * t * t * (3 - 2 * t) + h * t * s * (slopes_[i] * s - slopes_[i + 1] * t);
+    const double value = values_[i] * s * s * (1 + 2 * t) + values_[i + 1] * t * t * (3 - 2 * t) +
+                         h * t * s * (slopes_[i] * s - slopes_[i + 1] * t);
     return std::clamp(value, std::min(values_[i], values_[i + 1]), std::max(values_[i], values_[i + 1]));  // rounding only
 }
 

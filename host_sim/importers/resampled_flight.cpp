@@ -15,15 +15,15 @@ namespace {
 using flight::Signal;
 
 constexpr double kShortestGap_s = 20.0;
-constexpr double kGapFactor = 4.0;                         // times the median interval
-constexpr double kSlowest_mps = 3.0;                       // below, the track says nothing
+constexpr double kGapFactor = 4.0;    // times the median interval
+constexpr double kSlowest_mps = 3.0;  // below, the track says nothing
 constexpr double kLargestBank_rad = base::radians(60.0);
 constexpr double kLargestPitch_rad = base::radians(25.0);
 constexpr double kSlowestForPitch_mps = 10.0;
-constexpr double kBelievedShare = 0.1;                     // of the speed, plus
-constexpr double kBelieved_mps = 5.0;                      // how far a recorded velocity may differ from the positions'
+constexpr double kBelievedShare = 0.1;  // of the speed, plus
+constexpr double kBelieved_mps = 5.0;   // how far a recorded velocity may differ from the positions'
 constexpr double kBelievedVertical_mps = 4.0;
-constexpr double kSmallestCosine = 1e-4;                   // of the latitude, near the poles
+constexpr double kSmallestCosine = 1e-4;  // of the latitude, near the poles
 
 std::vector<double> unwrapped(std::vector<double> angles) {
     for (std::size_t i = 1; i < angles.size(); ++i) angles[i] = angles[i - 1] + earth::angle_difference(angles[i], angles[i - 1]);
@@ -44,7 +44,8 @@ std::vector<double> values_of(const std::vector<RecordedFix>& fixes, Member memb
 
 template <class Member>
 bool any_has(const RecordedFlight& flight, Member member) {
-    return std::any_of(flight.fixes.begin(), flight.fixes.end(), [&](const RecordedFix& fix) { return (fix.*member).has_value(); });
+    return std::any_of(flight.fixes.begin(), flight.fixes.end(),
+                       [&](const RecordedFix& fix) { return (fix.*member).has_value(); });
 }
 
 /// The tangent pulled towards the chord until it lies within one chord length of it.
@@ -63,7 +64,8 @@ void limit_tangents(const std::vector<double>& times, const std::vector<double>&
     }
 }
 
-double hermite(const std::vector<double>& times, const std::vector<double>& values, const std::vector<double>& rates, double time) {
+double hermite(const std::vector<double>& times, const std::vector<double>& values, const std::vector<double>& rates,
+               double time) {
     const std::size_t i = interval_of(times, time);
     const double h = times[i + 1] - times[i], t = (time - times[i]) / h, s = 1 - t;
     return values[i] * s * s * (1 + 2 * t) + values[i + 1] * t * t * (3 - 2 * t) + h * t * s * (rates[i] * s - rates[i + 1] * t);
@@ -88,11 +90,13 @@ struct ResampledFlight::Motion {
     std::vector<double> north_mps, east_mps, up_mps, ground_speed_mps, track_rad;
 };
 
-ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid, const std::string& name)
+ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid,
+                                 const std::string& name)
     : settings_(settings), geoid_(geoid) {
     std::vector<std::vector<RecordedFix>> parts;
     split(flight, parts);
-    if (parts.empty()) throw UserError(name + ": no two fixes follow each other closely enough to be flown; the recording is too sparse");
+    if (parts.empty())
+        throw UserError(name + ": no two fixes follow each other closely enough to be flown; the recording is too sparse");
     begin_ = parts.front().front().time;
     end_ = parts.back().back().time;
     for (const auto& part : parts) segments_.push_back(build_segment(flight, part));
@@ -103,7 +107,8 @@ ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSet
 
 void ResampledFlight::split(const RecordedFlight& flight, std::vector<std::vector<RecordedFix>>& parts) {
     std::vector<double> intervals;
-    for (std::size_t i = 1; i < flight.fixes.size(); ++i) intervals.push_back((flight.fixes[i].time - flight.fixes[i - 1].time).to_seconds());
+    for (std::size_t i = 1; i < flight.fixes.size(); ++i)
+        intervals.push_back((flight.fixes[i].time - flight.fixes[i - 1].time).to_seconds());
     if (intervals.empty()) return;
     std::vector<double> ordered = intervals;
     std::nth_element(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2), ordered.end());
@@ -137,12 +142,14 @@ ResampledFlight::Segment ResampledFlight::build_segment(const RecordedFlight& fl
 MonotoneCurve ResampledFlight::smoothed_heights(const std::vector<double>& times, const std::vector<double>& heights) {
     const FittedSeries fitted = fit_locally(times, heights, settings_.fit_half_window_s);
     for (std::size_t i = 0; i < heights.size(); ++i) {
-        derivation_.largest_height_smoothing_m = std::max(derivation_.largest_height_smoothing_m, std::abs(fitted.values[i] - heights[i]));
+        derivation_.largest_height_smoothing_m =
+            std::max(derivation_.largest_height_smoothing_m, std::abs(fitted.values[i] - heights[i]));
     }
     return {times, fitted.values};
 }
 
-void ResampledFlight::add_heights(const RecordedFlight& flight, const std::vector<RecordedFix>& fixes, Segment& segment, Motion& motion) {
+void ResampledFlight::add_heights(const RecordedFlight& flight, const std::vector<RecordedFix>& fixes, Segment& segment,
+                                  Motion& motion) {
     std::vector<double> gnss_times, gnss, pressure_times, pressure, undulations;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
         const RecordedFix& fix = fixes[i];
@@ -166,7 +173,8 @@ void ResampledFlight::add_heights(const RecordedFlight& flight, const std::vecto
     motion.up_mps = fit_locally(segment.times, heights, settings_.fit_half_window_s).slopes;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
         const auto& recorded = fixes[i].vertical_speed_mps;
-        if (recorded && (best.empty() || std::abs(*recorded - motion.up_mps[i]) < kBelievedVertical_mps)) motion.up_mps[i] = *recorded;
+        if (recorded && (best.empty() || std::abs(*recorded - motion.up_mps[i]) < kBelievedVertical_mps))
+            motion.up_mps[i] = *recorded;
     }
     segment.vertical_speed = MonotoneCurve(segment.times, motion.up_mps);
 }
@@ -177,11 +185,13 @@ void ResampledFlight::add_velocity(const std::vector<RecordedFix>& fixes, Segmen
     double held_track = 0;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
         const double north_scale = earth::meridian_radius_m(fixes[i].latitude_rad);
-        const double east_scale = earth::prime_vertical_radius_m(fixes[i].latitude_rad) * std::max(kSmallestCosine, std::cos(fixes[i].latitude_rad));
+        const double east_scale =
+            earth::prime_vertical_radius_m(fixes[i].latitude_rad) * std::max(kSmallestCosine, std::cos(fixes[i].latitude_rad));
         double north = latitude.slopes[i] * north_scale, east = longitude.slopes[i] * east_scale;
         if (fixes[i].ground_speed_mps && fixes[i].true_track_rad) {
             const double speed = *fixes[i].ground_speed_mps;
-            const double stated_north = speed * std::cos(*fixes[i].true_track_rad), stated_east = speed * std::sin(*fixes[i].true_track_rad);
+            const double stated_north = speed * std::cos(*fixes[i].true_track_rad),
+                         stated_east = speed * std::sin(*fixes[i].true_track_rad);
             const bool believed = std::hypot(stated_north - north, stated_east - east) <= kBelievedShare * speed + kBelieved_mps;
             derivation_.velocities_not_believed += believed ? 0 : 1;
             if (believed) north = stated_north, east = stated_east;
@@ -195,7 +205,8 @@ void ResampledFlight::add_velocity(const std::vector<RecordedFix>& fixes, Segmen
         segment.longitude_rates.push_back(east / east_scale);
     }
     // A flight that begins at rest points where it will go.
-    const auto moving = std::find_if(motion.ground_speed_mps.begin(), motion.ground_speed_mps.end(), [](double v) { return v >= kSlowest_mps; });
+    const auto moving =
+        std::find_if(motion.ground_speed_mps.begin(), motion.ground_speed_mps.end(), [](double v) { return v >= kSlowest_mps; });
     if (moving != motion.ground_speed_mps.end()) {
         const auto first = moving - motion.ground_speed_mps.begin();
         std::fill(motion.track_rad.begin(), motion.track_rad.begin() + first, motion.track_rad[static_cast<std::size_t>(first)]);
@@ -233,23 +244,30 @@ void ResampledFlight::describe(const RecordedFlight& flight) {
     d.height_is_geometric = gnss || (pressure && settings_.assume_geometric);
     if (gnss) {
         d.height = flight.gnss_datum == HeightDatum::msl_egm96 ? "recorded GNSS height above sea level, EGM96 undulation added"
-                                                                : "recorded GNSS height above the WGS84 ellipsoid";
+                                                               : "recorded GNSS height above the WGS84 ellipsoid";
     } else if (pressure && settings_.assume_geometric) {
         d.height = "pressure altitude taken for a height above sea level (--assume-geometric), EGM96 undulation added";
     } else if (pressure) {
-        d.height = settings_.qnh_pa ? "no geometric height; altitude on QNH from pressure altitude" : "no geometric height; pressure altitude only";
+        d.height = settings_.qnh_pa ? "no geometric height; altitude on QNH from pressure altitude"
+                                    : "no geometric height; pressure altitude only";
     } else {
         d.height = "none recorded";
     }
     d.velocity = recorded_speed ? "recorded where the positions agree, else derived from them" : "derived from the positions";
-    d.vertical_speed = any_has(flight, &RecordedFix::vertical_speed_mps) ? "recorded where the heights agree, else derived from them" : "derived from the heights";
-    d.heading = any_has(flight, &RecordedFix::true_heading_rad) ? "recorded where complete, else the track" : "derived: the track";
-    d.roll = any_has(flight, &RecordedFix::roll_rad) ? "recorded where complete, else a coordinated turn" : "derived: bank of a coordinated turn, at most 60 degrees";
-    d.pitch = any_has(flight, &RecordedFix::pitch_rad) ? "recorded where complete, else the flight-path angle" : "derived: the flight-path angle, at most 25 degrees";
+    d.vertical_speed = any_has(flight, &RecordedFix::vertical_speed_mps)
+                           ? "recorded where the heights agree, else derived from them"
+                           : "derived from the heights";
+    d.heading =
+        any_has(flight, &RecordedFix::true_heading_rad) ? "recorded where complete, else the track" : "derived: the track";
+    d.roll = any_has(flight, &RecordedFix::roll_rad) ? "recorded where complete, else a coordinated turn"
+                                                     : "derived: bank of a coordinated turn, at most 60 degrees";
+    d.pitch = any_has(flight, &RecordedFix::pitch_rad) ? "recorded where complete, else the flight-path angle"
+                                                       : "derived: the flight-path angle, at most 25 degrees";
 }
 
 const ResampledFlight::Segment* ResampledFlight::segment_at(double time_s) const {
-    const auto after = std::upper_bound(segments_.begin(), segments_.end(), time_s, [](double t, const Segment& segment) { return t < segment.times.front(); });
+    const auto after = std::upper_bound(segments_.begin(), segments_.end(), time_s,
+                                        [](double t, const Segment& segment) { return t < segment.times.front(); });
     if (after == segments_.begin()) return nullptr;
     const Segment& segment = *(after - 1);
     return time_s <= segment.times.back() ? &segment : nullptr;
@@ -284,7 +302,8 @@ void ResampledFlight::add_altitudes(const Segment& segment, double t, SignalSamp
         sample[Signal::baro_altitude] = altitude_on_qnh(sample[Signal::standard_altitude], *settings_.qnh_pa);
     }
     if (segment.ellipsoid_height.empty() && settings_.assume_geometric) {
-        set_geometric_altitude(settings_.qnh_pa ? sample[Signal::baro_altitude] : sample[Signal::standard_altitude], undulation, sample);
+        set_geometric_altitude(settings_.qnh_pa ? sample[Signal::baro_altitude] : sample[Signal::standard_altitude], undulation,
+                               sample);
     }
 }
 

@@ -19,10 +19,10 @@
 namespace tedavis::host_sim {
 
 struct ResampleSettings {
-    std::optional<double> qnh_pa;   ///< turns pressure altitude into an altitude on QNH (319 and 320)
-    bool assume_geometric = false;  ///< no GNSS height: take the barometric one for a height above sea level
-    double fit_half_window_s = 2.5; ///< of velocities and heights
-    double turn_half_window_s = 4;  ///< of the turn rate
+    std::optional<double> qnh_pa;    ///< turns pressure altitude into an altitude on QNH (319 and 320)
+    bool assume_geometric = false;   ///< no GNSS height: take the barometric one for a height above sea level
+    double fit_half_window_s = 2.5;  ///< of velocities and heights
+    double turn_half_window_s = 4;   ///< of the turn rate
 };
 
 /// Where each signal comes from, for the companion file and the notes.
@@ -38,7 +38,8 @@ struct Derivation {
 class ResampledFlight final : public FlightSource {
 public:
     /// `flight` is clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough.
-    ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid, const std::string& name);
+    ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid,
+                    const std::string& name);
 
     [[nodiscard]] base::Time begin() const override { return begin_; }
     [[nodiscard]] base::Time end() const override { return end_; }

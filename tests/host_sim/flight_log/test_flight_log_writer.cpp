@@ -1,0 +1,140 @@
+#include "host_sim/flight_log/flight_log_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <sstream>
+
+#include "bus/candump/candump_log_source.hpp"
+#include "bus/state/state_assembler.hpp"
+#include "host_sim/flight_log/message_schedule.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using flight::Signal;
+
+const base::Time kBegin{1'700'000'000'000'000'000};
+
+/// Known signals; silent between 4 and 6 s; states a phase from 1 s on, another from 2.5 s on.
+class KnownFlight final : public FlightSource {
+public:
+    base::Time begin() const override { return kBegin; }
+    base::Time end() const override { return kBegin + base::Duration::seconds(10); }
+    std::optional<SignalSample> at(base::Time time) const override {
+        const double s = (time - kBegin).to_seconds();
+        if (s > 4 && s < 6) return std::nullopt;
+        SignalSample sample;
+        sample[Signal::latitude] = base::radians(46.5) + 1e-6 * s;
+        sample[Signal::longitude] = base::radians(-84.123456789);
+        sample[Signal::ellipsoid_height] = 1500;
+        sample[Signal::ground_speed] = 6.37;
+        sample[Signal::true_track] = 0;
+        sample[Signal::pitch] = base::radians(5);
+        sample[Signal::roll] = base::radians(-12.5);
+        sample[Signal::true_heading] = base::radians(350);
+        sample[Signal::baro_setting] = 101900;
+        sample[Signal::wind_direction] = base::radians(200);
+        sample[Signal::vertical_speed] = -1.5;
+        return sample;
+    }
+    std::optional<flight::FlightPhase> stated_phase(base::Time time) const override {
+        const double s = (time - kBegin).to_seconds();
+        if (s < 1) return std::nullopt;
+        return s < 2.5 ? flight::kTakeoffStart : flight::kTakeoffFirstClimb;
+    }
+};
+
+struct Written {
+    std::string text;
+    FlightLogCounts counts;
+};
+
+Written write(const FlightSource& flight) {
+    std::ostringstream stream;
+    const FlightLogCounts counts = write_flight_log(flight, FlightLogSettings(), stream, [](double) { return true; });
+    return {stream.str(), counts};
+}
+
+std::vector<bus::CanFrame> read_back(const std::string& text) {
+    bus::CandumpLogSource source({text.data(), text.size()});
+    std::vector<bus::CanFrame> frames(200'000);
+    frames.resize(source.read(base::Time{INT64_MAX}, {frames.data(), frames.size()}));
+    EXPECT_EQ(source.statistics().malformed, 0u);
+    return frames;
+}
+
+TEST(FlightLogWriter, WhatGoesInComesOutOfTheDecoder) {
+    const Written written = write(KnownFlight());
+    const auto frames = read_back(written.text);
+    EXPECT_EQ(frames.size(), written.counts.frames);
+    const auto assembler = std::make_unique<bus::StateAssembler>();
+    const base::Time now = kBegin + base::Duration::milliseconds(3500);
+    std::size_t count = 0;
+    while (count < frames.size() && frames[count].time <= now) ++count;
+    assembler->feed({frames.data(), count});
+    const bus::BusSnapshot snapshot = assembler->snapshot(now);
+    const auto value = [&](Signal signal) { return snapshot.state[signal].value_or(-1e9); };
+    EXPECT_NEAR(value(Signal::latitude), base::radians(46.5) + 3.4e-6, 2e-7);
+    EXPECT_NEAR(value(Signal::longitude), base::radians(-84.123456789), 1e-14) << "positions keep all digits of a double";
+    EXPECT_NEAR(value(Signal::ellipsoid_height), 1500, 1e-3);
+    EXPECT_NEAR(value(Signal::pitch), base::radians(5), 1e-7);
+    EXPECT_NEAR(value(Signal::roll), base::radians(-12.5), 1e-7);
+    EXPECT_NEAR(value(Signal::true_heading), base::radians(350), 1e-6);
+    EXPECT_NEAR(value(Signal::baro_setting), 101900, 0.1);
+    EXPECT_NEAR(value(Signal::wind_direction), base::radians(200), 1e-6);
+    EXPECT_NEAR(value(Signal::vertical_speed), -1.5, 1e-6);
+    EXPECT_FALSE(snapshot.state[Signal::radio_height].received());
+    EXPECT_FALSE(snapshot.state[Signal::indicated_airspeed].received());
+    EXPECT_EQ(snapshot.phase_status.phase.value_or(flight::FlightPhase{}), flight::kTakeoffFirstClimb);
+    EXPECT_EQ(snapshot.decoder.lost, 0u);
+    EXPECT_EQ(snapshot.decoder.out_of_range, 0u);
+    EXPECT_EQ(snapshot.counters.alien, 0u);
+    ASSERT_TRUE(snapshot.clock.utc_received);
+    EXPECT_EQ(snapshot.clock.utc[0], 22);  // 1 700 000 000 is 2023-11-14 22:13:20
+    EXPECT_EQ(snapshot.clock.utc[1], 13);
+    EXPECT_EQ(snapshot.clock.utc[2], 23);
+}
+
+TEST(FlightLogWriter, StampsRiseStrictlyAndKeepToTheBusSpeed) {
+    const auto frames = read_back(write(KnownFlight()).text);
+    for (std::size_t i = 1; i < frames.size(); ++i) ASSERT_GE((frames[i].time - frames[i - 1].time).ns, 125'000) << i;
+}
+
+TEST(FlightLogWriter, IsSilentInAGapAndCountsIt) {
+    const Written written = write(KnownFlight());
+    EXPECT_NEAR(static_cast<double>(written.counts.silent_ms), 2000, 40);
+    for (const bus::CanFrame& frame : read_back(written.text)) {
+        const double s = (frame.time - kBegin).to_seconds();
+        const bool in_gap = s > 4.01 && s < 6.0;
+        EXPECT_TRUE(!in_gap || frame.id == 1830u) << s;
+    }
+}
+
+TEST(FlightLogWriter, StatesThePhaseEachSecondAndOnChange) {
+    EXPECT_EQ(write(KnownFlight()).counts.phase_messages, 11u);  // at 1..10 s, and the change at 2.5 s
+}
+
+TEST(FlightLogWriter, EndsEarlyAndWholeWhenAsked) {
+    std::ostringstream stream;
+    const FlightLogCounts counts =
+        write_flight_log(KnownFlight(), FlightLogSettings(), stream, [](double share) { return share < 0.3; });
+    EXPECT_TRUE(counts.interrupted);
+    const auto frames = read_back(stream.str());
+    EXPECT_EQ(frames.size(), counts.frames);
+    EXPECT_LT((frames.back().time - kBegin).to_seconds(), 4.1);  // asked once a second
+}
+
+TEST(FlightLogWriter, ReportsAStreamThatFails) {
+    std::ostringstream stream;
+    stream.setstate(std::ios::badbit);
+    EXPECT_THROW(write_flight_log(KnownFlight(), FlightLogSettings(), stream, [](double) { return true; }), UserError);
+}
+
+TEST(FlightLogWriter, WritesTheSameBytesAgain) { EXPECT_EQ(write(KnownFlight()).text, write(KnownFlight()).text); }
+
+}  // namespace
+}  // namespace tedavis::host_sim

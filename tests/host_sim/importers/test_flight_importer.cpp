@@ -1,0 +1,62 @@
+#include "host_sim/importers/flight_importer.hpp"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+const char kIgc[] = "AXXX001\nHFDTE120420\nB0947004637500N00955250EA0123401300\n";
+const char kGpx[] = "<gpx><trk><trkseg><trkpt lat='1' lon='2'><time>2020-04-12T09:47:00Z</time></trkpt></trkseg></trk></gpx>";
+const char kJson[] = R"([{"timestamp":1586684820000,"latitude":1,"longitude":2}])";
+const char kCsv[] = "time,latitude_deg,longitude_deg\n0,1,2\n";
+
+TEST(FlightImporter, TellsTheFormatByContent) {
+    const test_support::TemporaryFolder folder;
+    EXPECT_EQ(import_flight_file(folder.write("a", kIgc)).format, "IGC");
+    EXPECT_EQ(import_flight_file(folder.write("b.txt", kGpx)).format, "GPX");
+    EXPECT_EQ(import_flight_file(folder.write("c.csv", std::string("\xEF\xBB\xBF\n") + kJson)).format, "ADS-B JSON");
+    EXPECT_EQ(import_flight_file(folder.write("d.json", kCsv)).format, "CSV");
+    gzFile packed = gzopen(folder.file("e.gz").c_str(), "wb");
+    gzputs(packed, kJson);
+    gzclose(packed);
+    EXPECT_EQ(import_flight_file(folder.file("e.gz")).format, "ADS-B JSON");
+}
+
+TEST(FlightImporter, RefusesEmptyAndBinaryFiles) {
+    const test_support::TemporaryFolder folder;
+    test_support::expect_user_error([&] { (void)import_flight_file(folder.write("a", " \n")); }, "the file is empty");
+    test_support::expect_user_error(
+        [&] {
+            (void)import_flight_file(folder.write("b", std::string("\x7F"
+                                                                   "ELF\0\0",
+                                                                   6)));
+        },
+        "binary data");
+}
+
+ImportedFile two_aircraft() {
+    ImportedFile file;
+    file.flights = {{"4b1c22", "HBKRA", HeightDatum::wgs84_ellipsoid, {}}, {"4b088c", "HBDGE", HeightDatum::wgs84_ellipsoid, {}}};
+    return file;
+}
+
+TEST(FlightImporter, ChoosesByIdentityOrCallsign) {
+    EXPECT_EQ(choose_aircraft(two_aircraft(), "4B088C", "f").aircraft, "4b088c");
+    EXPECT_EQ(choose_aircraft(two_aircraft(), "hbkra", "f").aircraft, "4b1c22");
+    ImportedFile one = two_aircraft();
+    one.flights.pop_back();
+    EXPECT_EQ(choose_aircraft(one, "", "f").aircraft, "4b1c22");
+}
+
+TEST(FlightImporter, ListsTheChoices) {
+    test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "", "f"); },
+                                    "f: holds 2 aircraft; choose one with --aircraft: 4b1c22 (HBKRA), 4b088c (HBDGE)");
+    test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "x", "f"); }, "no aircraft 'x'; it holds: 4b1c22");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,190 @@
+#include "host_sim/scenario/scenario_flight.hpp"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "host_sim/flight_log/pressure_altitude.hpp"
+#include "host_sim/input_file.hpp"
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using flight::Signal;
+
+const GeoidEgm96& geoid() {
+    static const GeoidEgm96 grid = GeoidEgm96::installed();
+    return grid;
+}
+
+Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+
+const ScenarioFlight& default_flight() {
+    static const ScenarioFlight flight(shipped(), 1, geoid());
+    return flight;
+}
+
+base::Time at_second(double s) { return default_flight().begin() + base::Duration::from_seconds(s); }
+
+/// The shipped elevation raster, read directly.
+class Elevations {
+public:
+    Elevations() {
+        GDALAllRegister();
+        data_.reset(static_cast<GDALDataset*>(GDALOpen(TEDAVIS_SOURCE_DIR "/configs/data/jacksboro_srtm3.tif", GA_ReadOnly)));
+        if (data_ == nullptr || data_->GetGeoTransform(transform_) != CE_None) return;
+        columns_ = data_->GetRasterXSize();
+        rows_ = data_->GetRasterYSize();
+        heights_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+        ok_ = data_->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns_, rows_, heights_.data(), columns_, rows_, GDT_Float64, 0,
+                                                0) == CE_None;
+    }
+    [[nodiscard]] bool ok() const { return ok_; }
+    /// The highest of the four posts around a place; NaN outside.
+    [[nodiscard]] double highest_at(double latitude_rad, double longitude_rad) const {
+        const double x = (base::degrees(longitude_rad) - transform_[0]) / transform_[1] - 0.5,
+                     y = (base::degrees(latitude_rad) - transform_[3]) / transform_[5] - 0.5;
+        const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+        if (i < 0 || j < 0 || i + 1 >= columns_ || j + 1 >= rows_) return NAN;
+        const auto post = [&](int u, int v) {
+            return heights_[static_cast<std::size_t>(v) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(u)];
+        };
+        return std::max({post(i, j), post(i + 1, j), post(i, j + 1), post(i + 1, j + 1)});
+    }
+
+private:
+    std::unique_ptr<GDALDataset> data_;
+    double transform_[6] = {};
+    int columns_ = 0, rows_ = 0;
+    std::vector<double> heights_;
+    bool ok_ = false;
+};
+
+TEST(ScenarioFlight, TheDefaultFlightTakesAboutSixMinutes) {
+    const double duration = (default_flight().end() - default_flight().begin()).to_seconds();
+    EXPECT_GT(duration, 330);
+    EXPECT_LT(duration, 430);
+}
+
+TEST(ScenarioFlight, TheDefaultFlightKeepsClearOfTheTerrain) {
+    const Elevations terrain;
+    ASSERT_TRUE(terrain.ok());
+    const Scenario scenario = shipped();
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const ScenarioFlight flight(scenario, seed, geoid());
+        double lowest = 1e9, lowest_near = 1e9;
+        for (std::size_t i = 0; i < flight.states().size(); i += 10) {
+            const auto& state = flight.states()[i];
+            const double ground = terrain.highest_at(state.latitude_rad, state.longitude_rad);
+            ASSERT_FALSE(std::isnan(ground)) << "leaves the raster";
+            const double from_strip = earth::surface_distance_m({state.latitude_rad, state.longitude_rad, {}},
+                                                                {scenario.strip.latitude_rad, scenario.strip.longitude_rad, {}});
+            const double clearance = state.altitude_msl_m - ground;
+            (from_strip > 2500 ? lowest : lowest_near) = std::min(from_strip > 2500 ? lowest : lowest_near, clearance);
+        }
+        EXPECT_GE(lowest, 130) << "beyond 2.5 km of the strip, seed " << seed;
+        EXPECT_GT(lowest_near, 0) << "seed " << seed;
+    }
+}
+
+TEST(ScenarioFlight, VisitsEveryScenarioOfAFlight) {
+    std::set<flight::Scenario> seen;
+    const Scenario scenario = shipped();
+    for (const Leg& leg : scenario.legs) seen.insert(leg.phase.scenario);
+    EXPECT_EQ(seen.size(), 5u);
+    EXPECT_EQ(default_flight().legs().size(), scenario.legs.size());
+    bool can = false, switches = false, nobody = false;
+    for (const Leg& leg : scenario.legs) {
+        can = can || leg.stated_by == PhaseStatedBy::can;
+        switches = switches || leg.stated_by == PhaseStatedBy::switches;
+        nobody = nobody || leg.stated_by == PhaseStatedBy::nobody;
+    }
+    EXPECT_TRUE(can && switches && nobody);
+}
+
+TEST(ScenarioFlight, PositionAndVelocityAreOneMotion) {
+    const double h = 0.05;
+    for (double s = 1; s < 395; s += 0.73) {
+        const SignalSample a = default_flight().at(at_second(s - h)).value(), b = default_flight().at(at_second(s + h)).value();
+        const SignalSample mid = default_flight().at(at_second(s)).value();
+        const earth::Geodetic from{a[Signal::latitude], a[Signal::longitude], {a[Signal::ellipsoid_height]}},
+            to{b[Signal::latitude], b[Signal::longitude], {b[Signal::ellipsoid_height]}};
+        const glm::dvec3 step = (earth::to_ecef(to) - earth::to_ecef(from)) / (2 * h);
+        const glm::dmat3 axes = earth::north_east_down(mid[Signal::latitude], mid[Signal::longitude]);
+        const double v = mid[Signal::ground_speed];
+        EXPECT_NEAR(glm::dot(step, axes[0]), v * std::cos(mid[Signal::true_track]), 0.1) << s;
+        EXPECT_NEAR(glm::dot(step, axes[1]), v * std::sin(mid[Signal::true_track]), 0.1) << s;
+        EXPECT_NEAR(-glm::dot(step, axes[2]), mid[Signal::vertical_speed], 0.15) << s;
+    }
+}
+
+TEST(ScenarioFlight, NothingJumps) {
+    SignalSample last = default_flight().at(default_flight().begin()).value();
+    for (double s = 0.02; s < 399; s += 0.02) {
+        const SignalSample next = default_flight().at(at_second(s)).value();
+        EXPECT_LT(std::abs(next[Signal::roll] - last[Signal::roll]), base::radians(1)) << s;
+        EXPECT_LT(std::abs(next[Signal::pitch] - last[Signal::pitch]), base::radians(0.5)) << s;
+        EXPECT_LT(std::abs(earth::angle_difference(next[Signal::true_heading], last[Signal::true_heading])), base::radians(0.5))
+            << s;
+        EXPECT_LT(std::abs(next[Signal::ground_speed] - last[Signal::ground_speed]), 0.2) << s;
+        EXPECT_LT(std::abs(next[Signal::ellipsoid_height] - last[Signal::ellipsoid_height]), 0.5) << s;
+        last = next;
+    }
+}
+
+TEST(ScenarioFlight, AccelerometersFeelOneGAtRestAndTheTurn) {
+    const SignalSample rest = default_flight().at(at_second(1)).value();
+    EXPECT_NEAR(rest[Signal::normal_acceleration], base::kStandardGravity, 1e-6);
+    EXPECT_NEAR(rest[Signal::longitudinal_acceleration], 0, 1e-6);
+    const SignalSample roll = default_flight().at(at_second(12)).value();
+    EXPECT_NEAR(roll[Signal::longitudinal_acceleration], 3.2, 0.1);
+    for (double s = 106; s < 126; s += 0.5) {  // the long descending turn, before it levels off
+        const SignalSample turn = default_flight().at(at_second(s)).value();
+        EXPECT_LT(std::abs(turn[Signal::lateral_acceleration]), 0.6) << "coordinated but for turbulence";
+        EXPECT_GT(turn[Signal::normal_acceleration], base::kStandardGravity) << s;
+    }
+}
+
+TEST(ScenarioFlight, AltimeterShowsTheFieldOnTheGround) {
+    const SignalSample sample = default_flight().at(default_flight().begin()).value();
+    EXPECT_NEAR(sample[Signal::baro_altitude], sample[Signal::true_altitude], 0.1);
+    EXPECT_NEAR(altitude_on_qnh(sample[Signal::standard_altitude], sample[Signal::baro_setting]), sample[Signal::baro_altitude],
+                1e-6);
+    EXPECT_NEAR(sample[Signal::ellipsoid_height] - sample[Signal::true_altitude],
+                geoid().undulation(sample[Signal::latitude], sample[Signal::longitude]).m, 1e-9);
+}
+
+TEST(ScenarioFlight, EqualSeedsAreEqualOthersDiffer) {
+    const ScenarioFlight again(shipped(), 1, geoid()), other(shipped(), 2, geoid());
+    ASSERT_EQ(again.states().size(), default_flight().states().size());
+    EXPECT_EQ(again.states().back().latitude_rad, default_flight().states().back().latitude_rad);
+    EXPECT_EQ(again.air().wind_speed_mps, default_flight().air().wind_speed_mps);
+    EXPECT_NE(other.air().wind_speed_mps, default_flight().air().wind_speed_mps);
+}
+
+TEST(ScenarioFlight, StatesThePhaseOnTheLegsThatSaySo) {
+    const Scenario scenario = shipped();
+    for (std::size_t i = 0; i < scenario.legs.size(); ++i) {
+        const auto& flown = default_flight().legs()[i];
+        const auto phase = default_flight().stated_phase(at_second((flown.begin_s + flown.end_s) / 2));
+        EXPECT_EQ(phase.has_value(), scenario.legs[i].stated_by == PhaseStatedBy::can) << i;
+        EXPECT_EQ(phase.value_or(scenario.legs[i].phase), scenario.legs[i].phase);
+    }
+}
+
+TEST(ScenarioFlight, NamesALegThatCannotEnd) {
+    Scenario scenario = shipped();
+    scenario.legs[3].altitude_msl_m = 1150;
+    scenario.legs[3].capture_m = 0.001;
+    test_support::expect_user_error([&] { ScenarioFlight(scenario, 1, geoid()); }, "leg 4 does not end");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,63 @@
+#include "host_sim/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+TEST(AtomicFile, AppearsOnCommitOnly) {
+    const test_support::TemporaryFolder folder;
+    {
+        AtomicFile file(folder.file("a"));
+        file.stream() << "whole";
+        EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
+        file.commit();
+    }
+    EXPECT_EQ(folder.read("a"), "whole");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, LeavesWhatWasThereWhenAbandoned) {
+    const test_support::TemporaryFolder folder;
+    folder.write("a", "before");
+    {
+        AtomicFile file(folder.file("a"));
+        file.stream() << "half";
+    }
+    EXPECT_EQ(folder.read("a"), "before");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, RefusesAPlaceThatCannotBeWritten) {
+    const test_support::TemporaryFolder folder;
+    test_support::expect_user_error([&] { AtomicFile file(folder.file("none/a")); }, "cannot be written");
+    test_support::expect_user_error([&] { AtomicFile file(folder.path()); }, "is a folder");
+}
+
+TEST(AtomicFile, ReportsAFullDiskAndLeavesNothing) {
+    ASSERT_TRUE(std::filesystem::exists("/dev/full"));
+    const test_support::TemporaryFolder folder;
+    std::filesystem::create_symlink("/dev/full", folder.file("a.part"));
+    test_support::expect_user_error(
+        [&] {
+            AtomicFile file(folder.file("a"));
+            file.stream() << std::string(1 << 20, 'x');
+            file.commit();
+        },
+        "free space");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
+}
+
+TEST(AtomicFile, MakesFoldersWithTheirParents) {
+    const test_support::TemporaryFolder folder;
+    make_folder(folder.file("b/c"));
+    EXPECT_TRUE(std::filesystem::is_directory(folder.file("b/c")));
+    folder.write("file", "");
+    test_support::expect_user_error([&] { make_folder(folder.file("file/d")); }, "cannot be made");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

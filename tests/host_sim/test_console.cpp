@@ -1,0 +1,41 @@
+#include "host_sim/console.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace tedavis::host_sim {
+namespace {
+
+TEST(Console, ChoosesTextOrJson) {
+    std::ostringstream results, notes;
+    Console(results, notes, false, false).result("words", "{}");
+    EXPECT_EQ(results.str(), "words\n");
+    results.str("");
+    Console(results, notes, true, false).result("words", "{}");
+    EXPECT_EQ(results.str(), "{}\n");
+    EXPECT_EQ(notes.str(), "");
+}
+
+TEST(Console, DrawsProgressOnATerminalOnly) {
+    std::ostringstream results, notes;
+    Console quiet(results, notes, false, false);
+    quiet.progress("work", 1, 2);
+    quiet.progress_done();
+    EXPECT_EQ(notes.str(), "");
+    Console live(results, notes, false, true);
+    live.progress("work", 1, 2);
+    live.progress("work", 501, 1000);  // still 50 %
+    live.note("done");
+    EXPECT_EQ(notes.str(), "\rwork 50 %\ndone\n");
+}
+
+TEST(Console, SurvivesATotalOfZero) {
+    std::ostringstream results, notes;
+    Console live(results, notes, false, true);
+    live.progress("work", 0, 0);
+    EXPECT_EQ(notes.str(), "");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

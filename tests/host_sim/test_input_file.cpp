@@ -1,0 +1,68 @@
+#include "host_sim/input_file.hpp"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+void write_gzip(const std::string& path, const std::string& content) {
+    gzFile file = gzopen(path.c_str(), "wb");
+    ASSERT_EQ(gzwrite(file, content.data(), static_cast<unsigned>(content.size())), static_cast<int>(content.size()));
+    gzclose(file);
+}
+
+TEST(InputFile, ReadsBytesAsTheyAre) {
+    const test_support::TemporaryFolder folder;
+    const std::string bytes("a\0b\r\n", 5);
+    EXPECT_EQ(read_file(folder.write("a", bytes)), bytes);
+    EXPECT_EQ(read_file(folder.write("empty", "")), "");
+}
+
+TEST(InputFile, UnpacksByContentNotByName) {
+    const test_support::TemporaryFolder folder;
+    const std::string text(300'000, 'z');
+    write_gzip(folder.file("plain_name.txt"), text);
+    EXPECT_EQ(read_file_unpacked(folder.file("plain_name.txt")), text);
+    EXPECT_EQ(read_file_unpacked(folder.write("named.gz", "not packed")), "not packed");
+}
+
+TEST(InputFile, RefusesATruncatedStream) {
+    const test_support::TemporaryFolder folder;
+    std::string text;
+    for (int i = 0; i < 20'000; ++i) text += std::to_string(i * 7919 % 10007) + ",";
+    write_gzip(folder.file("whole"), text);
+    const std::string packed = folder.read("whole");
+    for (const std::size_t length : {packed.size() - 1, packed.size() - 9, packed.size() / 2, std::size_t{20}}) {
+        folder.write("cut", packed.substr(0, length));
+        test_support::expect_user_error([&] { (void)read_file_unpacked(folder.file("cut")); }, "break off or are damaged");
+    }
+}
+
+TEST(InputFile, RefusesADamagedStream) {
+    const test_support::TemporaryFolder folder;
+    write_gzip(folder.file("whole"), "the quick brown fox jumps over the lazy dog");
+    std::string packed = folder.read("whole");
+    packed[packed.size() - 6] = static_cast<char>(packed[packed.size() - 6] ^ 1);  // in the checksum
+    folder.write("bad", packed);
+    test_support::expect_user_error([&] { (void)read_file_unpacked(folder.file("bad")); }, "damaged");
+}
+
+TEST(InputFile, BoundsTheUnpackedSize) {
+    const test_support::TemporaryFolder folder;
+    write_gzip(folder.file("bomb"), std::string(100'000, ' '));
+    test_support::expect_user_error([&] { (void)read_file_unpacked(folder.file("bomb"), 99'999); }, "more than 99999 bytes");
+    EXPECT_EQ(read_file_unpacked(folder.file("bomb"), 100'000).size(), 100'000u);
+}
+
+TEST(InputFile, NamesWhatIsMissing) {
+    const test_support::TemporaryFolder folder;
+    test_support::expect_user_error([&] { (void)read_file(folder.file("none")); }, "none: no such file");
+    test_support::expect_user_error([&] { (void)read_file_unpacked(folder.path()); }, "is a folder");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,64 @@
+#include "host_sim/png_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host_sim/user_error.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+RgbaPicture pattern(std::uint32_t width, std::uint32_t height) {
+    RgbaPicture picture{width, height, {}};
+    for (std::uint32_t i = 0; i < width * height * 4; ++i)
+        picture.pixels.push_back(static_cast<std::uint8_t>(i * 2654435761u >> 24));
+    return picture;
+}
+
+TEST(PngFile, KeepsEveryPixelAndAlpha) {
+    const test_support::TemporaryFolder folder;
+    for (const auto& [width, height] : {std::pair{1u, 1u}, std::pair{7u, 3u}, std::pair{64u, 48u}}) {
+        const RgbaPicture picture = pattern(width, height);
+        write_png(folder.file("a.png"), view_of(picture));
+        const RgbaPicture back = read_png(folder.file("a.png"));
+        EXPECT_EQ(back.width, width);
+        EXPECT_EQ(back.height, height);
+        EXPECT_EQ(back.pixels, picture.pixels);
+    }
+}
+
+TEST(PngFile, TurnsGlRowsRound) {
+    const RgbaPicture picture = pattern(2, 3);
+    RgbaPicture turned = picture;
+    for (std::size_t y = 0; y < 3; ++y) std::copy_n(&picture.pixels[y * 8], 8, &turned.pixels[(2 - y) * 8]);
+    EXPECT_EQ(encode_png({turned.pixels.data(), 2, 3, true}), encode_png(view_of(picture)));
+    EXPECT_NE(encode_png(view_of(turned)), encode_png(view_of(picture)));
+}
+
+TEST(PngFile, RefusesDamage) {
+    const test_support::TemporaryFolder folder;
+    const std::string whole = encode_png(view_of(pattern(32, 32)));
+    test_support::expect_user_error([&] { (void)read_png(folder.write("none.png", "no picture")); }, "not a sound PNG");
+    test_support::expect_user_error([&] { (void)read_png(folder.write("cut.png", whole.substr(0, whole.size() / 2))); },
+                                    "not a sound PNG");
+    test_support::expect_user_error([&] { (void)read_png(folder.file("missing.png")); }, "no such file");
+    std::string flipped = whole;
+    flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 4);
+    test_support::expect_user_error([&] { (void)read_png(folder.write("flipped.png", flipped)); }, "not a sound PNG");
+}
+
+TEST(PngFile, ShrinksByMeansOfWholeBlocks) {
+    RgbaPicture picture{5, 2, std::vector<std::uint8_t>(40, 0)};
+    for (std::size_t x = 0; x < 5; ++x) picture.pixels[x * 4] = static_cast<std::uint8_t>(40 * x);  // red of the top row
+    const RgbaPicture small = shrunk(view_of(picture), 3);
+    ASSERT_EQ(small.width, 3u);
+    ASSERT_EQ(small.height, 1u);
+    EXPECT_EQ(small.pixels[0], 10);  // (0 + 40 + 0 + 0) / 4
+    EXPECT_EQ(small.pixels[4], 50);  // (80 + 120) / 4
+    EXPECT_EQ(small.pixels[8], 80);  // the cut block: 160 / 2
+    EXPECT_EQ(shrunk(view_of(picture), 5).pixels, picture.pixels);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

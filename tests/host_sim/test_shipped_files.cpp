@@ -1,0 +1,41 @@
+#include "host_sim/shipped_files.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+/// Sets TEDAVIS_ROOT for one test.
+class RootGuard {
+public:
+    explicit RootGuard(const std::string& root) { setenv("TEDAVIS_ROOT", root.c_str(), 1); }
+    ~RootGuard() { unsetenv("TEDAVIS_ROOT"); }
+};
+
+TEST(ShippedFiles, ResolvesShortNamesBelowTheSourceTree) {
+    EXPECT_EQ(resolve_config("es3-mid", "devices"), shipped_root() + "/configs/devices/es3-mid.toml");
+}
+
+TEST(ShippedFiles, TheEnvironmentNamesAnotherRoot) {
+    const test_support::TemporaryFolder folder;
+    const RootGuard root(folder.path());
+    std::filesystem::create_directories(folder.file("configs/designs"));
+    folder.write("configs/designs/mine.toml", "");
+    EXPECT_EQ(resolve_config("mine", "designs"), folder.path() + "/configs/designs/mine.toml");
+    test_support::expect_user_error([] { (void)resolve_config("cruise", "designs"); }, "shipped are: mine");
+    test_support::expect_user_error([] { (void)resolve_config("x", "devices"); }, "none in");
+}
+
+TEST(ShippedFiles, PathsStayAsTheyAre) {
+    const test_support::TemporaryFolder folder;
+    const std::string path = folder.write("own.toml", "");
+    EXPECT_EQ(resolve_config(path, "designs"), path);
+    test_support::expect_user_error([&] { (void)resolve_config(folder.file("none.toml"), "designs"); }, "no such file");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
