@@ -27,6 +27,7 @@ constexpr float kLoosen = 1.1f;
 constexpr std::size_t kTargetChunkVertices = kMaxChunkVertices * 9 / 10;
 constexpr float kUselessTolerance_m = 2000;
 constexpr double kFinestQuantum_m = 1.0 / 1024;
+constexpr double kReachOfHeights_m = 5000;  // half the range of heights that a raster may hold
 
 double post_longitude(const Raster& raster, std::int64_t i) {
     return raster.west_deg + raster.step_lon_deg * static_cast<double>(i);
@@ -258,8 +259,9 @@ private:
 
     /// A power of two so that every chunk that shares the vertex can hold it exactly in a float.
     [[nodiscard]] double quantum(std::uint32_t top_level) const {
-        const double reach_m = 2.0 * l_.cell_m * static_cast<double>(std::int64_t{kChunkCells} << top_level);
-        return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(reach_m / 8388608.0))));
+        // No vertex lies further from its chunk's centre than half the diagonal, and the heights beside it.
+        const double reach_m = kReachOfHeights_m + 0.75 * l_.cell_m * static_cast<double>(std::int64_t{kChunkCells} << top_level);
+        return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(reach_m / 16777216.0))));
     }
 
     [[nodiscard]] std::vector<ChunkVertex> make_vertices(const ChunkEntry& entry) {

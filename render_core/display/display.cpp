@@ -140,7 +140,9 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     conditions.generated_flight = settings_.generated_flight;
     decisions_ = decide_display(state, now, conditions, settings_.design);
     begin_record(state, phase, now);
-    plan_view(state, now);
+    plan_view(state);
+    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px,
+                                            settings_.height_px, aircraft_msl_m_);
     plan_terrain();
     note_effects();
 }
@@ -165,21 +167,18 @@ void Display::flag(std::string_view name) {
     static_cast<void>(record_.flags.try_push_back(Name(name)));
 }
 
-void Display::plan_view(const flight::AircraftState& state, base::Time) {
+void Display::plan_view(const flight::AircraftState& state) {
     const earth::Geodetic& place = state.own_ship.position;
-    const double undulation = has_terrain_ ? database_.undulation(place.latitude_rad, place.longitude_rad).m : 0;
-    const bool geometric = state.own_ship.height_is_geometric;
-    aircraft_msl_m_ = place.height.m - (geometric ? undulation : 0);
+    const double undulation = undulation_m(place);
+    aircraft_msl_m_ = place.height.m - (state.own_ship.height_is_geometric ? undulation : 0);
     record_.altitude_msl_m = aircraft_msl_m_;
-    const earth::EllipsoidHeight height{aircraft_msl_m_ + undulation};
-    const double heading = draw::view_heading_rad(state, decisions_);
     const glm::dmat3 body =
-        earth::body_axes(place.latitude_rad, place.longitude_rad, heading, record_.pitch_rad, record_.roll_rad);
+        earth::body_axes(place.latitude_rad, place.longitude_rad, record_.heading_rad, record_.pitch_rad, record_.roll_rad);
     const design::ViewSettings& eye = settings_.design.view;
     view_.forward = body[0];
     view_.right = body[1];
     view_.down = body[2];
-    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, height}) +
+    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, {aircraft_msl_m_ + undulation}}) +
                 body * glm::dvec3(eye.eye_forward_m, eye.eye_right_m, eye.eye_down_m);
     view_.width = settings_.width_px;
     view_.height = settings_.height_px;
@@ -187,9 +186,13 @@ void Display::plan_view(const flight::AircraftState& state, base::Time) {
     const double above = state[Signal::height_above_terrain].value_or(aircraft_msl_m_);
     view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
     view_.far_m = far_plane_m(aircraft_msl_m_);
-    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px,
-                                            settings_.height_px, aircraft_msl_m_);
     if (free_view_active_) view_ = free_view_;
+    const earth::Geodetic eye_place = earth::from_ecef(view_.eye);
+    eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
+}
+
+double Display::undulation_m(const earth::Geodetic& place) const {
+    return has_terrain_ ? database_.undulation(place.latitude_rad, place.longitude_rad).m : 0;
 }
 
 void Display::plan_terrain() {
@@ -207,6 +210,7 @@ void Display::plan_terrain() {
     }
     record_.terrain.worst_error_px = lod_.worst_error_px;
     if (lod_.tau_reached_px > lod.tau_px) flag("terrain.tau_raised");
+    if (lod_.worst_error_px > lod.tau_px) flag("terrain.error_above_tau");
     bool voids = false;
     for (std::uint32_t n = 0; n < lod_.chunks; ++n)
         voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
@@ -248,17 +252,17 @@ void Display::draw(base::Surface& surface) {
         flag("terrain.failed");
     }
     gl_->Clear(GL_DEPTH_BUFFER_BIT);
-    draw_sky();
     if (decisions_.show_terrain) draw_terrain();
+    draw_sky();
     if (!free_view_active_) draw_symbology();
     finish_record();
 }
 
 void Display::draw_sky() {
     draw::SkyInput sky;
-    sky.view = symbology_.view;
+    sky.view = draw::make_view_frame(view_);
     sky.behind_terrain = decisions_.show_terrain;
-    sky.dip_rad = decisions_.show_terrain ? draw::horizon_dip_rad(aircraft_msl_m_) : 0;
+    sky.dip_rad = decisions_.show_terrain ? draw::horizon_dip_rad(eye_msl_m_) : 0;
     sky.colors = settings_.design.sky;
     sky_drawer_.draw(gl_, sky);
 }

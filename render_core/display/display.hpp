@@ -69,7 +69,8 @@ private:
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
-    void plan_view(const flight::AircraftState& state, base::Time now);
+    void plan_view(const flight::AircraftState& state);
+    [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
     void begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void note_effects();
@@ -103,6 +104,7 @@ private:
     terrain::View free_view_;
     bool free_view_active_ = false;
     double aircraft_msl_m_ = 0;
+    double eye_msl_m_ = 0;
     draw::TerrainDrawResult terrain_result_;
     std::uint64_t frame_ = 0;
     FrameRecord record_;

@@ -38,7 +38,8 @@ gl::GlError SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget) {
 
 void SkyDrawer::draw(gl::Gl& gl, const SkyInput& input) const {
     const ViewFrame& view = input.view;
-    gl->Disable(GL_DEPTH_TEST);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_LEQUAL);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
     program_.use(gl);
@@ -58,6 +59,8 @@ void SkyDrawer::draw(gl::Gl& gl, const SkyInput& input) const {
     gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
     gl->DisableVertexAttribArray(0);
+    gl->DepthFunc(GL_LESS);
+    gl->Disable(GL_DEPTH_TEST);
 }
 
 void SkyDrawer::destroy(gl::Gl& gl) {

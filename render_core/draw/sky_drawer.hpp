@@ -24,7 +24,8 @@ struct SkyInput {
 class SkyDrawer {
 public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
-    /// Colours every pixel of the bound framebuffer; leaves depth as it is, depth test, culling and blending off.
+    /// Colours every pixel of the bound framebuffer where nothing was drawn since its depth was cleared; leaves depth as it
+    /// is, depth test, culling and blending off.
     void draw(gl::Gl& gl, const SkyInput& input) const;
     void destroy(gl::Gl& gl);
 

@@ -12,7 +12,7 @@ namespace {
 
 using terrain::ChunkVertex;
 
-constexpr std::uint32_t kPaletteTexels = 256;
+constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
 
@@ -30,14 +30,17 @@ enum Uniform : std::size_t {
     kPaletteRange,
     kSeaColor,
     kHazeColor,
-    kLastPlace,
-    kBandColor,
-    kBandLower
+    kCommonUniforms
 };
-constexpr const char* kUniforms[] = {"chunk_offset", "view_projection", "light_direction", "light",
-                                     "haze_per_m",   "palette",         "palette_range",   "sea_color",
-                                     "haze_color",   "last_place",      "band_color",      "band_lower"};
-constexpr std::size_t kPlainUniforms = 10;
+constexpr const char* kCommonNames[kCommonUniforms] = {"chunk_offset",  "view_projection", "light_direction",
+                                                       "light",         "haze_per_m",      "palette",
+                                                       "palette_range", "sea_color",       "haze_color"};
+
+/// Bands that a program can tell apart; most chunks meet two at most, and each costs every fragment.
+constexpr std::size_t kBandsOfProgram[TerrainDrawer::kBandVariants] = {0, 2, design::kMaxWarningBands};
+constexpr const char* kBandDefines[] = {"", "#define WARNING_BANDS 2\n", "#define WARNING_BANDS 8\n"};
+static_assert(design::kMaxWarningBands == 8);
+constexpr const char* kRasterEndsDefine = "#define RASTER_ENDS 1\n";
 
 /// Perspective with the view's axes in ECEF, from eye-relative metres to clip space (z -1..1).
 glm::dmat4 view_projection(const terrain::View& view, const glm::dvec3& eye_fraction) {
@@ -95,28 +98,53 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& dat
                                    slots * kSlotIndices * sizeof(std::uint16_t));
     if (!indices.ok()) return indices.error();
     indices_ = static_cast<gl::Buffer&&>(indices.value());
-    auto palette = gl::make_texture(gl, *palette_line, {gl::TextureFormat::rgba8, gl::TextureFilter::linear, kPaletteTexels, 1});
+    auto palette = gl::make_texture(gl, *palette_line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
     if (!palette.ok()) return palette.error();
     palette_ = static_cast<gl::Texture&&>(palette.value());
-
-    const base::Span<const gl::AttributeBinding> attributes(kAttributes);
-    auto plain = gl::build_program(gl, {"terrain", shader_text(k_terrain_vert), shader_text(k_terrain_frag), attributes,
-                                        base::Span<const char* const>(kUniforms, kPlainUniforms)});
-    if (!plain.ok()) return plain.error();
-    plain_ = static_cast<gl::Program&&>(plain.value());
-    base::FixedString<kMaxShaderText> fragment("#define WARNING_BANDS 1\n");
-    fragment.append(shader_text(k_terrain_frag));
-    auto banded = gl::build_program(gl, {"terrain with warning colours", shader_text(k_terrain_vert), fragment.view(), attributes,
-                                         base::Span<const char* const>(kUniforms)});
-    if (!banded.ok()) return banded.error();
-    banded_ = static_cast<gl::Program&&>(banded.value());
+    if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
     set_design(gl, design);
     return {};
 }
 
+gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
+    for (std::size_t bands = 0; bands < kBandVariants; ++bands)
+        for (const bool ends : {false, true}) {
+            auto program = build_variant(gl, bands, ends);
+            if (!program.ok()) return program.error();
+            programs_[bands][ends ? 1 : 0] = program.value();
+        }
+    return {};
+}
+
+base::Result<TerrainDrawer::Variant, gl::GlError> TerrainDrawer::build_variant(gl::Gl& gl, std::size_t bands, bool raster_ends) {
+    Variant variant;
+    const char* names[kCommonUniforms + 3];
+    std::size_t count = 0;
+    const auto add = [&](const char* name) {
+        names[count] = name;
+        return count++;
+    };
+    for (const char* name : kCommonNames) add(name);
+    if (bands > 0) {
+        variant.band_color = add("band_color");
+        variant.band_lower = add("band_lower");
+    }
+    if (raster_ends) variant.last_place = add("last_place");
+    base::FixedString<kMaxShaderText> vertex(raster_ends ? kRasterEndsDefine : ""), fragment(vertex.view());
+    vertex.append(shader_text(k_terrain_vert));
+    fragment.append(kBandDefines[bands]);
+    fragment.append(shader_text(k_terrain_frag));
+    auto program =
+        gl::build_program(gl, {"terrain", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes),
+                               base::Span<const char* const>(names, count)});
+    if (!program.ok()) return base::fail(program.error());
+    variant.program = program.value();
+    return variant;
+}
+
 void TerrainDrawer::destroy(gl::Gl& gl) {
-    plain_.destroy(gl);
-    banded_.destroy(gl);
+    for (auto& of_bands : programs_)
+        for (Variant& variant : of_bands) variant.program.destroy(gl);
     palette_.destroy(gl);
     indices_.destroy(gl);
     vertices_.destroy(gl);
@@ -174,26 +202,27 @@ TerrainDrawResult TerrainDrawer::draw(gl::Gl& gl, base::Span<const terrain::Sele
                                       const TerrainDrawInput& input) {
     TerrainDrawResult result;
     result.uploaded_bytes = uploaded_;
-    const gl::Program& program = input.warning_colors ? banded_ : plain_;
-    program.use(gl);
     const glm::dvec3 eye_whole = glm::round(input.view.eye);
-    const glm::dmat4 matrix = view_projection(input.view, input.view.eye - eye_whole);
-    float values[16];
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) values[4 * c + r] = static_cast<float>(matrix[c][r]);
-    gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
-    set_frame_uniforms(gl, program, input);
+    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
+        for (const Variant& variant : programs_[bands]) set_frame_uniforms(gl, variant.program, input, eye_whole);
     palette_.bind(gl, 0);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = kPosition; attribute <= kPlace; ++attribute) gl->EnableVertexAttribArray(attribute);
-    for (const terrain::SelectedChunk& chunk : selected) draw_chunk(gl, program, chunk, eye_whole, result);
+    for (const terrain::SelectedChunk& chunk : selected) draw_chunk(gl, chunk, input, eye_whole, result);
     for (GLuint attribute = kPosition; attribute <= kPlace; ++attribute) gl->DisableVertexAttribArray(attribute);
     result.complete = result.draws == selected.size();
     return result;
 }
 
-void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input) const {
+void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
+                                       const glm::dvec3& eye_whole) const {
+    program.use(gl);
+    const glm::dmat4 matrix = view_projection(input.view, input.view.eye - eye_whole);
+    float values[16];
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) values[4 * c + r] = static_cast<float>(matrix[c][r]);
+    gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
     const glm::vec3 light(input.light_direction);
     gl->Uniform3f(program.uniform(kLightDirection), light.x, light.y, light.z);
     const auto ambient = static_cast<float>(design_.terrain.light.ambient);
@@ -206,38 +235,42 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
                   high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
     set_color(gl, program.uniform(kSeaColor), design_.terrain.sea);
     set_color(gl, program.uniform(kHazeColor), design_.sky.haze);
-    if (input.warning_colors) set_bands(gl, program, input);
 }
 
-/// Design bands stand from the highest down; the shader wants them from the lowest up.
-void TerrainDrawer::set_bands(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input) const {
-    float colors[design::kMaxWarningBands * 4] = {};
-    float lower[design::kMaxWarningBands];
-    for (float& limit : lower) limit = 1e9f;
-    const std::size_t count = design_.warning_bands.size();
-    for (std::size_t n = 0; n < count; ++n) {
-        const design::WarningBand& band = design_.warning_bands[count - 1 - n];
-        colors[4 * n] = static_cast<float>(band.color.red) / 255.0f;
-        colors[4 * n + 1] = static_cast<float>(band.color.green) / 255.0f;
-        colors[4 * n + 2] = static_cast<float>(band.color.blue) / 255.0f;
-        colors[4 * n + 3] = static_cast<float>(band.strength);
-        lower[n] = static_cast<float>(input.aircraft_msl_m + (input.gear_down ? band.lower_gear_down_m : band.lower_m));
+/// The program that tells the bands of this chunk apart, in use and with them.
+const TerrainDrawer::Variant& TerrainDrawer::use_variant(gl::Gl& gl, const terrain::ChunkEntry& entry,
+                                                         const TerrainDrawInput& input) const {
+    TerrainBands bands;
+    if (input.warning_colors)
+        bands =
+            bands_within(design_.warning_bands, input.aircraft_msl_m, input.gear_down, entry.min_height_m, entry.max_height_m);
+    std::size_t n = 0;
+    while (kBandsOfProgram[n] < bands.count) ++n;
+    const bool raster_ends = (entry.flags & terrain::kChunkHasOutside) != 0;
+    const Variant& variant = programs_[n][raster_ends ? 1 : 0];
+    variant.program.use(gl);
+    if (n > 0) {
+        const auto count = static_cast<GLsizei>(kBandsOfProgram[n]);
+        gl->Uniform4fv(variant.program.uniform(variant.band_color), count, bands.color);
+        gl->Uniform1fv(variant.program.uniform(variant.band_lower), count, bands.lower_m);
     }
-    gl->Uniform4fv(program.uniform(kBandColor), static_cast<GLsizei>(design::kMaxWarningBands), colors);
-    gl->Uniform1fv(program.uniform(kBandLower), static_cast<GLsizei>(design::kMaxWarningBands), lower);
+    if (raster_ends) {
+        const std::int64_t side = std::int64_t{terrain::kChunkCells} << entry.level;
+        const auto beyond = [&](std::uint32_t posts, std::uint32_t at) { return static_cast<float>(posts - 1 - at * side); };
+        gl->Uniform2f(variant.program.uniform(variant.last_place), beyond(database_->header().columns, entry.i),
+                      beyond(database_->header().rows, entry.j));
+    }
+    return variant;
 }
 
-void TerrainDrawer::draw_chunk(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& selected,
+void TerrainDrawer::draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& selected, const TerrainDrawInput& input,
                                const glm::dvec3& eye_whole, TerrainDrawResult& result) {
     const terrain::SlotIndex slot = cache_->acquire(selected.chunk, frame_);
     if (slot == terrain::kNoSlot || !slots_[slot].indexed) return;
     const terrain::ChunkEntry& entry = database_->entry(selected.chunk);
-    const std::int64_t side = std::int64_t{terrain::kChunkCells} << entry.level;
-    const auto beyond = [&](std::uint32_t posts, std::uint32_t at) { return static_cast<float>(posts - 1 - at * side); };
+    const gl::Program& program = use_variant(gl, entry, input).program;
     gl->Uniform3f(program.uniform(kChunkOffset), static_cast<float>(entry.centre_m[0] - eye_whole.x),
                   static_cast<float>(entry.centre_m[1] - eye_whole.y), static_cast<float>(entry.centre_m[2] - eye_whole.z));
-    gl->Uniform2f(program.uniform(kLastPlace), beyond(database_->header().columns, entry.i),
-                  beyond(database_->header().rows, entry.j));
     point_attributes(gl, slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(slot * kSlotIndices), slots_[slot].index_count, entry.vertex_count - 1});
     result.triangles += slots_[slot].index_count / 3;

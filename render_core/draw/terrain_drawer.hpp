@@ -8,6 +8,7 @@
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/terrain_bands.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
@@ -35,6 +36,8 @@ struct TerrainDrawResult {
 
 class TerrainDrawer {
 public:
+    static constexpr std::size_t kBandVariants = 3;  ///< programs for no, few and all warning bands
+
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::ChunkCache& cache,
                                     const design::DesignSettings& design, effects::DeviceSettings& device, base::Arena& staging);
     /// Palette, light and bands of another design; no new objects.
@@ -56,15 +59,22 @@ private:
         bool indexed = false;
     };
     [[nodiscard]] bool upload(gl::Gl& gl, terrain::SlotIndex slot, const terrain::SelectedChunk& selected);
-    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input) const;
-    void set_bands(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input) const;
-    void draw_chunk(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& selected, const glm::dvec3& eye_whole,
-                    TerrainDrawResult& result);
+    struct Variant {
+        gl::Program program;
+        std::size_t band_color = 0, band_lower = 0, last_place = 0;  ///< uniforms beside the common ones
+    };
+    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
+    [[nodiscard]] static base::Result<Variant, gl::GlError> build_variant(gl::Gl& gl, std::size_t bands, bool raster_ends);
+    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
+                            const glm::dvec3& eye_whole) const;
+    [[nodiscard]] const Variant& use_variant(gl::Gl& gl, const terrain::ChunkEntry& entry, const TerrainDrawInput& input) const;
+    void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& selected, const TerrainDrawInput& input,
+                    const glm::dvec3& eye_whole, TerrainDrawResult& result);
 
     const terrain::TerrainDatabase* database_ = nullptr;
     terrain::ChunkCache* cache_ = nullptr;
     design::DesignSettings design_;
-    gl::Program plain_, banded_;
+    Variant programs_[kBandVariants][2];  ///< by bands; the second is for chunks in which the raster ends
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
     base::Span<GpuSlot> slots_;

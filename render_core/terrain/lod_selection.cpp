@@ -1,8 +1,8 @@
 #include "render_core/terrain/lod_selection.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace tedavis::terrain {
 namespace {
@@ -31,6 +31,10 @@ double reach_along(const Box& box, const glm::dvec3& direction) {
     double reach = 0;
     for (int a = 0; a < 3; ++a) reach += box.half[a] * std::abs(glm::dot(box.axis[a], direction));
     return reach;
+}
+
+float distance_m(const ChunkEntry& entry, const View& view) {
+    return static_cast<float>(glm::length(glm::dvec3(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]) - view.eye));
 }
 
 double distance_to_grown_box(const Box& box, double grow_factor) {
@@ -149,10 +153,30 @@ LodResult collect(const TerrainDatabase& database, const View& view, const Selec
             result.worst_error_px = error;
             result.worst_chunk = chunk;
         }
-        selected[result.chunks++] = {chunk, selector.coarser_edges(chunk), static_cast<float>(error)};
+        selected[result.chunks++] = {chunk, selector.coarser_edges(chunk), static_cast<float>(error), distance_m(entry, view)};
         result.triangles += entry.triangle_count;
     }
     return result;
+}
+
+/// Nearest first, so that a depth test spares the shading of what is hidden. A heap sort neither allocates nor recurses.
+void order_by_distance(base::Span<SelectedChunk> chunks) {
+    const auto nearer = [](const SelectedChunk& a, const SelectedChunk& b) {
+        return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.chunk < b.chunk;
+    };
+    std::make_heap(chunks.begin(), chunks.end(), nearer);
+    std::sort_heap(chunks.begin(), chunks.end(), nearer);
+}
+
+/// Raising tau never adds a chunk, so the least step that fits is found by bisection.
+template <typename Attempt>
+int least_step_that_fits(const Attempt& attempt) {
+    int too_small = 0, step = kTauSteps;
+    while (step - too_small > 1) {
+        const int middle = (too_small + step) / 2;
+        (attempt(middle).within_budget ? step : too_small) = middle;
+    }
+    return step;
 }
 
 }  // namespace
@@ -197,14 +221,8 @@ LodResult select_chunks(const TerrainDatabase& database, const View& view, const
         return selector.refine(tau) ? collect(database, view, selector, settings, tau, selected) : LodResult{};
     };
     LodResult result = attempt(0);
-    if (result.within_budget) return result;
-    // Raising tau never adds a chunk, so the least tau that fits is found by bisection over the steps.
-    int too_small = 0, step = kTauSteps;
-    while (step - too_small > 1) {
-        const int middle = (too_small + step) / 2;
-        (attempt(middle).within_budget ? step : too_small) = middle;
-    }
-    result = attempt(step);
+    if (!result.within_budget) result = attempt(least_step_that_fits(attempt));
+    order_by_distance(selected.subspan(0, result.chunks));
     return result;
 }
 

@@ -22,6 +22,7 @@ struct SelectedChunk {
     ChunkIndex chunk = kNoChunk;
     std::uint8_t coarser_edges = 0;
     float error_px = 0;
+    float distance_m = 0;  ///< of the chunk's centre from the eye
 };
 
 struct LodSettings {
@@ -39,6 +40,7 @@ struct LodResult {
     bool within_budget = false;  ///< false only when the coarsest selection exceeds the budgets
 };
 
+/// `selected` gets the chosen chunks, nearest first.
 [[nodiscard]] LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings,
                                       base::Span<std::uint8_t> states, base::Span<ChunkIndex> work,
                                       base::Span<SelectedChunk> selected);

@@ -79,8 +79,8 @@ static_assert(std::is_trivially_copyable_v<ChunkEntry> && sizeof(ChunkEntry) == 
 inline constexpr std::uint32_t kChunkHasVoid = 1u;
 inline constexpr std::uint32_t kChunkHasOutside = 2u;
 
-/// Uploaded to the GPU as it is. Positions lie on a grid of 2^-8 m (coarser in large databases) so that centre and offset
-/// add without rounding: see draw/terrain_drawer.hpp.
+/// Uploaded to the GPU as it is. Positions lie on a binary grid, 2^-10 m or coarser for vertices of high levels, so that
+/// every chunk holds a shared vertex exactly: see draw/terrain_drawer.hpp.
 struct ChunkVertex {
     float x, y, z;                 ///< ECEF minus the chunk's centre, metres
     float height_m;                ///< above MSL

@@ -10,5 +10,5 @@ VARYING float v_down;        // down component of the ray
 void main() {
     v_tangent = vec2(position.x, -position.y) * half_tangent;
     v_down = down_of_axes.x + down_of_axes.y * v_tangent.x + down_of_axes.z * v_tangent.y;
-    gl_Position = vec4(position, 0.0, 1.0);
+    gl_Position = vec4(position, 1.0, 1.0);  // on the far plane: only where nothing else was drawn
 }

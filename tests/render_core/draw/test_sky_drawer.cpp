@@ -53,6 +53,7 @@ struct SkySession {
     }
     std::vector<std::uint8_t> picture(const SkyInput& input) {
         gl::bind_surface(session.gl, *session.surface);
+        session.gl->Clear(GL_DEPTH_BUFFER_BIT);
         sky.draw(session.gl, input);
         return session.pixels();
     }

@@ -1,0 +1,23 @@
+/// The warning bands that a chunk of terrain can meet, as its shader wants them.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/design/warning_bands.hpp"
+
+namespace tedavis::draw {
+
+struct TerrainBands {
+    float lower_m[design::kMaxWarningBands];    ///< heights above MSL from which a band holds, ascending; 1e9 where unused
+    float color[design::kMaxWarningBands * 4];  ///< red, green, blue, strength; 0..1
+    std::size_t count = 0;
+
+    TerrainBands();
+};
+
+/// Of `bands` (the highest first) those that hold somewhere between two heights above MSL; the last one whose lower limit
+/// is not above a height holds there. An empty result means that no warning colour is due.
+[[nodiscard]] TerrainBands bands_within(const design::WarningBands& bands, double aircraft_msl_m, bool gear_down,
+                                        float least_height_m, float greatest_height_m);
+
+}  // namespace tedavis::draw
