@@ -1,10 +1,14 @@
 #include "host_sim/replay/flight_player.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <limits>
 
 #include "bus/switches/switch_log.hpp"
+#include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/interrupt.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -13,28 +17,57 @@ namespace {
 
 constexpr std::size_t kWindowBytes = 1 << 20;
 constexpr std::size_t kFramesAtOnce = 256;
-constexpr base::Duration kCheckpointSpacing = base::Duration::seconds(30);
+constexpr std::uint64_t kLargestIndex = 64u << 20;
+/// Beyond the time until every value is lost: what dwells and holds of the phase take.
+constexpr base::Duration kPhaseSettles = base::Duration::seconds(30);
 constexpr base::Time kEnd{std::numeric_limits<std::int64_t>::max()};
-
-bus::BusSettings load_bus(const std::string& name) {
-    const std::string path = resolve_config(name, "buses");
-    auto settings = bus::load_bus_settings(read_file(path), path);
-    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
-    return settings.value();
-}
 
 std::string line_note(const std::string& file, std::uint64_t line, const char* reason) {
     return file + ":" + std::to_string(line) + ": " + reason;
 }
 
+base::Duration quiet_after(const bus::BusSettings& settings) {
+    base::Duration longest = settings.phase.timeout;
+    for (const base::FreshnessLimits& limits : settings.limits) longest = std::max(longest, limits.lost);
+    return longest + kPhaseSettles;
+}
+
+base::Time wall_clock_now() {
+    const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+    return {std::chrono::duration_cast<std::chrono::nanoseconds>(since_epoch).count()};
+}
+
+std::string index_name(const std::string& log) { return log + ".tdx"; }
+
 }  // namespace
 
-FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display)
-    : display_(display), bus_settings_(load_bus(files.bus)) {
+FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
+    : display_(display), console_(console), policy_(policy) {
+    open_bus(files);
     open_log(files);
     open_switches(files);
-    find_extent();
-    restart();
+    key_.parts[IndexKey::program] = program_identity();
+    key_.parts[IndexKey::terrain] = terrain_identity(display.terrain_database());
+    const base::Time opened = wall_clock_now();
+    const FileIdentity log = identify_log();
+    key_.parts[IndexKey::log] = log.hash;
+    if (!take_kept_index()) {
+        make_index();
+        keep_index(log, opened);
+    }
+    first_ = index_.first;
+    last_ = index_.last;
+    start_from_checkpoint(first_);
+}
+
+void FlightPlayer::open_bus(const PlayerFiles& files) {
+    const std::string path = resolve_config(files.bus, "buses");
+    const std::string text = read_file(path);
+    auto settings = bus::load_bus_settings(text, path);
+    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
+    bus_settings_ = settings.value();
+    quiet_ = quiet_after(bus_settings_);
+    key_.parts[IndexKey::bus] = text_identity(text);
 }
 
 void FlightPlayer::open_log(const PlayerFiles& files) {
@@ -49,13 +82,16 @@ void FlightPlayer::open_log(const PlayerFiles& files) {
 
 void FlightPlayer::open_switches(const PlayerFiles& files) {
     const std::string path = resolve_config(files.switch_config, "switches");
-    auto config = bus::load_switch_config(read_file(path), path);
+    const std::string config_text = read_file(path);
+    auto config = bus::load_switch_config(config_text, path);
     if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
     switch_config_ = config.value();
+    key_.parts[IndexKey::switch_config] = text_identity(config_text);
     if (files.switches.empty()) return;
     const std::string text = read_file(files.switches);
     if (!bus::has_switch_log_header(text))
         throw UserError(files.switches + ":1: not a switch log; its first line must be '# tedavis switch log 1'");
+    key_.parts[IndexKey::switch_log] = text_identity(text);
     bus::SwitchLogSource log(text, switch_config_);
     bus::SwitchEdge batch[kFramesAtOnce];
     for (std::size_t count = 1; count > 0;) {
@@ -66,34 +102,94 @@ void FlightPlayer::open_switches(const PlayerFiles& files) {
         switch_notes_.push_back(line_note(files.switches, report.line, bus::describe(report.fault)));
 }
 
-void FlightPlayer::find_extent() {
-    std::vector<bus::CanFrame> batch(kFramesAtOnce);
-    bool any = false;
-    for (std::size_t count = 1; count > 0;) {
-        count = source_->read(kEnd, {batch.data(), batch.size()});
-        if (count == 0) break;
-        if (!any) first_ = batch[0].time;
-        for (std::size_t n = 0; n < count; ++n) last_ = any && batch[n].time < last_ ? last_ : batch[n].time;
-        any = true;
+FileIdentity FlightPlayer::identify_log() { return file_identity(log_name_, log_file_); }
+
+bool FlightPlayer::take_kept_index() {
+    if (log_file_.size() < policy_.smallest_kept_log) return false;
+    const std::string path = index_name(log_name_);
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    if (error) return false;
+    UnpackedIndex unpacked{{}, "is too large"};
+    if (bytes <= kLargestIndex) unpacked = unpack_index(read_file(path), key_, policy_.spacing);
+    if (!unpacked.index) {
+        say(path + ": it " + unpacked.refusal + "; the log is indexed anew");
+        return false;
     }
-    if (!any) throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
+    index_ = std::move(*unpacked.index);
+    return true;
 }
 
-void FlightPlayer::restart() {
-    progress_ = Progress();
+/// A replay that cannot keep its index is as good as one that can, only slower to start.
+void FlightPlayer::keep_index(const FileIdentity& log, base::Time opened) {
+    if (log_file_.size() < policy_.smallest_kept_log) return;
+    if (log.changed_ns > opened.ns - policy_.rest.ns || identify_log().hash != log.hash)
+        return say(log_name_ + ": it has just been changed; its index is not kept");
+    try {
+        write_file_atomically(index_name(log_name_), pack_index(index_, key_));
+    } catch (const UserError& error) {
+        say(std::string(error.what()) + "; its index is not kept");
+    }
+}
+
+void FlightPlayer::make_index() {
+    bus::CanFrame frame;
+    if (source_->read(kEnd, {&frame, 1}) == 0)
+        throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
+    first_ = index_.first = frame.time;
+    index_.track = CheckpointTrack(policy_.spacing);
+    start();
+    const InterruptGuard interrupt;
+    while (source_->health() != bus::SourceHealth::ended && next_step_is_by(kEnd)) {
+        run_step();
+        if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_file_.size());
+        if (interrupt.requested()) throw UserError(log_name_ + ": interrupted while it was indexed; nothing was written");
+    }
+    if (console_ != nullptr) console_->progress_done();
+    index_.last = source_->position().newest;
+    index_.counters = progress_.assembler.snapshot(index_.last).counters;
+    for (const bus::LineReport& report : source_->reports()) index_.reports.push_back(report);
+}
+
+void FlightPlayer::start() {
+    progress_ = FlightProgress();
     progress_.position = start_;
     progress_.assembler = bus::StateAssembler(bus_settings_);
     progress_.switches.emplace(switch_config_);
     progress_.reached = first_ - base::Duration::seconds(1);
     source_->seek(start_);
-    if (checkpoints_.empty()) checkpoints_.push_back(progress_);
+    index_.track.offer(progress_);
 }
 
-void FlightPlayer::go_back_before(base::Time time) {
-    const auto later = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), time,
-                                        [](base::Time t, const Progress& p) { return t < p.reached; });
-    progress_ = *(later - 1);
+void FlightPlayer::start_from_checkpoint(base::Time time) {
+    progress_ = index_.track.unpack(time);
     source_->seek(progress_.position);
+}
+
+base::Time FlightPlayer::step_time() const {
+    return first_ + base::Duration{display::PhaseMonitor::kStep.ns * progress_.next_step};
+}
+
+/// Leaps over the steps that nothing can change, to the first one that has a new frame or edge behind it.
+bool FlightPlayer::next_step_is_by(base::Time time) {
+    base::Time newest = source_->position().newest;
+    if (progress_.next_edge > 0) newest = std::max(newest, edges_[progress_.next_edge - 1].time);
+    if (step_time() - quiet_ > newest) {
+        const base::Time event = next_event();
+        if (event == kEnd) return false;
+        const std::int64_t grid = display::PhaseMonitor::kStep.ns;
+        progress_.next_step = std::max(progress_.next_step, ((event - first_).ns + grid - 1) / grid);
+    }
+    return step_time() <= time;
+}
+
+/// The next frame or edge; kEnd after the last one.
+base::Time FlightPlayer::next_event() {
+    const bus::LogPosition here = source_->position();
+    bus::CanFrame frame;
+    const base::Time of_log = source_->read(kEnd, {&frame, 1}) == 1 ? frame.time : kEnd;
+    source_->seek(here);
+    return progress_.next_edge < edges_.size() ? std::min(of_log, edges_[progress_.next_edge].time) : of_log;
 }
 
 void FlightPlayer::feed_until(base::Time time) {
@@ -103,6 +199,9 @@ void FlightPlayer::feed_until(base::Time time) {
         progress_.assembler.feed({batch, count});
         if (count > 0) progress_.newest_frame = batch[count - 1].time;
     }
+    if (source_->health() == bus::SourceHealth::failed)
+        throw UserError(log_name_ + ": cannot be read beyond byte " + std::to_string(source_->position().offset) +
+                        "; check the medium it lies on");
     progress_.assembler.note_dropped(source_->statistics().dropped);
     for (; progress_.next_edge < edges_.size() && edges_[progress_.next_edge].time <= time; ++progress_.next_edge)
         progress_.switches->add(edges_[progress_.next_edge]);
@@ -120,23 +219,21 @@ void FlightPlayer::step_phase(base::Time time) {
     progress_.monitor.step(aircraft, inputs, time);
 }
 
-void FlightPlayer::advance(base::Time time) {
-    for (;;) {
-        const base::Time step = first_ + base::Duration{display::PhaseMonitor::kStep.ns * progress_.next_step};
-        if (step > time) break;
-        feed_until(step);
-        step_phase(step);
-        ++progress_.next_step;
-        progress_.reached = step;
-        progress_.position = source_->position();
-        if (step - checkpoints_.back().reached >= kCheckpointSpacing) checkpoints_.push_back(progress_);
-    }
+void FlightPlayer::run_step() {
+    const base::Time step = step_time();
+    feed_until(step);
+    step_phase(step);
+    ++progress_.next_step;
+    ++progress_.steps_run;
+    progress_.reached = step;
+    progress_.position = source_->position();
+    index_.track.offer(progress_);
 }
 
 PlayedInstant FlightPlayer::at(base::Time time) {
     const base::Time wanted = std::min(std::max(time, first_), last_);
-    if (wanted < progress_.reached) go_back_before(wanted);
-    advance(wanted);
+    if (wanted < progress_.reached || index_.track.reached_by(wanted) > progress_.reached) start_from_checkpoint(wanted);
+    while (next_step_is_by(wanted)) run_step();
     feed_until(wanted);
     PlayedInstant instant;
     instant.bus = progress_.assembler.snapshot(wanted);
@@ -153,22 +250,19 @@ void FlightPlayer::replace_switches_after(base::Time kept_until, const std::vect
         std::find_if(edges_.begin(), edges_.end(), [kept_until](const bus::SwitchEdge& e) { return e.time > kept_until; });
     edges_.erase(later, edges_.end());
     edges_.insert(edges_.end(), edges.begin(), edges.end());
-    while (checkpoints_.size() > 1 && checkpoints_.back().reached > kept_until) checkpoints_.pop_back();
-    if (progress_.reached > kept_until) go_back_before(kept_until);
+    index_.track.drop_after(kept_until);
+    if (progress_.reached > kept_until) start_from_checkpoint(kept_until);
 }
 
 std::vector<std::string> FlightPlayer::notes() const {
     std::vector<std::string> notes = switch_notes_;
-    for (const bus::LineReport& report : source_->reports())
+    for (const bus::LineReport& report : index_.reports)
         notes.push_back(line_note(log_name_, report.line, bus::describe(report.fault)));
     return notes;
 }
 
-bus::BusCounters FlightPlayer::counters_of_whole_log() {
-    feed_until(last_);
-    const bus::BusCounters counters = progress_.assembler.snapshot(last_).counters;
-    restart();
-    return counters;
+void FlightPlayer::say(const std::string& sentence) {
+    if (console_ != nullptr) console_->note(sentence);
 }
 
 }  // namespace tedavis::host_sim

@@ -1,21 +1,23 @@
 /// Plays a recorded bus and its switch log into aircraft state and flight phase, to any instant, forwards or backwards.
 ///
 /// State and phase at T depend on what was recorded up to T alone: the bus is read up to T, the phase is stepped on a fixed
-/// grid from the log's first frame. Checkpoints make going back and far jumps cheap.
+/// grid from the log's first frame. Where the recording pauses until every value is lost, the steps pause as well.
+///
+/// Opening plays the whole log once and leaves checkpoints, so that every instant is near. Of a long log they are kept in
+/// LOG.tdx (flight_index.hpp) for the next time. Memory  some megabytes, however long the log.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bus/candump/candump_log_source.hpp"
-#include "bus/state/state_assembler.hpp"
 #include "bus/switches/switch_log_source.hpp"
-#include "bus/switches/switch_to_phase.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/replay/flight_index.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "render_core/display/display.hpp"
-#include "render_core/display/phase_monitor.hpp"
 
 namespace tedavis::host_sim {
 
@@ -30,10 +32,19 @@ struct PlayedInstant {
     base::Time newest_frame;  ///< receive stamp of the last frame fed
 };
 
+struct IndexPolicy {
+    std::uint64_t smallest_kept_log = 32u << 20;  ///< shorter logs are read again each time; it takes a moment
+    /// A log changed less than this long before is not trusted to show its next change in its times.
+    base::Duration rest = base::Duration::seconds(2);
+    CheckpointSpacing spacing;
+};
+
 class FlightPlayer {
 public:
-    /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log.
-    FlightPlayer(const PlayerFiles& files, display::Display& display);
+    /// Shows progress and says on the console why an index is made anew or cannot be kept; null: in silence.
+    /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log, Ctrl-C meanwhile.
+    FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console = nullptr,
+                 const IndexPolicy& policy = IndexPolicy());
 
     /// Stamps of the first and last frame of the log.
     [[nodiscard]] base::Time first() const { return first_; }
@@ -49,43 +60,43 @@ public:
 
     /// Sentences about broken lines, for the report.
     [[nodiscard]] std::vector<std::string> notes() const;
-    [[nodiscard]] bus::BusCounters counters_of_whole_log();
+    [[nodiscard]] bus::BusCounters counters_of_whole_log() const { return index_.counters; }
 
 private:
-    /// All that changes while playing; copied as a checkpoint.
-    struct Progress {
-        bus::LogPosition position;
-        bus::StateAssembler assembler;
-        std::optional<bus::SwitchToPhase> switches;
-        std::size_t next_edge = 0;
-        display::PhaseMonitor monitor;
-        std::int64_t next_step = 0;
-        base::Time reached;
-        base::Time newest_frame;
-    };
+    void open_bus(const PlayerFiles& files);
     void open_log(const PlayerFiles& files);
     void open_switches(const PlayerFiles& files);
-    void find_extent();
-    void restart();
-    void go_back_before(base::Time time);
-    void advance(base::Time time);
+    [[nodiscard]] FileIdentity identify_log();
+    [[nodiscard]] bool take_kept_index();
+    void keep_index(const FileIdentity& log, base::Time opened);
+    void make_index();
+    void start();
+    void start_from_checkpoint(base::Time time);
+    [[nodiscard]] base::Time step_time() const;
+    [[nodiscard]] bool next_step_is_by(base::Time time);
+    [[nodiscard]] base::Time next_event();
+    void run_step();
     void feed_until(base::Time time);
     void step_phase(base::Time time);
+    void say(const std::string& sentence);
 
     display::Display& display_;
+    Console* console_;
+    IndexPolicy policy_;
     std::string log_name_;
     platform::FileByteSource log_file_;
     std::vector<char> window_;
     std::unique_ptr<bus::CandumpLogSource> source_;
     bus::LogPosition start_;
     bus::BusSettings bus_settings_;
-    std::string switch_name_;
+    base::Duration quiet_;  ///< this long after the last frame or edge nothing changes any more
     std::vector<bus::SwitchEdge> edges_;
     bus::SwitchConfig switch_config_;
     std::vector<std::string> switch_notes_;
+    IndexKey key_;
     base::Time first_, last_;
-    Progress progress_;
-    std::vector<Progress> checkpoints_;
+    FlightProgress progress_;
+    FlightIndex index_;
 };
 
 }  // namespace tedavis::host_sim

@@ -1,0 +1,138 @@
+#include "host_sim/replay/flight_index.hpp"
+
+#include <cstring>
+#include <type_traits>
+
+#include "render_core/base/hash.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr char kMagic[] = "TEDAVIS flight index 1\n";
+
+class ByteWriter {
+public:
+    template <class T>
+    void put(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void put_text(std::string_view text) {
+        put(std::uint64_t{text.size()});
+        bytes_.append(text);
+    }
+    [[nodiscard]] std::string take() { return std::move(bytes_); }
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+private:
+    std::string bytes_;
+};
+
+/// Beyond the end everything reads as zero and `good` falls.
+class ByteReader {
+public:
+    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+
+    template <class T>
+    [[nodiscard]] T get() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value{};
+        const std::string_view part = next(sizeof value);
+        if (!part.empty()) std::memcpy(&value, part.data(), sizeof value);
+        return value;
+    }
+    [[nodiscard]] std::string_view get_text() { return next(get<std::uint64_t>()); }
+    [[nodiscard]] bool good() const { return good_; }
+    [[nodiscard]] std::size_t left() const { return bytes_.size(); }
+
+private:
+    std::string_view next(std::uint64_t count) {
+        good_ = good_ && count <= bytes_.size();
+        if (!good_) return {};
+        const std::string_view part = bytes_.substr(0, static_cast<std::size_t>(count));
+        bytes_.remove_prefix(part.size());
+        return part;
+    }
+
+    std::string_view bytes_;
+    bool good_ = true;
+};
+
+std::uint64_t checksum(std::string_view bytes) {
+    base::Fnv1a64 hash;
+    hash.add(bytes.data(), bytes.size());
+    return hash.value();
+}
+
+std::vector<PackedCheckpoint> get_checkpoints(ByteReader& reader) {
+    std::vector<PackedCheckpoint> checkpoints;
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && reader.good(); --left) {
+        PackedCheckpoint checkpoint;
+        checkpoint.reached = reader.get<base::Time>();
+        checkpoint.log_offset = reader.get<std::uint64_t>();
+        checkpoint.steps_run = reader.get<std::uint64_t>();
+        checkpoint.bytes = reader.get_text();
+        checkpoints.push_back(std::move(checkpoint));
+    }
+    return checkpoints;
+}
+
+std::vector<bus::LineReport> get_reports(ByteReader& reader) {
+    std::vector<bus::LineReport> reports;
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && reader.good(); --left) {
+        const auto line = reader.get<std::uint64_t>();
+        reports.push_back({line, reader.get<bus::LineFault>()});
+    }
+    return reports;
+}
+
+}  // namespace
+
+std::string pack_index(const FlightIndex& index, const IndexKey& key) {
+    ByteWriter writer;
+    writer.put(kMagic);
+    writer.put(std::uint64_t{sizeof(FlightProgress)});
+    writer.put(key);
+    writer.put(index.first);
+    writer.put(index.last);
+    writer.put(index.counters);
+    writer.put(std::uint64_t{index.reports.size()});
+    for (const bus::LineReport& report : index.reports) {
+        writer.put(report.line);
+        writer.put(report.fault);
+    }
+    writer.put(index.track.stride());
+    writer.put(std::uint64_t{index.track.checkpoints().size()});
+    for (const PackedCheckpoint& checkpoint : index.track.checkpoints()) {
+        writer.put(checkpoint.reached);
+        writer.put(checkpoint.log_offset);
+        writer.put(checkpoint.steps_run);
+        writer.put_text(checkpoint.bytes);
+    }
+    writer.put(checksum(writer.bytes()));
+    return writer.take();
+}
+
+UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const CheckpointSpacing& spacing) {
+    constexpr std::size_t kSumBytes = sizeof(std::uint64_t);
+    const std::string_view magic(kMagic, sizeof kMagic);
+    if (bytes.substr(0, magic.size()) != magic) return {{}, "is no index of this program version"};
+    if (bytes.size() < magic.size() + kSumBytes) return {{}, "is cut off"};
+    const std::string_view body = bytes.substr(0, bytes.size() - kSumBytes);
+    if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != checksum(body)) return {{}, "is damaged or cut off"};
+    ByteReader reader(body.substr(magic.size()));
+    if (reader.get<std::uint64_t>() != sizeof(FlightProgress)) return {{}, "was made by another build of the program"};
+    if (const char* other = first_difference(reader.get<IndexKey>(), key))
+        return {{}, std::string("was made when ") + other + " was another"};
+    FlightIndex index;
+    index.first = reader.get<base::Time>();
+    index.last = reader.get<base::Time>();
+    index.counters = reader.get<bus::BusCounters>();
+    index.reports = get_reports(reader);
+    const auto stride = reader.get<std::uint64_t>();
+    index.track = CheckpointTrack(spacing, stride, get_checkpoints(reader));
+    if (!reader.good() || reader.left() != 0 || index.track.checkpoints().empty()) return {{}, "is damaged"};
+    return {std::move(index), {}};
+}
+
+}  // namespace tedavis::host_sim

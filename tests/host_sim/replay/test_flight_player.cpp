@@ -1,0 +1,323 @@
+// A recorded flight at any instant: whichever way an instant is reached (a run from the start, a leap, backwards, from a
+// kept index) state and phase must be equal bit for bit.
+#include "host_sim/replay/flight_player.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "tests/host_sim/replay/played_text.hpp"
+#include "tests/support/default_flight.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using base::Duration;
+using test_support::TemporaryFolder;
+using ::testing::HasSubstr;
+
+const test_support::RecordedFlight& recorded() {
+    static const test_support::RecordedFlight flight = test_support::default_flight();
+    return flight;
+}
+
+/// The first lines of the default flight that lie within so many seconds.
+std::string first_seconds(std::int64_t seconds) {
+    const std::string& log = recorded().log;
+    const std::int64_t end = std::stoll(log.substr(1, 10)) + seconds;
+    return log.substr(0, log.find("\n(" + std::to_string(end)) + 1);
+}
+
+/// Checkpoints so close that a short log has many, and every log has an index, however new.
+IndexPolicy dense() {
+    IndexPolicy policy;
+    policy.smallest_kept_log = 0;
+    policy.rest = Duration{-1'000'000'000};
+    policy.spacing = {64u << 10, 150, 512};
+    return policy;
+}
+
+IndexPolicy without_index() {
+    IndexPolicy policy;
+    policy.smallest_kept_log = ~std::uint64_t{0};
+    policy.spacing.log_bytes = ~std::uint64_t{0};  // and no checkpoint but the first
+    policy.spacing.steps = ~std::uint64_t{0};
+    return policy;
+}
+
+/// A player with a console to listen to, over a display without terrain.
+struct Played {
+    display::Display display;
+    std::ostringstream results, notes;
+    Console console{results, notes, false, false};
+    FlightPlayer player;
+
+    explicit Played(const PlayerFiles& files, const IndexPolicy& policy = dense()) : player(files, display, &console, policy) {}
+    [[nodiscard]] std::string text(double seconds) {
+        return text_of(player.at(player.first() + Duration::from_seconds(seconds)));
+    }
+};
+
+PlayerFiles files_of(const std::string& log, const std::string& switches = {}) {
+    return {log, "canaerospace", switches, "one_hot"};
+}
+
+/// Rewrites a byte in place until the file system shows it: its clock ticks in milliseconds.
+void change_byte(const std::string& path, std::size_t offset, char value) {
+    struct stat before {
+    }, after{};
+    ASSERT_EQ(::stat(path.c_str(), &before), 0);
+    do {
+        std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(static_cast<std::streamoff>(offset));
+        file.put(value);
+        file.close();
+        ASSERT_EQ(::stat(path.c_str(), &after), 0);
+    } while (after.st_ctim.tv_nsec == before.st_ctim.tv_nsec && after.st_ctim.tv_sec == before.st_ctim.tv_sec);
+}
+
+TEST(FlightPlayer, KnowsExtentAndCountsOfTheLog) {
+    const TemporaryFolder folder;
+    Played played(files_of(folder.write("a.log",
+                                        "(1700000000.000000) can0 137#0902000000000000\n"
+                                        "(1700000000.5) can0 137#09\n"
+                                        "(1700000001.500000) can0 7FF#00\n"
+                                        "(1700000003.250000) can0 20000008#0000000000000000\n"
+                                        "(1700000003.000000) can0 137#0902000100000000\n")));
+    EXPECT_EQ(played.player.first(), base::Time{1'700'000'000'000'000'000});
+    EXPECT_EQ(played.player.last(), base::Time{1'700'000'003'250'000'000});
+    EXPECT_EQ(text_of(played.player.counters_of_whole_log()), "4 frames 2 decoded 1 alien 1 errors 0 dropped\n");
+    ASSERT_EQ(played.player.notes().size(), 1u);
+    EXPECT_THAT(played.player.notes()[0], HasSubstr("a.log:2: "));
+}
+
+TEST(FlightPlayer, RefusesWhatIsNoFlight) {
+    const TemporaryFolder folder;
+    const std::string good = folder.write("good.log", first_seconds(2));
+    const auto play = [](const PlayerFiles& files) { return [files] { Played played(files); }; };
+    test_support::expect_user_error(play(files_of(folder.write("empty.log", ""))), "no CAN frame in this file");
+    test_support::expect_user_error(play(files_of(folder.file("missing.log"))), "missing.log");
+    test_support::expect_user_error(play({good, "no_such_bus", "", "one_hot"}), "no_such_bus");
+    test_support::expect_user_error(play({good, "canaerospace", "", "no_such_panel"}), "no_such_panel");
+    test_support::expect_user_error(play(files_of(good, good)), "not a switch log");
+    EXPECT_EQ(folder.entries(), 2u) << "no index of what could not be played";
+}
+
+TEST(FlightPlayer, AnyOrderOfInstantsGivesTheSameStates) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", recorded().log), folder.write("a.switches", recorded().switch_log));
+    Played straight(files, without_index());
+    std::map<double, std::string> expected;
+    for (double t = 0; t < 399; t += 7.77) expected[t] = straight.text(t);
+    std::vector<double> order;
+    for (const auto& [t, text] : expected) order.push_back(t);
+    std::mt19937 random(5);
+    std::shuffle(order.begin(), order.end(), random);
+    Played leaping(files);
+    for (const double t : order) ASSERT_EQ(leaping.text(t), expected[t]) << "at " << t;
+    for (auto it = expected.rbegin(); it != expected.rend(); ++it) ASSERT_EQ(leaping.text(it->first), it->second) << it->first;
+    EXPECT_NE(expected.begin()->second, expected.rbegin()->second) << "the control: states do differ";
+}
+
+TEST(FlightPlayer, PhasesComeFromTheHeightAboveTheTerrainAndAreReachedAlike) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", recorded().log));
+    test_support::DefaultTerrain terrain;
+    test_support::HeadlessDisplay over_terrain("egl", "es2-small", 64, 48, &terrain.bytes);
+    FlightPlayer straight(files, over_terrain.display(), nullptr, without_index());
+    FlightPlayer leaping(files, over_terrain.display(), nullptr, dense());
+    Played without_terrain(files, without_index());
+    bool terrain_matters = false;
+    std::vector<double> times;
+    for (double t = 3; t < 399; t += 13.3) times.push_back(t);
+    std::map<double, std::string> expected;
+    for (const double t : times) {
+        expected[t] = text_of(straight.at(straight.first() + Duration::from_seconds(t)));
+        terrain_matters = terrain_matters || expected[t] != without_terrain.text(t);
+    }
+    std::mt19937 random(6);
+    std::shuffle(times.begin(), times.end(), random);
+    for (const double t : times) ASSERT_EQ(text_of(leaping.at(leaping.first() + Duration::from_seconds(t))), expected[t]) << t;
+    EXPECT_TRUE(terrain_matters);
+}
+
+TEST(FlightPlayer, AKeptIndexGivesTheSameStates) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", recorded().log), folder.write("a.switches", recorded().switch_log));
+    Played plain(files, without_index());
+    EXPECT_EQ(folder.entries(), 2u);
+    Played first(files);
+    EXPECT_EQ(folder.entries(), 3u) << "a.log.tdx";
+    Played second(files);
+    EXPECT_EQ(first.notes.str() + second.notes.str(), "");
+    EXPECT_EQ(second.player.first(), plain.player.first());
+    EXPECT_EQ(second.player.last(), plain.player.last());
+    EXPECT_EQ(text_of(second.player.counters_of_whole_log()), text_of(plain.player.counters_of_whole_log()));
+    for (const double t : {390.0, 12.5, 200.01, 398.9}) EXPECT_EQ(second.text(t), plain.text(t)) << t;
+}
+
+TEST(FlightPlayer, IsInUseWhereItFits) {
+    // The control: an index that lies is believed as long as its key fits, so a kept index is really what is read.
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", first_seconds(5)));
+    Played first(files);
+    const std::string bytes = folder.read("a.log.tdx");
+    platform::FileByteSource log = std::move(platform::open_file(files.log.c_str()).value());
+    IndexKey key;
+    key.parts[IndexKey::program] = program_identity();
+    key.parts[IndexKey::log] = file_identity(files.log, log).hash;
+    key.parts[IndexKey::bus] = text_identity(test_support::source_file("configs/buses/canaerospace.toml"));
+    key.parts[IndexKey::switch_config] = text_identity(test_support::source_file("configs/switches/one_hot.toml"));
+    UnpackedIndex unpacked = unpack_index(bytes, key, dense().spacing);
+    ASSERT_TRUE(unpacked.index) << unpacked.refusal;
+    unpacked.index->counters.alien = 77;
+    static_cast<void>(folder.write("a.log.tdx", pack_index(*unpacked.index, key)));
+    Played second(files);
+    EXPECT_EQ(second.notes.str(), "");
+    EXPECT_EQ(second.player.counters_of_whole_log().alien, 77u);
+}
+
+TEST(FlightPlayer, DoesNotTrustAnIndexOfOtherInputs) {
+    const TemporaryFolder folder;
+    const std::string log = folder.write("a.log", first_seconds(5));
+    const std::string switches = folder.write("a.switches", recorded().switch_log);
+    const auto note_of = [](const PlayerFiles& files) { return Played(files).notes.str(); };
+    EXPECT_EQ(note_of(files_of(log)), "");
+    EXPECT_THAT(note_of(files_of(log, switches)), HasSubstr("made when the switch log was another; the log is indexed anew"));
+    EXPECT_THAT(note_of({log, "glider", switches, "one_hot"}), HasSubstr("the bus settings"));
+    EXPECT_THAT(note_of({log, "glider", "", "coded_parity"}), HasSubstr("made when the switch"));
+    EXPECT_EQ(note_of({log, "glider", "", "coded_parity"}), "") << "the new one fits";
+    test_support::DefaultTerrain terrain;
+    test_support::HeadlessDisplay over_terrain("egl", "es2-small", 64, 48, &terrain.bytes);
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    const FlightPlayer player({log, "glider", "", "coded_parity"}, over_terrain.display(), &console, dense());
+    EXPECT_THAT(notes.str(), HasSubstr("the terrain database"));
+}
+
+TEST(FlightPlayer, FindsAnIndexStaleAfterOneByteOfTheLogChanged) {
+    const TemporaryFolder folder;
+    const std::string text = first_seconds(60);
+    ASSERT_GT(text.size(), 1000000u) << "the byte must lie outside the samples of the identity";
+    const PlayerFiles files = files_of(folder.write("a.log", text));
+    Played first(files);
+    const std::size_t value = text.find('#', text.size() / 2) + 1;  // of a frame in the middle: its node
+    const struct timespec times[2] = {{0, UTIME_NOW}, {1'700'000'000, 0}};
+    ASSERT_EQ(utimensat(AT_FDCWD, files.log.c_str(), times, 0), 0);
+    Played touched(files);
+    EXPECT_THAT(touched.notes.str(), HasSubstr("the log was another"));
+    change_byte(files.log, value, 'z');
+    ASSERT_EQ(utimensat(AT_FDCWD, files.log.c_str(), times, 0), 0);  // size and modification time are what they were
+    Played changed(files);
+    EXPECT_THAT(changed.notes.str(), HasSubstr("a.log.tdx: it was made when the log was another; the log is indexed anew"));
+    EXPECT_EQ(changed.player.notes().size(), 1u) << "the broken line is there now";
+    EXPECT_EQ(Played(files).notes.str(), "");
+}
+
+TEST(FlightPlayer, MakesADamagedOrCutIndexAnew) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", first_seconds(20)));
+    Played first(files);
+    const std::string whole = folder.read("a.log.tdx");
+    std::string flipped = whole;
+    flipped[whole.size() / 2] ^= 1;
+    for (const std::string& bad : {whole.substr(0, whole.size() - 1), whole.substr(0, 10), std::string(), flipped}) {
+        static_cast<void>(folder.write("a.log.tdx", bad));
+        Played played(files);
+        EXPECT_THAT(played.notes.str(), HasSubstr("the log is indexed anew"));
+        EXPECT_EQ(played.text(15.1), first.text(15.1));
+        EXPECT_EQ(Played(files).notes.str(), "") << "and kept whole again";
+    }
+}
+
+TEST(FlightPlayer, KeepsNoIndexOfALogThatHasJustChangedOrIsShort) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", first_seconds(5)));
+    IndexPolicy policy = dense();
+    policy.rest = Duration::seconds(1'000'000);
+    EXPECT_THAT(Played(files, policy).notes.str(), HasSubstr("has just been changed; its index is not kept"));
+    policy.smallest_kept_log = 32u << 20;
+    EXPECT_EQ(Played(files, policy).notes.str(), "");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(FlightPlayer, PlaysFromAFolderThatCannotBeWritten) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", first_seconds(5)));
+    std::filesystem::create_directory(folder.file("a.log.tdx.part"));  // stands where the index is written, for root as well
+    Played played(files);
+    EXPECT_THAT(played.notes.str(), HasSubstr("its index is not kept"));
+    EXPECT_EQ(played.player.last() - played.player.first() > Duration::seconds(4), true);
+    EXPECT_EQ(std::filesystem::exists(folder.file("a.log.tdx")), false);
+}
+
+TEST(FlightPlayer, LeapsOverLongPausesOfTheRecording) {
+    // A recorder without a clock of its own starts in 1970 and is then set: 56 years without a frame must cost nothing.
+    const TemporaryFolder folder;
+    const std::string flight = first_seconds(40);
+    const std::int64_t first_second = std::stoll(flight.substr(1, 10));
+    std::string early;
+    for (int i = 0; i < 200; ++i) {
+        char line[80];
+        std::snprintf(line, sizeof line, "(%010d.%02d0000) can0 137#090200%02X00000000\n", 5 + i / 100, i % 100, i % 256);
+        early += line;
+    }
+    const PlayerFiles files = files_of(folder.write("a.log", early + flight), folder.write("a.switches", recorded().switch_log));
+    Played straight(files, without_index()), leaping(files);
+    const double pause = static_cast<double>(first_second - 5);
+    std::map<double, std::string> expected;
+    for (const double t : {0.5, 100.0, 1e8, pause - 0.5, pause + 0.01, pause + 7.77, pause + 39}) expected[t] = straight.text(t);
+    for (auto it = expected.rbegin(); it != expected.rend(); ++it) EXPECT_EQ(leaping.text(it->first), it->second) << it->first;
+    EXPECT_THAT(expected[1e8], HasSubstr("unknown. by none"));
+    EXPECT_THAT(expected[pause + 39], HasSubstr("takeoff."));
+}
+
+TEST(FlightPlayer, OtherSwitchesFromAnInstantOnPlayAsIfTheyHadBeenRecorded) {
+    const TemporaryFolder folder;
+    const std::string log = folder.write("a.log", first_seconds(60));
+    const PlayerFiles files = files_of(log, folder.write("a.switches", recorded().switch_log));
+    Played changed(files);
+    const base::Time press = changed.player.first() + Duration::seconds(20);
+    std::vector<bus::SwitchEdge> kept;
+    for (const bus::SwitchEdge& edge : changed.player.switch_edges())
+        if (edge.time <= press) kept.push_back(edge);
+    const bus::SwitchEdge up{press + Duration::milliseconds(10), 0, false}, down{press + Duration::milliseconds(30), 3, true};
+    static_cast<void>(changed.text(59));
+    changed.player.replace_switches_after(press, {up, down});
+    kept.insert(kept.end(), {up, down});
+    std::string text(bus::kSwitchLogHeader);
+    for (const bus::SwitchEdge& edge : kept) {
+        char line[bus::kMaxSwitchLogLine];
+        text.append(line, bus::format_switch_log_line(edge, changed.player.switch_config(), {line, sizeof line}));
+    }
+    Played as_recorded(files_of(log, folder.write("b.switches", text)), without_index());
+    for (const double t : {19.9, 20.02, 25.0, 59.0, 21.0}) EXPECT_EQ(changed.text(t), as_recorded.text(t)) << t;
+}
+
+TEST(FlightPlayer, CtrlCWhileIndexingLeavesNothing) {
+    const TemporaryFolder folder;
+    const PlayerFiles files = files_of(folder.write("a.log", first_seconds(20)));
+    struct Interrupter : std::stringbuf {
+        int sync() override {
+            std::raise(SIGINT);
+            return 0;
+        }
+    } interrupter;
+    std::ostringstream results;
+    std::ostream notes(&interrupter);
+    Console console(results, notes, false, true);
+    display::Display display;
+    EXPECT_THROW(FlightPlayer(files, display, &console, dense()), std::runtime_error);
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

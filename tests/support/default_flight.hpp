@@ -1,0 +1,114 @@
+/// The default flight as `scenario build default` writes it, and a display that flies it over its terrain without a screen.
+#pragma once
+
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "host_sim/flight_log/flight_log_writer.hpp"
+#include "host_sim/scenario/scenario_flight.hpp"
+#include "host_sim/scenario/scenario_switches.hpp"
+#include "host_sim/terrain_builder/tdb_image.hpp"
+#include "platform/reservation/memory_reservation.hpp"
+#include "platform/surface_factory.hpp"
+#include "render_core/display/display.hpp"
+#include "tests/support/device_files.hpp"
+#include "tests/support/memory_bytes.hpp"
+
+namespace tedavis::test_support {
+
+struct RecordedFlight {
+    std::string log;
+    std::string switch_log;
+    bus::SwitchConfig panel;
+};
+
+inline bus::SwitchConfig shipped_panel(const std::string& name) {
+    const std::string path = "configs/switches/" + name + ".toml";
+    return bus::load_switch_config(source_file(path), path).value();
+}
+
+inline RecordedFlight default_flight() {
+    const std::string path = "configs/scenarios/default.toml";
+    const host_sim::Scenario scenario = host_sim::parse_scenario(source_file(path), path);
+    const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();
+    const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
+    std::ostringstream log;
+    host_sim::write_flight_log(flight, host_sim::FlightLogSettings(), log, [](double) { return true; });
+    const bus::SwitchConfig panel = shipped_panel(scenario.switch_config);
+    return {log.str(), host_sim::scenario_switch_log(scenario, flight, panel), panel};
+}
+
+/// A candump or switch log again, `seconds` later. Stamps of ten digits before the point, as until the year 2286.
+inline std::string seconds_later(std::string log, std::int64_t seconds) {
+    constexpr std::size_t kDigits = 10;
+    for (std::size_t at = 0; at < log.size(); at = log.find('\n', at) + 1) {
+        if (log[at] == '(') {
+            const std::int64_t stamp = std::stoll(log.substr(at + 1, kDigits)) + seconds;
+            log.replace(at + 1, kDigits, std::to_string(stamp));
+        }
+        if (log.find('\n', at) == std::string::npos) break;
+    }
+    return log;
+}
+
+/// The database of the default flight's terrain, in memory.
+struct DefaultTerrain {
+    std::vector<std::uint8_t> image = build();
+    MemoryBytes bytes{image};
+
+    DefaultTerrain() = default;
+    DefaultTerrain(const DefaultTerrain&) = delete;
+    DefaultTerrain& operator=(const DefaultTerrain&) = delete;
+
+private:
+    static std::vector<std::uint8_t> build() {
+        const std::string raster = std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif";
+        host_sim::BuildOptions options;
+        options.le90_m = 16;
+        return host_sim::make_tdb(host_sim::make_model(host_sim::load_rasters({raster}, {}), options), options);
+    }
+};
+
+/// A started display; throws what start() says. `terrain` must outlive it and may be null.
+class HeadlessDisplay {
+public:
+    HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
+                    base::ByteSource* terrain) {
+        display::DisplaySettings settings;
+        settings.device = shipped_device(device);
+        const std::string design = "configs/designs/default.toml";
+        settings.design = design::read_design_settings(source_file(design), design).value();
+        settings.width_px = width;
+        settings.height_px = height;
+        settings.generated_flight = true;
+        const bool es2 = settings.device.capability.lane == effects::Lane::es2;
+        auto made =
+            platform::make_surface(backend, {width, height, es2 ? platform::ContextLane::es2 : platform::ContextLane::es3});
+        if (!made.ok()) throw std::runtime_error(made.error().sentence.c_str());
+        surface_ = std::move(made.value());
+        if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
+        reservation_ = std::move(
+            platform::reserve_memory(display::Display::bytes_needed(settings.device), platform::Residency::lazy).value());
+        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
+        if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
+    }
+    ~HeadlessDisplay() {
+        display_.stop();
+        surface_->release_current();
+    }
+    HeadlessDisplay(const HeadlessDisplay&) = delete;
+    HeadlessDisplay& operator=(const HeadlessDisplay&) = delete;
+
+    [[nodiscard]] display::Display& display() { return display_; }
+    [[nodiscard]] base::Surface& surface() { return *surface_; }
+
+private:
+    std::unique_ptr<base::Surface> surface_;
+    platform::MemoryReservation reservation_;
+    display::Display display_;
+};
+
+}  // namespace tedavis::test_support
