@@ -28,7 +28,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr int kDone = 0, kWrongUsage = 2;
+constexpr int kDone = 0, kWrongUsage = 2, kInterrupted = 130;
 
 /// Everything that the options write to, and what to run once they are parsed.
 struct CommandLine {
@@ -225,9 +225,14 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     check->add_option("FILE", c.files, "any file that the programs read")->required();
 }
 
-/// CLI11's messages may span lines; the contract is one sentence.
+/// Messages may span lines and quote what a broken file holds; the contract is one line that a terminal can show.
 std::string one_sentence(std::string text) {
-    for (char& c : text) c = c == '\n' ? ' ' : c;
+    constexpr std::size_t kLongest = 1000;
+    for (char& c : text) {
+        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    }
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     while (!text.empty() && text.back() == ' ') text.pop_back();
     return text;
 }
@@ -270,7 +275,10 @@ int run_command_line(int argc, const char* const* argv, std::ostream& results, s
     try {
         return parse_and_run(argc, argv, results, notes, live);
     } catch (const UserError& error) {
-        notes << "tedavis: " << error.what() << '\n';
+        notes << "tedavis: " << one_sentence(error.what()) << '\n';
+    } catch (const Interrupted& interrupted) {
+        notes << "tedavis: " << interrupted.what() << '\n';
+        return kInterrupted;
     } catch (const std::bad_alloc&) {
         notes << "tedavis: not enough memory for this input; split it\n";
     } catch (const std::exception& error) {

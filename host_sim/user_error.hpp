@@ -1,4 +1,4 @@
-/// A fault in what the user gave: one sentence that says what, where and what to do. Ends the command with exit code 2.
+/// What ends a command early, as exceptions: one sentence that says what, where and what to do.
 #pragma once
 
 #include <stdexcept>
@@ -6,9 +6,16 @@
 
 namespace tedavis::host_sim {
 
+/// A fault in what the user gave. Exit code 2.
 class UserError : public std::runtime_error {
 public:
     explicit UserError(const std::string& sentence) : std::runtime_error(sentence) {}
+};
+
+/// The user stopped the command before it had a result worth keeping. Exit code 130, as shells have it for Ctrl-C.
+class Interrupted : public std::runtime_error {
+public:
+    explicit Interrupted(const std::string& sentence) : std::runtime_error(sentence) {}
 };
 
 }  // namespace tedavis::host_sim

@@ -23,7 +23,11 @@ struct RasterOptions {
     VerticalDatum vertical_datum = VerticalDatum::egm96;
 };
 
-/// Heights above MSL (EGM96), row 0 in the north. Void posts hold NaN.
+/// Heights outside count as void: no land lies there, and marks that a file does not declare do.
+inline constexpr double kLowestHeight_m = -500, kHighestHeight_m = 9000;
+
+/// Heights above MSL (EGM96), row 0 in the north. Void posts hold NaN. Longitudes grow beyond 180 where the raster
+/// crosses the antimeridian.
 struct Raster {
     std::uint32_t columns = 0, rows = 0;
     double west_deg = 0, north_deg = 0, step_lon_deg = 0, step_lat_deg = 0;
@@ -32,12 +36,14 @@ struct Raster {
     std::string source;
     bool resampled = false;  ///< posts were interpolated from another grid
     std::uint64_t void_posts = 0;
+    std::vector<std::string> notes;  ///< sentences that the user should read
 
     [[nodiscard]] std::size_t at(std::uint32_t i, std::uint32_t j) const { return std::size_t{j} * columns + i; }
 };
 
-/// Posts of one geographic file are taken as they are; several files or another projection are warped bilinearly to the
-/// finest geographic step. Heights outside [-500, 9000] m count as void. Throws UserError.
+/// Posts of one geographic file are taken as they are; several files or another projection are interpolated bilinearly on
+/// the finest geographic step of them. Heights in feet become metres. Sea is where a height above MSL is exactly zero.
+/// Throws UserError.
 [[nodiscard]] Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

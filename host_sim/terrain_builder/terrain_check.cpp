@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
-#include <map>
 
 #include "host_sim/user_error.hpp"
 #include "render_core/base/hash.hpp"
@@ -47,6 +47,10 @@ void require_same_lattice(const Image& image, const Raster& raster, const std::s
         throw UserError(name + ": was not built from these rasters (other posts); name the rasters and options of its build");
 }
 
+double distance_m(const ChunkVertex& a, const ChunkVertex& b) {
+    return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
+}
+
 /// One chunk of the file against the same chunk made anew.
 class ChunkComparison {
 public:
@@ -56,42 +60,52 @@ public:
 
     /// An empty reason when nothing is wrong.
     [[nodiscard]] ChunkViolation run() const {
-        ChunkViolation violation{chunk_name(expected_), "", 0};
-        if (stated_.offset > file_.size() || stated_.bytes > file_.size() - stated_.offset) {
-            violation.reason = "lies beyond the end of the file";
-        } else if (base::crc32(file_.data() + stated_.offset, stated_.bytes) != stated_.crc) {
-            violation.reason = "checksum does not match its bytes";
-        } else if (stated_.bytes != expected_.bytes ||
-                   std::memcmp(file_.data() + stated_.offset, fresh_.data() + expected_.offset, stated_.bytes) != 0) {
-            violation.reason = "differs from the rasters";
-            violation.excess_m = largest_height_difference();
-        }
-        const double excess = std::max(expected_.above_m - stated_.above_m, expected_.below_m - stated_.below_m);
-        if (violation.reason.empty() && (excess > 0 || expected_.bound_m > stated_.bound_m)) {
-            violation.reason = "its mesh is farther from the true surface than it states";
-            violation.excess_m = std::max(excess, double{expected_.bound_m} - stated_.bound_m);
-        }
-        return violation;
+        const std::string name = chunk_name(expected_);
+        if (stated_.offset > file_.size() || stated_.bytes > file_.size() - stated_.offset)
+            return {name, "lies beyond the end of the file", 0};
+        if (base::crc32(file_.data() + stated_.offset, stated_.bytes) != stated_.crc)
+            return {name, "checksum does not match its bytes", 0};
+        if (stated_.bytes != expected_.bytes) return {name, "has other vertices than the rasters give", 0};
+        if (std::memcmp(file_.data() + stated_.offset, fresh_.data() + expected_.offset, stated_.bytes) != 0)
+            return {name, "differs from the rasters", largest_difference_m()};
+        const double excess_m = std::max(
+            {expected_.above_m - stated_.above_m, expected_.below_m - stated_.below_m, expected_.bound_m - stated_.bound_m});
+        if (excess_m > 0) return {name, "its mesh is farther from the true surface than it states", excess_m};
+        if (!same_description()) return {name, "its entry in the directory differs from the rasters", 0};
+        return {name, "", 0};
     }
 
 private:
-    [[nodiscard]] double largest_height_difference() const {
-        const std::size_t count = std::min(stated_.vertex_count, expected_.vertex_count);
+    /// Everything of the entry but where its bytes lie.
+    [[nodiscard]] bool same_description() const {
+        ChunkEntry a = stated_, b = expected_;
+        a.offset = b.offset = 0;
+        return std::memcmp(&a, &b, sizeof a) == 0;
+    }
+
+    template <class T>
+    [[nodiscard]] T read(const std::vector<std::uint8_t>& bytes, const ChunkEntry& entry, std::size_t offset) const {
+        T value;
+        std::memcpy(&value, bytes.data() + entry.offset + offset, sizeof value);
+        return value;
+    }
+
+    /// Of positions and heights; values that are no numbers count as the largest height there is.
+    [[nodiscard]] double largest_difference_m() const {
         double largest = 0;
-        if (stated_.bytes < count * sizeof(ChunkVertex)) return largest;
-        for (std::size_t n = 0; n < count; ++n) {
-            ChunkVertex a, b;
-            std::memcpy(&a, file_.data() + stated_.offset + n * sizeof a, sizeof a);
-            std::memcpy(&b, fresh_.data() + expected_.offset + n * sizeof b, sizeof b);
-            largest = std::max(largest, std::abs(double{a.height_m} - b.height_m));
+        const auto include = [&largest](double difference_m) {
+            largest = std::max(largest, std::isfinite(difference_m) ? std::abs(difference_m) : kHighestHeight_m);
+        };
+        for (std::size_t n = 0; n < expected_.vertex_count; ++n) {
+            const auto a = read<ChunkVertex>(file_, stated_, n * sizeof(ChunkVertex)),
+                       b = read<ChunkVertex>(fresh_, expected_, n * sizeof(ChunkVertex));
+            include(double{a.height_m} - b.height_m);
+            include(distance_m(a, b));
         }
-        if (stated_.level != 0 || stated_.bytes != expected_.bytes) return largest;
+        if (expected_.level != 0) return largest;
         for (std::size_t n = 0; n < std::size_t{kChunkPosts} * kChunkPosts; ++n) {
-            float a, b;
-            const std::size_t offset = stated_.bytes - kLeafPostBytes + n * sizeof(float);
-            std::memcpy(&a, file_.data() + stated_.offset + offset, sizeof a);
-            std::memcpy(&b, fresh_.data() + expected_.offset + offset, sizeof b);
-            if (!(std::abs(double{a} - b) <= largest)) largest = std::abs(double{a} - b);
+            const std::size_t offset = expected_.bytes - kLeafPostBytes + n * sizeof(float);
+            include(double{read<float>(file_, stated_, offset)} - read<float>(fresh_, expected_, offset));
         }
         return largest;
     }
@@ -102,6 +116,38 @@ private:
     const ChunkEntry& expected_;
 };
 
+/// Places and names are the file's own; everything else follows from the rasters.
+bool same_header(FileHeader stated, FileHeader expected) {
+    for (FileHeader* h : {&stated, &expected}) {
+        h->le90_m = 0;
+        h->directory_crc = h->header_crc = 0;
+        std::memset(h->source, 0, sizeof h->source);
+        std::memset(h->vertical_datum, 0, sizeof h->vertical_datum);
+    }
+    return std::memcmp(&stated, &expected, sizeof stated) == 0;
+}
+
+bool same_undulation(const std::vector<std::uint8_t>& file, const FileHeader& stated, const std::vector<std::uint8_t>& fresh,
+                     const FileHeader& expected) {
+    const std::size_t bytes = std::size_t{expected.undulation_columns} * expected.undulation_rows * sizeof(float);
+    if (stated.undulation_offset > file.size() || bytes > file.size() - stated.undulation_offset) return false;
+    return std::memcmp(file.data() + stated.undulation_offset, fresh.data() + expected.undulation_offset, bytes) == 0;
+}
+
+void check_frame(const std::vector<std::uint8_t>& file, const Image& image, const std::vector<std::uint8_t>& fresh_file,
+                 const Image& fresh, std::vector<ChunkViolation>& violations) {
+    const auto add = [&violations](bool holds, const char* part, const char* reason) {
+        if (!holds) violations.push_back({part, reason, 0});
+    };
+    const FileHeader& h = image.header;
+    add(base::crc32(&h, offsetof(FileHeader, header_crc)) == h.header_crc, "header", "checksum does not match its bytes");
+    add(base::crc32(image.entries.data(), image.entries.size() * sizeof(ChunkEntry)) == h.directory_crc, "directory",
+        "checksum does not match its bytes");
+    add(file.size() == h.file_bytes, "file", "is not as long as its header says");
+    add(same_header(h, fresh.header), "header", "differs from the rasters");
+    add(same_undulation(file, h, fresh_file, fresh.header), "geoid undulation", "differs from EGM96");
+}
+
 }  // namespace
 
 TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string& name, const TerrainModel& model,
@@ -110,21 +156,18 @@ TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string
     require_same_lattice(image, model.raster, name);
     const std::vector<std::uint8_t> fresh_bytes = make_tdb(model, options);
     const Image fresh = parse(fresh_bytes, "recomputed database");
-    TerrainCheck check;
-    check.chunks = fresh.entries.size();
     if (fresh.entries.size() != image.entries.size())
         throw UserError(name + ": has " + std::to_string(image.entries.size()) + " chunks where its rasters give " +
                         std::to_string(fresh.entries.size()) + "; build it again");
+    TerrainCheck check;
+    check.chunks = fresh.entries.size();
+    check_frame(bytes, image, fresh_bytes, fresh, check.violations);
     for (std::size_t n = 0; n < fresh.entries.size(); ++n) {
         const ChunkViolation violation = ChunkComparison(bytes, fresh_bytes, image.entries[n], fresh.entries[n]).run();
         if (violation.reason.empty()) continue;
         check.violations.push_back(violation);
         check.worst_excess_m = std::max(check.worst_excess_m, violation.excess_m);
     }
-    const bool header_differs =
-        std::memcmp(bytes.data(), fresh_bytes.data(), sizeof(FileHeader)) != 0 && check.violations.empty();
-    if (header_differs && std::memcmp(&image.header, &fresh.header, offsetof(FileHeader, le90_m)) != 0)
-        check.violations.push_back({"header", "differs from the rasters", 0});
     return check;
 }
 

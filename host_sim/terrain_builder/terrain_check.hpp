@@ -10,9 +10,10 @@
 namespace tedavis::host_sim {
 
 struct ChunkViolation {
-    std::string chunk;  ///< "level/i/j"
+    std::string chunk;  ///< "level/i/j", or the part of the file outside its chunks
     std::string reason;
-    double excess_m = 0;  ///< error found minus error stated, where that is the reason
+    /// Error found minus error stated, or the largest difference of a height or a position from the rasters.
+    double excess_m = 0;
 };
 
 struct TerrainCheck {

@@ -1,0 +1,45 @@
+/// One height file as GDAL opens it: where its posts lie and how its numbers become metres.
+#pragma once
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host_sim/terrain_builder/raster.hpp"
+
+namespace tedavis::host_sim {
+
+using GdalDataset = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
+
+struct RasterSource {
+    std::string file;
+    GdalDataset dataset;
+    OGRSpatialReference crs;            ///< longitude or easting first
+    std::array<double, 6> transform{};  ///< GDAL's: pixel corner to coordinates of `crs`
+    double metres_per_count = 1, offset_m = 0;
+    /// North-up on a lattice of WGS84 longitude and latitude, to a hundredth of a post: posts can be taken as they are.
+    bool plain = false;
+};
+
+/// Columns and rows of pixels, first ones and counts.
+struct PostWindow {
+    int i = 0, j = 0, columns = 0, rows = 0;
+};
+
+/// Opens a raster, or the first one inside a zip archive. Throws UserError for what is no height raster with a place on
+/// Earth: no raster, not georeferenced, no or an unknown coordinate system, a colour picture, values that are no lengths.
+[[nodiscard]] RasterSource open_raster_source(const std::string& file, const RasterOptions& options);
+
+/// Heights in metres above the file's datum, row by row; NaN where the file or the options mark a void and where a value
+/// lies outside kLowestHeight_m..kHighestHeight_m. Throws UserError where the file is damaged.
+[[nodiscard]] std::vector<float> read_heights(const RasterSource& source, const PostWindow& window, const RasterOptions& options);
+
+/// WGS84 longitude and latitude, in this order.
+[[nodiscard]] OGRSpatialReference wgs84_longitude_latitude();
+
+}  // namespace tedavis::host_sim
