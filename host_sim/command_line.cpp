@@ -23,6 +23,7 @@
 #include "host_sim/console.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/version.hpp"
+#include "host_sim/window/window_keys.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
 namespace tedavis::host_sim {
@@ -43,6 +44,7 @@ struct CommandLine {
     DiffOptions diff;
     CheckOptions check;
     std::string replay_config;
+    std::vector<CLI::Option*> replay_config_holds;  ///< what must not stand beside --config
     bool json = false;
     std::function<int(Console&)> run;
 };
@@ -93,7 +95,6 @@ std::string phase_from(const std::string& name) {
 void add_picture_options(CLI::App* command, PictureOptions& picture) {
     static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
     command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
-    command->add_option("--scene", picture.scene, "scene database (.sdb)");
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
     command->add_option_function<std::string>(
@@ -102,10 +103,6 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
         ->transform(CLI::CheckedTransformer(kGl).description(""))
         ->default_str("egl");
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(CLI::PositiveNumber);
-    add_optional(command, "--deadline", picture.deadline_ms, "milliseconds a frame may take; default: off")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--costs", picture.costs, "measured costs of the machine");
-    command->add_flag("--force-effects", picture.force_effects, "run every effect that the device can, needed or not");
 }
 
 void add_convert(CLI::App& app, CommandLine& line) {
@@ -184,33 +181,58 @@ void add_shot(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
 }
 
-void add_replay(CLI::App& app, CommandLine& line) {
-    ReplayOptions& o = line.replay;
-    CLI::App* command = add_command(
-        app, line, "replay", "recorded bus through the core: frames, records and a report", [&line](Console& console) {
-            if (!line.replay_config.empty()) {
-                const std::string output = line.replay.output;
-                line.replay = load_replay_config(line.replay_config);
-                line.replay.output = output;
-            }
-            if (line.replay.log.empty())
-                throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
-            return run_replay(line.replay, console);
-        });
-    command->add_option("LOG", o.log, "candump log");
-    command->add_option("--config", line.replay_config, "a file that --save-config wrote; only -o is added to it")
-        ->excludes("LOG");
-    command->add_option("-o", o.output, "folder to write to")->required();
-    command->add_option("--switches", o.switches, "switch log");
-    command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
+/// What --config says, with what may stand beside it on the command line.
+void use_replay_config(CommandLine& line) {
+    if (line.replay_config.empty()) return;
+    for (const CLI::Option* option : line.replay_config_holds)
+        if (option->count() > 0)
+            throw UserError("--config " + line.replay_config + ": this file says it already; leave out " + option->get_name());
+    const ReplayOptions given = line.replay;
+    line.replay = load_replay_config(line.replay_config);
+    line.replay.output = given.output;
+    line.replay.window = given.window;
+    line.replay.tour = given.tour;
+    line.replay.save_config = given.save_config;
+}
+
+int run_replay_line(CommandLine& line, Console& console) {
+    use_replay_config(line);
+    if (line.replay.log.empty()) throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
+    return run_replay(line.replay, console);
+}
+
+void add_replay_instants(CLI::App* command, ReplayOptions& o) {
     add_optional(command, "--from", o.from_s, "seconds since the log's first frame");
     add_optional(command, "--to", o.to_s, "seconds since the log's first frame");
     add_optional(command, "--step", o.step_s, "seconds between frames, negative to go backwards; default: the device's rate");
-    const std::map<std::string, FrameOutput> outputs{
+    static const std::map<std::string, FrameOutput> kOutputs{
         {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
-    command->add_option("--frames", o.frames, "png, hash or none; default: png")->transform(CLI::CheckedTransformer(outputs));
-    command->add_option("--save-config", o.save_config, "writes data, design and parameters of this replay to a file");
+    command
+        ->add_option_function<FrameOutput>(
+            "--frames", [&o](const FrameOutput& value) { o.frames = value; },
+            "png, hash or none; default: png, with --window hash")
+        ->transform(CLI::CheckedTransformer(kOutputs).description(""));
+}
+
+void add_replay(CLI::App& app, CommandLine& line) {
+    ReplayOptions& o = line.replay;
+    CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
+                                    [&line](Console& console) { return run_replay_line(line, console); });
+    command->add_option("LOG", o.log, "candump log");
+    command->add_option("--switches", o.switches, "switch log");
+    command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
+    add_replay_instants(command, o);
     add_picture_options(command, o.picture);
+    line.replay_config_holds = command->get_options(
+        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
+    command->add_option("-o", o.output, "folder to write to")->required();
+    command->add_option("--save-config", o.save_config,
+                        "writes data, design and parameters of this replay to a file, after --window with its switches");
+    CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below");
+    command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
+    command->add_option("--config", line.replay_config,
+                        "a file that --save-config wrote; beside it only -o, --save-config, --window and --tour");
+    command->footer(window_keys_help());
 }
 
 void add_comparisons(CLI::App& app, CommandLine& line) {

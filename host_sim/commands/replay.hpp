@@ -18,32 +18,29 @@ struct PictureSize {
 
 /// What replay and shot share. Names of shipped files may be short ("cruise"); the command resolves them.
 struct PictureOptions {
-    std::string terrain;                ///< .tdb; empty: no terrain
-    std::string scene;                  ///< .sdb; empty: none
+    std::string terrain;  ///< .tdb; empty: no terrain
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
-    std::optional<PictureSize> size;    ///< nothing: the device's
-    GlChoice gl = GlChoice::egl;
-    std::optional<double> tau_px;       ///< nothing: the design's
-    std::optional<double> deadline_ms;  ///< nothing: off
-    std::string costs;                  ///< measured costs; empty: those of the device
-    bool force_effects = false;
+    std::optional<PictureSize> size;  ///< nothing: the device's
+    GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
+    std::optional<double> tau_px;     ///< nothing: the design's
 };
 
 struct ReplayOptions {
     std::string log;
-    std::string output;                 ///< folder
-    std::string switches;               ///< switch log; empty: none
+    std::string output;    ///< folder
+    std::string switches;  ///< switch log; empty: none
     std::string switch_config = "one_hot";
     PictureOptions picture;
-    std::optional<double> from_s, to_s; ///< seconds since the log's first frame
-    std::optional<double> step_s;       ///< nothing: one frame of the device's rate; negative: backwards
-    FrameOutput frames = FrameOutput::png;
-    bool ledger = false;
+    std::optional<double> from_s, to_s;  ///< seconds since the log's first frame
+    std::optional<double> step_s;        ///< nothing: one frame of the device's rate; negative: backwards
+    std::optional<FrameOutput> frames;   ///< nothing: pictures, in the window hashes
     bool window = false;
-    std::string tour;                   ///< path file for the free camera; with window only
-    std::string save_config;            ///< writes everything above to this file
+    std::string tour;         ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only
+    std::string save_config;  ///< writes data, design and parameters to this file
+
+    [[nodiscard]] FrameOutput frame_output() const { return frames.value_or(window ? FrameOutput::hash : FrameOutput::png); }
 };
 
 /// Returns the exit code; throws UserError.

@@ -1,7 +1,7 @@
 #include "host_sim/commands/replay_config.hpp"
 
 #include <array>
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -9,6 +9,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 
@@ -19,27 +20,39 @@ constexpr std::array<std::string_view, 3> kFrameNames = {"png", "hash", "none"};
 constexpr std::array<std::string_view, 2> kGlNames = {"egl", "osmesa"};
 constexpr double kLargestNumber = 1e9;
 
+/// A TOML basic string; a path may hold any byte but 0.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
+        const auto byte = static_cast<unsigned char>(c);
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
+        if (byte < 0x20 || byte == 0x7f)
+            out += escaped;
+        else
+            out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
     }
     return out + '"';
 }
 
-/// A path stays right when the config is used from elsewhere; a short name stays short.
-std::string portable(const std::string& path) {
-    std::error_code error;
-    if (path.empty() || !std::filesystem::exists(path, error)) return path;
-    return std::filesystem::absolute(path).lexically_normal().string();
+/// A path stays right when the config is used from elsewhere.
+std::string absolute(const std::string& path) {
+    return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
+}
+
+/// The name of a shipped file stays short.
+std::string absolute_unless_shipped(const std::string& name, const std::string& folder) {
+    return resolve_config(name, folder) == name ? absolute(name) : name;
 }
 
 class TomlWriter {
 public:
     TomlWriter() { text_.precision(std::numeric_limits<double>::max_digits10); }
 
-    void path(const char* key, const std::string& value) { word(key, portable(value)); }
+    void path(const char* key, const std::string& value) { word(key, absolute(value)); }
+    void config(const char* key, const std::string& name, const char* folder) {
+        word(key, absolute_unless_shipped(name, folder));
+    }
     void word(const char* key, std::string_view value) {
         if (!value.empty()) text_ << key << " = " << quoted(std::string(value)) << '\n';
     }
@@ -47,9 +60,6 @@ public:
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
     }
     void integer(const char* key, std::uint32_t value) { text_ << key << " = " << value << '\n'; }
-    void flag(const char* key, bool value) {
-        if (value) text_ << key << " = true\n";
-    }
     void section(const char* name) { text_ << "\n[" << name << "]\n"; }
     [[nodiscard]] std::string text() const { return text_.str(); }
 
@@ -61,21 +71,20 @@ std::optional<double> optional_number(base::ConfigSection& section, std::string_
     return section.has(key) ? std::optional<double>(section.number(key, -kLargestNumber, kLargestNumber)) : std::nullopt;
 }
 
-std::string text_of(base::ConfigSection& section, std::string_view key, const std::string& fallback) { return std::string(section.text(key, fallback)); }
+std::string text_of(base::ConfigSection& section, std::string_view key, const std::string& fallback) {
+    return std::string(section.text(key, fallback));
+}
 
 void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.terrain = text_of(section, "terrain", "");
-    picture.scene = text_of(section, "scene", "");
     picture.design = text_of(section, "design", picture.design);
     picture.device = text_of(section, "device", picture.device);
     picture.bus = text_of(section, "bus", picture.bus);
-    picture.costs = text_of(section, "costs", "");
     picture.gl = static_cast<GlChoice>(section.choice("gl", {kGlNames.data(), kGlNames.size()}, 0));
     picture.tau_px = optional_number(section, "tau_px");
-    picture.deadline_ms = optional_number(section, "deadline_ms");
-    picture.force_effects = section.boolean("force_effects", false);
     if (section.has("width") || section.has("height")) {
-        picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)), static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
+        picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
+                                   static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
     }
 }
 
@@ -84,34 +93,30 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
 std::string replay_config_text(const ReplayOptions& options) {
     TomlWriter toml;
     toml.path("log", options.log);
-    toml.path("output", options.output);
     toml.path("switches", options.switches);
-    toml.path("switch_config", options.switch_config);
+    toml.config("switch_config", options.switch_config, "switches");
     toml.number("from_s", options.from_s);
     toml.number("to_s", options.to_s);
     toml.number("step_s", options.step_s);
-    toml.word("frames", kFrameNames[static_cast<std::size_t>(options.frames)]);
-    toml.flag("ledger", options.ledger);
+    if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
     const PictureOptions& picture = options.picture;
     toml.section("picture");
     toml.path("terrain", picture.terrain);
-    toml.path("scene", picture.scene);
-    toml.path("design", picture.design);
-    toml.path("device", picture.device);
-    toml.path("bus", picture.bus);
-    toml.path("costs", picture.costs);
+    toml.config("design", picture.design, "designs");
+    toml.config("device", picture.device, "devices");
+    toml.config("bus", picture.bus, "buses");
     if (picture.size) {
         toml.integer("width", picture.size->width);
         toml.integer("height", picture.size->height);
     }
     toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
     toml.number("tau_px", picture.tau_px);
-    toml.number("deadline_ms", picture.deadline_ms);
-    toml.flag("force_effects", picture.force_effects);
     return toml.text();
 }
 
-void save_replay_config(const ReplayOptions& options, const std::string& path) { write_file_atomically(path, replay_config_text(options)); }
+void save_replay_config(const ReplayOptions& options, const std::string& path) {
+    write_file_atomically(path, replay_config_text(options));
+}
 
 ReplayOptions load_replay_config(const std::string& path) {
     const std::string text = read_file(path);
@@ -119,14 +124,13 @@ ReplayOptions load_replay_config(const std::string& path) {
     base::ConfigSection root = reader.root();
     ReplayOptions options;
     options.log = text_of(root, "log", "");
-    options.output = text_of(root, "output", "");
     options.switches = text_of(root, "switches", "");
     options.switch_config = text_of(root, "switch_config", options.switch_config);
     options.from_s = optional_number(root, "from_s");
     options.to_s = optional_number(root, "to_s");
     options.step_s = optional_number(root, "step_s");
-    options.frames = static_cast<FrameOutput>(root.choice("frames", {kFrameNames.data(), kFrameNames.size()}, 0));
-    options.ledger = root.boolean("ledger", false);
+    if (root.has("frames"))
+        options.frames = static_cast<FrameOutput>(root.choice("frames", {kFrameNames.data(), kFrameNames.size()}, 0));
     read_picture(root.section("picture"), options.picture);
     if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
     return options;

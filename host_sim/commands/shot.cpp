@@ -1,8 +1,8 @@
 #include "host_sim/commands/shot.hpp"
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/geoid_egm96.hpp"
 #include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/geoid_below.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
@@ -22,11 +22,9 @@ flight::AircraftState posed_aircraft(const ShotPose& pose, display::Display& dis
     flight::OwnShipEstimate& own = state.own_ship;
     own.position.latitude_rad = radians(pose.latitude_deg);
     own.position.longitude_rad = earth::wrap_longitude(radians(pose.longitude_deg));
-    const terrain::TerrainDatabase* database = display.terrain_database();
-    const earth::GeoidUndulation undulation =
-        database != nullptr ? database->undulation(own.position.latitude_rad, own.position.longitude_rad)
-                            : GeoidEgm96::installed().undulation(own.position.latitude_rad, own.position.longitude_rad);
-    own.position.height = earth::to_ellipsoid({pose.altitude_msl_m}, undulation);
+    GeoidBelow geoid(display.terrain_database());
+    own.position.height =
+        earth::to_ellipsoid({pose.altitude_msl_m}, geoid.at(own.position.latitude_rad, own.position.longitude_rad));
     own.at = kShotTime;
     own.state = base::SignalState::valid;
     own.height_is_geometric = true;

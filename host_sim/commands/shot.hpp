@@ -18,7 +18,7 @@ struct ShotOptions {
     ShotPose pose;
     std::string phase = "unknown";  ///< "takeoff.first_climb", checked by the command line
     PictureOptions picture;
-    std::string output;             ///< X.png; the record goes beside it as X.json
+    std::string output;  ///< X.png; the record goes beside it as X.json
 };
 
 /// Returns the exit code; throws UserError.

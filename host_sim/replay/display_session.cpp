@@ -1,6 +1,7 @@
 #include "host_sim/replay/display_session.hpp"
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/surface_factory.hpp"
@@ -17,43 +18,56 @@ effects::DeviceSettings load_device(const std::string& name) {
     return device.value();
 }
 
-design::DesignSettings load_design(const PictureOptions& options) {
-    const std::string path = resolve_config(options.design, "designs");
-    auto design = design::read_design_settings(read_file(path), path);
-    if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
-    if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
-    return design.value();
+SurfaceMaker headless_surface(GlChoice gl) {
+    return [gl](const platform::SurfaceSettings& settings) {
+        return platform::make_surface(gl == GlChoice::egl ? "egl" : "osmesa", settings);
+    };
 }
 
 }  // namespace
 
-DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight) : device_(load_device(options.device)) {
+DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight)
+    : DisplaySession(options, generated_flight, headless_surface(options.gl)) {}
+
+DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface)
+    : device_(load_device(options.device)) {
     display::DisplaySettings settings;
     settings.device = device_;
     settings.design = load_design(options);
     settings.width_px = options.size ? options.size->width : device_.width_px;
     settings.height_px = options.size ? options.size->height : device_.height_px;
     settings.generated_flight = generated_flight;
-    if (!options.terrain.empty()) {
-        auto file = platform::open_file(options.terrain.c_str());
-        if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
-        terrain_file_ = std::move(file.value());
-    }
+    open_terrain(options.terrain);
     const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
-    auto surface =
-        platform::make_surface(options.gl == GlChoice::egl ? "egl" : "osmesa", {settings.width_px, settings.height_px, lane});
+    open_surface({settings.width_px, settings.height_px, lane}, make_surface);
+    start_display(settings, options.terrain);
+    pixels_.resize(std::size_t{settings.width_px} * settings.height_px * 4);
+}
+
+void DisplaySession::open_terrain(const std::string& path) {
+    if (path.empty()) return;
+    auto file = platform::open_file(path.c_str());
+    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    terrain_file_ = std::move(file.value());
+}
+
+void DisplaySession::open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface) {
+    auto surface = make_surface(settings);
     if (!surface.ok()) throw UserError(std::string(surface.error().sentence.view()));
     surface_ = std::move(surface.value());
-    if (!surface_->make_current()) throw UserError("--gl: the drawing surface cannot be made current; try the other --gl");
+    if (!surface_->make_current())
+        throw UserError("the drawing surface cannot be made current; try another --gl, or another screen for --window");
+}
+
+void DisplaySession::start_display(const display::DisplaySettings& settings, const std::string& terrain) {
     auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
     if (!reservation.ok()) throw UserError(std::string(reservation.error().sentence.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
     const gl::GlError error =
-        display_->start(settings, reservation_.arena(), *surface_, options.terrain.empty() ? nullptr : &terrain_file_);
+        display_->start(settings, reservation_.arena(), *surface_, terrain.empty() ? nullptr : &terrain_file_);
     if (!error.sentence.empty())
-        throw UserError((options.terrain.empty() ? std::string() : options.terrain + ": ") + std::string(error.sentence.view()));
-    pixels_.resize(std::size_t{settings.width_px} * settings.height_px * 4);
+        throw UserError((terrain.empty() ? std::string() : terrain + ": ") + std::string(error.sentence.view()));
 }
 
 DisplaySession::~DisplaySession() {
@@ -72,6 +86,10 @@ void DisplaySession::draw() {
     display_->draw(*surface_);
     if (!gl::read_pixels(display_->gl(), width(), height(), {pixels_.data(), pixels_.size()}))
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
+}
+
+void DisplaySession::present() {
+    if (surface_->present() != base::SurfaceState::ready) throw UserError("the drawing surface was lost; start the replay again");
 }
 
 std::uint64_t DisplaySession::frame_hash() const {

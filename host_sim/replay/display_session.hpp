@@ -1,6 +1,7 @@
 /// A display running on the desk: surface, reservation, terrain file and core, opened from the user's options.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,16 +9,23 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/png_file.hpp"
 #include "platform/files/file_byte_source.hpp"
+#include "platform/platform_error.hpp"
 #include "platform/reservation/memory_reservation.hpp"
+#include "platform/surface_settings.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
 
+using SurfaceMaker =
+    std::function<base::Result<std::unique_ptr<base::Surface>, platform::PlatformError>(const platform::SurfaceSettings&)>;
+
 class DisplaySession {
 public:
-    /// Throws UserError with the sentence of whatever cannot be opened.
+    /// Throws UserError with the sentence of whatever cannot be opened. Draws without a screen, as `options.gl` says.
     DisplaySession(const PictureOptions& options, bool generated_flight);
+    /// Draws on the surface that `make_surface` opens.
+    DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
     ~DisplaySession();
     DisplaySession(const DisplaySession&) = delete;
     DisplaySession& operator=(const DisplaySession&) = delete;
@@ -31,10 +39,16 @@ public:
 
     /// Draws what was planned and reads it back; bottom row first.
     void draw();
+    /// Shows what was drawn last where the surface has a screen. Throws UserError when the surface is lost.
+    void present();
     [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
     [[nodiscard]] std::uint64_t frame_hash() const;
 
 private:
+    void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
+    void open_terrain(const std::string& path);
+    void start_display(const display::DisplaySettings& settings, const std::string& terrain);
+
     effects::DeviceSettings device_;
     std::unique_ptr<base::Surface> surface_;
     platform::MemoryReservation reservation_;

@@ -10,6 +10,7 @@ inline constexpr char kFrameRecordsName[] = "frames.jsonl";
 inline constexpr char kSummaryName[] = "summary.json";
 inline constexpr char kReportName[] = "report.html";
 inline constexpr char kFramesFolder[] = "frames";
+inline constexpr char kWindowSwitchesName[] = "window.switches";
 
 /// "<folder>/frames/000123.png".
 [[nodiscard]] std::string frame_picture_path(const std::string& folder, std::uint64_t frame);

@@ -1,0 +1,114 @@
+#include "host_sim/replay/run_recorder.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/reports/html_report.hpp"
+#include "host_sim/reports/run_folder.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using flight::Signal;
+
+double milliseconds_between(base::Time a, base::Time b) { return (b - a).to_seconds() * 1000; }
+
+/// "000123.png", as frame_picture_path names them.
+bool is_frame_picture(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    return file.extension() == ".png" && stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// A shorter run must not end in pictures of a longer one before it.
+void remove_frame_pictures(const std::string& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (is_frame_picture(entry.path())) old.push_back(entry.path());
+    for (const auto& file : old) std::filesystem::remove(file, error);
+}
+
+const std::string& made_folder(const ReplayOptions& options) {
+    const std::string frames = options.output + "/" + kFramesFolder;
+    make_folder(options.output);
+    remove_frame_pictures(frames);
+    if (options.frame_output() == FrameOutput::png) make_folder(frames);
+    return options.output;
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player)
+    : options_(options),
+      session_(session),
+      player_(player),
+      records_(made_folder(options), player.first()),
+      story_(player.first()) {}
+
+const FrameResult& RunRecorder::draw(base::Time time) {
+    instant_ = player_.at(time);
+    const base::Time start = platform::monotonic_now();
+    session_.display().update(instant_.aircraft, instant_.phase, time);
+    const base::Time planned = platform::monotonic_now();
+    session_.draw();
+    const base::Time drawn = platform::monotonic_now();
+    result_.record = session_.display().record();
+    result_.timing = {milliseconds_between(start, planned), milliseconds_between(planned, drawn),
+                      milliseconds_between(start, drawn)};
+    result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
+    result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
+    return result_;
+}
+
+void RunRecorder::keep() {
+    records_.write(result_);
+    total_ms_.push_back(result_.timing.total_ms);
+    worst_error_px_ = std::max(worst_error_px_, result_.record.terrain.worst_error_px);
+    const double above = instant_.aircraft[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
+    if (story_.add(result_, above, instant_.aircraft[Signal::ground_speed].value_or(0)))
+        story_.add_picture(result_, session_.pixels());
+    if (options_.frame_output() == FrameOutput::png)
+        write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());
+}
+
+void RunRecorder::finish(bool interrupted, Console& console) {
+    records_.commit();
+    const RunSummary done = summary(interrupted);
+    const base::BudgetTable& memory = session_.display().budget();
+    write_run_reports(options_.output, done, story_, memory);
+    char line[200];
+    std::snprintf(line, sizeof line, ": %llu frames%s, %.1f frames/s median, worst terrain error %.2f px",
+                  static_cast<unsigned long long>(done.frames), interrupted ? " (interrupted)" : "", done.fps_median,
+                  done.worst_error_px);
+    console.result(options_.output + line, run_summary_json(done, memory));
+}
+
+RunSummary RunRecorder::summary(bool interrupted) {
+    RunSummary s;
+    s.frames = records_.written();
+    const FrameTimes times = frame_times(total_ms_);
+    s.fps_median = times.median_ms > 0 ? 1000 / times.median_ms : 0;
+    s.ms_p99 = times.p99_ms;
+    s.worst_error_px = worst_error_px_;
+    s.gl_calls_outside_device = session_.display().gl().denied().total;
+    s.device = options_.picture.device;
+    s.design = options_.picture.design;
+    s.terrain = options_.picture.terrain;
+    s.log = options_.log;
+    s.switches = options_.switches;
+    s.width = session_.width();
+    s.height = session_.height();
+    s.gl = session_.gl_description();
+    const bus::BusCounters counters = player_.counters_of_whole_log();
+    s.can = {counters.frames, counters.decoded, counters.alien, counters.errors, counters.dropped};
+    s.interrupted = interrupted;
+    s.notes = player_.notes();
+    s.notes.insert(s.notes.end(), notes_.begin(), notes_.end());
+    return s;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,49 @@
+/// Draws instants of a flight and keeps what a run's folder holds: records, hashes, pictures, summary and report.
+///
+/// The batch replay and the window draw through this one class, so that both show the same pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/flight_player.hpp"
+#include "host_sim/reports/frame_record_writer.hpp"
+#include "host_sim/reports/run_story.hpp"
+#include "host_sim/reports/run_summary.hpp"
+
+namespace tedavis::host_sim {
+
+class RunRecorder {
+public:
+    /// Creates the folder and removes the pictures of an earlier run from it. All three arguments must outlive the recorder.
+    /// Throws UserError where the folder cannot be written.
+    RunRecorder(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player);
+
+    /// Plays the flight to the instant, plans, draws and reads the picture back.
+    [[nodiscard]] const FrameResult& draw(base::Time time);
+    /// Adds the frame drawn last to the run.
+    void keep();
+    /// A sentence for the summary.
+    void note(const std::string& sentence) { notes_.push_back(sentence); }
+    [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
+
+    /// Writes the records, the summary and the report, and states the command's result. Once, at the end.
+    void finish(bool interrupted, Console& console);
+
+private:
+    [[nodiscard]] RunSummary summary(bool interrupted);
+
+    const ReplayOptions& options_;
+    DisplaySession& session_;
+    FlightPlayer& player_;
+    FrameRecordWriter records_;
+    RunStory story_;
+    PlayedInstant instant_;
+    FrameResult result_;
+    std::vector<double> total_ms_;
+    std::vector<std::string> notes_;
+    double worst_error_px_ = 0;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,74 @@
+/// A session at the window: the controller's wishes carried out on the flight, the display and the run's folder.
+///
+/// What is seen from the cockpit goes into the folder as in a batch run: frames.jsonl, summary.json, report.html. Keys of
+/// the phase switches act at the shown instant: from there on the panel stands as the keys leave it, and what an earlier
+/// switch log or key said about later times is forgotten. The resulting switches stand in window.switches; with them a
+/// batch replay draws the same pictures. Neither a clock nor a screen is needed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host_sim/console.hpp"
+#include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/frame_instants.hpp"
+#include "host_sim/replay/run_recorder.hpp"
+#include "host_sim/window/camera_tour.hpp"
+#include "host_sim/window/design_watch.hpp"
+#include "host_sim/window/window_controller.hpp"
+#include "platform/window/window_surface.hpp"
+
+namespace tedavis::host_sim {
+
+class LiveRun {
+public:
+    /// `window` is the surface of `session`. All but the options, which are copied, must outlive the run. Throws UserError.
+    LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player, platform::Window& window,
+            Console& console);
+
+    /// Takes the window's events, lets `wall` go by, and draws where something changed; true when it drew.
+    bool turn(base::Duration wall);
+    [[nodiscard]] bool closed() const { return controller_.closed(); }
+    [[nodiscard]] const WindowController& controller() const { return controller_; }
+
+    /// Writes the folder and, where asked for, the config that replays the session. Once, at the end.
+    void finish(bool interrupted);
+
+private:
+    /// What a picture depends on; an equal one needs no drawing.
+    struct Shown {
+        std::uint64_t frame = 0, revision = 0;
+        CameraMode mode = CameraMode::cockpit;
+        CameraPose camera;
+    };
+    void take_events();
+    void turn_switches(std::uint32_t pattern);
+    void watch_design(base::Duration wall);
+    [[nodiscard]] Shown wanted() const;
+    void draw(const Shown& wanted);
+    void aim(const Shown& wanted);
+    void show_title();
+    [[nodiscard]] base::Time shown_time() const { return times_.in_order_of_time(controller_.transport().frame()); }
+    [[nodiscard]] double seconds(base::Time time) const { return (time - player_.first()).to_seconds(); }
+    [[nodiscard]] std::string switches_path() const;
+    void write_switches() const;
+
+    ReplayOptions options_;
+    DisplaySession& session_;
+    FlightPlayer& player_;
+    platform::Window& window_;
+    Console& console_;
+    FrameInstants times_;
+    DesignWatch design_;
+    std::optional<CameraTour> tour_;
+    WindowController controller_;
+    RunRecorder recorder_;
+    std::optional<Shown> shown_;
+    std::uint64_t revision_ = 0;  ///< of switches and design
+    base::Duration since_look_;
+    std::optional<base::Time> latest_kept_;
+    std::string title_;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,45 @@
+#include "host_sim/window/live_window.hpp"
+
+#include <chrono>
+#include <thread>
+
+#include "host_sim/interrupt.hpp"
+#include "host_sim/replay/generated_flight.hpp"
+#include "host_sim/window/live_run.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr std::chrono::milliseconds kRest(2);
+
+void run_until_closed(LiveRun& run, Console& console) {
+    console.note("press h in the window for its keys");
+    const InterruptGuard interrupt;
+    base::Time before = platform::monotonic_now();
+    while (!run.closed() && !interrupt.requested()) {
+        const base::Time now = platform::monotonic_now();
+        if (!run.turn(now - before)) std::this_thread::sleep_for(kRest);
+        before = now;
+    }
+    run.finish(interrupt.requested());
+}
+
+}  // namespace
+
+void run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
+    platform::Window* window = nullptr;
+    const SurfaceMaker make_surface =
+        [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
+        auto made = make_window(settings, "TEDAVIS");
+        if (!made.ok()) return base::fail(made.error());
+        window = made.value().get();
+        return std::unique_ptr<base::Surface>(std::move(made.value()));
+    };
+    DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
+    FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
+    LiveRun run(options, session, player, *window, console);
+    run_until_closed(run, console);
+}
+
+}  // namespace tedavis::host_sim

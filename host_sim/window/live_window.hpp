@@ -1,0 +1,19 @@
+/// `tedavis replay --window`: the flight in a window on the screen.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/console.hpp"
+#include "platform/window/window_surface.hpp"
+
+namespace tedavis::host_sim {
+
+using WindowMaker = std::function<base::Result<std::unique_ptr<platform::Window>, platform::PlatformError>(
+    const platform::SurfaceSettings&, const char* title)>;
+
+/// Runs until the window is closed or Ctrl-C. Throws UserError, also where there is no screen; then nothing is written.
+void run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window = platform::make_window);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,59 @@
+/// What the person at the window wants, from events and time: the state machine of the live window. Pure: no clock, no
+/// screen, no files, so that tests play a session event by event.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host_sim/window/free_camera.hpp"
+#include "host_sim/window/transport.hpp"
+#include "host_sim/window/window_keys.hpp"
+#include "platform/window/window_events.hpp"
+
+namespace tedavis::host_sim {
+
+enum class CameraMode : std::uint8_t { cockpit, free, tour };
+
+class WindowController {
+public:
+    /// `patterns`: how many the switch panel has. With a tour the camera begins on it.
+    WindowController(const Transport& transport, std::uint32_t patterns, bool has_tour);
+
+    void handle(const platform::WindowEvent& event);
+    /// `wall` has gone by: the flight plays on, the free camera flies on.
+    void advance(base::Duration wall);
+    /// Where the picture on the screen is seen from, and its pixels per unit tangent: a free camera starts there, and the
+    /// mouse turns it by as much as the picture moves.
+    void note_picture(const CameraPose& eye, double focal_px);
+
+    [[nodiscard]] bool closed() const { return closed_; }
+    [[nodiscard]] const Transport& transport() const { return transport_; }
+    [[nodiscard]] CameraMode camera_mode() const { return mode_; }
+    [[nodiscard]] const FreeCamera& camera() const { return camera_; }
+    /// The pattern that was selected since the last call.
+    [[nodiscard]] std::optional<std::uint32_t> take_pattern();
+    /// Whether the keys were asked for since the last call.
+    [[nodiscard]] bool take_help();
+
+private:
+    void press(const platform::WindowEvent& event);
+    [[nodiscard]] bool press_transport(WindowAction action);
+    void press_once(const KeyMeaning& meaning);
+    void select(std::uint32_t pattern);
+    void set_held(WindowAction action, bool held);
+    void toggle(CameraMode mode);
+
+    Transport transport_;
+    std::uint32_t patterns_;
+    bool has_tour_;
+    bool closed_ = false, help_ = false;
+    CameraMode mode_ = CameraMode::cockpit;
+    FreeCamera camera_;
+    CameraPose eye_;
+    double focal_px_ = 1;
+    std::uint32_t held_ = 0;  ///< one bit an action fly_...
+    std::optional<std::uint32_t> pattern_, wanted_pattern_;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,52 @@
+/// Which key does what in the live window: one table, read by the window and by its help.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "platform/window/window_events.hpp"
+
+namespace tedavis::host_sim {
+
+enum class WindowAction : std::uint8_t {
+    none,
+    close,
+    help,
+    play_or_pause,
+    reverse,
+    step_forward,
+    step_back,
+    seek_forward,
+    seek_back,
+    seek_far_forward,
+    seek_far_back,
+    to_start,
+    to_end,
+    faster,
+    slower,
+    normal_speed,
+    switch_pattern,
+    next_pattern,
+    previous_pattern,
+    free_camera,
+    tour,
+    fly_forward,
+    fly_back,
+    fly_left,
+    fly_right,
+    fly_up,
+    fly_down,
+};
+
+struct KeyMeaning {
+    WindowAction action = WindowAction::none;
+    std::uint32_t pattern = 0;  ///< of switch_pattern: place in the panel's list, from 0
+};
+
+/// What a pressed or released key stands for. The actions fly_... last while their key is held.
+[[nodiscard]] KeyMeaning meaning_of_key(const platform::WindowEvent& event);
+
+/// A line a key.
+[[nodiscard]] std::string window_keys_help();
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,76 @@
+#include "host_sim/window/design_watch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+const std::string kSound = "name = \"a\"\n[terrain]\ntau_px = 2\n";
+const std::string kOther = "name = \"b\"\n[terrain]\ntau_px = 3\n";
+const std::string kBroken = "name = \"c\"\n[terrain]\ntau_px = \"much\"\n";
+
+struct Watched {
+    test_support::TemporaryFolder folder;
+    PictureOptions options;
+    Watched() { options.design = folder.write("design.toml", kSound); }
+    void write(const std::string& text) const { folder.write("design.toml", text); }
+};
+
+TEST(DesignWatch, TakesAChangeThatHasSettled) {
+    const Watched watched;
+    DesignWatch watch(watched.options);
+    EXPECT_EQ(watch.look(), DesignNews::none);
+    watched.write(kOther);
+    EXPECT_EQ(watch.look(), DesignNews::none) << "may be half written";
+    EXPECT_EQ(watch.look(), DesignNews::changed);
+    EXPECT_EQ(watch.design().terrain.tau_px, 3);
+    EXPECT_EQ(watch.look(), DesignNews::none);
+}
+
+TEST(DesignWatch, ABrokenEditIsToldOnceAndTheOldDesignStays) {
+    const Watched watched;
+    DesignWatch watch(watched.options);
+    watched.write(kBroken);
+    EXPECT_EQ(watch.look(), DesignNews::none);
+    EXPECT_EQ(watch.look(), DesignNews::broken);
+    EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("design.toml:3"));
+    EXPECT_EQ(watch.look(), DesignNews::none);
+    EXPECT_EQ(watch.design().terrain.tau_px, 2);
+    watched.write(kOther);
+    static_cast<void>(watch.look());
+    EXPECT_EQ(watch.look(), DesignNews::changed) << "mended";
+}
+
+TEST(DesignWatch, AFileThatIsAwayForAMomentIsNoNews) {
+    const Watched watched;
+    DesignWatch watch(watched.options);
+    std::filesystem::remove(watched.options.design);
+    for (int n = 0; n < 3; ++n) EXPECT_EQ(watch.look(), DesignNews::none);
+    watched.write(kSound);
+    for (int n = 0; n < 3; ++n) EXPECT_EQ(watch.look(), DesignNews::none) << "the same again";
+}
+
+TEST(DesignWatch, TheCommandLineStaysAboveTheFile) {
+    Watched watched;
+    watched.options.tau_px = 8;
+    DesignWatch watch(watched.options);
+    watched.write(kOther);
+    static_cast<void>(watch.look());
+    EXPECT_EQ(watch.look(), DesignNews::changed);
+    EXPECT_EQ(watch.design().terrain.tau_px, 8);
+}
+
+TEST(DesignWatch, AnUnsoundDesignIsRefusedAtTheStart) {
+    const Watched watched;
+    watched.write(kBroken);
+    test_support::expect_user_error([&] { DesignWatch watch(watched.options); }, "design.toml:3");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

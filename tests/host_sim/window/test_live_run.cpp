@@ -1,0 +1,290 @@
+#include "host_sim/window/live_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "host_sim/commands/replay_config.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+#include "tests/support/frame_lines.hpp"
+#include "tests/support/scripted_window.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using base::Duration;
+using platform::Key;
+using test_support::hashes_by_time;
+using test_support::ScriptedWindow;
+using ::testing::HasSubstr;
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+SurfaceMaker scripted(ScriptedWindow*& window) {
+    return
+        [&window](
+            const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
+            auto surface = platform::make_surface("egl", settings);
+            if (!surface.ok()) return base::fail(surface.error());
+            auto made = std::make_unique<ScriptedWindow>(std::move(surface.value()));
+            window = made.get();
+            return std::unique_ptr<base::Surface>(std::move(made));
+        };
+}
+
+/// A session at a window without a screen.
+struct Desk {
+    std::ostringstream results, notes;
+    Console console{results, notes, false, false};
+    ReplayOptions options;
+    ScriptedWindow* window = nullptr;
+    std::unique_ptr<DisplaySession> session;
+    std::unique_ptr<FlightPlayer> player;
+    std::unique_ptr<LiveRun> run;
+
+    explicit Desk(const ReplayOptions& asked) : options(asked) {
+        options.window = true;
+        session = std::make_unique<DisplaySession>(options.picture, false, scripted(window));
+        player = std::make_unique<FlightPlayer>(
+            PlayerFiles{options.log, options.picture.bus, options.switches, options.switch_config}, session->display());
+        run = std::make_unique<LiveRun>(options, *session, *player, *window, console);
+    }
+    /// Half a second goes by, a frame of the options' step.
+    bool turn() { return run->turn(Duration::milliseconds(500)); }
+    void turns(int count) {
+        for (int n = 0; n < count; ++n) turn();
+    }
+    /// Ends the session; another display may then be opened.
+    void finish() {
+        run->finish(false);
+        run.reset();
+        player.reset();
+        session.reset();
+    }
+    [[nodiscard]] std::string switches() const { return options.output + "/window.switches"; }
+};
+
+void replay_batch(const ReplayOptions& options) {
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    ASSERT_EQ(run_replay(options, console), 0);
+}
+
+/// Whether every frame of the first run has its like in the second.
+void expect_within(const std::map<double, std::string>& some, const std::map<double, std::string>& all) {
+    EXPECT_FALSE(some.empty());
+    for (const auto& [time, hash] : some) {
+        ASSERT_EQ(all.count(time), 1u) << "no frame at " << time;
+        EXPECT_EQ(all.at(time), hash) << "at " << time;
+    }
+}
+
+TEST(LiveRun, ShowsThePicturesOfABatchReplay) {
+    Desk desk(files().options("live_plain"));
+    desk.turns(5);
+    desk.window->press(Key::space);
+    desk.turn();
+    EXPECT_FALSE(desk.turn()) << "paused: nothing new to draw";
+    desk.window->press('.');
+    desk.window->press(Key::right);
+    EXPECT_TRUE(desk.turn());
+    const int presented = desk.window->presented();
+    desk.finish();
+    replay_batch(files().options("batch_plain"));
+    const auto shown = hashes_by_time(desk.options.output);
+    EXPECT_GE(shown.size(), 5u);
+    expect_within(shown, hashes_by_time(files().folder.file("batch_plain")));
+    EXPECT_EQ(test_support::summary_of(desk.options.output).at("frames"), presented);
+}
+
+TEST(LiveRun, RecordedSwitchesReplayToTheSamePictures) {
+    Desk desk(files().options("live_switches"));
+    desk.turns(3);
+    desk.window->press('3');  // cruise
+    desk.turns(4);
+    desk.window->press('4');  // approach
+    desk.turns(3);
+    desk.finish();
+
+    ReplayOptions with = files().options("batch_switches"), without = files().options("batch_no_switches");
+    with.switches = desk.switches();
+    replay_batch(with);
+    replay_batch(without);
+    const auto shown = hashes_by_time(desk.options.output);
+    expect_within(shown, hashes_by_time(with.output));
+    const auto unswitched = hashes_by_time(without.output);
+    std::size_t different = 0;
+    for (const auto& [time, hash] : shown) different += unswitched.at(time) != hash ? 1 : 0;
+    EXPECT_GE(different, 6u) << "the switches must show";
+    const auto lines = test_support::frame_lines(desk.options.output);
+    EXPECT_EQ(lines.back().at("phase"), "approach");
+    EXPECT_EQ(lines.back().at("phase_source"), "switch");
+}
+
+TEST(LiveRun, AfterGoingBackTheNewTakeCounts) {
+    Desk desk(files().options("live_take"));
+    desk.turns(4);
+    desk.window->press('3');
+    desk.turns(8);
+    desk.window->press(Key::space);
+    desk.window->press(Key::home);
+    desk.turn();
+    desk.window->press('.');
+    desk.turn();
+    desk.window->press('5');
+    desk.window->press(Key::space);
+    desk.turns(14);
+    desk.finish();
+    ReplayOptions with = files().options("batch_take");
+    with.switches = desk.switches();
+    replay_batch(with);
+    expect_within(hashes_by_time(desk.options.output), hashes_by_time(with.output));
+    EXPECT_EQ(test_support::frame_lines(with.output).back().at("phase"), "go_around");
+    EXPECT_THAT(files().folder.read("live_take/window.switches"), ::testing::Not(HasSubstr("CRUISE 1")));
+    EXPECT_THAT(test_support::summary_of(desk.options.output).at("notes").dump(), HasSubstr("later than 0.500 s"));
+}
+
+TEST(LiveRun, GoesOnFromARecordedSwitchLog) {
+    ReplayOptions first = files().options("live_first");
+    Desk desk(first);
+    desk.turns(2);
+    desk.window->press('2');
+    desk.turns(2);
+    desk.finish();
+    ReplayOptions second = files().options("live_second");
+    second.switches = desk.switches();
+    Desk again(second);
+    again.turns(6);
+    again.window->press('6');
+    again.turns(4);
+    again.finish();
+    const std::string log = files().folder.read("live_second/window.switches");
+    EXPECT_THAT(log, HasSubstr("panel.TAKEOFF 1"));
+    EXPECT_THAT(log, HasSubstr("panel.REPLAN 1"));
+    ReplayOptions batch = files().options("batch_second");
+    batch.switches = again.switches();
+    replay_batch(batch);
+    expect_within(hashes_by_time(again.options.output), hashes_by_time(batch.output));
+}
+
+TEST(LiveRun, ItsSavedConfigReplaysTheSession) {
+    ReplayOptions options = files().options("live_config");
+    options.save_config = files().folder.file("session.toml");
+    options.from_s = 1;
+    Desk desk(options);
+    desk.turns(2);
+    desk.window->press('4');
+    desk.turns(20);
+    EXPECT_FALSE(desk.run->controller().transport().playing()) << "at the end";
+    desk.finish();
+    ReplayOptions loaded = load_replay_config(options.save_config);
+    EXPECT_FALSE(loaded.window);
+    loaded.output = files().folder.file("batch_config");
+    replay_batch(loaded);
+    expect_within(hashes_by_time(desk.options.output), hashes_by_time(loaded.output));
+}
+
+TEST(LiveRun, TheFreeCameraShowsAnotherPictureAndIsNotRecorded) {
+    Desk desk(files().options("live_camera"));
+    desk.window->press(Key::space);
+    desk.turn();
+    const std::uint64_t cockpit = desk.session->frame_hash();
+    desk.window->press('c');
+    EXPECT_TRUE(desk.turn());
+    desk.window->press('w');
+    EXPECT_TRUE(desk.turn());
+    const std::uint64_t flown = desk.session->frame_hash();
+    EXPECT_NE(flown, cockpit);
+    EXPECT_THAT(desk.window->title(), HasSubstr("free camera 200 m/s"));
+    desk.window->press('c');
+    EXPECT_TRUE(desk.turn());
+    EXPECT_EQ(desk.session->frame_hash(), cockpit) << "back in the cockpit";
+    desk.finish();
+    for (const auto& line : test_support::frame_lines(desk.options.output)) EXPECT_EQ(line.at("time_s"), 0);
+}
+
+TEST(LiveRun, ATourIsTiedToTheFlight) {
+    ReplayOptions options = files().options("live_tour");
+    options.tour = files().folder.write("tour.csv",
+                                        "time_s,latitude_deg,longitude_deg,altitude_m,heading_deg,pitch_deg,roll_deg\n0,47.0,9.7,"
+                                        "2500,0,-20,0\n6,47.04,9.7,2500,90,-20,0\n");
+    Desk desk(options);
+    desk.window->press(Key::space);
+    desk.turn();
+    const std::uint64_t first = desk.session->frame_hash();
+    desk.window->press('.');
+    desk.turn();
+    EXPECT_NE(desk.session->frame_hash(), first);
+    desk.window->press(',');
+    desk.turn();
+    EXPECT_EQ(desk.session->frame_hash(), first);
+    EXPECT_THAT(desk.window->title(), HasSubstr("tour"));
+    desk.finish();
+    EXPECT_TRUE(test_support::frame_lines(desk.options.output).empty());
+}
+
+TEST(LiveRun, ABadTourIsRefusedBeforeAnythingIsWritten) {
+    ReplayOptions options = files().options("live_bad_tour");
+    options.tour = files().folder.write("bad.csv", "time_s\n");
+    test_support::expect_user_error([&] { Desk desk(options); }, "bad.csv:1: ");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
+    options.tour = files().folder.file("none.csv");
+    test_support::expect_user_error([&] { Desk desk(options); }, "none.csv: ");
+}
+
+TEST(LiveRun, AChangedDesignIsShownAtOnceAndABrokenOneIsNot) {
+    const std::string sound = read_file(resolve_config("default", "designs"));
+    std::string other = sound;
+    other.replace(other.find("field_of_view_deg = 60"), 22, "field_of_view_deg = 40");
+    other.replace(other.find("\"#1c54a8\""), 9, "\"#541ca8\"");
+    other.replace(other.find("dpi = 96"), 8, "dpi = 220");
+    ReplayOptions options = files().options("live_design");
+    options.picture.design = files().folder.write("live.toml", sound);
+    Desk desk(options);
+    desk.window->press(Key::space);
+    desk.turns(2);
+    const std::uint64_t before = desk.session->frame_hash();
+    files().folder.write("live.toml", "name = \n");
+    desk.turns(3);
+    EXPECT_EQ(desk.session->frame_hash(), before);
+    EXPECT_THAT(desk.notes.str(), HasSubstr("live.toml:1"));
+    files().folder.write("live.toml", other);
+    desk.turns(3);
+    EXPECT_NE(desk.session->frame_hash(), before);
+    EXPECT_THAT(desk.notes.str(), HasSubstr("design reloaded"));
+    desk.finish();
+    // A display that was started with the new design is the oracle.
+    ReplayOptions batch = options;
+    batch.output = files().folder.file("batch_design");
+    batch.to_s = 0;
+    replay_batch(batch);
+    EXPECT_EQ(hashes_by_time(batch.output).at(0), hashes_by_time(desk.options.output).at(0));
+}
+
+TEST(LiveRun, TellsKeysAndState) {
+    Desk desk(files().options("live_title"));
+    desk.turns(2);
+    EXPECT_THAT(desk.window->title(), HasSubstr("x1"));
+    desk.window->press(Key::up);
+    desk.window->press('r');
+    desk.window->press('h');
+    desk.turn();
+    EXPECT_THAT(desk.window->title(), HasSubstr("x2 backwards"));
+    EXPECT_THAT(desk.notes.str(), HasSubstr("Keys of the window"));
+    EXPECT_FALSE(desk.run->closed());
+    desk.window->press(Key::escape);
+    desk.turn();
+    EXPECT_TRUE(desk.run->closed());
+    desk.finish();
+    EXPECT_THAT(desk.results.str(), HasSubstr("frames"));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
