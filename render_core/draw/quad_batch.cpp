@@ -156,9 +156,28 @@ bool QuadBatch::text(std::string_view text, Point anchor_point, TextAnchor ancho
     const float down = font_atlas().cap_height_em * style.size_px / 2;
     const Point along{std::cos(angle_rad), std::sin(angle_rad)};
     const Point pen{anchor_point.x - along.x * back - along.y * down, anchor_point.y - along.y * back + along.x * down};
+    if (clipped_ && is_cut(text, pen, style, along)) return true;
     bool fits = true;
     if (style.halo_px > 0) fits = glyphs(text, pen, style, style.halo_px, style.halo_color, along);
     return glyphs(text, pen, style, 0, style.color, along) && fits;
+}
+
+bool QuadBatch::is_cut(std::string_view text, Point pen, const TextStyle& style, Point along) const {
+    const FontAtlas& atlas = font_atlas();
+    const float texel_px = style.size_px / atlas.texels_per_em;
+    // A glyph's box is wider than its ink by the spread, which upright boxes may lose.
+    const float margin = along.y == 0 ? atlas.spread_em * style.size_px : 0;
+    while (!text.empty()) {
+        const Glyph& glyph = glyph_of(take_code_point(text));
+        const Rect whole{glyph.left * texel_px, glyph.top * texel_px, glyph.width * texel_px, glyph.height * texel_px};
+        const Rect box = whole.shrunk(margin);
+        if (!box.empty())
+            for (const float x : {box.x, box.right()})
+                for (const float y : {box.y, box.bottom()})
+                    if (!clip_.contains(Point{pen.x + along.x * x - along.y * y, pen.y + along.y * x + along.x * y})) return true;
+        pen = {pen.x + along.x * glyph.advance_em * style.size_px, pen.y + along.y * glyph.advance_em * style.size_px};
+    }
+    return false;
 }
 
 bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color,
@@ -175,15 +194,13 @@ bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style,
         const Rect whole = box;
         if (clipped_ && upright) box = common(box, {clip_.x - pen.x, clip_.y - pen.y, clip_.width, clip_.height});
         Corner corners[4];
-        bool inside = !box.empty();
-        for (int i = 0; inside && i < 4; ++i) {
+        for (int i = 0; i < 4; ++i) {
             const float x = i == 1 || i == 2 ? box.right() : box.x, y = i >= 2 ? box.bottom() : box.y;
             corners[i] = {
                 {pen.x + along.x * x - along.y * y, pen.y + along.y * x + along.x * y},
                 {(glyph.u + (x - whole.x) / texel_px) / atlas_width, (glyph.v + (y - whole.y) / texel_px) / atlas_height}};
-            inside = upright || !clipped_ || clip_.contains(corners[i].at);
         }
-        if (inside) fits = add_quad(corners, -(1 + fatten_px), range_px, color) && fits;
+        if (!box.empty()) fits = add_quad(corners, -(1 + fatten_px), range_px, color) && fits;
         pen = {pen.x + along.x * glyph.advance_em * style.size_px, pen.y + along.y * glyph.advance_em * style.size_px};
     }
     return fits;

@@ -46,8 +46,8 @@ public:
 
     /// Empties the batch and lifts the clip; counters of refusals stay.
     void clear();
-    /// Until the next call, shapes are cut at this box: lines and upright text exactly (a cut line loses its smoothed
-    /// end), triangles and turned text are left out where they would reach beyond it.
+    /// Until the next call, shapes are cut at this box: lines exactly (a cut line loses its smoothed end); triangles and
+    /// texts are left out where they would reach beyond it, for a number without its last digit is another number.
     void set_clip(const Rect& clip);
     void lift_clip() { clipped_ = false; }
 
@@ -73,6 +73,7 @@ private:
         Point at, uv;
     };
     bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color);
+    [[nodiscard]] bool is_cut(std::string_view text, Point pen, const TextStyle& style, Point along) const;
     bool has_room(std::size_t vertices, std::size_t indices);
     bool glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color, Point along);
     QuadVertex& add_vertex(Point at, Point uv, float extent_x, float extent_y, design::Color color);
