@@ -1,11 +1,10 @@
-/// How fast a candump log becomes signals on one core, against a bare newline scan of the same bytes; and how quickly and
-/// in how much memory a log of 1 GB is sought into. `--json` prints the lines as a list.
+/// How fast a candump log becomes signals on one core, against a bare newline scan of the same bytes. `--json` prints the
+/// lines as a list.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -14,7 +13,7 @@
 #include "bus/canaerospace/message_encoder.hpp"
 #include "bus/candump/candump_line.hpp"
 #include "bus/candump/candump_log_source.hpp"
-#include "bus/state/replay_index.hpp"
+#include "bus/state/state_assembler.hpp"
 
 namespace {
 
@@ -58,41 +57,6 @@ std::string flight_log() {
     return text;
 }
 
-/// The block over and over with the seconds of its stamps moved on: a log of any length without a file of that length.
-class LongLog final : public base::ByteSource {
-public:
-    LongLog(const std::string& block, std::uint64_t repeats) : block_(block), repeats_(repeats) {
-        for (std::size_t at = 0; at < block.size(); at = block.find('\n', at) + 1) starts_.push_back(at);
-    }
-    [[nodiscard]] std::uint64_t size() const override { return block_.size() * repeats_; }
-    [[nodiscard]] bool read(std::uint64_t offset, void* destination, std::size_t count) override {
-        if (offset + count > size()) return false;
-        auto* out = static_cast<char*>(destination);
-        for (std::size_t done = 0; done < count;) {
-            const std::size_t from = (offset + done) % block_.size();
-            const std::size_t part = std::min(count - done, block_.size() - from);
-            copy_patched((offset + done) / block_.size(), from, part, out + done);
-            done += part;
-        }
-        return true;
-    }
-
-private:
-    void copy_patched(std::uint64_t repeat, std::size_t from, std::size_t count, char* out) const {
-        std::memcpy(out, block_.data() + from, count);
-        auto line = std::upper_bound(starts_.begin(), starts_.end(), from);
-        if (line != starts_.begin()) --line;
-        for (; line != starts_.end() && *line < from + count; ++line) {
-            std::int64_t second = std::atoll(block_.data() + *line + 1) + static_cast<std::int64_t>(repeat) * kBlockSeconds;
-            for (std::size_t digit = *line + 10; digit > *line; --digit, second /= 10)
-                if (digit >= from && digit < from + count) out[digit - from] = static_cast<char>('0' + second % 10);
-        }
-    }
-    const std::string& block_;
-    std::uint64_t repeats_;
-    std::vector<std::size_t> starts_;
-};
-
 /// Processor time, so that other programs on the machine do not count; nothing here waits or uses a second thread.
 template <class Work>
 double best_seconds(int runs, Work work) {
@@ -114,13 +78,6 @@ std::uint64_t count_newlines(const std::string& text) {
         at = static_cast<const char*>(found) + 1;
     }
     return lines;
-}
-
-double resident_peak_mib() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.rfind("VmHWM:", 0) == 0) return std::atof(line.c_str() + 6) / 1024;
-    return -1;
 }
 
 struct Line {
@@ -175,34 +132,6 @@ void measure_decoding(const std::string& text, std::vector<Line>& lines) {
                      whole && decode / scan <= scan_rate / 5e6, 1});
 }
 
-void measure_long_log(const std::string& text, std::vector<Line>& lines) {
-    LongLog log(text, (1ull << 30) / text.size() + 1);
-    std::vector<char> window(256 * 1024);
-    CandumpLogSource source(log, {window.data(), window.size()});
-    std::vector<ReplayCheckpoint> checkpoints(64);
-    auto index = std::make_unique<ReplayIndex>(source, BusSettings(),
-                                               base::Span<ReplayCheckpoint>(checkpoints.data(), checkpoints.size()));
-    const double indexing = best_seconds(1, [&] {
-        while (index->extend(1 << 20)) {
-        }
-    });
-    const base::Duration length = index->extent().last - index->extent().first;
-    std::vector<CanFrame> batch(64);
-    double slowest = 0;
-    for (int i = 1; i < 16; ++i) {
-        const base::Time wanted = index->extent().first + base::Duration{length.ns / 16 * i};
-        slowest = std::max(slowest, best_seconds(1, [&] {
-                               auto assembler = std::make_unique<StateAssembler>(index->seek(wanted));
-                               while (const std::size_t count = source.read(wanted, {batch.data(), batch.size()}))
-                                   assembler->feed({batch.data(), count});
-                           }));
-    }
-    const double resident = resident_peak_mib();
-    lines.push_back({"seek into 1 GiB, slowest of 15", slowest, "s", 1, slowest <= 1, indexing});
-    lines.push_back(
-        {"peak resident memory, 1 GiB log", resident, "MiB", 256, resident <= 256, static_cast<double>(log.size()) / (1 << 20)});
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -214,7 +143,6 @@ int main(int argc, char** argv) {
     const std::string text = flight_log();
     std::vector<Line> lines;
     measure_decoding(text, lines);
-    measure_long_log(text, lines);
     json ? print_json(lines) : print_table(lines);
     return std::all_of(lines.begin(), lines.end(), [](const Line& line) { return line.holds; }) ? 0 : 1;
 }
