@@ -1,0 +1,127 @@
+#include "target/board_config.hpp"
+
+#include "bus/canaerospace/identifier_table.hpp"
+#include "platform/surface_settings.hpp"
+#include "render_core/base/config_reader.hpp"
+#include "target/file_text.hpp"
+
+namespace tedavis::target {
+namespace {
+
+constexpr std::uint16_t kIdentificationRequest = 128;
+constexpr std::string_view kBackends[] = {"egl", "osmesa"};
+
+/// Reads one board file; the first fault of a file that it names is kept with that file's own place.
+class BoardFile {
+public:
+    BoardFile(std::string_view text, const char* path) : path_(path), reader_(text, path) {}
+
+    base::Result<BoardSettings, BoardError> read() {
+        base::ConfigSection root = reader_.root();
+        settings_.title.append(root.text("title", "board"));
+        take(root, "device", settings_.device, &effects::read_device_settings);
+        take(root, "design", settings_.design, &design::read_design_settings);
+        take(root, "bus", settings_.bus, &bus::load_bus_settings);
+        read_switches(root.section("switches"));
+        read_terrain(root.section("terrain"));
+        read_can(root.section("can"));
+        read_surface(root.section("surface"));
+        const bool touch = root.section("memory").boolean("touch", true);
+        settings_.residency = touch ? platform::Residency::touched : platform::Residency::lazy;
+        if (!reader_.finish()) return base::fail(make_board_error({reader_.error().sentence.view()}));
+        if (!named_file_fault_.sentence.empty()) return base::fail(named_file_fault_);
+        return settings_;
+    }
+
+private:
+    /// The path behind `key`; empty after a fault.
+    Path path_at(base::ConfigSection& section, std::string_view key) {
+        const std::string_view name = section.text(key);
+        if (name.empty()) {
+            section.fault(key, "no file is named here; write its path");
+            return {};
+        }
+        const Path path = path_beside(path_, name);
+        if (!path.cut()) return path;
+        section.fault(key, "the path is longer than 1023 bytes; use a shorter one");
+        return {};
+    }
+
+    template <class Settings, class Load>
+    void take(base::ConfigSection& section, std::string_view key, Settings& settings, Load load) {
+        const Path path = path_at(section, key);
+        if (path.empty()) return;
+        const auto text = read_file_text(path.c_str());
+        if (!text.ok()) return section.fault(key, text.error().sentence.view());
+        auto loaded = load(text.value().view(), path.view());
+        if (loaded.ok())
+            settings = loaded.value();
+        else if (named_file_fault_.sentence.empty())
+            named_file_fault_ = make_board_error({loaded.error().sentence.view()});
+    }
+
+    void read_switches(base::ConfigSection section) {
+        settings_.has_switches = section.present();
+        if (section.present()) take(section, "config", settings_.switches, &bus::load_switch_config);
+    }
+
+    void read_terrain(base::ConfigSection section) {
+        if (section.present()) settings_.terrain = path_at(section, "database");
+    }
+
+    void read_can(base::ConfigSection section) {
+        bus::SocketCanSettings& can = settings_.can;
+        const std::string_view name = section.text("interface");
+        can.interface_name = base::FixedString<15>(name);
+        if (name.empty() || can.interface_name.cut())
+            section.fault("interface", "an interface name has 1 to 15 bytes; write it as `ip link` shows it");
+        can.can_fd = section.boolean("fd", false);
+        can.receive_buffer_bytes =
+            static_cast<std::uint32_t>(section.integer("receive_buffer_bytes", 4096, 1 << 28, can.receive_buffer_bytes));
+        can.reopen_interval = base::Duration::from_seconds(section.number("reopen_s", 0.1, 60, can.reopen_interval.to_seconds()));
+        if (section.boolean("filter", true)) add_bus_filters(can, settings_.bus);
+    }
+
+    void read_surface(base::ConfigSection section) {
+        settings_.surface.append(kBackends[section.choice("backend", kBackends, 0)]);
+        const auto size = [&section](std::string_view key, std::uint32_t of_device) {
+            // A device that could not be read has said so already.
+            const std::int64_t fallback = of_device == 0 ? platform::kMinSurfacePx : of_device;
+            return static_cast<std::uint32_t>(section.integer(key, platform::kMinSurfacePx, platform::kMaxSurfacePx, fallback));
+        };
+        settings_.width_px = size("width_px", settings_.device.width_px);
+        settings_.height_px = size("height_px", settings_.device.height_px);
+    }
+
+    std::string_view path_;
+    base::ConfigReader reader_;
+    BoardSettings settings_;
+    BoardError named_file_fault_;
+};
+
+}  // namespace
+
+Path path_beside(std::string_view board_file, std::string_view name) {
+    Path path;
+    const std::size_t slash = board_file.rfind('/');
+    if (name.substr(0, 1) != "/" && slash != std::string_view::npos) path.append(board_file.substr(0, slash + 1));
+    path.append(name);
+    return path;
+}
+
+void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus) {
+    bool fits = add_identifier_filters(can, bus.phase.status_identifier) &&
+                add_identifier_filters(can, bus.phase.request_identifier) && add_identifier_filters(can, kIdentificationRequest);
+    for (const bus::IdentifierEntry& entry : bus::identifier_table())
+        if (!entry.glider_profile || bus.dialect.glider_identifiers) fits = fits && add_identifier_filters(can, entry.identifier);
+    if (!fits) can.filters.clear();
+}
+
+base::Result<BoardSettings, BoardError> load_board_settings(const char* path) {
+    const auto text = read_file_text(path);
+    if (!text.ok()) return base::fail(text.error());
+    BoardFile file(text.value().view(), path);
+    return file.read();
+}
+
+}  // namespace tedavis::target

@@ -1,0 +1,71 @@
+/// The board file of `tedavis-display --config`: which device, design, bus, switches and terrain one board flies with.
+///
+///     title = "..."              shown at start
+///     device = "es3-mid.toml"    files that the board file names are found from the board file's own folder
+///     design = "default.toml"
+///     bus = "canaerospace.toml"
+///     [terrain]                  absent: no terrain, the display says so
+///     database = "area.tdb"
+///     [can]
+///     interface = "can0"
+///     fd = false                 also receive CAN FD frames
+///     filter = true              let the kernel drop identifiers that the display does not know
+///     receive_buffer_bytes = 1048576
+///     reopen_s = 1.0             at most one attempt in this time to open a bus that is missing
+///     [switches]                 absent: no panel, the phase comes from bus and motion
+///     config = "one_hot.toml"
+///     [surface]
+///     backend = "egl"            or "osmesa", where it was built
+///     width_px = 1024            absent: the device file's
+///     height_px = 768
+///     [memory]
+///     touch = true               take all pages at start, so that no page fault comes in flight
+///
+/// Memory  reading allocates (start-up only); the settings are plain data.
+/// Failure  one sentence with file and line.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "bus/canaerospace/bus_settings.hpp"
+#include "bus/socketcan/can_socket_port.hpp"
+#include "bus/switches/switch_config.hpp"
+#include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/effects/device.hpp"
+#include "target/board_error.hpp"
+
+namespace tedavis::target {
+
+using Path = base::FixedString<1023>;
+
+struct BoardSettings {
+    base::FixedString<95> title;
+    effects::DeviceSettings device;
+    design::DesignSettings design;
+    bus::BusSettings bus;
+    bus::SocketCanSettings can;
+    bool has_switches = false;
+    bus::SwitchConfig switches;
+    Path terrain;  ///< empty: none
+    base::FixedString<15> surface;
+    std::uint32_t width_px = 0, height_px = 0;
+    platform::Residency residency = platform::Residency::touched;
+};
+static_assert(std::is_trivially_copyable_v<BoardSettings>);
+
+/// Reads the board file and all files that it names, except the terrain database, of which it keeps the path.
+[[nodiscard]] base::Result<BoardSettings, BoardError> load_board_settings(const char* path);
+
+/// `name` found from the folder of `board_file`; an absolute name stays as it is. Longer than a Path can be: cut() says so.
+[[nodiscard]] Path path_beside(std::string_view board_file, std::string_view name);
+
+/// Filters that pass what the decoder knows on this bus: its identifiers, the phase messages and identification requests.
+/// Left without filters, which passes everything, when they do not fit.
+void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus);
+
+}  // namespace tedavis::target

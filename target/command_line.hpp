@@ -1,0 +1,26 @@
+/// What `tedavis-display` was asked to do.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/result.hpp"
+#include "target/board_error.hpp"
+
+namespace tedavis::target {
+
+enum class Request : std::uint8_t { run, self_test, help, version };
+
+struct CommandLine {
+    Request request = Request::run;
+    const char* config = nullptr;  ///< board file; null only for requests that need none
+    std::uint64_t frames = 0;      ///< 0: until a signal stops it
+    bool json = false;
+};
+
+/// The arguments behind the program's name. `--help` and `--version` win over everything that stands before a fault.
+[[nodiscard]] base::Result<CommandLine, BoardError> parse_command_line(int count, const char* const* arguments);
+
+/// The text of `--help`.
+[[nodiscard]] const char* command_line_help() noexcept;
+
+}  // namespace tedavis::target

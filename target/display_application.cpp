@@ -1,0 +1,89 @@
+#include "target/display_application.hpp"
+
+#include <utility>
+
+#include "platform/surface_factory.hpp"
+#include "target/frame_pacer.hpp"
+
+namespace tedavis::target {
+
+DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts ports)
+    : settings_(settings),
+      ports_(std::move(ports)),
+      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log) {}
+
+DisplayApplication::~DisplayApplication() {
+    if (started_) display_.stop();
+    if (surface_) surface_->release_current();
+}
+
+BoardError DisplayApplication::start() {
+    if (BoardError error = open_surface(); !error.sentence.empty()) return error;
+    if (BoardError error = start_display(); !error.sentence.empty()) return error;
+    flight_.start(ports_.clocks.live.monotonic());
+    started_ = true;
+    return {};
+}
+
+BoardError DisplayApplication::open_surface() {
+    const auto lane =
+        settings_.device.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
+    auto surface = platform::make_surface(settings_.surface.view(), {settings_.width_px, settings_.height_px, lane});
+    if (!surface.ok()) return make_board_error({"[surface]: ", surface.error().sentence.view()});
+    surface_ = std::move(surface.value());
+    if (!surface_->make_current())
+        return make_board_error({"[surface]: the surface cannot be made current; is another one in use?"});
+    return {};
+}
+
+BoardError DisplayApplication::start_display() {
+    base::ByteSource* terrain = nullptr;
+    if (!settings_.terrain.empty()) {
+        auto file = platform::open_file(settings_.terrain.c_str());
+        if (!file.ok()) return make_board_error({file.error().sentence.view()});
+        terrain_file_ = std::move(file.value());
+        terrain = &terrain_file_;
+    }
+    auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), settings_.residency);
+    if (!reserved.ok()) return make_board_error({reserved.error().sentence.view()});
+    reservation_ = std::move(reserved.value());
+    display::DisplaySettings settings;
+    settings.device = settings_.device;
+    settings.design = settings_.design;
+    settings.width_px = settings_.width_px;
+    settings.height_px = settings_.height_px;
+    const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
+    if (error.sentence.empty()) return {};
+    return make_board_error({settings_.terrain.view(), settings_.terrain.empty() ? "" : ": ", error.sentence.view()});
+}
+
+base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
+    const LiveFlight::Instant instant = flight_.at(now, display_);
+    display_.update(instant.aircraft, instant.phase, now);
+    display_.draw(*surface_);
+    return surface_->present();
+}
+
+RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) {
+    RunReport report;
+    const BoardClocks& clocks = ports_.clocks;
+    FramePacer pacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
+    watchdog_.ready();
+    while (!stop.requested() && (frames == 0 || report.frames < frames)) {
+        if (draw_frame(clocks.live.monotonic()) != base::SurfaceState::ready) {
+            ports_.log.write({"the drawing surface was lost; start the program again"});
+            report.end = RunEnd::surface_lost;
+            break;
+        }
+        ++report.frames;
+        watchdog_.alive();
+        clocks.sleep_until(pacer.next(clocks.live.monotonic()));
+    }
+    watchdog_.stopping();
+    report.missed = pacer.missed();
+    report.gl_calls_outside_device = display_.gl().denied().total;
+    report.bus = flight_.counters(clocks.live.monotonic());
+    return report;
+}
+
+}  // namespace tedavis::target

@@ -1,0 +1,78 @@
+/// The display of one board from start to stop: reservation, surface, terrain, core, bus and panel, and the frame loop.
+///
+/// start() takes everything; afterwards nothing allocates outside drivers. A bus or a panel that is missing never ends
+/// the program: the core shows what it does not know. A drawing surface that is lost does, and the service is restarted.
+///
+/// Thread  one. Failure  start() gives one sentence; run() says how it ended.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "platform/files/file_byte_source.hpp"
+#include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/display/display.hpp"
+#include "target/board_clocks.hpp"
+#include "target/board_config.hpp"
+#include "target/event_log.hpp"
+#include "target/live_flight.hpp"
+#include "target/stop_signal.hpp"
+#include "target/watchdog.hpp"
+
+namespace tedavis::target {
+
+/// What the application needs of the machine besides files and the surface; tests give their own.
+struct BoardPorts {
+    bus::CanSocketPort* can = nullptr;
+    std::unique_ptr<bus::GpioLines> gpio;  ///< null: built without a GPIO library
+    BoardClocks clocks;
+    EventLog log;
+};
+
+enum class RunEnd : std::uint8_t { stopped, surface_lost };
+
+struct RunReport {
+    RunEnd end = RunEnd::stopped;
+    std::uint64_t frames = 0;
+    std::uint64_t missed = 0;  ///< turns of the frame rate that passed without a frame
+    std::uint64_t gl_calls_outside_device = 0;
+    bus::BusCounters bus;
+};
+
+class DisplayApplication {
+public:
+    DisplayApplication(const BoardSettings& settings, BoardPorts ports);
+    ~DisplayApplication();
+    DisplayApplication(const DisplayApplication&) = delete;
+    DisplayApplication& operator=(const DisplayApplication&) = delete;
+
+    /// An empty sentence means success. Once.
+    [[nodiscard]] BoardError start();
+    /// Draws until `frames` are drawn (0: no limit) or `stop` is requested.
+    [[nodiscard]] RunReport run(std::uint64_t frames, const StopSignal& stop);
+    /// One frame of the state at `now`; after start().
+    [[nodiscard]] base::SurfaceState draw_frame(base::Time now);
+
+    [[nodiscard]] display::Display& display() { return display_; }
+    [[nodiscard]] const BoardSettings& settings() const { return settings_; }
+    [[nodiscard]] const LiveFlight& flight() const { return flight_; }
+    [[nodiscard]] const base::Surface& surface() const { return *surface_; }
+
+private:
+    [[nodiscard]] BoardError open_surface();
+    [[nodiscard]] BoardError start_display();
+
+    BoardSettings settings_;
+    BoardPorts ports_;
+    LiveFlight flight_;
+    Watchdog watchdog_;
+    std::unique_ptr<base::Surface> surface_;
+    platform::MemoryReservation reservation_;
+    platform::FileByteSource terrain_file_;
+    display::Display display_;
+    bool started_ = false;
+};
+
+}  // namespace tedavis::target

@@ -1,0 +1,30 @@
+/// A whole small file in memory: configuration at start.
+///
+/// Memory  a block of its own from the system, as long as the object lives. Failure  one sentence that names the file.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/result.hpp"
+#include "target/board_error.hpp"
+
+namespace tedavis::target {
+
+/// Larger files are no configuration.
+inline constexpr std::size_t kMaxFileTextBytes = 1 << 20;
+
+class FileText {
+public:
+    [[nodiscard]] std::string_view view() const { return text_; }
+
+private:
+    friend base::Result<FileText, BoardError> read_file_text(const char* path);
+    platform::MemoryReservation block_;
+    std::string_view text_;
+};
+
+[[nodiscard]] base::Result<FileText, BoardError> read_file_text(const char* path);
+
+}  // namespace tedavis::target

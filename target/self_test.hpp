@@ -1,0 +1,33 @@
+/// `tedavis-display --self-test`: whether this build works on this machine, without any file.
+///
+/// Decodes a known bus log with the standard bus settings, compares the state with known values, draws one 640 x 480
+/// picture of it over a known terrain database through headless EGL, and compares its content. Everything it needs is
+/// embedded in the program.
+///
+/// Thread  one; makes and releases a surface. Memory  its own reservation. Failure  a check that does not hold.
+#pragma once
+
+#include <cstdio>
+#include <string_view>
+
+#include "render_core/base/span.hpp"
+#include "target/self_test/self_test_report.hpp"
+
+namespace tedavis::target {
+
+struct SelfTestInputs {
+    base::Span<const char> log;
+    base::Span<const unsigned char> terrain;
+    std::string_view bus, device, design;  ///< texts of configuration files
+};
+
+/// What the build has embedded; lives as long as the program.
+[[nodiscard]] SelfTestInputs embedded_inputs() noexcept;
+
+/// Adds its checks to `report`; stops at the first that leaves nothing to go on with.
+void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report);
+
+/// One line a check and a last one, or one line of JSON {"self_test", "version", "checks": [{"name", "holds", "finding"}]}.
+void print_self_test(const SelfTestReport& report, bool json, std::FILE* out);
+
+}  // namespace tedavis::target

@@ -1,0 +1,127 @@
+#include "target/self_test/known_flight.hpp"
+
+#include <limits>
+
+#include "bus/candump/candump_log_source.hpp"
+#include "render_core/base/units.hpp"
+#include "render_core/display/phase_monitor.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using flight::Signal;
+
+constexpr std::size_t kMostFrames = 1 << 20;  // more than any log that fits the program
+constexpr base::Time kEnd{std::numeric_limits<std::int64_t>::max()};
+constexpr std::uint64_t kFrames = 1829;
+
+/// A signal in the unit in which its message carries it.
+struct KnownValue {
+    const char* name;
+    Signal signal;
+    double factor;  ///< SI to unit
+    double expected, tolerance;
+    const char* unit;
+};
+
+constexpr KnownValue kValues[] = {
+    {"heading", Signal::true_heading, base::kDegreesPerRadian, 20.295503616, 1e-4, "deg"},
+    {"pitch", Signal::pitch, base::kDegreesPerRadian, 1.550300598, 1e-4, "deg"},
+    {"roll", Signal::roll, base::kDegreesPerRadian, -0.122181125, 1e-4, "deg"},
+    {"baro_altitude", Signal::baro_altitude, 1, 617.049133, 0.001, "m"},
+    {"baro_setting", Signal::baro_setting, 1 / base::kPascalsPerHectopascal, 1016, 0.01, "hPa"},
+    {"indicated_airspeed", Signal::indicated_airspeed, 1, 92.778107, 0.001, "m/s"},
+    {"ground_speed", Signal::ground_speed, 1, 99.689041, 0.001, "m/s"},
+    {"vertical_speed", Signal::vertical_speed, 1, -0.000300683, 1e-6, "m/s"},
+    {"wind_speed", Signal::wind_speed, 1, 4.804860, 0.001, "m/s"},
+    {"outside_temperature", Signal::outside_temperature, 1, 287.376984, 0.001, "K"},
+    {"height_above_terrain", Signal::height_above_terrain, 1, 237.26, 0.3, "m"},
+};
+
+base::Time first_stamp(base::Span<const char> log) {
+    bus::CandumpLogSource source(log);
+    bus::CanFrame frame;
+    return source.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1 ? frame.time : base::Time{};
+}
+
+/// Reads the log on the phase monitor's grid of steps, as the run loop does.
+class Player {
+public:
+    Player(base::Span<const char> log, const bus::BusSettings& settings, display::Display& display)
+        : source_(log), assembler_(settings), display_(display), next_step_(first_stamp(log)) {}
+
+    KnownFlight play() {
+        bus::CanFrame frame;
+        for (std::size_t n = 0; n < kMostFrames && source_.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1; ++n) {
+            step_until(frame.time);
+            assembler_.feed({&frame, 1});
+            flight_.now = frame.time;
+        }
+        step_until(flight_.now);
+        const bus::BusSnapshot snapshot = assembler_.snapshot(flight_.now);
+        flight_.counters = snapshot.counters;
+        flight_.broken_lines = source_.statistics().malformed;
+        flight_.aircraft = with_height(snapshot.state, flight_.now);
+        flight_.phase = monitor_.status();
+        return flight_;
+    }
+
+private:
+    [[nodiscard]] flight::AircraftState with_height(flight::AircraftState aircraft, base::Time now) {
+        aircraft[Signal::height_above_terrain] = display_.height_above_terrain(aircraft.own_ship, now);
+        return aircraft;
+    }
+    /// The steps before a frame at `time`; a damaged stamp far ahead is not stepped to.
+    void step_until(base::Time time) {
+        constexpr int kMostSteps = 1000;
+        for (int n = 0; n < kMostSteps && next_step_ < time; ++n) {
+            const bus::BusSnapshot snapshot = assembler_.snapshot(next_step_);
+            flight::PhaseInputs inputs;
+            inputs.can = snapshot.phase_status.phase;
+            monitor_.step(with_height(snapshot.state, next_step_), inputs, next_step_);
+            next_step_ = next_step_ + display::PhaseMonitor::kStep;
+        }
+    }
+
+    bus::CandumpLogSource source_;
+    bus::StateAssembler assembler_;
+    display::Display& display_;
+    display::PhaseMonitor monitor_;
+    base::Time next_step_;
+    KnownFlight flight_;
+};
+
+void check_position(const KnownFlight& flight, SelfTestReport& report) {
+    const flight::OwnShipEstimate& own_ship = flight.aircraft.own_ship;
+    report.add("own_ship", own_ship.state == base::SignalState::valid && own_ship.height_is_geometric,
+               base::to_string(own_ship.state));
+    // 3e-6 degrees are a third of a metre.
+    report.add_number("latitude", base::degrees(own_ship.position.latitude_rad), 36.576585818, 3e-6, "deg");
+    report.add_number("longitude", base::degrees(own_ship.position.longitude_rad), -84.189623420, 3e-6, "deg");
+    report.add_number("ellipsoid_height", own_ship.position.height.m, 589.253, 0.3, "m");
+}
+
+}  // namespace
+
+KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings& settings, display::Display& display) {
+    return Player(log, settings, display).play();
+}
+
+void check_known_flight(const KnownFlight& flight, SelfTestReport& report) {
+    report.add_count("log_frames", flight.counters.frames, kFrames, kFrames);
+    report.add_count("log_decoded", flight.counters.decoded, kFrames, kFrames);
+    report.add_count("log_broken_lines", flight.broken_lines, 0, 0);
+    check_position(flight, report);
+    for (const KnownValue& known : kValues) {
+        const bool valid = flight.aircraft.is_valid(known.signal, flight.now);
+        const double found = flight.aircraft[known.signal].value_or(0) * known.factor;
+        if (valid)
+            report.add_number(known.name, found, known.expected, known.tolerance, known.unit);
+        else
+            report.add(known.name, false, base::to_string(flight.aircraft.state_of(known.signal, flight.now)));
+    }
+    report.add("phase", flight.phase.phase == flight::kApproachDescent, flight::sub_phase_name(flight.phase.phase));
+    report.add("phase_source", flight.phase.source == flight::PhaseSource::can, flight::to_string(flight.phase.source));
+}
+
+}  // namespace tedavis::target

@@ -1,0 +1,175 @@
+#include "target/board_config.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bus/canaerospace/identifier_table.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string kRoot = TEDAVIS_SOURCE_DIR;
+
+/// A board file in a folder of its own, whose first lines name the shipped files.
+struct Board {
+    test_support::TemporaryFolder folder;
+    std::string path = folder.file("board.toml");
+
+    std::string load_text(const std::string& text) {
+        folder.write("board.toml", text);
+        const auto settings = load_board_settings(path.c_str());
+        return settings.ok() ? "" : std::string(settings.error().sentence.view());
+    }
+    /// With lines 1 to 4 right; `rest` begins in line 5.
+    std::string load_with(const std::string& rest) { return load_text(head() + rest); }
+    BoardSettings settings(const std::string& rest) {
+        EXPECT_EQ(load_with(rest), "");
+        return load_board_settings(path.c_str()).value();
+    }
+    static std::string head() {
+        return "title = 'a board'\ndevice = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = '" + kRoot +
+               "/configs/designs/approach.toml'\nbus = '" + kRoot + "/configs/buses/canaerospace.toml'\n";
+    }
+};
+
+TEST(BoardConfig, ReadsEverySetting) {
+    Board board;
+    const BoardSettings settings = board.settings(
+        "[terrain]\ndatabase = 'data/area.tdb'\n[can]\ninterface = 'can1'\nfd = true\n"
+        "filter = false\nreceive_buffer_bytes = 65536\nreopen_s = 2.5\n[switches]\nconfig = '" +
+        kRoot +
+        "/configs/switches/one_hot.toml'\n[surface]\nbackend = 'osmesa'\nwidth_px = 800\nheight_px = 600\n[memory]\ntouch = "
+        "false\n");
+    EXPECT_EQ(settings.title.view(), "a board");
+    EXPECT_EQ(settings.device.name.view(), "es3-mid");
+    EXPECT_EQ(settings.terrain.view(), board.folder.file("data/area.tdb")) << "found from the board file";
+    EXPECT_EQ(settings.can.interface_name.view(), "can1");
+    EXPECT_TRUE(settings.can.can_fd);
+    EXPECT_TRUE(settings.can.filters.empty());
+    EXPECT_EQ(settings.can.receive_buffer_bytes, 65536u);
+    EXPECT_EQ(settings.can.reopen_interval, base::Duration::milliseconds(2500));
+    EXPECT_TRUE(settings.has_switches);
+    EXPECT_EQ(settings.switches.lines.size(), 7u);
+    EXPECT_EQ(settings.surface.view(), "osmesa");
+    EXPECT_EQ(settings.width_px, 800u);
+    EXPECT_EQ(settings.height_px, 600u);
+    EXPECT_EQ(settings.residency, platform::Residency::lazy);
+}
+
+TEST(BoardConfig, DefaultsAreThoseOfADisplay) {
+    Board board;
+    const BoardSettings settings = board.settings("[can]\ninterface = 'can0'\n");
+    EXPECT_TRUE(settings.terrain.empty());
+    EXPECT_FALSE(settings.has_switches);
+    EXPECT_EQ(settings.surface.view(), "egl");
+    EXPECT_EQ(settings.width_px, settings.device.width_px);
+    EXPECT_EQ(settings.height_px, settings.device.height_px);
+    EXPECT_EQ(settings.residency, platform::Residency::touched);
+    EXPECT_FALSE(settings.can.filters.empty());
+}
+
+struct Fault {
+    const char* rest;
+    int line;
+    const char* says;
+};
+class BoardFault : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(BoardFault, IsNamedWithFileAndLine) {
+    Board board;
+    const std::string sentence = board.load_with(GetParam().rest);
+    EXPECT_THAT(sentence, StartsWith(board.path + ":" + std::to_string(GetParam().line) + ": "));
+    EXPECT_THAT(sentence, HasSubstr(GetParam().says));
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << "one sentence";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BoardFault,
+    ::testing::Values(Fault{"[can]\ninterface = 7\n", 6, "interface"}, Fault{"[can]\ninterface = ''\n", 6, "1 to 15 bytes"},
+                      Fault{"[can]\ninterface = 'a_very_long_interface'\n", 6, "1 to 15 bytes"},
+                      Fault{"[can]\ninterface = 'can0'\nreopen_s = 0\n", 7, "reopen_s"},
+                      Fault{"[can]\ninterface = 'can0'\nreceive_buffer_bytes = 1\n", 7, "receive_buffer_bytes"},
+                      Fault{"[can]\ninterface = 'can0'\nbitrate = 1000000\n", 7, "bitrate"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n", 8, "osmesa"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 8, "width_px"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 8, "height_px"},
+                      Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 8, "write its path"},
+                      Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 8, "none.toml"},
+                      Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 8, "touch"},
+                      Fault{"[can]\ninterface = 'can0'\n[can]\n", 7, ""}, Fault{"[can\n", 5, ""}));
+
+TEST(BoardConfig, ACanSectionIsNeeded) {
+    Board board;
+    EXPECT_THAT(board.load_with(""), HasSubstr("interface"));
+}
+
+TEST(BoardConfig, FilesThatAreMissingOrWrongAreNamed) {
+    Board board;
+    EXPECT_THAT(board.load_text("device = 'absent.toml'\ndesign = 'absent.toml'\nbus = 'x'\n[can]\ninterface = 'can0'\n"),
+                StartsWith(board.path + ":1: file '" + board.folder.file("absent.toml")));
+    board.folder.write("bad.toml", "name = 'bad'\ncolour = 'blue'\n");
+    EXPECT_THAT(board.load_text("device = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = 'bad.toml'\nbus = '" + kRoot +
+                                "/configs/buses/canaerospace.toml'\n[can]\ninterface = 'can0'\n"),
+                StartsWith(board.folder.file("bad.toml") + ":2: "))
+        << "a fault inside a named file is reported there";
+    EXPECT_THAT(board.load_text("device = ''\n"), StartsWith(board.path + ":1: "));
+    EXPECT_THAT(board.load_text("device = '" + std::string(2000, 'd') + "'\n"), HasSubstr("use a shorter one"));
+    EXPECT_THAT(std::string(load_board_settings("/nowhere/board.toml").error().sentence.view()),
+                HasSubstr("/nowhere/board.toml"));
+}
+
+TEST(BoardConfig, TheShippedExamplesAreRight) {
+    const auto desk = load_board_settings((kRoot + "/target/boards/desk_vcan.toml").c_str());
+    ASSERT_TRUE(desk.ok()) << desk.error().sentence.view();
+    EXPECT_EQ(desk.value().can.interface_name.view(), "vcan0");
+
+    // The board's example names its neighbours in /etc/tedavis: put them beside it as the README says.
+    const test_support::TemporaryFolder folder;
+    for (const char* file : {"configs/devices/es2-small.toml", "configs/designs/default.toml", "configs/buses/canaerospace.toml",
+                             "configs/switches/one_hot.toml", "target/boards/arm_board.toml"})
+        std::filesystem::copy(kRoot + "/" + file, folder.path());
+    const auto board = load_board_settings(folder.file("arm_board.toml").c_str());
+    ASSERT_TRUE(board.ok()) << board.error().sentence.view();
+    EXPECT_TRUE(board.value().has_switches);
+    EXPECT_EQ(board.value().terrain.view(), "/var/lib/tedavis/area.tdb");
+}
+
+TEST(PathBeside, StartsAtTheBoardFilesFolder) {
+    EXPECT_EQ(path_beside("a/b/board.toml", "../x.toml").view(), "a/b/../x.toml");
+    EXPECT_EQ(path_beside("board.toml", "x.toml").view(), "x.toml");
+    EXPECT_EQ(path_beside("/etc/board.toml", "/var/x").view(), "/var/x");
+    EXPECT_TRUE(path_beside("a/board.toml", std::string(1023, 'x')).cut());
+}
+
+TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
+    bus::BusSettings bus;
+    bus::SocketCanSettings can;
+    add_bus_filters(can, bus);
+    std::set<std::uint32_t> passed;
+    for (std::uint32_t id = 0; id < 0x800; ++id)
+        for (const bus::CanFilter& filter : can.filters)
+            if ((id & filter.mask) == (filter.identifier & filter.mask)) passed.insert(id);
+    std::set<std::uint32_t> known = {128, 1830, 1831};
+    for (const bus::IdentifierEntry& entry : bus::identifier_table())
+        if (!entry.glider_profile) known.insert(entry.identifier);
+    EXPECT_EQ(passed, known);
+
+    bus.dialect.glider_identifiers = true;
+    bus::SocketCanSettings glider;
+    add_bus_filters(glider, bus);
+    EXPECT_GT(glider.filters.size(), can.filters.size());
+
+    bus::SocketCanSettings crowded;
+    while (crowded.filters.size() < 500) ASSERT_TRUE(crowded.filters.try_push_back({1, 2}));
+    add_bus_filters(crowded, bus);
+    EXPECT_TRUE(crowded.filters.empty()) << "half a list would lose messages";
+}
+
+}  // namespace
+}  // namespace tedavis::target

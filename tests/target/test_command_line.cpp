@@ -1,0 +1,60 @@
+#include "target/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace tedavis::target {
+namespace {
+
+base::Result<CommandLine, BoardError> parse(const std::vector<const char*>& arguments) {
+    return parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::string refusal(const std::vector<const char*>& arguments) {
+    const auto line = parse(arguments);
+    return line.ok() ? "accepted" : std::string(line.error().sentence.view());
+}
+
+TEST(CommandLine, ReadsARun) {
+    const auto line = parse({"--json", "--config", "board.toml", "--frames", "250"});
+    ASSERT_TRUE(line.ok());
+    EXPECT_EQ(line.value().request, Request::run);
+    EXPECT_STREQ(line.value().config, "board.toml");
+    EXPECT_EQ(line.value().frames, 250u);
+    EXPECT_TRUE(line.value().json);
+    EXPECT_EQ(parse({"--config", "b"}).value().frames, 0u) << "no limit";
+}
+
+TEST(CommandLine, SelfTestNeedsNoFile) {
+    EXPECT_EQ(parse({"--self-test"}).value().request, Request::self_test);
+    EXPECT_EQ(parse({"--self-test"}).value().config, nullptr);
+    EXPECT_STREQ(parse({"--self-test", "--config", "b"}).value().config, "b");
+}
+
+TEST(CommandLine, QuestionsAreAnsweredWhateverFollows) {
+    EXPECT_EQ(parse({"--help", "--nonsense"}).value().request, Request::help);
+    EXPECT_EQ(parse({"-h"}).value().request, Request::help);
+    EXPECT_EQ(parse({"--frames", "3", "--version"}).value().request, Request::version);
+}
+
+TEST(CommandLine, WrongUsageIsOneSentence) {
+    EXPECT_EQ(refusal({}), "--config: is missing; name the board file; see tedavis-display --help");
+    EXPECT_EQ(refusal({"--config"}), "--config: needs a value behind it; see tedavis-display --help");
+    EXPECT_EQ(refusal({"--fast"}), "'--fast': no such option; see tedavis-display --help");
+    EXPECT_EQ(refusal({"board.toml"}), "'board.toml': no such option; see tedavis-display --help");
+    EXPECT_EQ(refusal({"--self-test", "--frames", "2"}), "--frames: belongs to a run; leave it out; see tedavis-display --help");
+    for (const char* count : {"0", "-1", "1.5", "ten", "", "1 ", "99999999999999999999"})
+        EXPECT_EQ(refusal({"--config", "b", "--frames", count}),
+                  "--frames '" + std::string(count) + "': must be a whole number from 1 on; see tedavis-display --help");
+}
+
+TEST(CommandLine, TheHelpNamesEveryOption) {
+    const std::string help = command_line_help();
+    for (const char* option : {"--config", "--self-test", "--frames", "--json", "--help", "--version"})
+        EXPECT_NE(help.find(option), std::string::npos) << option;
+}
+
+}  // namespace
+}  // namespace tedavis::target

@@ -1,0 +1,154 @@
+#include "target/display_application.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render_core/gl/readback.hpp"
+#include "tests/support/heap_trap.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/target/fake_board.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// What the sleep between frames does; plain functions cannot carry it.
+PairPort* the_port = nullptr;
+EmbeddedFlight* the_flight = nullptr;
+int sleeps = 0;
+
+struct DisplayApplicationTest : testing::Test {
+    void SetUp() override {
+        FakeClock::reset();
+        the_port = &port;
+        the_flight = nullptr;
+        sleeps = 0;
+    }
+    DisplayApplication& make() {
+        BoardPorts ports;
+        ports.can = &port;
+        ports.clocks = FakeClock::clocks();
+        ports.log = lines.log();
+        application = std::make_unique<DisplayApplication>(settings, std::move(ports));
+        return *application;
+    }
+    DisplayApplication& start() {
+        const BoardError error = make().start();
+        EXPECT_EQ(error.sentence.view(), "");
+        return *application;
+    }
+    std::string refusal() { return std::string(make().start().sentence.view()); }
+    std::vector<std::uint8_t> pixels() {
+        std::vector<std::uint8_t> rgba(std::size_t{4} * settings.width_px * settings.height_px);
+        EXPECT_TRUE(gl::read_pixels(application->display().gl(), settings.width_px, settings.height_px, rgba));
+        return rgba;
+    }
+    std::size_t red_pixels() {
+        const std::vector<std::uint8_t> rgba = pixels();
+        std::size_t count = 0;
+        for (std::size_t n = 0; n < rgba.size(); n += 4) count += rgba[n] > 200 && rgba[n + 1] < 80 && rgba[n + 2] < 80 ? 1 : 0;
+        return count;
+    }
+    BoardSettings settings = board_settings();
+    PairPort port;
+    LogLines lines;
+    StopSignal stop;
+    std::unique_ptr<DisplayApplication> application;
+};
+
+TEST_F(DisplayApplicationTest, AMissingInterfaceShowsFlagsAndDoesNotEndTheProgram) {
+    port.missing = true;
+    const RunReport report = start().run(60, stop);
+    EXPECT_EQ(report.end, RunEnd::stopped);
+    EXPECT_EQ(report.frames, 60u);
+    EXPECT_EQ(report.gl_calls_outside_device, 0u);
+    const display::FrameRecord& record = application->display().record();
+    EXPECT_EQ(record.terrain.triangles, 0u) << "no position, no terrain";
+    EXPECT_GE(record.flags.size(), 5u);
+    EXPECT_GT(red_pixels(), 500u) << "crosses where the information would be";
+    EXPECT_EQ(lines.str(), "tedavis-display: CAN interface 'can9': there is no such interface\n");
+}
+
+TEST_F(DisplayApplicationTest, AFlightOnTheBusShowsTerrain) {
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    const RunReport report = start().run(90, stop);
+    const display::FrameRecord& record = application->display().record();
+    EXPECT_GT(report.bus.decoded, recorded.size() * 9 / 10);
+    EXPECT_EQ(record.own_ship.state, base::SignalState::valid);
+    EXPECT_EQ(record.phase.source, flight::PhaseSource::can);
+    EXPECT_GT(record.terrain.triangles, 1000u);
+    EXPECT_LT(red_pixels(), 50u);
+    EXPECT_EQ(report.gl_calls_outside_device, 0u);
+}
+
+TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] {
+        if (++sleeps == 60) the_port->hang_up();  // and the socket is opened again
+        if (sleeps < 60) the_flight->send_due(*the_port);
+    };
+    start();
+    test_support::HeapTrap trap;
+    const RunReport report = application->run(130, stop);
+    trap.close();
+    EXPECT_EQ(report.frames, 130u);
+    EXPECT_EQ(trap.counts().ours, 0u) << trap.first_of_ours();
+    EXPECT_EQ(application->flight().bus_statistics().reopened, 1u);
+    EXPECT_THAT(lines.str(), HasSubstr("open again"));
+}
+
+TEST_F(DisplayApplicationTest, TheTrapWouldHaveSeenAnAllocationInTheLoop) {
+    static std::unique_ptr<int> seeded;
+    FakeClock::on_sleep = [] { seeded = std::make_unique<int>(7); };
+    start();
+    test_support::HeapTrap trap;
+    (void)application->run(3, stop);
+    trap.close();
+    EXPECT_EQ(trap.counts().ours, 3u);
+    seeded.reset();
+}
+
+TEST_F(DisplayApplicationTest, ASignalStopsTheRun) {
+    FakeClock::on_sleep = [] {
+        if (++sleeps == 4) raise(SIGTERM);
+    };
+    const RunReport report = start().run(0, stop);
+    EXPECT_EQ(report.end, RunEnd::stopped);
+    EXPECT_EQ(report.frames, 4u);
+}
+
+TEST_F(DisplayApplicationTest, LateFramesAreCounted) {
+    FakeClock::on_sleep = [] { FakeClock::now_ns += ++sleeps == 2 ? 200'000'000 : 0; };
+    const RunReport report = start().run(5, stop);
+    EXPECT_EQ(report.frames, 5u);
+    EXPECT_EQ(report.missed, 6u) << "200 ms hold six turns of 30 frames/s";
+}
+
+TEST_F(DisplayApplicationTest, WhatCannotStartSaysWhy) {
+    const test_support::TemporaryFolder folder;
+    settings.terrain = Path(folder.file("absent.tdb"));
+    EXPECT_THAT(refusal(), HasSubstr(folder.file("absent.tdb")));
+    settings.terrain =
+        Path(folder.write("text.tdb", "this is no terrain database, but it is long enough for a header" + std::string(500, '.')));
+    EXPECT_THAT(refusal(), HasSubstr(folder.file("text.tdb")));
+    settings = board_settings();
+    settings.surface = base::FixedString<15>("kms");
+    EXPECT_EQ(refusal(), "[surface]: the surface 'kms' is not known; use egl or osmesa");
+    settings = board_settings();
+    settings.device.budget.find(effects::kLodScratch)->bytes = 8;
+    EXPECT_THAT(refusal(), HasSubstr("lod_scratch"));
+}
+
+TEST_F(DisplayApplicationTest, WithoutTerrainItRuns) {
+    settings.terrain = Path();
+    const RunReport report = start().run(2, stop);
+    EXPECT_EQ(report.frames, 2u);
+    EXPECT_EQ(application->display().terrain_database(), nullptr);
+}
+
+}  // namespace
+}  // namespace tedavis::target

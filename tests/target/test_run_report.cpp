@@ -1,0 +1,79 @@
+#include "target/run_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/target/captured_output.hpp"
+#include "tests/target/fake_board.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct RunReportTest : testing::Test {
+    void SetUp() override {
+        FakeClock::reset();
+        BoardPorts ports;
+        ports.can = &port;
+        ports.clocks = FakeClock::clocks();
+        ports.log = lines.log();
+        application = std::make_unique<DisplayApplication>(settings, std::move(ports));
+        ASSERT_EQ(application->start().sentence.view(), "");
+    }
+    BoardSettings settings = board_settings();
+    PairPort port;
+    LogLines lines;
+    std::unique_ptr<DisplayApplication> application;
+};
+
+TEST_F(RunReportTest, TheStartNamesTheWholeBudget) {
+    const std::string text = printed([&](std::FILE* out) { print_start(*application, false, out); });
+    const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_start(*application, true, out); }));
+    EXPECT_EQ(json.at("device"), "es2-small");
+    EXPECT_EQ(json.at("size"), "640x480");
+    EXPECT_EQ(json.at("frame_rate_hz"), 30);
+    EXPECT_EQ(json.at("can"), "can9");
+    EXPECT_EQ(json.at("switches"), "");
+    EXPECT_THAT(json.at("gl").get<std::string>(), HasSubstr("egl: "));
+    const auto lines_of_device = settings.device.budget.lines();
+    ASSERT_EQ(json.at("budget").size(), lines_of_device.size());
+    std::uint64_t cpu = 0;
+    for (std::size_t n = 0; n < lines_of_device.size(); ++n) {
+        const auto& line = json.at("budget").at(n);
+        EXPECT_EQ(line.at("name"), lines_of_device[n].name.view());
+        EXPECT_EQ(line.at("bytes"), lines_of_device[n].bytes);
+        EXPECT_THAT(text, HasSubstr(lines_of_device[n].reason.c_str()));
+        cpu += line.at("kind") == "cpu" ? line.at("bytes").get<std::uint64_t>() : 0;
+    }
+    EXPECT_EQ(cpu, settings.device.budget.total(base::MemoryKind::cpu));
+    EXPECT_THAT(text, HasSubstr("fake board"));
+}
+
+TEST(RunReport, TheEndHoldsTheCounts) {
+    RunReport report;
+    report.frames = 7;
+    report.missed = 2;
+    report.bus.frames = 5;
+    report.bus.alien = 3;
+    report.end = RunEnd::surface_lost;
+    const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_end(report, true, out); }));
+    EXPECT_EQ(json, (nlohmann::json{{"end", "surface_lost"},
+                                    {"frames", 7},
+                                    {"missed", 2},
+                                    {"gl_calls_outside_device", 0},
+                                    {"can", {{"frames", 5}, {"decoded", 0}, {"alien", 3}, {"errors", 0}, {"dropped", 0}}}}));
+    EXPECT_THAT(printed([&](std::FILE* out) { print_end(report, false, out); }),
+                HasSubstr("surface_lost after 7 frames, 2 turns missed; CAN 5 frames, 0 decoded, 3 foreign"));
+}
+
+TEST(RunReport, TheVersionIsTheProjects) {
+    const auto json = nlohmann::json::parse(printed([](std::FILE* out) { print_version(true, out); }));
+    EXPECT_EQ(printed([](std::FILE* out) { print_version(false, out); }),
+              "tedavis-display " + json.at("version").get<std::string>() + "\n");
+}
+
+}  // namespace
+}  // namespace tedavis::target

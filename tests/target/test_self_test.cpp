@@ -1,0 +1,120 @@
+#include "target/self_test.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/target/captured_output.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The embedded inputs in memory of the test's own, to be damaged.
+struct Damaged {
+    std::string log{embedded_inputs().log.begin(), embedded_inputs().log.end()};
+    std::vector<unsigned char> terrain{embedded_inputs().terrain.begin(), embedded_inputs().terrain.end()};
+    std::string bus{embedded_inputs().bus}, device{embedded_inputs().device}, design{embedded_inputs().design};
+
+    [[nodiscard]] SelfTestReport report() const {
+        SelfTestReport result;
+        run_self_test({{log.data(), log.size()}, {terrain.data(), terrain.size()}, bus, device, design}, result);
+        return result;
+    }
+    void replace(std::string& text, const std::string& old, const std::string& by) {
+        const std::size_t at = text.rfind(old);
+        ASSERT_NE(at, std::string::npos) << old;
+        text.replace(at, old.size(), by);
+    }
+};
+
+std::string failures(const SelfTestReport& report) {
+    std::string names;
+    for (const SelfCheck& check : report.checks())
+        if (!check.holds) names += std::string(check.name.view()) + " ";
+    return names;
+}
+
+TEST(SelfTest, HoldsAsItIsShipped) {
+    const SelfTestReport report = Damaged().report();
+    EXPECT_TRUE(report.holds()) << failures(report);
+    EXPECT_GE(report.checks().size(), 40u);
+    SelfTestReport again;
+    run_self_test(embedded_inputs(), again);
+    EXPECT_TRUE(again.holds()) << "a second time in one process";
+}
+
+TEST(SelfTest, OneChangedBitInTheLogIsSeen) {
+    Damaged damaged;
+    damaged.replace(damaged.log, " 46D#", " 46C#");  // the last heading comes under another identifier
+    EXPECT_FALSE(damaged.report().holds());
+    Damaged other;
+    const std::size_t line = other.log.rfind(" 137#");
+    char& digit = other.log[line + 5 + 8 + 2];  // behind the four header bytes and one more
+    digit = digit == 'F' ? 'E' : 'F';
+    EXPECT_EQ(failures(other.report()).substr(0, 6), "pitch ");
+}
+
+TEST(SelfTest, ACutLogIsSeen) {
+    Damaged damaged;
+    damaged.log.resize(damaged.log.size() / 2);
+    EXPECT_THAT(failures(damaged.report()), HasSubstr("log_frames"));
+    damaged.log.clear();
+    EXPECT_THAT(failures(damaged.report()), HasSubstr("log_frames"));
+    Damaged noise;
+    noise.log.insert(0, "(not a stamp) can0 137#00\n");
+    EXPECT_THAT(failures(noise.report()), HasSubstr("log_broken_lines"));
+}
+
+TEST(SelfTest, OneFlippedBitInTheTerrainIsSeen) {
+    for (const std::size_t place : {std::size_t{3}, std::size_t{60}, std::size_t{500}, std::size_t{40000}}) {
+        Damaged damaged;
+        damaged.terrain[place] ^= 1;
+        EXPECT_FALSE(damaged.report().holds()) << "byte " << place;
+    }
+    Damaged cut;
+    cut.terrain.resize(cut.terrain.size() - 1);
+    EXPECT_THAT(failures(cut.report()), HasSubstr("display"));
+}
+
+TEST(SelfTest, WrongSettingsAreSeenWithTheirPlace) {
+    Damaged damaged;
+    damaged.device.insert(0, "nonsense = 1\n");
+    const SelfTestReport report = damaged.report();
+    ASSERT_EQ(report.checks().size(), 1u);
+    EXPECT_THAT(report.checks()[0].finding.c_str(), HasSubstr("es2-small.toml:1: "));
+}
+
+TEST(SelfTest, APictureInOtherColoursOrWithoutSymbologyIsSeen) {
+    Damaged sky;
+    sky.replace(sky.design, "horizon_color = \"#9cc4e8\"", "horizon_color = \"#e8c49c\"");
+    EXPECT_THAT(failures(sky.report()), HasSubstr("sky_"));
+    Damaged bare;
+    bare.replace(bare.design, "altitude = true", "altitude = false");
+    EXPECT_EQ(failures(bare.report()), "text_altitude ");
+}
+
+TEST(SelfTest, IsPrintedForReadersAndForScripts) {
+    SelfTestReport report;
+    report.add("first", true, "fine");
+    report.add("second", false, "a \"quoted\" fault");
+    EXPECT_EQ(printed([&](std::FILE* out) { print_self_test(report, false, out); }),
+              "ok      first                    fine\nFAILED  second                   a \"quoted\" fault\nself-test: FAILED\n");
+    const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_self_test(report, true, out); }));
+    EXPECT_EQ(json.at("self_test"), false);
+    EXPECT_EQ(json.at("checks").size(), 2u);
+    EXPECT_EQ(json.at("checks").at(1), (nlohmann::json{{"name", "second"}, {"holds", false}, {"finding", "a \"quoted\" fault"}}));
+}
+
+TEST(SelfTest, TheWholeReportFitsOneLineOfJson) {
+    const SelfTestReport report = Damaged().report();
+    const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_self_test(report, true, out); }));
+    EXPECT_EQ(json.at("checks").size(), report.checks().size());
+}
+
+}  // namespace
+}  // namespace tedavis::target

@@ -1,0 +1,81 @@
+#include "target/watchdog.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <string>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::target {
+namespace {
+
+/// The service manager's end.
+class Manager {
+public:
+    explicit Manager(const std::string& path) : descriptor_(socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        path.copy(address.sun_path, sizeof address.sun_path - 1);
+        if (path[0] == '@') address.sun_path[0] = '\0';
+        const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + path.size());
+        EXPECT_EQ(bind(descriptor_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    }
+    ~Manager() { close(descriptor_); }
+    [[nodiscard]] std::string message() const {
+        char text[256];
+        const ssize_t size = recv(descriptor_, text, sizeof text, 0);
+        return size > 0 ? std::string(text, static_cast<std::size_t>(size)) : std::string();
+    }
+
+private:
+    int descriptor_;
+};
+
+TEST(Watchdog, SaysWhatTheManagerUnderstands) {
+    const test_support::TemporaryFolder folder;
+    const Manager manager(folder.file("notify"));
+    const Watchdog watchdog(folder.file("notify"));
+    ASSERT_TRUE(watchdog.connected());
+    watchdog.ready();
+    EXPECT_EQ(manager.message().substr(0, 8), "READY=1\n");
+    watchdog.alive();
+    EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
+    watchdog.stopping();
+    EXPECT_EQ(manager.message(), "STOPPING=1\n");
+}
+
+TEST(Watchdog, FindsTheSocketInTheEnvironmentAbstractNamesToo) {
+    const std::string name = "@tedavis-test-" + std::to_string(getpid());
+    const Manager manager(name);
+    setenv("NOTIFY_SOCKET", name.c_str(), 1);
+    const Watchdog watchdog;
+    unsetenv("NOTIFY_SOCKET");
+    watchdog.alive();
+    EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
+}
+
+TEST(Watchdog, WithoutAManagerItDoesNothing) {
+    unsetenv("NOTIFY_SOCKET");
+    const Watchdog alone;
+    EXPECT_FALSE(alone.connected());
+    alone.alive();
+    EXPECT_FALSE(Watchdog("/nowhere/at/all").connected());
+    EXPECT_FALSE(Watchdog("").connected());
+    EXPECT_FALSE(Watchdog(std::string(200, 'x')).connected());
+}
+
+TEST(Watchdog, AManagerThatDoesNotReadHoldsNobody) {
+    const test_support::TemporaryFolder folder;
+    const Manager manager(folder.file("notify"));
+    const Watchdog watchdog(folder.file("notify"));
+    for (int n = 0; n < 10000; ++n) watchdog.alive();
+    EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
+}
+
+}  // namespace
+}  // namespace tedavis::target
