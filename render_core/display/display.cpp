@@ -134,29 +134,34 @@ TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
 }
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
-    DisplayConditions conditions;
-    conditions.terrain = terrain_source(state.own_ship);
-    conditions.phase = phase;
-    conditions.generated_flight = settings_.generated_flight;
-    decisions_ = decide_display(state, now, conditions, settings_.design);
-    begin_record(state, phase, now);
-    plan_view(state);
-    symbology_ = draw::make_symbology_input(state, decisions_, record_.phase, settings_.design, settings_.width_px,
-                                            settings_.height_px, aircraft_msl_m_);
+    state_ = state;
+    conditions_ = {};
+    conditions_.terrain = terrain_source(state.own_ship);
+    conditions_.phase = phase;
+    conditions_.generated_flight = settings_.generated_flight;
+    decisions_ = decide_display(state, now, conditions_, settings_.design);
+    begin_record(now);
+    plan_view();
     plan_terrain();
-    note_effects();
 }
 
-void Display::begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+/// Terrain that turns out not to be had: the decisions are made again without it, so that its notice is on this frame.
+void Display::give_up_terrain(TerrainSource reason) {
+    conditions_.terrain = reason;
+    decisions_ = decide_display(state_, record_.time, conditions_, settings_.design);
+    for (const auto& name : decisions_.flags) flag(name.view());
+}
+
+void Display::begin_record(base::Time now) {
     record_ = FrameRecord{};
     record_.frame = frame_++;
     record_.time = now;
-    record_.phase = phase;
-    record_.own_ship = state.own_ship;
-    record_.heading_rad = draw::view_heading_rad(state, decisions_);
-    record_.pitch_rad = state[Signal::pitch].value_or(0);
-    record_.roll_rad = state[Signal::roll].value_or(0);
-    for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state.state_of(static_cast<Signal>(n), now);
+    record_.phase = conditions_.phase;
+    record_.own_ship = state_.own_ship;
+    record_.heading_rad = draw::view_heading_rad(state_, decisions_);
+    record_.pitch_rad = state_[Signal::pitch].value_or(0);
+    record_.roll_rad = state_[Signal::roll].value_or(0);
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
     for (const auto& name : decisions_.flags) flag(name.view());
 }
 
@@ -167,10 +172,10 @@ void Display::flag(std::string_view name) {
     static_cast<void>(record_.flags.try_push_back(Name(name)));
 }
 
-void Display::plan_view(const flight::AircraftState& state) {
-    const earth::Geodetic& place = state.own_ship.position;
+void Display::plan_view() {
+    const earth::Geodetic& place = state_.own_ship.position;
     const double undulation = undulation_m(place);
-    aircraft_msl_m_ = place.height.m - (state.own_ship.height_is_geometric ? undulation : 0);
+    aircraft_msl_m_ = place.height.m - (state_.own_ship.height_is_geometric ? undulation : 0);
     record_.altitude_msl_m = aircraft_msl_m_;
     const glm::dmat3 body =
         earth::body_axes(place.latitude_rad, place.longitude_rad, record_.heading_rad, record_.pitch_rad, record_.roll_rad);
@@ -183,7 +188,7 @@ void Display::plan_view(const flight::AircraftState& state) {
     view_.width = settings_.width_px;
     view_.height = settings_.height_px;
     view_.focal_px = 0.5 * settings_.width_px / std::tan(0.5 * eye.horizontal_field_of_view_rad);
-    const double above = state[Signal::height_above_terrain].value_or(aircraft_msl_m_);
+    const double above = state_[Signal::height_above_terrain].value_or(aircraft_msl_m_);
     view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
     view_.far_m = far_plane_m(aircraft_msl_m_);
     if (free_view_active_) view_ = free_view_;
@@ -203,9 +208,7 @@ void Display::plan_terrain() {
                                    settings_.device.max_chunk_slots};
     lod_ = terrain::select_chunks(database_, view_, lod, chunk_states_, lod_work_, selected_);
     if (!lod_.within_budget) {
-        decisions_.show_terrain = false;
-        decisions_.plain_horizon = true;
-        flag("terrain.over_budget");
+        give_up_terrain(TerrainSource::over_budget);
         return;
     }
     record_.terrain.worst_error_px = lod_.worst_error_px;
@@ -247,29 +250,33 @@ void Display::draw(base::Surface& surface) {
     const bool ready = decisions_.show_terrain && terrain_drawer_.prepare(gl_, selected_.subspan(0, lod_.chunks), frame_);
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
-        decisions_.show_terrain = false;
-        decisions_.plain_horizon = true;
-        flag("terrain.failed");
+        give_up_terrain(TerrainSource::failed);
     }
     gl_->Clear(GL_DEPTH_BUFFER_BIT);
     if (decisions_.show_terrain) draw_terrain();
     draw_sky();
     if (!free_view_active_) draw_symbology();
+    note_effects();
     finish_record();
 }
 
 void Display::draw_sky() {
     draw::SkyInput sky;
     sky.view = draw::make_view_frame(view_);
-    sky.behind_terrain = decisions_.show_terrain;
-    sky.dip_rad = decisions_.show_terrain ? draw::horizon_dip_rad(eye_msl_m_) : 0;
     sky.colors = settings_.design.sky;
+    if (decisions_.show_terrain) {
+        // What no terrain covers below the horizon is not known to be ground.
+        sky.dip_rad = draw::horizon_dip_rad(eye_msl_m_);
+        sky.colors.ground = settings_.design.terrain.unknown;
+        sky.colors.ground_horizon = settings_.design.sky.haze;
+    }
     sky_drawer_.draw(gl_, sky);
 }
 
 void Display::draw_symbology() {
-    symbology_.decisions = decisions_;
-    draw::build_symbology(quad_drawer_.batch(), symbology_, layout_);
+    const draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design,
+                                                                      settings_.width_px, settings_.height_px, aircraft_msl_m_);
+    draw::build_symbology(quad_drawer_.batch(), symbology, layout_);
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 

@@ -69,10 +69,11 @@ private:
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
-    void plan_view(const flight::AircraftState& state);
+    void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
-    void begin_record(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    void begin_record(base::Time now);
+    void give_up_terrain(TerrainSource reason);
     void note_effects();
     void flag(std::string_view name);
     void draw_sky();
@@ -90,7 +91,6 @@ private:
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;
     draw::Layout layout_;
-    draw::SymbologyInput symbology_;
     bool has_terrain_ = false;
     bool terrain_failed_ = false;
 
@@ -99,6 +99,8 @@ private:
     base::Span<terrain::SelectedChunk> selected_;
     terrain::LodResult lod_;
 
+    flight::AircraftState state_;  ///< of the planned frame
+    DisplayConditions conditions_;
     DisplayDecisions decisions_;
     terrain::View view_;
     terrain::View free_view_;

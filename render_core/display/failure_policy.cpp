@@ -208,6 +208,7 @@ private:
         if (conditions_.terrain == TerrainSource::none) flag("terrain", "missing");
         if (conditions_.terrain == TerrainSource::outside) flag("terrain", "outside_database");
         if (conditions_.terrain == TerrainSource::failed) flag("terrain", "failed");
+        if (conditions_.terrain == TerrainSource::over_budget) flag("terrain", "over_budget");
     }
 
     void decide_flight_path() {
@@ -238,7 +239,7 @@ private:
         if (conditions_.terrain == TerrainSource::outside) notice(NoticeLevel::caution, "OUTSIDE DATABASE");
         if (out_.terrain_degraded) notice(NoticeLevel::caution, "TERRAIN DEGRADED");
         const bool removed_by_signal = conditions_.terrain == TerrainSource::ready && !out_.show_terrain;
-        if (removed_by_signal) notice(NoticeLevel::caution, "TERRAIN OFF");
+        if (removed_by_signal || conditions_.terrain == TerrainSource::over_budget) notice(NoticeLevel::caution, "TERRAIN OFF");
         add_phase_notices();
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");

@@ -20,8 +20,9 @@ namespace tedavis::display {
 enum class TerrainSource : std::uint8_t {
     none,  ///< no database was given
     ready,
-    outside,  ///< the own ship is not over it
-    failed,   ///< it could not be read or did not check
+    outside,      ///< the own ship is not over it
+    failed,       ///< it could not be read or did not check
+    over_budget,  ///< its coarsest meshes exceed the device's budgets
 };
 
 struct DisplayConditions {

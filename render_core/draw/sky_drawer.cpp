@@ -52,7 +52,7 @@ void SkyDrawer::draw(gl::Gl& gl, const SkyInput& input) const {
     gl->Uniform1f(program_.uniform(kPixelsPerDown), static_cast<float>(view.focal_px / slope));
     set_color(gl, program_.uniform(kZenith), input.colors.zenith);
     set_color(gl, program_.uniform(kHorizon), input.colors.horizon);
-    set_color(gl, program_.uniform(kGroundHorizon), input.behind_terrain ? input.colors.haze : input.colors.ground_horizon);
+    set_color(gl, program_.uniform(kGroundHorizon), input.colors.ground_horizon);
     set_color(gl, program_.uniform(kGround), input.colors.ground);
     corners_.bind(gl);
     gl->EnableVertexAttribArray(0);

@@ -16,8 +16,7 @@ namespace tedavis::draw {
 
 struct SkyInput {
     ViewFrame view;
-    double dip_rad = 0;           ///< horizon_dip_rad(height), 0 for the plain horizon
-    bool behind_terrain = false;  ///< the ground fades into haze instead of brown at the horizon
+    double dip_rad = 0;  ///< horizon_dip_rad(height), 0 for the plain horizon
     design::SkySettings colors;
 };
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/device_files.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -78,53 +81,57 @@ bool has_notice(const DisplayDecisions& decisions, std::string_view text) {
                        [&](const Notice& n) { return n.text.view() == text; });
 }
 
+constexpr Element kNone = Element::count_;
 constexpr SignalState kBadStates[] = {SignalState::missing, SignalState::stale, SignalState::lost, SignalState::invalid};
 
-/// One row of the documented table, written out independently of the policy's own: what is left on the display when this
-/// signal alone is bad (T terrain, W warning colours, D degraded; the element's picture: n normal, s substituted,
-/// f flagged, x failed, - absent), for missing, stale, lost, invalid, and whether it is named in the flags.
+/// One row of the table in the module's README, which is written independently of the policy's own: what is left on the
+/// display for missing, stale, lost and invalid.
 struct Row {
-    Signal signal;
-    Element element;
-    const char* alone[4];          ///< all other signals valid
-    const char* without_peers[4];  ///< no other source of the same information received
+    Signal signal = Signal::count_;
+    Element element = kNone;
+    std::string alone[4];          ///< all other signals valid
+    std::string without_peers[4];  ///< no other source of the same information received
 };
 
-constexpr Element kNone = Element::count_;
-constexpr Row kRows[] = {
-    {Signal::latitude, kNone, {"!", "!", "!", "!"}, {"!", "!", "!", "!"}},
-    {Signal::longitude, kNone, {"!", "!", "!", "!"}, {"!", "!", "!", "!"}},
-    {Signal::ellipsoid_height, kNone, {"TW", "TW!", "TW!", "TW!"}, {"TD!", "TD!", "TD!", "TD!"}},
-    {Signal::true_altitude, kNone, {"TW", "TW!", "TW!", "TW!"}, {"TD", "TD!", "TD!", "TD!"}},
-    {Signal::ground_speed, Element::airspeed, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TWx", "TWf!", "TWx!", "TWx!"}},
-    {Signal::true_track, Element::heading, {"TWn", "TWn!", "TWn!", "TWn!"}, {"x", "f!", "x!", "x!"}},
-    {Signal::horizontal_accuracy, kNone, {"TW", "TD!", "TD!", "TD!"}, {"TW", "TD!", "TD!", "TD!"}},
-    {Signal::vertical_accuracy, kNone, {"TW", "TD!", "TD!", "TD!"}, {"TW", "TD!", "TD!", "TD!"}},
-    {Signal::pitch, Element::attitude, {"x!", "f!", "x!", "x!"}, {"x!", "f!", "x!", "x!"}},
-    {Signal::roll, Element::attitude, {"x!", "f!", "x!", "x!"}, {"x!", "f!", "x!", "x!"}},
-    {Signal::true_heading, Element::heading, {"TWn", "TWn!", "TWn!", "TWn!"}, {"x!", "f!", "x!", "x!"}},
-    {Signal::magnetic_heading, Element::heading, {"TWn", "TWn!", "TWn!", "TWn!"}, {"x", "f!", "x!", "x!"}},
-    {Signal::magnetic_variation, Element::heading, {"TWn", "TWn!", "TWn!", "TWn!"}, {"x", "x!", "x!", "x!"}},
-    {Signal::sideslip, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::pitch_rate, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::roll_rate, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::yaw_rate, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::longitudinal_acceleration, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::lateral_acceleration, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::normal_acceleration, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::indicated_airspeed, Element::airspeed, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TWx!", "TWf!", "TWx!", "TWx!"}},
-    {Signal::calibrated_airspeed, Element::airspeed, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TWx", "TWf!", "TWx!", "TWx!"}},
-    {Signal::true_airspeed, Element::airspeed, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TWx", "TWf!", "TWx!", "TWx!"}},
-    {Signal::standard_altitude, Element::altitude, {"TWn", "TWn!", "TWn!", "TWn!"}, {"x", "f!", "x!", "x!"}},
-    {Signal::baro_altitude, Element::altitude, {"TWs", "TWs!", "TWs!", "TWs!"}, {"x!", "f!", "x!", "x!"}},
-    {Signal::baro_setting, Element::baro_setting, {"TW-", "TWf!", "TWx!", "TWx!"}, {"TW-", "TWf!", "TWx!", "TWx!"}},
-    {Signal::vertical_speed, Element::vertical_speed, {"TWx!", "TWf!", "TWx!", "TWx!"}, {"TWx!", "TWf!", "TWx!", "TWx!"}},
-    {Signal::radio_height, Element::ground_height, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TW-", "TWf!", "TWx!", "TWx!"}},
-    {Signal::height_above_terrain, Element::ground_height, {"TWn", "TWn!", "TWn!", "TWn!"}, {"TW-", "TWf!", "TWx!", "TWx!"}},
-    {Signal::wind_speed, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::wind_direction, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-    {Signal::outside_temperature, kNone, {"TW", "TW", "TW", "TW"}, {"TW", "TW", "TW", "TW"}},
-};
+constexpr const char* kElementNames[] = {"attitude",       "heading",      "airspeed",      "altitude",
+                                         "vertical_speed", "baro_setting", "ground_height", "flight_path"};
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream text(line.substr(1));
+    for (std::string cell; std::getline(text, cell, '|');) {
+        cell.erase(0, cell.find_first_not_of(' '));
+        cells.push_back(cell.substr(0, cell.find_last_not_of(' ') + 1));
+    }
+    return cells;
+}
+
+std::vector<Row> read_table() {
+    std::vector<Row> rows;
+    std::istringstream document(test_support::source_file("render_core/display/README.md"));
+    for (std::string line; std::getline(document, line);) {
+        const std::vector<std::string> cells = line.empty() || line[0] != '|' ? std::vector<std::string>() : cells_of(line);
+        if (cells.size() != 10) continue;
+        Row row;
+        for (std::size_t n = 0; n < flight::kSignalCount; ++n)
+            if (cells[0] == to_string(static_cast<Signal>(n))) row.signal = static_cast<Signal>(n);
+        if (row.signal == Signal::count_) continue;  // the table's head
+        const auto element = std::find(std::begin(kElementNames), std::end(kElementNames), cells[1]);
+        if (element != std::end(kElementNames)) row.element = static_cast<Element>(element - std::begin(kElementNames));
+        EXPECT_EQ(row.element == kNone, cells[1].empty()) << "no such element: " << cells[1];
+        for (std::size_t n = 0; n < 4; ++n) {
+            row.alone[n] = cells[2 + n];
+            row.without_peers[n] = cells[6 + n];
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+const std::vector<Row>& table() {
+    static const std::vector<Row> rows = read_table();
+    return rows;
+}
 
 /// What else states the same information on the display.
 std::vector<Signal> peers_of(Signal signal) {
@@ -156,7 +163,7 @@ std::string picture(const DisplayDecisions& decisions, const Row& row, SignalSta
 TEST(FailurePolicy, TheTableHasARowForEverySignal) {
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
         const auto rows =
-            std::count_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
+            std::count_if(table().begin(), table().end(), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
         EXPECT_EQ(rows, 1) << to_string(static_cast<Signal>(i));
         EXPECT_EQ(signal_rule(static_cast<Signal>(i)).signal, static_cast<Signal>(i));
         EXPECT_EQ(consequences(signal_rule(static_cast<Signal>(i)), SignalState::valid), kNoConsequence);
@@ -164,7 +171,7 @@ TEST(FailurePolicy, TheTableHasARowForEverySignal) {
 }
 
 TEST(FailurePolicy, EveryCellWithAllOtherSignalsValid) {
-    for (const Row& row : kRows)
+    for (const Row& row : table())
         for (int i = 0; i < 4; ++i) {
             AircraftState state = everything_valid();
             put(state, row.signal, kBadStates[i]);
@@ -174,7 +181,7 @@ TEST(FailurePolicy, EveryCellWithAllOtherSignalsValid) {
 }
 
 TEST(FailurePolicy, EveryCellWithoutAnotherSourceOfTheInformation) {
-    for (const Row& row : kRows)
+    for (const Row& row : table())
         for (int i = 0; i < 4; ++i) {
             AircraftState state = everything_valid();
             for (Signal peer : peers_of(row.signal)) put(state, peer, SignalState::missing);
@@ -271,7 +278,8 @@ TEST(FailurePolicy, HeadingFallsBackFromTrueToMagneticToTrack) {
 TEST(FailurePolicy, TheDatabaseHasItsPictures) {
     const std::pair<TerrainSource, const char*> cases[] = {{TerrainSource::none, "NO TERRAIN DATA"},
                                                            {TerrainSource::outside, "OUTSIDE DATABASE"},
-                                                           {TerrainSource::failed, "TERRAIN FAIL"}};
+                                                           {TerrainSource::failed, "TERRAIN FAIL"},
+                                                           {TerrainSource::over_budget, "TERRAIN OFF"}};
     for (const auto& [source, text] : cases) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = source;

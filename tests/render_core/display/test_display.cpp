@@ -1,0 +1,289 @@
+#include "render_core/display/display.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/gl/readback.hpp"
+#include "tests/support/built_database.hpp"
+#include "tests/support/default_flight.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using base::Duration;
+using base::Quality;
+using base::radians;
+using base::SignalState;
+using base::Time;
+using flight::Signal;
+using test_support::HeadlessDisplay;
+
+constexpr Time kNow{1'700'000'000'000'000'000};
+
+/// Hills of 1000 m at 47.0 N 9.7 E, and a database of them.
+const test_support::BuiltDatabase& hills() {
+    static const test_support::BuiltDatabase built(test_support::make_rough_raster(241, 241));
+    return built;
+}
+
+/// In the middle of the hills at a height above MSL, everything valid.
+flight::AircraftState aircraft_at(double msl_m, double heading_deg = 30, double pitch_deg = 2, double roll_deg = 0) {
+    flight::AircraftState state;
+    const auto set = [&](Signal signal, double value) { state[signal] = {value, kNow}; };
+    const double latitude = radians(47.0), longitude = radians(9.7);
+    const double ellipsoid_m = msl_m + hills().database.undulation(latitude, longitude).m;
+    set(Signal::latitude, latitude);
+    set(Signal::longitude, longitude);
+    set(Signal::ellipsoid_height, ellipsoid_m);
+    set(Signal::pitch, radians(pitch_deg));
+    set(Signal::roll, radians(roll_deg));
+    set(Signal::true_heading, radians(heading_deg));
+    set(Signal::true_track, radians(heading_deg));
+    set(Signal::ground_speed, 60);
+    set(Signal::indicated_airspeed, 60);
+    set(Signal::baro_altitude, msl_m);
+    set(Signal::vertical_speed, 0);
+    set(Signal::height_above_terrain, msl_m - 1000);
+    state.own_ship.position = {latitude, longitude, {ellipsoid_m}};
+    state.own_ship.velocity_north_mps = 60 * std::cos(radians(heading_deg));
+    state.own_ship.velocity_east_mps = 60 * std::sin(radians(heading_deg));
+    state.own_ship.height_is_geometric = true;
+    state.own_ship.at = kNow;
+    state.own_ship.state = SignalState::valid;
+    return state;
+}
+
+struct Picture {
+    std::vector<std::uint8_t> rgba;
+    std::uint32_t width = 0, height = 0;
+    /// From the top left corner.
+    [[nodiscard]] const std::uint8_t* at(std::uint32_t x, std::uint32_t y) const {
+        return rgba.data() + (std::size_t{height - 1 - y} * width + x) * 4;
+    }
+    [[nodiscard]] bool is_sky(std::uint32_t x, std::uint32_t y) const {
+        return at(x, y)[2] > at(x, y)[1] && at(x, y)[1] > at(x, y)[0];
+    }
+};
+bool operator==(const Picture& a, const Picture& b) { return a.rgba == b.rgba; }
+bool operator!=(const Picture& a, const Picture& b) { return !(a == b); }
+
+Picture picture_of(HeadlessDisplay& display, const flight::AircraftState& state, const flight::PhaseStatus& phase = {},
+                   Time now = kNow) {
+    display.display().update(state, phase, now);
+    display.display().draw(display.surface());
+    Picture picture{std::vector<std::uint8_t>(std::size_t{display.surface().width()} * display.surface().height() * 4),
+                    display.surface().width(), display.surface().height()};
+    EXPECT_TRUE(
+        gl::read_pixels(display.display().gl(), picture.width, picture.height, {picture.rgba.data(), picture.rgba.size()}));
+    return picture;
+}
+
+bool has_flag(const HeadlessDisplay& display, std::string_view name) {
+    const auto& flags = const_cast<HeadlessDisplay&>(display).display().record().flags;
+    return std::any_of(flags.begin(), flags.end(), [&](const Name& flag) { return flag.view() == name; });
+}
+
+/// A display over the hills; the image may be damaged before.
+struct OverHills {
+    test_support::MemoryBytes bytes;
+    HeadlessDisplay display;
+    explicit OverHills(const std::vector<std::uint8_t>& image = hills().image, const std::string& device = "es3-mid",
+                       std::uint32_t width = 320, std::uint32_t height = 240)
+        : bytes(image), display("egl", device, width, height, &bytes) {}
+};
+
+TEST(Display, TheSameStateGivesTheSameBits) {
+    const auto first_picture = [] {
+        OverHills first;
+        return picture_of(first.display, aircraft_at(2000));
+    };
+    const Picture a = first_picture();
+    OverHills second;
+    static_cast<void>(picture_of(second.display, aircraft_at(3500, 200, -10, 40)));
+    EXPECT_EQ(a, picture_of(second.display, aircraft_at(2000))) << "whatever was drawn before";
+    EXPECT_NE(a, picture_of(second.display, aircraft_at(2001))) << "control";
+}
+
+TEST(Display, SkyAboveAndTerrainBelowTheHorizonInEverySizeAndLane) {
+    struct Case {
+        const char* device;
+        std::uint32_t width, height;
+    };
+    for (const Case& c :
+         {Case{"es3-mid", 640, 480}, Case{"es3-mid", 1920, 1080}, Case{"es3-mid", 480, 800}, Case{"es2-small", 640, 480}}) {
+        OverHills over(hills().image, c.device, c.width, c.height);
+        const Picture picture = picture_of(over.display, aircraft_at(2500, 30, 0));
+        // Beside the tapes and above the heading, where no symbol stands.
+        EXPECT_TRUE(picture.is_sky(c.width / 2 + c.width / 5, c.height / 4)) << c.device << " " << c.width;
+        EXPECT_FALSE(picture.is_sky(c.width / 2 + c.width / 5, c.height * 2 / 3)) << c.device << " " << c.width;
+        EXPECT_GT(over.display.display().record().terrain.triangles, 0u);
+        EXPECT_EQ(over.display.display().gl().denied().total, 0u);
+    }
+}
+
+TEST(Display, BytesStayWithinTheBudgetsAndAreTheSameEveryFrame) {
+    OverHills over;
+    static_cast<void>(picture_of(over.display, aircraft_at(2500)));
+    const ByteRecord first = over.display.display().record().bytes;
+    for (const double heading : {0.0, 90.0, 180.0, 270.0})
+        static_cast<void>(picture_of(over.display, aircraft_at(1500, heading)));
+    const ByteRecord last = over.display.display().record().bytes;
+    EXPECT_EQ(first.cpu, last.cpu);
+    EXPECT_EQ(first.gpu, last.gpu);
+    EXPECT_LE(last.cpu, last.cpu_budget);
+    EXPECT_LE(last.gpu, last.gpu_budget);
+    EXPECT_GT(last.gpu, 0u);
+}
+
+/// Removed terrain leaves no trace of where the aircraft is: the picture is that of any other place.
+TEST(Display, WithoutATrustworthyPositionNothingOfTheTerrainIsSeen) {
+    OverHills over;
+    const Picture shown = picture_of(over.display, aircraft_at(2000));
+    for (const SignalState bad : {SignalState::missing, SignalState::stale, SignalState::lost, SignalState::invalid}) {
+        flight::AircraftState here = aircraft_at(2000), elsewhere = aircraft_at(2000);
+        elsewhere.own_ship.position.latitude_rad = radians(47.03);
+        here.own_ship.state = elsewhere.own_ship.state = bad;
+        const Picture removed = picture_of(over.display, here);
+        EXPECT_NE(removed, shown);
+        EXPECT_EQ(removed, picture_of(over.display, elsewhere));
+        EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+    }
+    flight::AircraftState elsewhere = aircraft_at(2000);
+    elsewhere.own_ship.position.latitude_rad = radians(47.03);
+    EXPECT_NE(shown, picture_of(over.display, elsewhere)) << "control: shown terrain does depend on the place";
+}
+
+TEST(Display, StaleAltitudeTakesTheWarningColoursAway) {
+    OverHills over;
+    flight::AircraftState state = aircraft_at(1100);
+    const Picture warned = picture_of(over.display, state);
+    EXPECT_EQ(over.display.display().record().effects[1].state, EffectState::run);
+    state.own_ship.height_is_geometric = false;
+    const Picture degraded = picture_of(over.display, state);
+    EXPECT_EQ(over.display.display().record().effects[1].state, EffectState::skipped);
+    EXPECT_TRUE(has_flag(over.display, "terrain.degraded"));
+    EXPECT_NE(warned, degraded);
+}
+
+TEST(Display, ADamagedChunkTurnsTheTerrainOffInTheSameFrame) {
+    std::vector<std::uint8_t> image = hills().image;
+    for (terrain::ChunkIndex n = 0; n < hills().database.chunk_count(); ++n) image[hills().database.entry(n).offset + 7] ^= 4;
+    const auto whole_picture = [] {
+        OverHills whole;
+        return picture_of(whole.display, aircraft_at(2000));
+    };
+    const Picture whole = whole_picture();
+    OverHills over(image);
+    const Picture first = picture_of(over.display, aircraft_at(2000));
+    EXPECT_TRUE(has_flag(over.display, "terrain.failed"));
+    EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+    EXPECT_EQ(first, picture_of(over.display, aircraft_at(2000))) << "the notice stands on the first frame already";
+    EXPECT_NE(first, whole);
+}
+
+TEST(Display, StartRefusesWhatIsNoDatabase) {
+    std::vector<std::uint8_t> image = hills().image;
+    image[200] ^= 1;
+    test_support::MemoryBytes bytes(image);
+    try {
+        HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes);
+        FAIL() << "a damaged header was accepted";
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("terrain database"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Display, WithoutADatabaseTheHorizonIsPlain) {
+    HeadlessDisplay display("egl", "es3-mid", 320, 240, nullptr);
+    const Picture picture = picture_of(display, aircraft_at(2000, 30, 0));
+    EXPECT_TRUE(picture.is_sky(224, 60));
+    EXPECT_FALSE(picture.is_sky(224, 160));
+    EXPECT_TRUE(has_flag(display, "terrain.missing"));
+}
+
+TEST(Display, OutsideTheDatabaseIsSaid) {
+    OverHills over;
+    flight::AircraftState state = aircraft_at(2000);
+    state.own_ship.position.latitude_rad = radians(48.5);
+    static_cast<void>(picture_of(over.display, state));
+    EXPECT_TRUE(has_flag(over.display, "terrain.outside_database"));
+    EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+}
+
+TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {
+    OverHills over;
+    const Picture own = picture_of(over.display, aircraft_at(2000));
+    const terrain::View same = over.display.display().view();
+    over.display.display().set_free_view(same);
+    const Picture bare = picture_of(over.display, aircraft_at(2000));
+    std::size_t different = 0;
+    for (std::size_t n = 0; n < own.rgba.size(); ++n) different += own.rgba[n] != bare.rgba[n] ? 1 : 0;
+    EXPECT_GT(different, own.rgba.size() / 50) << "symbols are gone";
+    EXPECT_LT(different, own.rgba.size() * 2 / 3) << "the terrain is the same";
+    terrain::View other = same;
+    other.forward = -same.forward;
+    other.right = -same.right;
+    over.display.display().set_free_view(other);
+    EXPECT_NE(bare, picture_of(over.display, aircraft_at(2000)));
+    over.display.display().clear_free_view();
+    EXPECT_EQ(own, picture_of(over.display, aircraft_at(2000)));
+}
+
+TEST(Display, TheEyeIsWhereTheAircraftAndTheDesignPutIt) {
+    OverHills over;
+    const flight::AircraftState state = aircraft_at(2000, 90, 0);
+    static_cast<void>(picture_of(over.display, state));
+    const glm::dvec3 own = earth::to_ecef(state.own_ship.position);
+    EXPECT_LT(glm::length(over.display.display().view().eye - own), 1e-6);
+    const std::string path = "configs/designs/default.toml";
+    design::DesignSettings design = design::read_design_settings(test_support::source_file(path), path).value();
+    design.view.eye_forward_m = 3;
+    design.view.eye_down_m = -1.5;
+    over.display.display().set_design(design);
+    static_cast<void>(picture_of(over.display, state));
+    const glm::dmat3 ned = earth::north_east_down(radians(47.0), radians(9.7));
+    const glm::dvec3 moved = over.display.display().view().eye - own;
+    EXPECT_NEAR(glm::dot(moved, ned[1]), 3, 1e-6) << "forward is east";
+    EXPECT_NEAR(glm::dot(moved, ned[2]), -1.5, 1e-6);
+}
+
+TEST(Display, TheRecordTellsWhatWasDrawn) {
+    OverHills over;
+    flight::PhaseStatus phase;
+    phase.phase = flight::kApproachFinal;
+    phase.source = flight::PhaseSource::switches;
+    static_cast<void>(picture_of(over.display, aircraft_at(1500, 30, 3, 5), phase));
+    static_cast<void>(picture_of(over.display, aircraft_at(1500, 30, 3, 5), phase));
+    const FrameRecord& record = over.display.display().record();
+    EXPECT_EQ(record.frame, 1u);
+    EXPECT_EQ(record.time.ns, kNow.ns);
+    EXPECT_EQ(record.phase.phase, flight::kApproachFinal);
+    EXPECT_NEAR(record.altitude_msl_m, 1500, 1e-9);
+    EXPECT_NEAR(record.heading_rad, radians(30), 1e-12);
+    EXPECT_GT(record.terrain.chunks, 0u);
+    EXPECT_LE(record.terrain.worst_error_px, record.terrain.tau_px);
+    EXPECT_EQ(record.bytes.uploaded > 0, true) << "symbology at least";
+    EXPECT_EQ(record.signals[static_cast<std::size_t>(Signal::pitch)], SignalState::valid);
+    EXPECT_EQ(record.signals[static_cast<std::size_t>(Signal::radio_height)], SignalState::missing);
+}
+
+TEST(Display, HeightAboveTerrainIsFromTheSurfaceThatIsDrawn) {
+    OverHills over;
+    const flight::AircraftState state = aircraft_at(2600);
+    const base::Stamped<double> above = over.display.display().height_above_terrain(state.own_ship, kNow);
+    const host_sim::Raster raster = test_support::make_rough_raster(241, 241);
+    // 47.0 N, 9.7 E is post 120, 120 of the raster (9.6 E, 47.1 N, 1200 posts a degree).
+    EXPECT_NEAR(above.value_or(0), 2600 - double{raster.height_m[raster.at(120, 120)]}, 0.05);
+    flight::OwnShipEstimate lost = state.own_ship;
+    lost.state = SignalState::stale;
+    EXPECT_FALSE(over.display.display().height_above_terrain(lost, kNow).received());
+}
+
+}  // namespace
+}  // namespace tedavis::display
