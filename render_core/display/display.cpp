@@ -107,6 +107,7 @@ void Display::stop() {
 
 void Display::set_design(const design::DesignSettings& design) {
     settings_.design = design;
+    layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
     if (has_terrain_) terrain_drawer_.set_design(gl_, design);
 }
 
