@@ -1,0 +1,72 @@
+/// The skyline of a picture that was drawn for it, and a flight's display set up to draw such pictures.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+#include "render_core/gl/readback.hpp"
+#include "tests/support/default_flight.hpp"
+#include "tests/support/raster_ray_caster.hpp"
+
+namespace tedavis::test_support {
+
+/// All that is not terrain is pure blue, and the terrain has none.
+inline design::DesignSettings skyline_design() {
+    const std::string path = "configs/designs/default.toml";
+    design::DesignSettings design = design::read_design_settings(source_file(path), path).value();
+    const design::Color blue{0, 0, 255};
+    design.sky.zenith = design.sky.horizon = design.sky.ground = design.sky.ground_horizon = design.sky.haze = blue;
+    design.terrain.unknown = blue;
+    design.sky.haze_distance_m = 0;
+    for (design::HeightColor& stop : design.terrain.palette) stop.color = {200, 60, 0};
+    design.terrain.sea = {200, 60, 0};
+    return design;
+}
+
+class SkylinePicture {
+public:
+    /// Draws the state twice: once to learn the own view, then from there without symbols.
+    SkylinePicture(HeadlessDisplay& headless, const flight::AircraftState& state, base::Time now)
+        : width_(headless.surface().width()), height_(headless.surface().height()), rgba_(std::size_t{width_} * height_ * 4) {
+        display::Display& display = headless.display();
+        display.clear_free_view();
+        display.update(state, {}, now);
+        display.set_free_view(display.view());
+        display.update(state, {}, now);
+        display.draw(headless.surface());
+        record_ = display.record();
+        EXPECT_TRUE(gl::read_pixels(display.gl(), width_, height_, {rgba_.data(), rgba_.size()}));
+    }
+    /// Row of the uppermost pixel that is no sky, from the top.
+    [[nodiscard]] std::optional<int> skyline_px(int column) const {
+        for (std::uint32_t row = 0; row < height_; ++row) {
+            const std::uint8_t* p =
+                rgba_.data() + (std::size_t{height_ - 1 - row} * width_ + static_cast<std::size_t>(column)) * 4;
+            if (p[0] > 0) return static_cast<int>(row);
+        }
+        return std::nullopt;
+    }
+    /// The camera of the pose that the record states, at the design's field of view.
+    [[nodiscard]] OracleCamera camera() const {
+        const earth::Geodetic& place = record_.own_ship.position;
+        return {base::degrees(place.latitude_rad),
+                base::degrees(place.longitude_rad),
+                place.height.m,
+                base::degrees(record_.heading_rad),
+                base::degrees(record_.pitch_rad),
+                base::degrees(record_.roll_rad),
+                base::degrees(skyline_design().view.horizontal_field_of_view_rad),
+                double(width_),
+                double(height_)};
+    }
+    [[nodiscard]] const display::FrameRecord& record() const { return record_; }
+
+private:
+    std::uint32_t width_, height_;
+    std::vector<std::uint8_t> rgba_;
+    display::FrameRecord record_;
+};
+
+}  // namespace tedavis::test_support
