@@ -29,6 +29,12 @@ std::uint64_t BudgetTable::in_use(MemoryKind kind) const {
 }
 
 void* Arena::allocate(std::size_t bytes, std::size_t alignment) {
+    void* memory = place(bytes, alignment);
+    if (memory != nullptr) std::memset(memory, 0, bytes);
+    return memory;
+}
+
+void* Arena::place(std::size_t bytes, std::size_t alignment) {
     TEDAVIS_CHECK(alignment != 0 && (alignment & (alignment - 1)) == 0);
     const auto address = reinterpret_cast<std::uintptr_t>(block_) + use_.in_use;
     const std::size_t padding = (alignment - address % alignment) % alignment;
@@ -39,12 +45,11 @@ void* Arena::allocate(std::size_t bytes, std::size_t alignment) {
     }
     unsigned char* memory = block_ + use_.in_use + padding;
     use_.take(padding + bytes);
-    std::memset(memory, 0, bytes);
     return memory;
 }
 
 Arena Arena::carve(std::size_t bytes) {
-    void* memory = allocate(bytes, alignof(std::max_align_t));
+    void* memory = place(bytes, alignof(std::max_align_t));
     return memory == nullptr ? Arena() : Arena(memory, bytes);
 }
 

@@ -60,12 +60,15 @@ public:
         void* memory = allocate(count * sizeof(T), alignof(T));
         return memory == nullptr ? Span<T>() : Span<T>(static_cast<T*>(memory), count);
     }
-    /// A child arena of its own; empty (capacity 0) when it does not fit.
+    /// A child arena of its own; empty (capacity 0) when it does not fit. Its bytes stay untouched until it hands them out, so
+    /// that a budget costs no memory of the machine before it is used.
     [[nodiscard]] Arena carve(std::size_t bytes);
     void reset() { use_.in_use = 0; }
     [[nodiscard]] const ResourceUse& use() const { return use_; }
 
 private:
+    [[nodiscard]] void* place(std::size_t bytes, std::size_t alignment);
+
     unsigned char* block_ = nullptr;
     ResourceUse use_;
 };

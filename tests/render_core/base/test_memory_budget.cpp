@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -94,6 +96,17 @@ TEST_F(ArenaTest, a_carved_child_stays_inside_its_piece) {
     EXPECT_EQ(arena.carve(1000).use().capacity, 0u);
     EXPECT_EQ(arena.use().refused, 1u);
     EXPECT_EQ(Arena().allocate(1, 1), nullptr) << "an empty arena refuses everything";
+}
+
+TEST(Arena, touches_only_what_it_hands_out_and_fills_that_with_zeros) {
+    unsigned char block[256];
+    std::fill(std::begin(block), std::end(block), static_cast<unsigned char>(7));
+    Arena arena(block, sizeof block);
+    Arena child = arena.carve(128);
+    EXPECT_EQ(std::count(std::begin(block), std::end(block), 7), 256) << "a carved budget is not used yet";
+    const Span<unsigned char> used = child.allocate_array<unsigned char>(32);
+    EXPECT_EQ(std::count(used.begin(), used.end(), 0), 32);
+    EXPECT_EQ(std::count(std::begin(block), std::end(block), 7), 256 - 32);
 }
 
 TEST(ArenaDeathTest, alignment_must_be_a_power_of_two) {
