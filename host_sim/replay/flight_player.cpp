@@ -143,7 +143,7 @@ void FlightPlayer::make_index() {
     while (source_->health() != bus::SourceHealth::ended && next_step_is_by(kEnd)) {
         run_step();
         if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_file_.size());
-        if (interrupt.requested()) throw UserError(log_name_ + ": interrupted while it was indexed; nothing was written");
+        if (interrupt.requested()) throw Interrupted(log_name_ + ": interrupted while it was indexed; nothing was written");
     }
     if (console_ != nullptr) console_->progress_done();
     index_.last = source_->position().newest;

@@ -42,7 +42,7 @@ struct IndexPolicy {
 class FlightPlayer {
 public:
     /// Shows progress and says on the console why an index is made anew or cannot be kept; null: in silence.
-    /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log, Ctrl-C meanwhile.
+    /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log; Interrupted.
     FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console = nullptr,
                  const IndexPolicy& policy = IndexPolicy());
 

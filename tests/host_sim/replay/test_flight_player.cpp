@@ -302,6 +302,17 @@ TEST(FlightPlayer, OtherSwitchesFromAnInstantOnPlayAsIfTheyHadBeenRecorded) {
     for (const double t : {19.9, 20.02, 25.0, 59.0, 21.0}) EXPECT_EQ(changed.text(t), as_recorded.text(t)) << t;
 }
 
+TEST(FlightPlayer, SaysWhenTheLogCannotBeReadToItsEnd) {
+    const TemporaryFolder folder;
+    const std::string text = first_seconds(120);
+    ASSERT_GT(text.size(), 3u << 20) << "more than the player holds at a time";
+    const PlayerFiles files = files_of(folder.write("a.log", text));
+    Played played(files);
+    static_cast<void>(played.text(1));
+    std::filesystem::resize_file(files.log, text.size() / 2);
+    test_support::expect_user_error([&] { static_cast<void>(played.text(119)); }, "cannot be read beyond byte");
+}
+
 TEST(FlightPlayer, CtrlCWhileIndexingLeavesNothing) {
     const TemporaryFolder folder;
     const PlayerFiles files = files_of(folder.write("a.log", first_seconds(20)));
@@ -315,7 +326,7 @@ TEST(FlightPlayer, CtrlCWhileIndexingLeavesNothing) {
     std::ostream notes(&interrupter);
     Console console(results, notes, false, true);
     display::Display display;
-    EXPECT_THROW(FlightPlayer(files, display, &console, dense()), std::runtime_error);
+    EXPECT_THROW(FlightPlayer(files, display, &console, dense()), Interrupted);
     EXPECT_EQ(folder.entries(), 1u);
 }
 
