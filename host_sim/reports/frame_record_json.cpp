@@ -19,10 +19,11 @@ const char* own_ship_state(base::SignalState state) {
 
 Json own_ship_json(const display::FrameRecord& record) {
     const earth::Geodetic& position = record.own_ship.position;
+    const Json ellipsoid_m = record.own_ship.height_is_geometric ? Json(position.height.m) : Json();
     return {{"lat_deg", base::degrees(position.latitude_rad)},
             {"lon_deg", base::degrees(position.longitude_rad)},
             {"alt_msl_m", record.altitude_msl_m},
-            {"alt_ellipsoid_m", position.height.m},
+            {"alt_ellipsoid_m", ellipsoid_m},
             {"heading_deg", base::degrees(record.heading_rad)},
             {"pitch_deg", base::degrees(record.pitch_rad)},
             {"roll_deg", base::degrees(record.roll_rad)},
@@ -31,7 +32,8 @@ Json own_ship_json(const display::FrameRecord& record) {
 
 Json signals_json(const display::FrameRecord& record) {
     Json json = Json::object();
-    for (std::size_t i = 0; i < flight::kSignalCount; ++i) json[flight::to_string(static_cast<flight::Signal>(i))] = base::to_string(record.signals[i]);
+    for (std::size_t i = 0; i < flight::kSignalCount; ++i)
+        json[flight::to_string(static_cast<flight::Signal>(i))] = base::to_string(record.signals[i]);
     return json;
 }
 
@@ -39,9 +41,12 @@ Json effects_json(const display::FrameRecord& record) {
     static constexpr const char* kStates[] = {"run", "replaced", "skipped"};
     Json json = Json::array();
     for (const display::EffectRecord& effect : record.effects) {
-        json.push_back({{"name", text(effect.name.view())}, {"state", kStates[static_cast<std::size_t>(effect.state)]},
-                        {"reason", text(effect.reason.view())}, {"replaced_by", text(effect.replaced_by.view())},
-                        {"bound", effect.bound}, {"draws", effect.draws}});
+        json.push_back({{"name", text(effect.name.view())},
+                        {"state", kStates[static_cast<std::size_t>(effect.state)]},
+                        {"reason", text(effect.reason.view())},
+                        {"replaced_by", text(effect.replaced_by.view())},
+                        {"bound", effect.bound},
+                        {"draws", effect.draws}});
     }
     return json;
 }
@@ -76,15 +81,22 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["own_ship"] = own_ship_json(record);
     json["signals"] = signals_json(record);
     json["flags"] = flags_json(record);
-    json["terrain"] = {{"tau_px", record.terrain.tau_px}, {"worst_error_px", record.terrain.worst_error_px},
-                       {"worst_chunk", text(record.terrain.worst_chunk.view())}, {"triangles", record.terrain.triangles},
-                       {"chunks", record.terrain.chunks}, {"pending", record.terrain.pending}};
+    json["terrain"] = {{"tau_px", record.terrain.tau_px},
+                       {"worst_error_px", record.terrain.worst_error_px},
+                       {"worst_chunk", text(record.terrain.worst_chunk.view())},
+                       {"triangles", record.terrain.triangles},
+                       {"chunks", record.terrain.chunks},
+                       {"pending", record.terrain.pending}};
     json["data"] = Json::object();
     json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
-    json["bytes"] = {{"cpu", record.bytes.cpu}, {"gpu", record.bytes.gpu}, {"cpu_budget", record.bytes.cpu_budget},
-                     {"gpu_budget", record.bytes.gpu_budget}, {"uploaded", record.bytes.uploaded}};
+    json["bytes"] = {{"cpu", record.bytes.cpu},
+                     {"gpu", record.bytes.gpu},
+                     {"cpu_budget", record.bytes.cpu_budget},
+                     {"gpu_budget", record.bytes.gpu_budget},
+                     {"uploaded", record.bytes.uploaded}};
     json["effects"] = effects_json(record);
-    json["presentation"] = {{"terrain", aspect_json(record.terrain_aspect)}, {"data", aspect_json(record.data_aspect)},
+    json["presentation"] = {{"terrain", aspect_json(record.terrain_aspect)},
+                            {"data", aspect_json(record.data_aspect)},
                             {"uncertainty", aspect_json(record.uncertainty_aspect)}};
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
     json["latency_ms"] = result.latency_ms;

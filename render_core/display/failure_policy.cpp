@@ -205,6 +205,8 @@ private:
             out_.show_terrain && design_.warning_colors && !out_.unusual_attitude && (all_gathered_ & kRemoveWarningColors) == 0;
         out_.plain_horizon = !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         if (out_.terrain_degraded) flag("terrain", "degraded");
+        ElementDecision& ground = out_[Element::ground_height];
+        if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::flagged;
         if (conditions_.terrain == TerrainSource::none) flag("terrain", "missing");
         if (conditions_.terrain == TerrainSource::outside) flag("terrain", "outside_database");
         if (conditions_.terrain == TerrainSource::failed) flag("terrain", "failed");

@@ -51,9 +51,10 @@ public:
     /// The camera of the pose that the record states, at the design's field of view.
     [[nodiscard]] OracleCamera camera() const {
         const earth::Geodetic& place = record_.own_ship.position;
+        const double undulation = host_sim::GeoidEgm96::installed().undulation(place.latitude_rad, place.longitude_rad).m;
         return {base::degrees(place.latitude_rad),
                 base::degrees(place.longitude_rad),
-                place.height.m,
+                record_.altitude_msl_m + undulation,
                 base::degrees(record_.heading_rad),
                 base::degrees(record_.pitch_rad),
                 base::degrees(record_.roll_rad),
