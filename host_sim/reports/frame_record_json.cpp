@@ -73,7 +73,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     const display::FrameRecord& record = result.record;
     Json json;
     json["frame"] = record.frame;
-    json["time_s"] = (record.time - origin).to_seconds();
+    json["time_s"] = static_cast<double>((record.time - origin).ns) / 1e9;  // a quotient: 7.5, not 7.500000000000001
     json["hash"] = hash_text(result.hash);
     json["phase"] = flight::scenario_name(record.phase.phase);
     json["sub_phase"] = flight::sub_phase_name(record.phase.phase);
