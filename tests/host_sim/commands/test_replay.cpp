@@ -1,0 +1,228 @@
+#include "host_sim/commands/replay.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+#include "tests/support/frame_lines.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::frame_lines;
+using test_support::hashes_by_time;
+using test_support::summary_of;
+using ::testing::HasSubstr;
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+std::map<double, std::string> replayed(const ReplayOptions& options) {
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    EXPECT_EQ(run_replay(options, console), 0);
+    return hashes_by_time(options.output);
+}
+
+/// The whole flight, drawn once for all tests.
+const std::map<double, std::string>& whole() {
+    static const std::map<double, std::string> kHashes = replayed(files().options("whole"));
+    return kHashes;
+}
+
+TEST(Replay, LeavesAWholeRun) {
+    EXPECT_EQ(whole().size(), 17u);
+    const std::string folder = files().folder.file("whole");
+    EXPECT_TRUE(std::filesystem::exists(folder + "/report.html"));
+    const auto summary = summary_of(folder);
+    EXPECT_EQ(summary.at("frames"), 17);
+    EXPECT_EQ(summary.at("size"), "320x240");
+    EXPECT_EQ(summary.at("interrupted"), false);
+    EXPECT_EQ(summary.at("gl_calls_outside_device"), 0);
+    EXPECT_GT(summary.at("can").at("decoded"), 1000);
+    std::set<std::string> different;
+    for (const auto& [time, hash] : whole()) different.insert(hash);
+    EXPECT_EQ(different.size(), 17u) << "the aircraft flies";
+    for (const auto& line : frame_lines(folder)) {
+        const bool position_was_sent = line.at("time_s") > 0;
+        EXPECT_EQ(line.at("own_ship").at("state") == "valid", position_was_sent) << line.at("time_s");
+    }
+}
+
+TEST(Replay, TwiceIsTheSame) {
+    const auto again = replayed(files().options("again"));
+    EXPECT_EQ(again, whole());
+    const auto first = frame_lines(files().folder.file("whole")), second = frame_lines(files().folder.file("again"));
+    for (std::size_t n = 0; n < first.size(); ++n) {
+        auto a = first[n], b = second[n];
+        a.erase("ms");
+        b.erase("ms");
+        EXPECT_EQ(a, b);
+    }
+}
+
+TEST(Replay, TheFrameAtTIsTheOneOfTheWholeRun) {
+    for (const double from : {0.5, 3.0, 7.5, 8.0}) {
+        ReplayOptions part = files().options("part");
+        part.from_s = from;
+        part.to_s = from + 1;
+        const auto some = replayed(part);
+        EXPECT_EQ(some.begin()->first, from);
+        for (const auto& [time, hash] : some) EXPECT_EQ(whole().at(time), hash) << time;
+    }
+}
+
+TEST(Replay, OtherStepsMeetTheSameFrames) {
+    ReplayOptions coarse = files().options("coarse");
+    coarse.step_s = 2;
+    const auto some = replayed(coarse);
+    EXPECT_EQ(some.size(), 5u);
+    for (const auto& [time, hash] : some) EXPECT_EQ(whole().at(time), hash) << time;
+}
+
+TEST(Replay, BackwardsIsTheSameTheOtherWay) {
+    ReplayOptions back = files().options("back");
+    back.step_s = -0.5;
+    EXPECT_EQ(replayed(back), whole());
+    const auto lines = frame_lines(back.output);
+    EXPECT_EQ(lines.front().at("time_s"), 8);
+    EXPECT_EQ(lines.back().at("time_s"), 0);
+}
+
+TEST(Replay, AllSurfacesDrawTheSamePictures) {
+    ReplayOptions osmesa = files().options("osmesa");
+    osmesa.picture.gl = test_support::headless_backends().size() > 1 ? GlChoice::osmesa : GlChoice::egl;
+    EXPECT_EQ(replayed(osmesa), whole());
+}
+
+TEST(Replay, PicturesHashesOrNothing) {
+    ReplayOptions options = files().options("pictures");
+    options.to_s = 1;
+    options.frames.reset();
+    static_cast<void>(replayed(options));
+    EXPECT_TRUE(std::filesystem::exists(options.output + "/frames/000002.png"));
+    options.frames = FrameOutput::hash;
+    EXPECT_EQ(replayed(options).at(1), whole().at(1));
+    EXPECT_FALSE(std::filesystem::exists(options.output + "/frames/000002.png")) << "of the run before";
+    options.frames = FrameOutput::none;
+    EXPECT_EQ(replayed(options).at(1), "0000000000000000");
+}
+
+TEST(Replay, ASwitchLogStatesThePhase) {
+    ReplayOptions options = files().options("switches");
+    const std::string stamp = "(1700000002.250000) panel.";
+    std::string log = "# tedavis switch log 1\n";
+    for (const char* name : {"GROUND 0", "TAKEOFF 0", "CRUISE 1", "APPROACH 0", "GO_AROUND 0", "REPLAN 0", "AUTO 0"})
+        log += stamp + name + "\n";
+    options.switches = files().folder.write("cruise.switches", log + "this is no edge\n");
+    static_cast<void>(replayed(options));
+    for (const auto& line : frame_lines(options.output)) {
+        const bool switched = line.at("time_s") > 2.25;
+        EXPECT_EQ(line.at("phase_source") == "switch", switched) << line.at("time_s");
+        if (switched) {
+            EXPECT_EQ(line.at("phase"), "cruise");
+        }
+    }
+    EXPECT_THAT(summary_of(options.output).at("notes").dump(), HasSubstr("cruise.switches:9"));
+}
+
+/// Standard frames of identifiers that CANaerospace does not use for what the display shows, among the flight's own.
+TEST(Replay, AlienTrafficChangesNothingButCounters) {
+    std::string log = files().folder.read("flight.log");
+    std::size_t at = log.find('\n', log.size() / 4) + 1;
+    std::size_t aliens = 0;
+    for (; aliens < 200 && at != 0; ++aliens) {
+        const std::string stamp = log.substr(at, log.find(')', at) + 1 - at);
+        const std::string alien = stamp + " can0 1ABCDE0" + std::to_string(aliens % 10) + "#DEADBEEF00\n";
+        log.insert(at, alien);
+        at = log.find('\n', at + alien.size()) + 1;
+    }
+    ReplayOptions options = files().options("alien");
+    options.log = files().folder.write("alien.log", log);
+    EXPECT_EQ(replayed(options), whole());
+    const auto mixed = summary_of(options.output).at("can"), plain = summary_of(files().folder.file("whole")).at("can");
+    EXPECT_EQ(mixed.at("decoded"), plain.at("decoded"));
+    EXPECT_EQ(mixed.at("frames"), plain.at("frames").get<std::size_t>() + aliens);
+    EXPECT_EQ(mixed.at("alien"), plain.at("alien").get<std::size_t>() + aliens);
+}
+
+/// Presses Ctrl-C when the progress line shows a number.
+class ImpatientUser final : public std::stringbuf {
+protected:
+    std::streamsize xsputn(const char* text, std::streamsize count) override {
+        seen_.append(text, static_cast<std::size_t>(count));
+        press();
+        return count;
+    }
+    int overflow(int c) override {
+        seen_ += static_cast<char>(c);
+        press();
+        return c;
+    }
+
+private:
+    void press() {
+        if (pressed_ || seen_.find("replay 35 %") == std::string::npos) return;
+        pressed_ = true;
+        raise(SIGINT);
+    }
+    std::string seen_;
+    bool pressed_ = false;
+};
+
+TEST(Replay, CtrlCLeavesAValidPartialRun) {
+    static_cast<void>(whole());
+    ImpatientUser user;
+    std::ostream notes(&user);
+    std::ostringstream results;
+    Console console(results, notes, false, true);
+    const ReplayOptions options = files().options("interrupted");
+    EXPECT_EQ(run_replay(options, console), 0);
+    const auto some = hashes_by_time(options.output);
+    EXPECT_EQ(some.size(), 6u) << "35 % of 17";
+    for (const auto& [time, hash] : some) EXPECT_EQ(whole().at(time), hash) << time;
+    EXPECT_EQ(summary_of(options.output).at("interrupted"), true);
+    EXPECT_EQ(summary_of(options.output).at("frames"), 6);
+    EXPECT_TRUE(std::filesystem::exists(options.output + "/report.html"));
+    EXPECT_THAT(results.str(), HasSubstr("6 frames (interrupted)"));
+}
+
+TEST(Replay, WrongInputIsRefusedAndNothingIsWritten) {
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    const auto refused = [&](ReplayOptions options, const std::string& words) {
+        options.output = files().folder.file("refused");
+        test_support::expect_user_error([&] { static_cast<void>(run_replay(options, console)); }, words);
+        EXPECT_FALSE(std::filesystem::exists(options.output)) << words;
+    };
+    ReplayOptions options = files().options("refused");
+    options.log = files().folder.file("none.log");
+    refused(options, "none.log");
+    options.log = files().folder.write("empty.log", "");
+    refused(options, "empty.log: no CAN frame");
+    options.log = files().folder.write("prose.log", "It was a dark and stormy night.\n");
+    refused(options, "prose.log: no CAN frame");
+    options = files().options("refused");
+    options.from_s = 9;
+    refused(options, "--from 9");
+    options = files().options("refused");
+    options.switches = files().folder.write("none.switches", "(1700000000.000000) panel.GROUND 1\n");
+    refused(options, "none.switches:1: not a switch log");
+    options = files().options("refused");
+    options.picture.bus = "smoke_signals";
+    refused(options, "smoke_signals");
+    options = files().options("refused");
+    options.picture.terrain = files().log;
+    refused(options, "flight.log: ");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,151 @@
+#include "host_sim/commands/replay_config.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "host_sim/command_line.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+#include "tests/support/frame_lines.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::TemporaryFolder;
+using ::testing::HasSubstr;
+
+ReplayOptions round_trip(const ReplayOptions& options) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("saved.toml");
+    save_replay_config(options, path);
+    return load_replay_config(path);
+}
+
+TEST(ReplayConfig, DefaultsStayDefaults) {
+    ReplayOptions options;
+    options.log = "/data/flight.log";
+    const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.log, options.log);
+    EXPECT_EQ(loaded.switches, "");
+    EXPECT_EQ(loaded.switch_config, "one_hot");
+    EXPECT_EQ(loaded.picture.design, "default");
+    EXPECT_EQ(loaded.picture.terrain, "");
+    EXPECT_FALSE(loaded.picture.size);
+    EXPECT_FALSE(loaded.picture.tau_px);
+    EXPECT_FALSE(loaded.from_s || loaded.to_s || loaded.step_s || loaded.frames);
+}
+
+TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
+    ReplayOptions options;
+    options.log = "/data/flight.log";
+    options.switches = "/data/flight.switches";
+    options.switch_config = "coded_parity";
+    options.from_s = 0.1;
+    options.to_s = 1e5 / 3;
+    options.step_s = -1.0 / 30;
+    options.frames = FrameOutput::none;
+    options.picture.terrain = "/data/alps.tdb";
+    options.picture.design = "cruise";
+    options.picture.device = "es2-small";
+    options.picture.bus = "glider";
+    options.picture.size = PictureSize{641, 483};
+    options.picture.gl = GlChoice::osmesa;
+    options.picture.tau_px = 0.3;
+    const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.switches, options.switches);
+    EXPECT_EQ(loaded.switch_config, options.switch_config);
+    EXPECT_EQ(loaded.from_s, options.from_s);
+    EXPECT_EQ(loaded.to_s, options.to_s);
+    EXPECT_EQ(loaded.step_s, options.step_s);
+    EXPECT_EQ(loaded.frames, options.frames);
+    EXPECT_EQ(loaded.picture.terrain, options.picture.terrain);
+    EXPECT_EQ(loaded.picture.design, options.picture.design);
+    EXPECT_EQ(loaded.picture.device, options.picture.device);
+    EXPECT_EQ(loaded.picture.bus, options.picture.bus);
+    ASSERT_TRUE(loaded.picture.size);
+    EXPECT_EQ(loaded.picture.size->width, 641u);
+    EXPECT_EQ(loaded.picture.size->height, 483u);
+    EXPECT_EQ(loaded.picture.gl, options.picture.gl);
+    EXPECT_EQ(loaded.picture.tau_px, options.picture.tau_px);
+}
+
+TEST(ReplayConfig, PathsHoldWhereverTheFileGoes) {
+    const TemporaryFolder folder;
+    ReplayOptions options;
+    options.log = "flights/../flight.log";
+    options.picture.design = folder.write("own.toml", "name = \"own\"\n");
+    const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.log, (std::filesystem::current_path() / "flight.log").string());
+    EXPECT_EQ(loaded.picture.design, options.picture.design);
+}
+
+TEST(ReplayConfig, OddNamesSurvive) {
+    ReplayOptions options;
+    options.log = "/tmp/a \"quoted\" \\ name = [1]\t\n#.log";
+    options.switches = "/tmp/Gr\xc3\xbc\xc3\x9f\x65.switches";
+    const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.log, options.log);
+    EXPECT_EQ(loaded.switches, options.switches);
+}
+
+TEST(ReplayConfig, FaultsAreNamedWithTheirLine) {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& text, const std::string& words) {
+        const std::string path = folder.write("x.toml", text);
+        test_support::expect_user_error([&] { static_cast<void>(load_replay_config(path)); }, words);
+    };
+    refused("log = 3\n", "x.toml:1");
+    refused("log = \"a\"\nnonsense = 1\n", "x.toml:2");
+    refused("log = \"a\"\nframes = \"gif\"\n", "x.toml:2");
+    refused("log = \"a\"\n[picture]\nwidth = 320\n", "x.toml:");
+    refused("log = \"a\"\n[picture]\nwidth = 3\nheight = 3\n", "x.toml:3");
+    refused("log = \"a\"\nfrom_s = nan\n", "x.toml:2");
+    refused("log = \"a", "x.toml:1");
+    test_support::expect_user_error([&] { static_cast<void>(load_replay_config(folder.file("none.toml"))); }, "none.toml");
+}
+
+int command(std::vector<std::string> words, std::string& notes) {
+    words.insert(words.begin(), "tedavis");
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    std::ostringstream results, told;
+    const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data(), results, told, false);
+    notes = told.str();
+    return code;
+}
+
+// The round trip as a user makes it.
+TEST(ReplayConfig, ASavedRunLoadsToTheSameHashes) {
+    const test_support::FlownFiles files;
+    const std::string saved = files.folder.file("saved.toml"), first = files.folder.file("first"),
+                      second = files.folder.file("second");
+    std::string notes;
+    ASSERT_EQ(command({"replay",   files.log,  "--terrain", files.terrain, "--size",        "320x240", "--from",   "1",
+                       "--to",     "4",        "--step",    "-0.75",       "--tau",         "3",       "--frames", "hash",
+                       "--design", "approach", "-o",        first,         "--save-config", saved},
+                      notes),
+              0)
+        << notes;
+    ASSERT_EQ(command({"replay", "--config", saved, "-o", second}, notes), 0) << notes;
+    EXPECT_EQ(test_support::hashes_by_time(first).size(), 5u);
+    EXPECT_EQ(test_support::hashes_by_time(first), test_support::hashes_by_time(second));
+    EXPECT_EQ(command({"check", saved}, notes), 0) << notes;
+}
+
+TEST(ReplayConfig, WhatTheFileSaysIsNotSaidTwice) {
+    std::string notes;
+    EXPECT_EQ(command({"replay", "--config", "x.toml", "-o", "y", "--size", "320x240"}, notes), 2);
+    EXPECT_THAT(notes, HasSubstr("leave out --size"));
+    EXPECT_EQ(command({"replay", "flight.log", "--config", "x.toml", "-o", "y"}, notes), 2);
+    EXPECT_THAT(notes, HasSubstr("leave out LOG"));
+    EXPECT_EQ(command({"replay", "-o", "y"}, notes), 2);
+    EXPECT_THAT(notes, HasSubstr("no log named"));
+    EXPECT_EQ(command({"replay", "flight.log", "-o", "y", "--tour", "t.csv"}, notes), 2);
+    EXPECT_THAT(notes, HasSubstr("--window"));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

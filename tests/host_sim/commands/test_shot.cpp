@@ -1,0 +1,124 @@
+#include "host_sim/commands/shot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "host_sim/input_file.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using nlohmann::json;
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+ShotOptions shot() {
+    ShotOptions options;
+    options.pose = {47.03, 9.68, 2500, 40, -6, 12};
+    options.picture = files().options("unused").picture;
+    options.output = files().folder.file("shot.png");
+    return options;
+}
+
+json taken(const ShotOptions& options) {
+    std::ostringstream results, notes;
+    Console console(results, notes, true, false);
+    EXPECT_EQ(run_shot(options, console), 0);
+    return json::parse(results.str());
+}
+
+TEST(Shot, LeavesThePictureAndItsRecord) {
+    const json told = taken(shot());
+    EXPECT_EQ(json::parse(read_file(files().folder.file("shot.json"))), told);
+    EXPECT_EQ(read_file(files().folder.file("shot.png")).substr(1, 3), "PNG");
+    const json& own = told.at("own_ship");
+    EXPECT_NEAR(own.at("lat_deg"), 47.03, 1e-9);
+    EXPECT_NEAR(own.at("lon_deg"), 9.68, 1e-9);
+    EXPECT_NEAR(own.at("alt_msl_m"), 2500, 1e-6);
+    EXPECT_NEAR(own.at("alt_ellipsoid_m"), 2548, 2) << "EGM96 over the Alps";
+    EXPECT_NEAR(own.at("heading_deg"), 40, 1e-9);
+    EXPECT_NEAR(own.at("pitch_deg"), -6, 1e-9);
+    EXPECT_NEAR(own.at("roll_deg"), 12, 1e-9);
+    EXPECT_GT(told.at("terrain").at("triangles"), 100);
+    EXPECT_EQ(told.at("phase"), "unknown");
+}
+
+TEST(Shot, EqualPosesGiveEqualPictures) {
+    ShotOptions options = shot();
+    const json first = taken(options);
+    EXPECT_EQ(taken(options).at("hash"), first.at("hash"));
+    if (test_support::headless_backends().size() > 1) {
+        options.picture.gl = GlChoice::osmesa;
+        EXPECT_EQ(taken(options).at("hash"), first.at("hash"));
+    }
+    options.pose.longitude_deg += 360;
+    EXPECT_NEAR(taken(options).at("own_ship").at("lon_deg"), 9.68, 1e-9);
+    for (double ShotPose::*part : {&ShotPose::latitude_deg, &ShotPose::altitude_msl_m, &ShotPose::heading_deg,
+                                   &ShotPose::pitch_deg, &ShotPose::roll_deg}) {
+        ShotOptions other = shot();
+        other.pose.*part += 0.01 * (part == &ShotPose::altitude_msl_m ? 1000 : 10);
+        EXPECT_NE(taken(other).at("hash"), first.at("hash"));
+    }
+}
+
+TEST(Shot, NamesThePhase) {
+    ShotOptions options = shot();
+    options.phase = "approach.final";
+    const json record = taken(options);
+    EXPECT_EQ(record.at("phase"), "approach");
+    EXPECT_EQ(record.at("sub_phase"), "final");
+}
+
+TEST(Shot, NeedsNoTerrain) {
+    ShotOptions options = shot();
+    options.picture.terrain.clear();
+    const json record = taken(options);
+    EXPECT_EQ(record.at("terrain").at("triangles"), 0);
+    EXPECT_NEAR(record.at("own_ship").at("alt_msl_m"), 2500, 60) << "no geoid in the display, but none asked of it either";
+}
+
+TEST(Shot, TheRecordLiesBesideThePicture) {
+    ShotOptions options = shot();
+    options.output = files().folder.file("plain");
+    static_cast<void>(taken(options));
+    EXPECT_TRUE(std::filesystem::exists(files().folder.file("plain.json")));
+    std::filesystem::create_directories(files().folder.file("dot.ted"));
+    options.output = files().folder.file("dot.ted/plain");
+    static_cast<void>(taken(options));
+    EXPECT_TRUE(std::filesystem::exists(files().folder.file("dot.ted/plain.json")));
+}
+
+TEST(Shot, WrongInputIsRefusedAndNothingIsWritten) {
+    const auto refused = [](ShotOptions options, const std::string& words) {
+        options.output = files().folder.file("refused.png");
+        std::ostringstream results, notes;
+        Console console(results, notes, false, false);
+        test_support::expect_user_error([&] { static_cast<void>(run_shot(options, console)); }, words);
+        EXPECT_FALSE(std::filesystem::exists(files().folder.file("refused.png")));
+        EXPECT_FALSE(std::filesystem::exists(files().folder.file("refused.json")));
+    };
+    ShotOptions options = shot();
+    options.phase = "lunch";
+    refused(options, "--phase lunch");
+    options = shot();
+    options.picture.terrain = files().folder.file("none.tdb");
+    refused(options, "none.tdb");
+    options = shot();
+    options.output = files().log + "/x.png";
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    test_support::expect_user_error([&] { static_cast<void>(run_shot(options, console)); }, "flight.log");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

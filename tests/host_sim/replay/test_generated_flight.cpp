@@ -1,0 +1,20 @@
+#include "host_sim/replay/generated_flight.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+TEST(GeneratedFlight, HasAManifestBesideIt) {
+    const test_support::TemporaryFolder folder;
+    const std::string log = folder.write("flight.log", "");
+    EXPECT_FALSE(is_generated_flight(log));
+    EXPECT_FALSE(is_generated_flight("flight.log"));
+    folder.write("scenario.json", "{}");
+    EXPECT_TRUE(is_generated_flight(log));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

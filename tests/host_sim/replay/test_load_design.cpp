@@ -1,0 +1,38 @@
+#include "host_sim/replay/load_design.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+TEST(LoadDesign, FindsShippedAndOwnFiles) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.design = "cruise";
+    EXPECT_EQ(load_design(options).name.view(), "cruise");
+    options.design = folder.write("own.toml", "name = \"own\"\n[terrain]\ntau_px = 4\n");
+    EXPECT_EQ(load_design(options).name.view(), "own");
+    EXPECT_EQ(load_design(options).terrain.tau_px, 4);
+    EXPECT_EQ(design_path(options), options.design);
+}
+
+TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
+    PictureOptions options;
+    options.tau_px = 7;
+    EXPECT_EQ(load_design(options).terrain.tau_px, 7);
+}
+
+TEST(LoadDesign, SaysWhatIsWrong) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.design = folder.write("own.toml", "name = \"own\"\n\ncolour = 1\n");
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "own.toml:3");
+    options.design = "no_such";
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "shipped are:");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
