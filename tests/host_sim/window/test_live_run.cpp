@@ -210,6 +210,28 @@ TEST(LiveRun, TheFreeCameraShowsAnotherPictureAndIsNotRecorded) {
     for (const auto& line : test_support::frame_lines(desk.options.output)) EXPECT_EQ(line.at("time_s"), 0);
 }
 
+TEST(LiveRun, TheFreeCameraHasItsOwnSky) {
+    ReplayOptions options = files().options("live_sky");
+    const std::string points = "0,47.04,9.68,2500,0,80,0\n1,47.04,9.68,2500,0,-80,0\n";
+    options.tour =
+        files().folder.write("sky.csv", "time_s,latitude_deg,longitude_deg,altitude_m,heading_deg,pitch_deg,roll_deg\n" + points);
+    Desk desk(options);
+    desk.window->press(Key::space);
+    const auto bluish_share = [&desk] {
+        const RgbaView view = desk.session->pixels();
+        std::size_t bluish = 0;
+        for (std::size_t n = 0; n < std::size_t{view.width} * view.height; ++n)
+            bluish += view.pixels[4 * n + 2] > view.pixels[4 * n] + 10 ? 1 : 0;
+        return static_cast<double>(bluish) / (static_cast<double>(view.width) * view.height);
+    };
+    desk.turn();
+    EXPECT_EQ(bluish_share(), 1) << "straight up there is nothing but sky";
+    desk.window->press('.');
+    desk.window->press('.');
+    desk.turn();
+    EXPECT_LT(bluish_share(), 0.02) << "straight down there is none";
+}
+
 TEST(LiveRun, ATourIsTiedToTheFlight) {
     ReplayOptions options = files().options("live_tour");
     options.tour = files().folder.write("tour.csv",
@@ -244,9 +266,10 @@ TEST(LiveRun, AChangedDesignIsShownAtOnceAndABrokenOneIsNot) {
     std::string other = sound;
     other.replace(other.find("field_of_view_deg = 60"), 22, "field_of_view_deg = 40");
     other.replace(other.find("\"#1c54a8\""), 9, "\"#541ca8\"");
-    other.replace(other.find("dpi = 96"), 8, "dpi = 220");
+    other.replace(other.find("dpi = 96"), 8, "dpi = 400");
     ReplayOptions options = files().options("live_design");
     options.picture.design = files().folder.write("live.toml", sound);
+    options.picture.size = PictureSize{1000, 600};
     Desk desk(options);
     desk.window->press(Key::space);
     desk.turns(2);
