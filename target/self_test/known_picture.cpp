@@ -126,7 +126,8 @@ std::size_t distinct_colors(const Picture& picture) {
     for (std::uint32_t y = 0; y < kKnownPictureHeight; ++y)
         for (std::uint32_t x = 0; x < kKnownPictureWidth; ++x) {
             const Rgb c = picture.at(x, y);
-            bool& mark = seen[static_cast<std::size_t>(c.r / 16 * 256 + c.g / 16 * 16 + c.b / 16)];
+            const int index = c.r / 16 * 256 + c.g / 16 * 16 + c.b / 16;
+            bool& mark = seen[static_cast<std::size_t>(index)];
             count += mark ? 0u : 1u;
             mark = true;
         }
