@@ -23,9 +23,15 @@ AtomicFile::~AtomicFile() {
     std::remove(part_.c_str());
 }
 
-void AtomicFile::commit() {
+void AtomicFile::seal() {
+    if (sealed_) return;
     stream_.close();
     if (!stream_) throw UserError(path_ + ": could not be written to its end; check the free space");
+    sealed_ = true;
+}
+
+void AtomicFile::commit() {
+    seal();
     if (std::rename(part_.c_str(), path_.c_str()) != 0) {
         throw UserError(path_ + ": cannot be put in its place (" + std::strerror(errno) + "); check the folder");
     }
@@ -41,7 +47,9 @@ void write_file_atomically(const std::string& path, std::string_view text) {
 void make_folder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
-    if (!std::filesystem::is_directory(path)) throw UserError(path + ": this folder cannot be made (" + error.message() + ")");
+    if (error) throw UserError(path + ": this folder cannot be made (" + error.message() + "); name another one");
+    if (!std::filesystem::is_directory(path, error))
+        throw UserError(path + ": this folder cannot be made (a file has its name); name another one");
 }
 
 }  // namespace tedavis::host_sim

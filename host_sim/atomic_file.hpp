@@ -17,14 +17,17 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
-    /// Throws UserError when not every byte reached the disk; then nothing appears.
+    /// Ends the writing. Throws UserError when not every byte reached the disk.
+    void seal();
+    /// Seals and puts the file in its place. Throws UserError where that is impossible; then nothing appears. Several files
+    /// that belong together are all sealed before the first is committed.
     void commit();
 
 private:
     std::string path_;
     std::string part_;
     std::ofstream stream_;
-    bool committed_ = false;
+    bool sealed_ = false, committed_ = false;
 };
 
 /// The whole text in one go.

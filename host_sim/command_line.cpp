@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <map>
@@ -29,7 +30,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr int kDone = 0, kWrongUsage = 2, kInterrupted = 130;
+constexpr int kDone = 0, kWrongUsage = 2;
 
 /// Everything that the options write to, and what to run once they are parsed.
 struct CommandLine {
@@ -61,6 +62,15 @@ template <class T>
 CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
     return command->add_option_function<T>(
         name, [&target](const T& value) { target = value; }, help);
+}
+
+/// CLI11's own check lets NaN pass.
+CLI::Validator above_zero() {
+    return {[](std::string& text) {
+                const double value = std::strtod(text.c_str(), nullptr);
+                return value > 0 && std::isfinite(value) ? std::string() : text + " is no number above zero";
+            },
+            "above 0"};
 }
 
 PictureSize size_from(const std::string& text) {
@@ -102,7 +112,7 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_option("--gl", picture.gl, "egl or osmesa")
         ->transform(CLI::CheckedTransformer(kGl).description(""))
         ->default_str("egl");
-    add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(CLI::PositiveNumber);
+    add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
 }
 
 void add_convert(CLI::App& app, CommandLine& line) {
@@ -126,7 +136,7 @@ void add_scenario(CLI::App& app, CommandLine& line) {
                                     [&o](Console& console) { return run_scenario_build(o, console); });
     command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
     command->add_option("-o", o.output, "folder to write to")->required();
-    add_optional(command, "--seed", o.seed, "replaces the file's seed");
+    add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(CLI::NonNegativeNumber);
 }
 
 void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
@@ -162,8 +172,8 @@ void add_terrain(CLI::App& app, CommandLine& line) {
     TerrainFractalOptions& f = line.terrain_fractal;
     CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size",
                                     [&f](Console& console) { return run_terrain_fractal(f, console); });
-    fractal->add_option("--size", f.size, "posts a side")->capture_default_str();
-    fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->capture_default_str();
+    fractal->add_option("--size", f.size, "posts a side")->check(CLI::NonNegativeNumber)->capture_default_str();
+    fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->check(CLI::NonNegativeNumber)->capture_default_str();
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
 }
 
@@ -197,7 +207,8 @@ void use_replay_config(CommandLine& line) {
 
 int run_replay_line(CommandLine& line, Console& console) {
     use_replay_config(line);
-    if (line.replay.log.empty()) throw UserError("replay: no log named; give a candump log, or --config with a saved replay");
+    const std::string& from = line.replay_config.empty() ? std::string("replay") : line.replay_config;
+    if (line.replay.log.empty()) throw UserError(from + ": no log named; give a candump log, or --config with a saved replay");
     return run_replay(line.replay, console);
 }
 
@@ -300,7 +311,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& results, s
         notes << "tedavis: " << one_sentence(error.what()) << '\n';
     } catch (const Interrupted& interrupted) {
         notes << "tedavis: " << interrupted.what() << '\n';
-        return kInterrupted;
+        return kInterruptedExitCode;
     } catch (const std::bad_alloc&) {
         notes << "tedavis: not enough memory for this input; split it\n";
     } catch (const std::exception& error) {

@@ -19,6 +19,8 @@ void require_regular_file(const std::string& path) {
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) throw UserError(path + ": no such file; check the path");
     if (std::filesystem::is_directory(status)) throw UserError(path + ": is a folder; name a file");
+    if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+        throw UserError(path + ": is a device, which may have no end; name a file");
 }
 
 struct GzCloser {
@@ -35,6 +37,11 @@ std::string read_file(const std::string& path) {
     if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
     if (stream.bad() || text.bad()) throw UserError(path + ": cannot be read to its end; check the disk");
     return std::move(text).str();
+}
+
+std::vector<std::uint8_t> read_bytes(const std::string& path) {
+    const std::string text = read_file(path);
+    return {text.begin(), text.end()};
 }
 
 std::string read_file_unpacked(const std::string& path, std::size_t max_bytes) {
@@ -56,6 +63,14 @@ std::string read_file_unpacked(const std::string& path, std::size_t max_bytes) {
             throw UserError(path + ": unpacks to more than " + std::to_string(max_bytes) + " bytes; split the recording");
         }
         text.append(piece, 0, static_cast<std::size_t>(count));
+    }
+}
+
+void require_other_file(const std::string& output, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code not_there;
+        if (std::filesystem::equivalent(input, output, not_there))
+            throw UserError(output + ": is also an input of this command; name another output");
     }
 }
 

@@ -1,14 +1,21 @@
 /// Reads whole input files; throws UserError where one cannot be read.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tedavis::host_sim {
 
 /// The bytes of a file.
 [[nodiscard]] std::string read_file(const std::string& path);
+/// The same for what is no text.
+[[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::string& path);
 /// The bytes of a file, unpacked when it is gzip-compressed (told by its first bytes, not its name). A truncated or
 /// damaged stream is refused. `max_bytes` bounds the unpacked size.
 [[nodiscard]] std::string read_file_unpacked(const std::string& path, std::size_t max_bytes = std::size_t{1} << 31);
+
+/// Throws UserError where the output would replace one of its own inputs.
+void require_other_file(const std::string& output, const std::vector<std::string>& inputs);
 
 }  // namespace tedavis::host_sim

@@ -12,7 +12,10 @@ public:
     explicit UserError(const std::string& sentence) : std::runtime_error(sentence) {}
 };
 
-/// The user stopped the command before it had a result worth keeping. Exit code 130, as shells have it for Ctrl-C.
+/// Of a command that Ctrl-C or SIGTERM ended early, as shells have it.
+inline constexpr int kInterruptedExitCode = 130;
+
+/// The user stopped the command before it had a result worth keeping. Exit code kInterruptedExitCode.
 class Interrupted : public std::runtime_error {
 public:
     explicit Interrupted(const std::string& sentence) : std::runtime_error(sentence) {}

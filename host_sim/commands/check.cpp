@@ -7,13 +7,14 @@
 #include <streambuf>
 #include <string_view>
 
-#include "bus/candump/candump_log_source.hpp"
 #include "bus/canaerospace/bus_settings.hpp"
+#include "bus/candump/candump_log_source.hpp"
 #include "bus/switches/switch_config.hpp"
 #include "bus/switches/switch_log_source.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/json_text.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -72,11 +73,15 @@ std::string check_log(const std::string& path) {
     }
     const auto& statistics = source.statistics();
     if (statistics.frames == 0) {
-        const std::string first = source.reports().empty() ? "" : " (line " + std::to_string(source.reports()[0].line) + ": " + bus::describe(source.reports()[0].fault) + ")";
+        const std::string first = source.reports().empty() ? ""
+                                                           : " (line " + std::to_string(source.reports()[0].line) + ": " +
+                                                                 bus::describe(source.reports()[0].fault) + ")";
         throw UserError(path + ": no line of it is a frame of a candump log" + first + "; record with candump -l or -L");
     }
     std::string found = "a candump log of " + std::to_string(statistics.frames) + " frames";
-    if (statistics.malformed > 0) found += ", " + std::to_string(statistics.malformed) + " broken lines (first: line " + std::to_string(source.reports()[0].line) + ")";
+    if (statistics.malformed > 0)
+        found += ", " + std::to_string(statistics.malformed) + " broken lines (first: line " +
+                 std::to_string(source.reports()[0].line) + ")";
     if (statistics.dropped > 0) found += ", " + std::to_string(statistics.dropped) + " frames lost by the recorder";
     return found;
 }
@@ -84,7 +89,10 @@ std::string check_log(const std::string& path) {
 /// The log names its lines; without its panel only the form can be judged, so every shipped panel is tried.
 std::string check_switch_log(const std::string& path) {
     const std::string text = read_file(path);
-    if (!bus::has_switch_log_header(text)) throw UserError(path + ":1: does not begin with '" + std::string(bus::kSwitchLogHeader.substr(0, bus::kSwitchLogHeader.size() - 1)) + "'; it is no switch log");
+    if (!bus::has_switch_log_header(text))
+        throw UserError(path + ":1: does not begin with '" +
+                        std::string(bus::kSwitchLogHeader.substr(0, bus::kSwitchLogHeader.size() - 1)) +
+                        "'; it is no switch log");
     std::uint64_t best_edges = 0, malformed = 0;
     std::string panel;
     for (const auto& entry : std::filesystem::directory_iterator(shipped_root() + "/configs/switches")) {
@@ -96,11 +104,14 @@ std::string check_switch_log(const std::string& path) {
         while (source.read(base::Time{INT64_MAX}, {edges.data(), edges.size()}) > 0) {
         }
         malformed = source.statistics().malformed;
-        if (malformed > 0) throw UserError(path + ":" + std::to_string(source.reports()[0].line) + ": " + bus::describe(source.reports()[0].fault) + "; correct the line");
+        if (malformed > 0)
+            throw UserError(path + ":" + std::to_string(source.reports()[0].line) + ": " +
+                            bus::describe(source.reports()[0].fault) + "; correct the line");
         if (source.statistics().edges > best_edges) panel = entry.path().stem().string();
         best_edges = std::max(best_edges, source.statistics().edges);
     }
-    return "a switch log" + (panel.empty() ? " of a panel that is not shipped" : " of the panel " + panel + ", " + std::to_string(best_edges) + " edges");
+    return "a switch log" + (panel.empty() ? " of a panel that is not shipped"
+                                           : " of the panel " + panel + ", " + std::to_string(best_edges) + " edges");
 }
 
 class NoBuffer final : public std::streambuf {
@@ -136,7 +147,9 @@ FileChecker config_checker(const std::string& path) {
     for (const FolderKind& kind : kConfigKinds) {
         if (text.find(kind.key) != std::string::npos) return kind.check;
     }
-    throw UserError(path + ": neither its folder nor its content says what it configures; put it into designs, devices, buses, switches or scenarios");
+    throw UserError(path +
+                    ": neither its folder nor its content says what it configures; put it into designs, devices, buses, switches "
+                    "or scenarios");
 }
 
 std::string check_file(const std::string& path) {
@@ -146,7 +159,8 @@ std::string check_file(const std::string& path) {
     if (extension == ".switches") return check_switch_log(path);
     if (extension == ".log" || extension == ".gz") return check_log(path);
     (void)read_file(path);
-    throw UserError(path + ": '" + extension + "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz and .switches");
+    throw UserError(path + ": '" + extension +
+                    "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz and .switches");
 }
 
 }  // namespace
@@ -166,7 +180,7 @@ int run_check(const CheckOptions& options, Console& console) {
             console.note(error.what());
         }
     }
-    if (!text.empty() || console.json()) console.result(text, results.dump());
+    if (!text.empty() || console.json()) console.result(text, json_text(results));
     return all_sound ? 0 : 2;
 }
 

@@ -8,7 +8,9 @@
 #include "host_sim/importers/fix_cleaner.hpp"
 #include "host_sim/importers/flight_importer.hpp"
 #include "host_sim/importers/resampled_flight.hpp"
+#include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/json_text.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/version.hpp"
 #include "render_core/base/units.hpp"
@@ -23,7 +25,8 @@ constexpr std::uint64_t kProgressSteps = 1000;
 
 void check_options(const ConvertOptions& options) {
     if (options.qnh_hpa && !(*options.qnh_hpa >= kLowestQnh_hpa && *options.qnh_hpa <= kHighestQnh_hpa)) {
-        throw UserError("--qnh " + std::to_string(*options.qnh_hpa) + ": a QNH lies within 870..1085 hPa; give it in hectopascals");
+        throw UserError("--qnh " + std::to_string(*options.qnh_hpa) +
+                        ": a QNH lies within 870..1085 hPa; give it in hectopascals");
     }
 }
 
@@ -36,39 +39,64 @@ Json cleaning_json(const CleaningCounts& counts) {
 }
 
 Json derivation_json(const Derivation& d) {
-    return {{"position", d.position}, {"height", d.height}, {"height_is_geometric", d.height_is_geometric}, {"velocity", d.velocity},
-            {"vertical_speed", d.vertical_speed}, {"heading", d.heading}, {"roll", d.roll}, {"pitch", d.pitch}, {"fixes", d.fixes},
-            {"segments", d.segments}, {"gap_limit_s", d.gap_limit_s}, {"longest_gap_s", d.longest_gap_s},
-            {"largest_height_smoothing_m", d.largest_height_smoothing_m}, {"velocities_not_believed", d.velocities_not_believed}};
+    return {{"position", d.position},
+            {"height", d.height},
+            {"height_is_geometric", d.height_is_geometric},
+            {"velocity", d.velocity},
+            {"vertical_speed", d.vertical_speed},
+            {"heading", d.heading},
+            {"roll", d.roll},
+            {"pitch", d.pitch},
+            {"fixes", d.fixes},
+            {"segments", d.segments},
+            {"gap_limit_s", d.gap_limit_s},
+            {"longest_gap_s", d.longest_gap_s},
+            {"largest_height_smoothing_m", d.largest_height_smoothing_m},
+            {"velocities_not_believed", d.velocities_not_believed}};
 }
 
 Json report(const ConvertOptions& options, const ImportedFile& file, const RecordedFlight& flight, const CleaningCounts& cleaning,
             const ResampledFlight& resampled, const FlightLogCounts& counts) {
-    Json json = {{"source", options.flight}, {"format", file.format}, {"aircraft", flight.aircraft}, {"callsign", flight.callsign},
-                 {"log", options.output}, {"begin_s", resampled.begin().ns / 1e9}, {"end_s", resampled.end().ns / 1e9},
-                 {"frames", counts.frames}, {"silent_s", static_cast<double>(counts.silent_ms) / 1e3}, {"interrupted", counts.interrupted},
-                 {"rejected", cleaning_json(cleaning)}, {"derived", derivation_json(resampled.derivation())}, {"notes", file.notes},
+    Json json = {{"source", options.flight},
+                 {"format", file.format},
+                 {"aircraft", flight.aircraft},
+                 {"callsign", flight.callsign},
+                 {"log", options.output},
+                 {"begin_s", resampled.begin().ns / 1e9},
+                 {"end_s", resampled.end().ns / 1e9},
+                 {"frames", counts.frames},
+                 {"silent_s", static_cast<double>(counts.silent_ms) / 1e3},
+                 {"interrupted", counts.interrupted},
+                 {"rejected", cleaning_json(cleaning)},
+                 {"derived", derivation_json(resampled.derivation())},
+                 {"notes", file.notes},
                  {"version", version()}};
     json["qnh_hpa"] = options.qnh_hpa ? Json(*options.qnh_hpa) : Json(nullptr);
+    json["gnss_datum"] = flight.gnss_datum == HeightDatum::msl_egm96 ? "msl_egm96" : "wgs84_ellipsoid";
     json["assume_geometric"] = options.assume_geometric;
     return json;
 }
 
-void say_what_was_done(Console& console, const ImportedFile& file, const CleaningCounts& cleaning, const Derivation& d, const ConvertOptions& options) {
+void say_what_was_done(Console& console, const ImportedFile& file, const CleaningCounts& cleaning, const Derivation& d,
+                       const ConvertOptions& options) {
     for (const std::string& note : file.notes) console.note("note: " + note);
-    const std::size_t rejected = cleaning.duplicates + cleaning.position_jumps + cleaning.gnss_height_jumps + cleaning.pressure_jumps;
+    const std::size_t rejected =
+        cleaning.duplicates + cleaning.position_jumps + cleaning.gnss_height_jumps + cleaning.pressure_jumps;
     if (rejected > 0) {
         console.note("note: rejected as impossible: " + std::to_string(cleaning.position_jumps) + " positions, " +
                      std::to_string(cleaning.gnss_height_jumps) + " GNSS heights, " + std::to_string(cleaning.pressure_jumps) +
                      " pressure altitudes, " + std::to_string(cleaning.duplicates) + " duplicates");
     }
     if (d.segments > 1) {
-        console.note("note: the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) + " s); nothing is sent there");
+        console.note("note: the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) +
+                     " s); nothing is sent there");
     }
     console.note("note: height: " + d.height);
     console.note("note: heading " + d.heading + "; bank " + d.roll + "; pitch " + d.pitch);
     if (!d.height_is_geometric && !options.qnh_hpa) {
-        console.note("note: terrain will be shown as degraded and flagged; give --qnh HPA, or --assume-geometric to take the altitude as it is");
+        console.note(
+            "note: terrain will be shown as degraded and flagged; give --qnh HPA, or --assume-geometric to take the altitude as "
+            "it is");
     }
 }
 
@@ -76,6 +104,7 @@ void say_what_was_done(Console& console, const ImportedFile& file, const Cleanin
 
 int run_convert(const ConvertOptions& options, Console& console) {
     check_options(options);
+    require_other_file(options.output, {options.flight});
     ImportedFile file = import_flight_file(options.flight);
     const ImportedFile about{file.format, {}, file.notes};
     RecordedFlight flight = choose_aircraft(std::move(file), options.aircraft, options.flight);
@@ -87,21 +116,24 @@ int run_convert(const ConvertOptions& options, Console& console) {
     const ResampledFlight resampled(flight, settings, geoid, options.flight);
 
     const InterruptGuard interrupt;
-    AtomicFile log(options.output);
-    const FlightLogCounts counts = write_flight_log(resampled, FlightLogSettings(), log.stream(), [&](double share) {
+    AtomicFile log(options.output), companion(options.output + ".json");
+    FlightLogSettings log_settings;
+    log_settings.name = options.output;
+    const FlightLogCounts counts = write_flight_log(resampled, log_settings, log.stream(), [&](double share) {
         console.progress("writing " + options.output, static_cast<std::uint64_t>(share * kProgressSteps), kProgressSteps);
         return !interrupt.requested();
     });
     console.progress_done();
     const Json json = report(options, about, flight, cleaning, resampled, counts);
-    AtomicFile companion(options.output + ".json");
-    companion.stream() << json.dump(2) << '\n';
-    log.commit();
-    companion.commit();
+    companion.stream() << json_text(json, 2) << '\n';
+    for (AtomicFile* written : {&log, &companion}) written->seal();
+    for (AtomicFile* written : {&log, &companion}) written->commit();
     say_what_was_done(console, about, cleaning, resampled.derivation(), options);
     if (counts.interrupted) console.note("note: interrupted; the log is valid and ends early");
-    console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" + (flight.aircraft.empty() ? "" : " " + flight.aircraft), json.dump());
-    return 0;
+    console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" +
+                       (flight.aircraft.empty() ? "" : " " + flight.aircraft),
+                   json_text(json));
+    return counts.interrupted ? kInterruptedExitCode : 0;
 }
 
 }  // namespace tedavis::host_sim

@@ -9,10 +9,10 @@
 namespace tedavis::host_sim {
 
 struct ConvertOptions {
-    std::string flight;              ///< IGC, GPX, ADS-B JSON or CSV, plain or gzip
-    std::string output;              ///< the log; what was derived goes to `<output>.json`
-    std::string aircraft;            ///< identity or callsign; empty: the only one
-    std::optional<double> qnh_hpa;   ///< 870..1085
+    std::string flight;             ///< IGC, GPX, ADS-B JSON or CSV, plain or gzip
+    std::string output;             ///< the log; what was derived goes to `<output>.json`
+    std::string aircraft;           ///< identity or callsign; empty: the only one
+    std::optional<double> qnh_hpa;  ///< 870..1085
     bool assume_geometric = false;
 };
 

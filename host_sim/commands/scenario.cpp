@@ -6,6 +6,8 @@
 #include "host_sim/flight_log/flight_log_writer.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/json_text.hpp"
+#include "host_sim/new_folder.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
 #include "host_sim/scenario/scenario_switches.hpp"
 #include "host_sim/shipped_files.hpp"
@@ -32,23 +34,45 @@ Json legs_json(const Scenario& scenario, const ScenarioFlight& flight) {
     Json legs = Json::array();
     for (std::size_t i = 0; i < scenario.legs.size(); ++i) {
         const Leg& leg = scenario.legs[i];
-        legs.push_back({{"phase", flight::scenario_name(leg.phase)}, {"sub_phase", flight::sub_phase_name(leg.phase)},
-                        {"stated_by", kStatedBy[static_cast<std::size_t>(leg.stated_by)]}, {"begin_s", flight.legs()[i].begin_s}, {"end_s", flight.legs()[i].end_s}});
+        legs.push_back({{"phase", flight::scenario_name(leg.phase)},
+                        {"sub_phase", flight::sub_phase_name(leg.phase)},
+                        {"stated_by", kStatedBy[static_cast<std::size_t>(leg.stated_by)]},
+                        {"begin_s", flight.legs()[i].begin_s},
+                        {"end_s", flight.legs()[i].end_s}});
     }
     return legs;
 }
 
-Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t seed, const ScenarioFlight& flight, const FlightLogCounts& counts) {
+Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t seed, const ScenarioFlight& flight,
+              const FlightLogCounts& counts) {
     const LandingStrip& strip = scenario.strip;
     const FlownAir& air = flight.air();
-    return {{"synthetic", true}, {"name", scenario.name}, {"purpose", scenario.purpose}, {"scenario", path}, {"seed", seed}, {"log", "flight.log"},
-            {"switches", "flight.switches"}, {"switch_config", scenario.switch_config}, {"frames", counts.frames}, {"phase_messages", counts.phase_messages},
-            {"duration_s", (flight.end() - flight.begin()).to_seconds()}, {"begin_s", static_cast<double>(flight.begin().ns) * 1e-9},
-            {"strip", {{"lat_deg", base::degrees(strip.latitude_rad)}, {"lon_deg", base::degrees(strip.longitude_rad)}, {"heading_deg", base::degrees(strip.heading_rad)},
-                       {"elevation_msl_m", strip.elevation_msl_m}, {"length_m", strip.length_m}, {"width_m", strip.width_m}}},
-            {"air", {{"qnh_hpa", air.qnh_pa / base::kPascalsPerHectopascal}, {"temperature_deviation_k", air.temperature_deviation_k},
-                     {"wind_speed_mps", air.wind_speed_mps}, {"wind_from_deg", base::degrees(earth::wrap_heading(air.wind_from_rad))}}},
-            {"legs", legs_json(scenario, flight)}, {"version", version()}};
+    return {{"synthetic", true},
+            {"name", scenario.name},
+            {"purpose", scenario.purpose},
+            {"scenario", path},
+            {"seed", seed},
+            {"log", "flight.log"},
+            {"switches", "flight.switches"},
+            {"switch_config", scenario.switch_config},
+            {"frames", counts.frames},
+            {"phase_messages", counts.phase_messages},
+            {"duration_s", (flight.end() - flight.begin()).to_seconds()},
+            {"begin_s", static_cast<double>(flight.begin().ns) * 1e-9},
+            {"strip",
+             {{"lat_deg", base::degrees(strip.latitude_rad)},
+              {"lon_deg", base::degrees(strip.longitude_rad)},
+              {"heading_deg", base::degrees(strip.heading_rad)},
+              {"elevation_msl_m", strip.elevation_msl_m},
+              {"length_m", strip.length_m},
+              {"width_m", strip.width_m}}},
+            {"air",
+             {{"qnh_hpa", air.qnh_pa / base::kPascalsPerHectopascal},
+              {"temperature_deviation_k", air.temperature_deviation_k},
+              {"wind_speed_mps", air.wind_speed_mps},
+              {"wind_from_deg", base::degrees(earth::wrap_heading(air.wind_from_rad))}}},
+            {"legs", legs_json(scenario, flight)},
+            {"version", version()}};
 }
 
 }  // namespace
@@ -62,21 +86,28 @@ int run_scenario_build(const ScenarioBuildOptions& options, Console& console) {
     const ScenarioFlight flight(scenario, seed, geoid);
     const std::string switch_log = scenario_switch_log(scenario, flight, panel);
 
-    make_folder(options.output);
+    NewFolder folder(options.output);
     const InterruptGuard interrupt;
-    AtomicFile log(options.output + "/flight.log");
-    const FlightLogCounts counts = write_flight_log(flight, FlightLogSettings(), log.stream(), [&](double share) {
+    FlightLogSettings log_settings;
+    log_settings.name = options.output + "/flight.log";
+    AtomicFile log(log_settings.name), switches(options.output + "/flight.switches"),
+        companion(options.output + "/scenario.json");
+    const FlightLogCounts counts = write_flight_log(flight, log_settings, log.stream(), [&](double share) {
         console.progress("flying " + scenario.name, static_cast<std::uint64_t>(share * kProgressSteps), kProgressSteps);
         return !interrupt.requested();
     });
-    if (counts.interrupted) throw UserError("scenario build: interrupted; nothing was written");
+    console.progress_done();
+    if (counts.interrupted) throw Interrupted("interrupted; nothing was written");
     const Json json = manifest(path, scenario, seed, flight, counts);
-    write_file_atomically(options.output + "/flight.switches", switch_log);
-    write_file_atomically(options.output + "/scenario.json", json.dump(2) + "\n");
-    log.commit();
-    console.result(options.output + ": " + scenario.name + " with seed " + std::to_string(seed) + ", " + std::to_string(counts.frames) + " frames over " +
+    switches.stream() << switch_log;
+    companion.stream() << json_text(json, 2) << '\n';
+    for (AtomicFile* file : {&log, &switches, &companion}) file->seal();
+    for (AtomicFile* file : {&log, &switches, &companion}) file->commit();
+    folder.keep();
+    console.result(options.output + ": " + scenario.name + " with seed " + std::to_string(seed) + ", " +
+                       std::to_string(counts.frames) + " frames over " +
                        std::to_string(static_cast<int>((flight.end() - flight.begin()).to_seconds())) + " s",
-                   json.dump());
+                   json_text(json));
     return 0;
 }
 

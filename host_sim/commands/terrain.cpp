@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -99,6 +100,24 @@ std::string describe_in_words(const terrain::FileHeader& h, const std::string& n
     return text.str();
 }
 
+/// A right checksum does not make a number of a NaN.
+bool holds_numbers(const std::vector<std::uint8_t>& payload, const terrain::ChunkEntry& entry) {
+    const std::size_t posts_at = entry.vertex_count * sizeof(terrain::ChunkVertex),
+                      posts = entry.level == 0 ? std::size_t{terrain::kChunkPosts} * terrain::kChunkPosts : 0;
+    bool numbers = true;
+    for (std::size_t n = 0; n < entry.vertex_count; ++n) {
+        terrain::ChunkVertex v;
+        std::memcpy(&v, payload.data() + n * sizeof v, sizeof v);
+        numbers = numbers && std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.height_m);
+    }
+    for (std::size_t n = 0; n < posts; ++n) {
+        float height_m;
+        std::memcpy(&height_m, payload.data() + posts_at + n * sizeof height_m, sizeof height_m);
+        numbers = numbers && std::isfinite(height_m);
+    }
+    return numbers;
+}
+
 terrain::FileHeader verified_header(const std::vector<std::uint8_t>& image, const std::string& name) {
     platform::MemoryByteSource bytes({image.data(), image.size()});
     std::vector<std::uint8_t> memory(image.size() + (1 << 16));
@@ -113,13 +132,10 @@ terrain::FileHeader verified_header(const std::vector<std::uint8_t>& image, cons
     for (terrain::ChunkIndex chunk = 0; chunk < opened.value().chunk_count(); ++chunk) {
         const terrain::TdbFailure failure = opened.value().read_chunk(chunk, {payload.data(), payload.size()});
         if (failure.error != terrain::TdbError::none) refuse(failure);
+        if (!holds_numbers(payload, opened.value().entry(chunk)))
+            refuse({terrain::TdbError::chunk_damaged, opened.value().entry(chunk).offset});
     }
     return opened.value().header();
-}
-
-std::vector<std::uint8_t> bytes_of(const std::string& file) {
-    const std::string text = read_file(file);
-    return {text.begin(), text.end()};
 }
 
 }  // namespace
@@ -127,6 +143,7 @@ std::vector<std::uint8_t> bytes_of(const std::string& file) {
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const RasterOptions raster = raster_options(options);
+    require_other_file(options.output, options.rasters);
     const BuildOptions build = build_options(options, raster, interrupt, console);
     Raster posts = load(options, raster, console);
     AtomicFile file(options.output);
@@ -141,7 +158,7 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
 
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
-    const std::vector<std::uint8_t> image = bytes_of(options.database);
+    const std::vector<std::uint8_t> image = read_bytes(options.database);
     const RasterOptions raster = raster_options(options.build);
     const BuildOptions build = build_options(options.build, raster, interrupt, console);
     const TerrainCheck check = check_tdb(image, options.database, make_model(load(options.build, raster, console), build), build);
@@ -164,7 +181,7 @@ int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
 }
 
 int run_terrain_info(const TerrainInfoOptions& options, Console& console) {
-    const terrain::FileHeader header = verified_header(bytes_of(options.database), options.database);
+    const terrain::FileHeader header = verified_header(read_bytes(options.database), options.database);
     console.result(describe_in_words(header, options.database), json_text(describe(header)));
     return 0;
 }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "bus/candump/candump_log_writer.hpp"
 #include "bus/canaerospace/message_encoder.hpp"
+#include "bus/candump/candump_log_writer.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
 #include "host_sim/importers/calendar_time.hpp"
 #include "host_sim/user_error.hpp"
@@ -22,7 +22,9 @@ constexpr std::int64_t kProgressEvery_ms = 1000;
 class StreamSink final : public bus::TextSink {
 public:
     explicit StreamSink(std::ostream& stream) : stream_(stream) {}
-    bool write(const char* text, std::size_t count) override { return static_cast<bool>(stream_.write(text, static_cast<std::streamsize>(count))); }
+    bool write(const char* text, std::size_t count) override {
+        return static_cast<bool>(stream_.write(text, static_cast<std::streamsize>(count)));
+    }
 
 private:
     std::ostream& stream_;
@@ -31,7 +33,11 @@ private:
 class LogRun {
 public:
     LogRun(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream)
-        : flight_(flight), encoder_(settings.bus, settings.node), sink_(stream), names_{settings.interface_name},
+        : flight_(flight),
+          name_(settings.name),
+          encoder_(settings.bus, settings.node),
+          sink_(stream),
+          names_{settings.interface_name},
           writer_(sink_, {names_.data(), names_.size()}, bus::StampDigits::micro, false) {}
 
     FlightLogCounts run(const LogProgress& progress) {
@@ -49,7 +55,9 @@ public:
     }
 
 private:
-    static std::int64_t ceil_ms(base::Time time) { return (time.ns + kNanosecondsPerMillisecond - 1) / kNanosecondsPerMillisecond; }
+    static std::int64_t ceil_ms(base::Time time) {
+        return (time.ns + kNanosecondsPerMillisecond - 1) / kNanosecondsPerMillisecond;
+    }
 
     void write_millisecond(std::int64_t ms) {
         const base::Time time{ms * kNanosecondsPerMillisecond};
@@ -72,8 +80,10 @@ private:
     void send_clock(base::Time time) {
         const CalendarDate date = calendar_date(time);
         const std::int64_t of_day = date.second_of_day;
-        send(encoder_.encode_utc(static_cast<std::uint8_t>(of_day / 3600), static_cast<std::uint8_t>(of_day / 60 % 60), static_cast<std::uint8_t>(of_day % 60), time, out()));
-        send(encoder_.encode_date(static_cast<std::uint8_t>(date.day), static_cast<std::uint8_t>(date.month), static_cast<std::uint16_t>(date.year), time, out()));
+        send(encoder_.encode_utc(static_cast<std::uint8_t>(of_day / 3600), static_cast<std::uint8_t>(of_day / 60 % 60),
+                                 static_cast<std::uint8_t>(of_day % 60), time, out()));
+        send(encoder_.encode_date(static_cast<std::uint8_t>(date.day), static_cast<std::uint8_t>(date.month),
+                                  static_cast<std::uint16_t>(date.year), time, out()));
     }
 
     void send_phase(std::int64_t ms, base::Time time) {
@@ -91,11 +101,12 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             frames_[i].time = next_stamp_;
             next_stamp_ = next_stamp_ + kFrameTime;
-            if (!writer_.write(frames_[i])) throw UserError("the log could not be written to its end; check the free space");
+            if (!writer_.write(frames_[i])) throw UserError(name_ + ": could not be written to its end; check the free space");
         }
     }
 
     const FlightSource& flight_;
+    std::string name_;
     bus::MessageEncoder encoder_;
     StreamSink sink_;
     std::array<std::string_view, 1> names_;
@@ -108,7 +119,8 @@ private:
 
 }  // namespace
 
-FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream, const LogProgress& progress) {
+FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream,
+                                 const LogProgress& progress) {
     return LogRun(flight, settings, stream).run(progress);
 }
 

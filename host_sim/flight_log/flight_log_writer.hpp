@@ -12,6 +12,7 @@
 namespace tedavis::host_sim {
 
 struct FlightLogSettings {
+    std::string name = "the log";  ///< as messages to the user call it
     std::string interface_name = "can0";
     std::uint8_t node = 9;  ///< sender of all messages: the GPS of the standard's example system
     bus::BusSettings bus;   ///< dialect in which values are written
@@ -30,6 +31,7 @@ using LogProgress = std::function<bool(double share)>;
 /// Frames lie on a grid of 1 ms; those of one millisecond follow each other at the pace of a 1 Mbit/s bus (125 us), so
 /// stamps rise strictly and survive a log with six digits. Also sends UTC (1200) and date (1206) each second, and the
 /// stated phase (1830) each second and on change. Throws UserError when the stream fails.
-FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream, const LogProgress& progress);
+FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream,
+                                 const LogProgress& progress);
 
 }  // namespace tedavis::host_sim

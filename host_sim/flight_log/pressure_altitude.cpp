@@ -15,7 +15,9 @@ double altitude_of_ratio(double pressure_over_setting) {
 
 }  // namespace
 
-double standard_temperature_k(double standard_altitude_m) noexcept { return kSeaLevelTemperature_k - kLapseRate_k_per_m * standard_altitude_m; }
+double standard_temperature_k(double standard_altitude_m) noexcept {
+    return kSeaLevelTemperature_k - kLapseRate_k_per_m * standard_altitude_m;
+}
 
 double standard_pressure_pa(double standard_altitude_m) noexcept {
     return kStandardPressure_pa * std::pow(standard_temperature_k(standard_altitude_m) / kSeaLevelTemperature_k, kExponent);

@@ -21,6 +21,8 @@ Json parse_json(std::string_view text, const std::string& name) {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         throw UserError(name + ": no valid JSON from byte " + std::to_string(error.byte) + " on; fetch or export the file again");
+    } catch (const Json::exception& error) {
+        throw UserError(name + ": holds a value that cannot be read (" + error.what() + "); fetch or export the file again");
     }
 }
 
@@ -52,16 +54,17 @@ public:
         const Json* cell = find(column);
         return cell != nullptr && cell->is_string() ? cell->get<std::string>() : std::string();
     }
-    /// Milliseconds where the number is too large for seconds (after the year 5138), else seconds, else ISO 8601.
+    /// Milliseconds where the number is too large for seconds, else seconds, else ISO 8601; none beyond the year 2191.
     [[nodiscard]] std::optional<base::Time> time(const char* column) const {
         const Json* cell = find(column);
         if (cell == nullptr) return std::nullopt;
         if (cell->is_string()) return parse_iso8601(cell->get<std::string>());
         const auto value = number(column);
-        if (!value || *value < 0 || *value > 4e15) return std::nullopt;
-        constexpr double kFirstMilliseconds = 1e11;
-        if (*value < kFirstMilliseconds) return base::Time{} + base::Duration::from_seconds(*value);
-        return base::Time{std::llround(*value) * 1'000'000};
+        constexpr double kMostSeconds = 7e9;
+        if (!value || *value < 0 || *value > kMostSeconds * 1000) return std::nullopt;
+        const double unit_ns = *value <= kMostSeconds ? 1e9 : 1e6, whole = std::floor(*value);
+        return base::Time{static_cast<std::int64_t>(whole) * static_cast<std::int64_t>(unit_ns) +
+                          std::llround((*value - whole) * unit_ns)};
     }
 
 private:

@@ -47,6 +47,25 @@ const std::map<std::string_view, Column> kColumns = {{"time", Column::time},
                                                      {"on_ground", Column::on_ground},
                                                      {"aircraft", Column::aircraft}};
 
+std::string name_of(Column column) {
+    const auto found = std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& entry) { return entry.second == column; });
+    return found == kColumns.end() ? "this column" : std::string(found->first);
+}
+
+/// What no aircraft exceeds in either direction, in the column's unit.
+double largest_of(Column column) {
+    switch (column) {
+        case Column::height_ellipsoid:
+        case Column::height_msl:
+        case Column::pressure_altitude: return 100'000;
+        case Column::ground_speed: return 2000;
+        case Column::vertical_speed: return 1000;
+        case Column::pitch: return 90;
+        case Column::on_ground: return 1;
+        default: return 360;
+    }
+}
+
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"'))
@@ -131,7 +150,7 @@ private:
 
     void read_optional(Column column, std::string_view cell, RecordedFix& fix) {
         if (cell.empty() || column == Column::aircraft || column == Column::ignored || column == Column::time) return;
-        const double value = required(cell, "this column", 1e6);
+        const double value = required(cell, name_of(column), largest_of(column));
         switch (column) {
             case Column::height_ellipsoid:
             case Column::height_msl: fix.gnss_height_m = value; break;
@@ -147,7 +166,7 @@ private:
         }
     }
 
-    double required(std::string_view cell, const char* what, double limit) {
+    double required(std::string_view cell, const std::string& what, double limit) {
         const auto value = number_in(cell);
         if (!value) refuse("'" + std::string(cell) + "' is no number for " + what + "; correct it");
         if (std::abs(*value) > limit) refuse("'" + std::string(cell) + "' is out of range for " + what + "; correct it");

@@ -14,6 +14,7 @@ namespace {
 
 using flight::Signal;
 
+constexpr double kLongestFlight_days = 7;
 constexpr double kShortestGap_s = 20.0;
 constexpr double kGapFactor = 4.0;    // times the median interval
 constexpr double kSlowest_mps = 3.0;  // below, the track says nothing
@@ -99,6 +100,10 @@ ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSet
         throw UserError(name + ": no two fixes follow each other closely enough to be flown; the recording is too sparse");
     begin_ = parts.front().front().time;
     end_ = parts.back().back().time;
+    const double days = (end_ - begin_).to_seconds() / 86400;
+    if (days > kLongestFlight_days)
+        throw UserError(name + ": its fixes span " + std::to_string(static_cast<long>(days)) +
+                        " days; a flight lasts a week at most, so correct the times or split the recording");
     for (const auto& part : parts) segments_.push_back(build_segment(flight, part));
     derivation_.fixes = flight.fixes.size();
     derivation_.segments = segments_.size();

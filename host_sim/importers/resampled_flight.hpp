@@ -37,7 +37,8 @@ struct Derivation {
 
 class ResampledFlight final : public FlightSource {
 public:
-    /// `flight` is clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough.
+    /// `flight` is clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough, or
+    /// where they span more than a week.
     ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid,
                     const std::string& name);
 

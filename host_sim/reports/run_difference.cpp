@@ -20,6 +20,8 @@ class RecordReader {
 public:
     explicit RecordReader(const std::string& folder) : path_(folder + "/" + kFrameRecordsName), stream_(path_) {
         if (!stream_) throw UserError(path_ + ": cannot be read; name a folder that replay wrote");
+        if (stream_.peek() == std::ifstream::traits_type::eof())
+            throw UserError(path_ + ": holds no frame; replay the run again");
     }
     /// Nothing at the end.
     std::optional<Json> next() {
@@ -27,7 +29,8 @@ public:
         if (!std::getline(stream_, text)) return std::nullopt;
         ++line_;
         Json record = Json::parse(text, nullptr, false);
-        if (!record.is_object() || !record.contains("frame") || !record["frame"].is_number_unsigned() || !record.contains("hash")) {
+        if (!record.is_object() || !record.contains("frame") || !record["frame"].is_number_unsigned() ||
+            !record.contains("hash")) {
             throw UserError(path_ + ":" + std::to_string(line_) + ": no frame record; replay the run again");
         }
         record.erase("ms");
@@ -79,7 +82,8 @@ PixelDifference compare_pictures(const std::string& path_a, const std::string& p
     }
     const RgbaPicture a = read_png(path_a), b = read_png(path_b);
     if (a.width != b.width || a.height != b.height) {
-        difference.note = "the pictures are " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and " + std::to_string(b.width) + "x" + std::to_string(b.height);
+        difference.note = "the pictures are " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and " +
+                          std::to_string(b.width) + "x" + std::to_string(b.height);
         return difference;
     }
     difference.left = a.width;
@@ -88,7 +92,9 @@ PixelDifference compare_pictures(const std::string& path_a, const std::string& p
         for (std::uint32_t x = 0; x < a.width; ++x) {
             const std::size_t place = (std::size_t{y} * a.width + x) * 4;
             std::uint32_t largest = 0;
-            for (std::size_t c = 0; c < 4; ++c) largest = std::max(largest, static_cast<std::uint32_t>(std::abs(int{a.pixels[place + c]} - int{b.pixels[place + c]})));
+            for (std::size_t c = 0; c < 4; ++c)
+                largest =
+                    std::max(largest, static_cast<std::uint32_t>(std::abs(int{a.pixels[place + c]} - int{b.pixels[place + c]})));
             if (largest == 0) continue;
             ++difference.count;
             difference.largest = std::max(difference.largest, largest);
@@ -116,7 +122,7 @@ std::optional<RunDifference> first_difference(const std::string& folder_a, const
         const Json& known = a ? *a : *b;
         RunDifference difference;
         difference.frame = known["frame"].get<std::uint64_t>();
-        difference.time_s = known.value("time_s", 0.0);
+        difference.time_s = known.contains("time_s") && known["time_s"].is_number() ? known["time_s"].get<double>() : 0.0;
         difference.line = std::max(reader_a.line(), reader_b.line());
         difference.a_ended = !a;
         difference.b_ended = !b;
@@ -124,7 +130,8 @@ std::optional<RunDifference> first_difference(const std::string& folder_a, const
         collect(*a, *b, "", difference.entries);
         if (difference.entries.empty()) continue;  // the same entries in another order
         if ((*a)["hash"] != (*b)["hash"]) {
-            difference.pixels = compare_pictures(frame_picture_path(folder_a, difference.frame), frame_picture_path(folder_b, (*b)["frame"].get<std::uint64_t>()));
+            difference.pixels = compare_pictures(frame_picture_path(folder_a, difference.frame),
+                                                 frame_picture_path(folder_b, (*b)["frame"].get<std::uint64_t>()));
         }
         return difference;
     }

@@ -30,6 +30,10 @@ Image parse(const std::vector<std::uint8_t>& bytes, const std::string& name) {
     std::memcpy(&image.header, bytes.data(), sizeof image.header);
     if (std::memcmp(image.header.magic, kTdbMagic, sizeof kTdbMagic) != 0 || image.header.version != kTdbVersion)
         throw UserError(name + ": not a terrain database of this version; build it again with 'terrain build'");
+    const bool sound_header = base::crc32(&image.header, offsetof(FileHeader, header_crc)) == image.header.header_crc;
+    if (sound_header && image.header.file_bytes != bytes.size())
+        throw UserError(name + ": offset " + std::to_string(bytes.size()) + ": the file ends here, but its header says " +
+                        std::to_string(image.header.file_bytes) + " bytes; get a whole copy");
     const std::uint64_t end = sizeof image.header + std::uint64_t{image.header.chunk_count} * sizeof(ChunkEntry);
     if (image.header.chunk_count == 0 || end > bytes.size())
         throw UserError(name + ": offset " + std::to_string(bytes.size()) +
@@ -143,7 +147,6 @@ void check_frame(const std::vector<std::uint8_t>& file, const Image& image, cons
     add(base::crc32(&h, offsetof(FileHeader, header_crc)) == h.header_crc, "header", "checksum does not match its bytes");
     add(base::crc32(image.entries.data(), image.entries.size() * sizeof(ChunkEntry)) == h.directory_crc, "directory",
         "checksum does not match its bytes");
-    add(file.size() == h.file_bytes, "file", "is not as long as its header says");
     add(same_header(h, fresh.header), "header", "differs from the rasters");
     add(same_undulation(file, h, fresh_file, fresh.header), "geoid undulation", "differs from EGM96");
 }

@@ -12,11 +12,16 @@ namespace {
 
 constexpr std::uint32_t kMaxPosts = 1u << 24;  // a side; 2^24 posts of 1" circle the Earth twelve times
 constexpr std::uint32_t kMaxUndulationSide = 1u << 13;
+constexpr double kHighest_m = 12000, kFarthest_m = 1e7;
+constexpr double kLargestError_m = 1e31;  // above what the builder states where every post is needed
 
 std::uint32_t chunks_across(std::uint32_t posts, std::uint32_t level) {
     const std::uint32_t cells = kChunkCells << level;
     return (posts - 1 + cells - 1) / cells;
 }
+
+// Comparisons are written so that NaN fails them.
+bool within(double value, double low, double high) { return value >= low && value <= high; }
 
 bool ranges_hold(const FileHeader& h) {
     const bool sizes =
@@ -24,10 +29,15 @@ bool ranges_hold(const FileHeader& h) {
     const bool steps = h.step_lon_deg > 0 && h.step_lat_deg > 0 && h.step_lon_deg <= 10 && h.step_lat_deg <= 10;
     const bool place =
         std::abs(h.west_deg) <= 360 && std::abs(h.north_deg) <= 90 && h.north_deg - h.step_lat_deg * (h.rows - 1) >= -90.000001;
-    const bool grid = h.undulation_columns >= 2 && h.undulation_rows >= 2 && h.undulation_columns <= kMaxUndulationSide &&
-                      h.undulation_rows <= kMaxUndulationSide && h.undulation_step_deg > 0;
-    const bool heights = h.min_height_m >= -12000 && h.max_height_m <= 12000 && h.min_height_m <= h.max_height_m;
-    return sizes && steps && place && grid && heights && h.max_chunk_vertices <= kMaxChunkVertices;
+    const bool grid = within(h.undulation_west_deg, -720, 720) && within(h.undulation_north_deg, -91, 91) &&
+                      within(h.undulation_step_deg, 1e-3, 10) && h.undulation_columns >= 2 && h.undulation_rows >= 2 &&
+                      h.undulation_columns <= kMaxUndulationSide && h.undulation_rows <= kMaxUndulationSide;
+    const bool heights = h.min_height_m >= -kHighest_m && h.max_height_m <= kHighest_m && h.min_height_m <= h.max_height_m;
+    bool errors = within(h.le90_m, 0, kHighest_m);
+    for (std::uint32_t level = 0; level < kMaxLevels; ++level)
+        errors = errors && (level >= h.levels || within(h.tolerance_m[level], 0, kLargestError_m));
+    const bool names = h.source[sizeof h.source - 1] == 0 && h.vertical_datum[sizeof h.vertical_datum - 1] == 0;
+    return sizes && steps && place && grid && heights && errors && names && h.max_chunk_vertices <= kMaxChunkVertices;
 }
 
 std::uint64_t expected_chunks(const FileHeader& h) {
@@ -37,10 +47,20 @@ std::uint64_t expected_chunks(const FileHeader& h) {
     return count;
 }
 
+bool measures_hold(const ChunkEntry& entry) {
+    bool hold = within(entry.above_m, 0, kLargestError_m) && within(entry.below_m, 0, kLargestError_m) &&
+                within(entry.bound_m, 0, kLargestError_m) && within(entry.min_height_m, -kHighest_m, kHighest_m) &&
+                within(entry.max_height_m, -kHighest_m, kHighest_m);
+    for (const double x : entry.centre_m) hold = hold && within(x, -kFarthest_m, kFarthest_m);
+    for (const float x : entry.axes) hold = hold && within(x, -1.001, 1.001);
+    for (const float x : entry.half_extent_m) hold = hold && within(x, 0, kFarthest_m);
+    return hold;
+}
+
 bool entry_holds(const ChunkEntry& entry, const FileHeader& h) {
     const std::size_t expected = entry.vertex_count * sizeof(ChunkVertex) + (entry.level == 0 ? kLeafPostBytes : 0);
-    return entry.level < h.levels && entry.vertex_count <= kMaxChunkVertices && entry.bytes == expected &&
-           entry.offset <= h.file_bytes && entry.bytes <= h.file_bytes - entry.offset && entry.bound_m >= 0;
+    return entry.vertex_count <= kMaxChunkVertices && entry.bytes == expected && entry.offset <= h.file_bytes &&
+           entry.bytes <= h.file_bytes - entry.offset && measures_hold(entry);
 }
 
 }  // namespace
@@ -89,11 +109,13 @@ base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource
         return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h});
     if (base::crc32(db.undulation_.data(), grid_count * sizeof(float)) != h.undulation_crc)
         return base::fail(TdbFailure{TdbError::directory_damaged, h.undulation_offset});
-    for (std::uint32_t index = 0; index < h.chunk_count; ++index)
-        if (!entry_holds(db.entries_[index], h))
-            return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h + std::uint64_t{index} * sizeof(ChunkEntry)});
     for (std::uint32_t level = 0; level < h.levels; ++level)
         db.level_first_[level + 1] = db.level_first_[level] + db.grid_columns(level) * db.grid_rows(level);
+    for (std::uint32_t index = 0; index < h.chunk_count; ++index) {
+        const ChunkEntry& entry = db.entries_[index];
+        if (!entry_holds(entry, h) || db.at(entry.level, entry.i, entry.j) != index)
+            return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h + std::uint64_t{index} * sizeof(ChunkEntry)});
+    }
     return db;
 }
 

@@ -31,6 +31,22 @@ TEST(AtomicFile, LeavesWhatWasThereWhenAbandoned) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, ASealedFileIsNotThereYet) {
+    const test_support::TemporaryFolder folder;
+    {
+        AtomicFile file(folder.file("a"));
+        file.stream() << "whole";
+        file.seal();
+        EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
+    }
+    EXPECT_EQ(folder.entries(), 0u);
+    AtomicFile file(folder.file("a"));
+    file.stream() << "whole";
+    file.seal();
+    file.commit();
+    EXPECT_EQ(folder.read("a"), "whole");
+}
+
 TEST(AtomicFile, RefusesAPlaceThatCannotBeWritten) {
     const test_support::TemporaryFolder folder;
     test_support::expect_user_error([&] { AtomicFile file(folder.file("none/a")); }, "cannot be written");

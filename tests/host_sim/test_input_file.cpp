@@ -64,5 +64,21 @@ TEST(InputFile, NamesWhatIsMissing) {
     test_support::expect_user_error([&] { (void)read_file_unpacked(folder.path()); }, "is a folder");
 }
 
+TEST(InputFile, RefusesDevicesWithoutAnEnd) {
+    test_support::expect_user_error([] { (void)read_file("/dev/zero"); }, "/dev/zero: is a device");
+    test_support::expect_user_error([] { (void)read_file_unpacked("/dev/zero"); }, "is a device");
+}
+
+TEST(InputFile, AnOutputMayNotReplaceAnInput) {
+    const test_support::TemporaryFolder folder;
+    const std::string input = folder.write("a", "x");
+    require_other_file(folder.file("b"), {input});
+    test_support::expect_user_error(
+        [&] {
+            require_other_file(folder.path() + "/./a", {folder.file("c"), input});
+        },
+        "is also an input");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim

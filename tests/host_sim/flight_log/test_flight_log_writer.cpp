@@ -9,8 +9,8 @@
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
-#include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
+#include "tests/support/expect_user_error.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -131,7 +131,10 @@ TEST(FlightLogWriter, EndsEarlyAndWholeWhenAsked) {
 TEST(FlightLogWriter, ReportsAStreamThatFails) {
     std::ostringstream stream;
     stream.setstate(std::ios::badbit);
-    EXPECT_THROW(write_flight_log(KnownFlight(), FlightLogSettings(), stream, [](double) { return true; }), UserError);
+    FlightLogSettings settings;
+    settings.name = "x.log";
+    test_support::expect_user_error([&] { write_flight_log(KnownFlight(), settings, stream, [](double) { return true; }); },
+                                    "x.log: could not be written to its end");
 }
 
 TEST(FlightLogWriter, WritesTheSameBytesAgain) { EXPECT_EQ(write(KnownFlight()).text, write(KnownFlight()).text); }

@@ -63,11 +63,18 @@ TEST(AdsbJsonImporter, TellsMillisecondsFromSeconds) {
             .time.ns;
     };
     EXPECT_EQ(time_of("1586684820"), time_of("1586684820000"));
+    EXPECT_EQ(time_of("6999999999"), time_of("6999999999000"));
+    EXPECT_EQ(time_of("1586684820.25") - time_of("1586684820"), 250'000'000);
+    const std::string beyond =
+        R"([{"timestamp":8000000000000,"latitude":1,"longitude":2},{"timestamp":1,"latitude":1,"longitude":2}])";
+    EXPECT_EQ(import_adsb_json(beyond, "t.json").flights.at(0).fixes.size(), 1u) << "neither seconds nor milliseconds";
     EXPECT_EQ(time_of("\"2020-04-12T09:47:00Z\""), time_of("1586684820000"));
 }
 
 TEST(AdsbJsonImporter, RefusesWhatCannotBeFlown) {
     test_support::expect_user_error([] { (void)import_adsb_json("[{\"a\":1},", "t.json"); }, "no valid JSON from byte");
+    test_support::expect_user_error([] { (void)import_adsb_json("[{\"a\":1e999}]", "t.json"); },
+                                    "t.json: holds a value that cannot be read");
     test_support::expect_user_error([] { (void)import_adsb_json("[1,2]", "t.json"); }, "entry 0 of the list is no record");
     test_support::expect_user_error([] { (void)import_adsb_json("{\"a\":1}", "t.json"); },
                                     "neither a list of records nor a table");

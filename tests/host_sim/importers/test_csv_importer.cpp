@@ -50,6 +50,7 @@ TEST(CsvImporter, NamesTheLineOfAFault) {
     refused(head + "1,2\n", "t.csv:3: 2 cells, but the first line names 4 columns");
     refused(head + "1,north,2,3\n", "t.csv:3: 'north' is no number for latitude_deg");
     refused(head + "1,91,2,3\n", "t.csv:3: '91' is out of range");
+    refused(head + "1,1,2,200000\n", "t.csv:3: '200000' is out of range for height_ellipsoid_m");
     refused(head + "1,1,2,nan\n", "t.csv:3: 'nan' is no number");
     refused(head + "1,,2,3\n", "'' is no number for latitude_deg");
     refused(head + "soon,1,2,3\n", "'soon' is no time");

@@ -219,6 +219,13 @@ TEST(ResampledFlight, HeightsOnlyWhereTheyWereRecorded) {
     EXPECT_TRUE(resampled.at(second(61)).value().has(Signal::ellipsoid_height));
 }
 
+TEST(ResampledFlight, RefusesFlightsOfMoreThanAWeek) {
+    RecordedFlight flight = circle_flight(1.0, 60);
+    for (std::size_t i = 30; i < 60; ++i) flight.fixes[i].time = flight.fixes[i].time + base::Duration::seconds(9 * 86400);
+    test_support::expect_user_error([&] { ResampledFlight(flight, {}, geoid(), "years.csv"); },
+                                    "years.csv: its fixes span 9 days");
+}
+
 TEST(ResampledFlight, RefusesTooSparseFlights) {
     RecordedFlight one = circle_flight(1.0, 1);
     test_support::expect_user_error([&] { ResampledFlight(one, {}, geoid(), "one.igc"); }, "one.igc: no two fixes");

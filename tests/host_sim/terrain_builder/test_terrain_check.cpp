@@ -192,6 +192,8 @@ TEST(TerrainCheck, RefusesWhatIsNoDatabaseOfTheseRasters) {
     refused(std::vector<std::uint8_t>(1000, 'x'), model(), "not a terrain database of this version");
     std::vector<std::uint8_t> cut = forgery.bytes();
     cut.resize(sizeof(FileHeader) + 50);
+    refused(cut, model(), "offset 442: the file ends here, but its header says");
+    cut[offsetof(FileHeader, header_crc)] ^= 1u;  // then its size cannot be believed either
     refused(cut, model(), "offset 442: the file ends inside its directory");
     refused(forgery.bytes(), make_model(test_support::make_rough_raster(129, 98), {}), "was not built from these rasters");
     const TerrainCheck other =

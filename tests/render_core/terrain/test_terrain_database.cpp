@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
 #include "host_sim/geoid_egm96.hpp"
+#include "render_core/base/hash.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/built_database.hpp"
 
@@ -44,6 +49,37 @@ TEST(TerrainDatabase, TruncatedForeignAndEmptyFilesAreToldApart) {
     std::vector<std::uint8_t> newer = built.image;
     newer[8] = 99;
     EXPECT_EQ(first_failure(newer).error, TdbError::wrong_version);
+}
+
+/// The image with a changed header and first entry, signed anew so that no checksum tells.
+template <class Change>
+std::vector<std::uint8_t> forged(std::vector<std::uint8_t> image, Change change) {
+    FileHeader h;
+    std::memcpy(&h, image.data(), sizeof h);
+    std::vector<ChunkEntry> entries(h.chunk_count);
+    std::memcpy(entries.data(), image.data() + sizeof h, entries.size() * sizeof(ChunkEntry));
+    change(h, entries.front());
+    h.directory_crc = base::crc32(entries.data(), entries.size() * sizeof(ChunkEntry));
+    h.header_crc = base::crc32(&h, offsetof(FileHeader, header_crc));
+    std::memcpy(image.data(), &h, sizeof h);
+    std::memcpy(image.data() + sizeof h, entries.data(), entries.size() * sizeof(ChunkEntry));
+    return image;
+}
+
+TEST(TerrainDatabase, ValuesThatCannotBeAreRefusedUnderARightChecksum) {
+    const BuiltDatabase built(test_support::make_rough_raster(70, 66));
+    const auto failure = [&](auto change) { return first_failure(forged(built.image, change)).error; };
+    const float nan = std::nanf("");
+    EXPECT_EQ(failure([](FileHeader&, ChunkEntry&) {}), TdbError::none);
+    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { h.undulation_west_deg = nan; }), TdbError::header_damaged);
+    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { h.tolerance_m[1] = nan; }), TdbError::header_damaged);
+    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { std::memset(h.source, 'x', sizeof h.source); }),
+              TdbError::header_damaged);
+    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.above_m = nan; }), TdbError::directory_damaged);
+    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.centre_m[2] = nan; }), TdbError::directory_damaged);
+    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.half_extent_m[0] = -1; }), TdbError::directory_damaged);
+    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.level = 9; }), TdbError::directory_damaged);
+    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { ++e.i; }), TdbError::directory_damaged) << "another chunk's place";
 }
 
 TEST(TerrainDatabase, ASmallArenaIsRefusedNotOverrun) {

@@ -1,0 +1,24 @@
+/// A folder for results that appears with them: made with its parents, and gone again where nothing is kept in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+class NewFolder {
+public:
+    /// The folder may be there already. Throws UserError where it cannot be made.
+    explicit NewFolder(const std::string& path);
+    /// Unless kept, removes the folders that it made, as far as they are empty.
+    ~NewFolder();
+    NewFolder(const NewFolder&) = delete;
+    NewFolder& operator=(const NewFolder&) = delete;
+
+    void keep() { made_.clear(); }
+
+private:
+    std::vector<std::string> made_;  // outermost first
+};
+
+}  // namespace tedavis::host_sim
