@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,6 +21,8 @@ public:
     void press(platform::Key key, bool shift = false) { events_.push_back(key_event(key, '\0', shift)); }
     void press(char character, bool shift = false) { events_.push_back(key_event(platform::Key::character, character, shift)); }
     void send(const platform::WindowEvent& event) { events_.push_back(event); }
+    /// Called with every picture that is shown.
+    std::function<void()> on_present = [] {};
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] int presented() const { return presented_; }
 
@@ -46,6 +49,7 @@ public:
     void* proc_address(const char* name) override { return surface_->proc_address(name); }
     base::SurfaceState present() override {
         ++presented_;
+        on_present();
         return surface_->present();
     }
     std::uint32_t framebuffer() const override { return surface_->framebuffer(); }

@@ -55,6 +55,21 @@ TEST(LiveWindow, RunsUntilItIsClosedAndLeavesAWholeRun) {
     EXPECT_THAT(voice.notes.str(), ::testing::HasSubstr("press h"));
 }
 
+TEST(LiveWindow, CtrlCLeavesAWholeRunToo) {
+    const test_support::FlownFiles files;
+    ReplayOptions options = files.options("run");
+    options.window = true;
+    Voice voice;
+    run_live_window(options, voice.console, window_with([](ScriptedWindow& window) {
+                        window.press(Key::space);
+                        window.press('4');
+                        window.on_present = [] { raise(SIGINT); };
+                    }));
+    EXPECT_EQ(test_support::frame_lines(options.output).size(), 1u);
+    EXPECT_EQ(test_support::summary_of(options.output).at("interrupted"), true);
+    EXPECT_THAT(files.folder.read("run/window.switches"), ::testing::HasSubstr("panel.APPROACH 1"));
+}
+
 TEST(LiveWindow, WithoutAScreenIsOneSentenceAndNothingIsWritten) {
     const test_support::FlownFiles files;
     ReplayOptions options = files.options("run");
