@@ -60,7 +60,7 @@ gl::GlError Display::cut_memory(base::Arena& memory) {
                 {effects::kLodScratch, &lod_memory_},          {effects::kSymbology, &symbology_memory_}};
     for (const auto& cut : cuts) {
         const base::BudgetLine* line = settings_.device.budget.find(cut.line);
-        *cut.arena = memory.carve(line->bytes);
+        *cut.arena = memory.carve(static_cast<std::size_t>(line->bytes));
         if (cut.arena->use().capacity != line->bytes)
             return gl::make_error("the reservation does not hold the budget line '", cut.line,
                                   "'; lower the budgets in the device file");
@@ -87,7 +87,7 @@ gl::GlError Display::open_terrain(base::ByteSource& terrain) {
     chunk_states_ = lod_memory_.allocate_array<std::uint8_t>(database_.chunk_count());
     selected_ = lod_memory_.allocate_array<terrain::SelectedChunk>(slots);
     const std::uint64_t left = lod_memory_.use().capacity - lod_memory_.use().in_use;
-    lod_work_ = lod_memory_.allocate_array<terrain::ChunkIndex>(left / sizeof(terrain::ChunkIndex) / 2);
+    lod_work_ = lod_memory_.allocate_array<terrain::ChunkIndex>(static_cast<std::size_t>(left / sizeof(terrain::ChunkIndex) / 2));
     if (chunk_states_.empty() || selected_.empty() || lod_work_.empty())
         return gl::make_error(
             "the budget line 'lod_scratch' is too small for this terrain database; raise it in the device file");

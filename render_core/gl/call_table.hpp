@@ -11,6 +11,7 @@
 namespace tedavis::gl {
 
 struct CallTable {
+// A type and a parameter list cannot stand in parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin) result(GL_APIENTRY* name) arguments;
 #include "render_core/gl/gl_calls.inc"
 #undef TEDAVIS_GL_CALL

@@ -98,16 +98,18 @@ base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource
     if (sizeof h + directory_bytes > h.file_bytes || h.undulation_offset > h.file_bytes ||
         grid_count * sizeof(float) > h.file_bytes - h.undulation_offset)
         return base::fail(TdbFailure{TdbError::truncated, h.file_bytes});
+    // What fits into the arena fits into a size.
+    const auto entries_size = static_cast<std::size_t>(directory_bytes),
+               grid_size = static_cast<std::size_t>(grid_count * sizeof(float));
     db.entries_ = arena.allocate_array<ChunkEntry>(h.chunk_count);
-    db.undulation_ = arena.allocate_array<float>(grid_count);
+    db.undulation_ = arena.allocate_array<float>(static_cast<std::size_t>(grid_count));
     if (db.entries_.empty() || db.undulation_.empty()) return base::fail(TdbFailure{TdbError::too_large, 0});
-    if (!source.read(sizeof h, db.entries_.data(), directory_bytes))
-        return base::fail(TdbFailure{TdbError::unreadable, sizeof h});
-    if (!source.read(h.undulation_offset, db.undulation_.data(), grid_count * sizeof(float)))
+    if (!source.read(sizeof h, db.entries_.data(), entries_size)) return base::fail(TdbFailure{TdbError::unreadable, sizeof h});
+    if (!source.read(h.undulation_offset, db.undulation_.data(), grid_size))
         return base::fail(TdbFailure{TdbError::unreadable, h.undulation_offset});
-    if (base::crc32(db.entries_.data(), directory_bytes) != h.directory_crc)
+    if (base::crc32(db.entries_.data(), entries_size) != h.directory_crc)
         return base::fail(TdbFailure{TdbError::directory_damaged, sizeof h});
-    if (base::crc32(db.undulation_.data(), grid_count * sizeof(float)) != h.undulation_crc)
+    if (base::crc32(db.undulation_.data(), grid_size) != h.undulation_crc)
         return base::fail(TdbFailure{TdbError::directory_damaged, h.undulation_offset});
     for (std::uint32_t level = 0; level < h.levels; ++level)
         db.level_first_[level + 1] = db.level_first_[level] + db.grid_columns(level) * db.grid_rows(level);
