@@ -1,5 +1,6 @@
 #include "host_sim/window/camera_tour.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

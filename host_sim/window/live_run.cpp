@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/replay_config.hpp"

@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "tests/support/expect_user_error.hpp"
