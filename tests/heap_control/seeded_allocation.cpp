@@ -37,6 +37,8 @@ std::string seeded_function() { return g_seeded == nullptr ? "" : g_seeded; }
 
 extern "C" {
 
+// The names that the compiler calls.
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 void __cyg_profile_func_enter(void* function, void*) {
     using namespace tedavis::heap_control;
     if (!g_armed.load(std::memory_order_relaxed)) return;
@@ -50,5 +52,6 @@ void __cyg_profile_func_enter(void* function, void*) {
     std::free(memory);
 }
 
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 void __cyg_profile_func_exit(void*, void*) {}
 }
