@@ -25,7 +25,9 @@ struct RgbaView {
         return pixels + place * width * 4;
     }
 };
-[[nodiscard]] inline RgbaView view_of(const RgbaPicture& picture) { return {picture.pixels.data(), picture.width, picture.height, false}; }
+[[nodiscard]] inline RgbaView view_of(const RgbaPicture& picture) {
+    return {picture.pixels.data(), picture.width, picture.height, false};
+}
 
 /// The file's bytes.
 [[nodiscard]] std::string encode_png(const RgbaView& view);

@@ -1,0 +1,93 @@
+#include "host_sim/commands/check.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "host_sim/commands/terrain.hpp"
+#include "host_sim/input_file.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/raster_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::CommandRun;
+using test_support::run_command;
+using ::testing::HasSubstr;
+
+const std::string kConfigs = TEDAVIS_SOURCE_DIR "/configs/";
+
+CommandRun check(const std::vector<std::string>& files, bool json = false) {
+    return run_command([&](Console& console) { return run_check({files}, console); }, json);
+}
+
+TEST(CheckCommand, EveryShippedFileIsSound) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kConfigs))
+        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "boards")
+            files.push_back(entry.path().string());
+    ASSERT_GT(files.size(), 10u);
+    const CommandRun run = check(files, true);
+    EXPECT_EQ(run.code, 0) << run.notes;
+    EXPECT_EQ(run.json().size(), files.size());
+    EXPECT_EQ(run.notes, "");
+}
+
+TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
+    const test_support::TemporaryFolder place;
+    for (const auto& [shipped, kind] : {std::pair{"designs/cruise.toml", "a design"},
+                                        {"devices/es3-mid.toml", "a device"},
+                                        {"buses/canaerospace.toml", "a bus"},
+                                        {"switches/one_hot.toml", "a switch panel"},
+                                        {"scenarios/default.toml", "a scenario of 14 legs"}}) {
+        const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
+        EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
+    }
+}
+
+TEST(CheckCommand, LogsAreCountedAndTheirBrokenLinesNamed) {
+    const test_support::TemporaryFolder place;
+    const std::string log = place.write("x.log", "(1.000000) can0 123#11\n(1.500000) can0 12\n(2.000000) can0 124#22\n");
+    const CommandRun run = check({log});
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.results, HasSubstr("a candump log of 2 frames, 1 broken lines (first: line 2)"));
+    const std::string panel = place.write("x.switches", "words\n");
+    EXPECT_THAT(check({panel}).notes, HasSubstr("x.switches:1: does not begin with"));
+}
+
+TEST(CheckCommand, DatabasesAreReadToTheirLastByte) {
+    const test_support::TemporaryFolder place;
+    TerrainBuildOptions options;
+    options.rasters = {test_support::RasterFile().write(place.file("r.tif"))};
+    options.output = place.file("t.tdb");
+    (void)run_command([&](Console& console) { return run_terrain_build(options, console); });
+    EXPECT_EQ(check({options.output}).code, 0);
+    std::string bytes = place.read("t.tdb");
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    place.write("t.tdb", bytes);
+    const CommandRun run = check({options.output});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr("t.tdb: has a damaged chunk at offset"));
+}
+
+TEST(CheckCommand, LooksAtEveryFileAndIsTwoWhenOneIsUnsound) {
+    const test_support::TemporaryFolder place;
+    const std::string sound = kConfigs + "devices/es2-small.toml", none = place.file("none.toml"), odd = place.write("x.xyz", "");
+    const CommandRun text = check({none, sound, odd});
+    EXPECT_EQ(text.code, 2);
+    EXPECT_THAT(text.results, HasSubstr("es2-small.toml: sound, a device"));
+    EXPECT_EQ(std::count(text.notes.begin(), text.notes.end(), '\n'), 2);
+    EXPECT_THAT(text.notes, HasSubstr("none.toml: no such file"));
+    EXPECT_THAT(text.notes, HasSubstr("'.xyz' is no kind of file that is checked here"));
+    const auto json = check({none, sound}, true).json();
+    EXPECT_EQ(json[0]["sound"], false);
+    EXPECT_THAT(json[0]["fault"].get<std::string>(), HasSubstr("no such file"));
+    EXPECT_EQ(json[1]["sound"], true);
+    EXPECT_EQ(json[1]["is"], "a device");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,67 @@
+#include "host_sim/commands/scenario.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bus/candump/candump_log_source.hpp"
+#include "host_sim/input_file.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::CommandRun;
+using test_support::expect_user_error;
+using test_support::run_command;
+
+CommandRun build(const ScenarioBuildOptions& options) {
+    return run_command([&](Console& console) { return run_scenario_build(options, console); }, true);
+}
+
+TEST(ScenarioCommand, LeavesALogASwitchLogAndAManifest) {
+    const test_support::TemporaryFolder place;
+    const CommandRun run = build({"default", place.file("a/b"), {}});
+    EXPECT_EQ(run.code, 0);
+    const auto json = run.json();
+    EXPECT_EQ(json, nlohmann::json::parse(place.read("a/b/scenario.json")));
+    EXPECT_EQ(json["synthetic"], true) << "invented flights say so";
+    EXPECT_EQ(json["seed"], 1);
+    EXPECT_EQ(json["legs"].size(), 14u);
+    const std::string log = place.read("a/b/flight.log");
+    bus::CandumpLogSource source({log.data(), log.size()});
+    std::array<bus::CanFrame, 256> frames;
+    while (source.read(base::Time{INT64_MAX}, {frames.data(), frames.size()}) > 0) {
+    }
+    EXPECT_EQ(json["frames"], source.statistics().frames);
+    EXPECT_EQ(source.statistics().malformed, 0u);
+    EXPECT_GT(place.read("a/b/flight.switches").size(), 100u);
+}
+
+TEST(ScenarioCommand, EqualSeedsGiveEqualBytesAndTheOptionReplacesTheFiles) {
+    const test_support::TemporaryFolder place;
+    for (const char* name : {"a", "b"}) EXPECT_EQ(build({"default", place.file(name), 7}).code, 0);
+    EXPECT_EQ(build({"default", place.file("c"), 8}).json()["seed"], 8);
+    EXPECT_EQ(place.read("a/flight.log"), place.read("b/flight.log"));
+    EXPECT_EQ(place.read("a/flight.switches"), place.read("b/flight.switches"));
+    EXPECT_NE(place.read("a/flight.log"), place.read("c/flight.log"));
+}
+
+TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
+    const test_support::TemporaryFolder place;
+    std::string text = read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml");
+    text.replace(text.find("\"one_hot\""), 9, "\"nowhere\"");
+    const std::string path = place.write("s.toml", text);
+    expect_user_error(
+        [&] {
+            (void)build({path, place.file("out"), {}});
+        },
+        "nowhere: no such file and no shipped one of switches");
+    expect_user_error([&] { (void)build({"nosuch", place.file("out"), {}}); }, "nosuch: no such file");
+    expect_user_error([&] { (void)build({"default", path + "/out", {}}); }, "s.toml/out: this folder cannot be made");
+    EXPECT_EQ(place.entries(), 1u);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,157 @@
+#include "host_sim/commands/terrain.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host_sim/terrain_builder/raster.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/raster_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::CommandRun;
+using test_support::expect_user_error;
+using test_support::run_command;
+using ::testing::HasSubstr;
+
+class TerrainCommand : public ::testing::Test {
+protected:
+    TerrainCommand() {
+        test_support::RasterFile file;
+        file.columns = 70;
+        file.rows = 50;
+        file.value = [](int i, int j) { return 500 + 40 * ((i * 7 + j * 13) % 11); };
+        raster_ = file.write(place_.file("r.tif"));
+        build_.rasters = {raster_};
+        build_.output = place_.file("t.tdb");
+    }
+    CommandRun build(bool json = false) {
+        return run_command([&](Console& console) { return run_terrain_build(build_, console); }, json);
+    }
+    CommandRun check(const TerrainBuildOptions& options) {
+        return run_command([&](Console& console) { return run_terrain_check({build_.output, options}, console); }, true);
+    }
+    CommandRun info() {
+        return run_command([&](Console& console) { return run_terrain_info({build_.output}, console); }, true);
+    }
+
+    test_support::TemporaryFolder place_;
+    std::string raster_;
+    TerrainBuildOptions build_;
+};
+
+TEST_F(TerrainCommand, WhatIsBuiltIsDescribedAndHolds) {
+    build_.accuracy_m = 16;
+    const CommandRun built = build(true);
+    EXPECT_EQ(built.code, 0);
+    EXPECT_EQ(built.notes, "");
+    EXPECT_EQ(built.json(), info().json());
+    const auto json = info().json();
+    EXPECT_EQ(json["columns"], 70);
+    EXPECT_EQ(json["rows"], 50);
+    EXPECT_NEAR(json["west_deg"].get<double>(), 9.605, 1e-9);
+    EXPECT_NEAR(json["south_deg"].get<double>(), 47.095 - 0.49, 1e-9);
+    EXPECT_EQ(json["min_height_m"], 500);
+    EXPECT_EQ(json["max_height_m"], 900);
+    EXPECT_EQ(json["le90_m"], 16);
+    EXPECT_EQ(json["source"], "r.tif");
+    EXPECT_EQ(json["bytes"].get<std::uintmax_t>(), std::filesystem::file_size(build_.output));
+    const CommandRun checked = check(build_);
+    EXPECT_EQ(checked.code, 0);
+    EXPECT_EQ(checked.json()["violations"], 0);
+    EXPECT_EQ(checked.json()["chunks"], json["chunks"]);
+    EXPECT_EQ(checked.json()["worst_excess_m"], 0);
+}
+
+TEST_F(TerrainCommand, BuildsTheSameBytesAgain) {
+    (void)build();
+    const std::string first = place_.read("t.tdb");
+    (void)build();
+    EXPECT_EQ(place_.read("t.tdb"), first);
+}
+
+TEST_F(TerrainCommand, ACheckThatDoesNotHoldIsOne) {
+    (void)build();
+    test_support::RasterFile other;
+    other.columns = 70;
+    other.rows = 50;
+    other.value = [](int i, int j) { return 500 + 40 * ((i * 7 + j * 13) % 11) + (i == 30 && j == 20 ? 25 : 0); };
+    TerrainBuildOptions options = build_;
+    options.rasters = {other.write(place_.file("other.tif"))};
+    const CommandRun checked = check(options);
+    EXPECT_EQ(checked.code, 1);
+    EXPECT_GT(checked.json()["violations"], 0);
+    EXPECT_GE(checked.json()["worst_excess_m"].get<double>(), 25);
+    EXPECT_EQ(checked.json()["violating_chunks"].size(), checked.json()["violations"]);
+}
+
+TEST_F(TerrainCommand, BoundsDatumAndVoidsReachTheRaster) {
+    build_.bounds = "9.7,46.8,9.9,47";
+    build_.vertical_datum = "ellipsoid";
+    build_.void_value = 500;
+    (void)build();
+    const auto json = info().json();
+    EXPECT_EQ(json["columns"], 20);
+    EXPECT_EQ(json["vertical_datum"], "ellipsoid");
+    EXPECT_GT(json["void_posts"], 0);
+    EXPECT_LT(json["max_height_m"].get<double>(), 860) << "the geoid lies 50 m above the ellipsoid here";
+    EXPECT_EQ(check(build_).code, 0) << "the same options give the same database";
+}
+
+TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
+    const auto refuses = [&](const std::string& words, auto change) {
+        TerrainBuildOptions options = build_;
+        change(options);
+        expect_user_error([&] { (void)run_command([&](Console& console) { return run_terrain_build(options, console); }); },
+                          words);
+        EXPECT_FALSE(std::filesystem::exists(build_.output));
+    };
+    for (const char* bounds : {"1,2,3", "10,46,9,47", "9,47,10,46", "a,b,c,d", "9,46,10,47,1", "nan,46,10,47", "9,46,10,147"})
+        refuses("--bounds", [&](TerrainBuildOptions& o) { o.bounds = bounds; });
+    refuses("--vertical-datum moon", [](TerrainBuildOptions& o) { o.vertical_datum = "moon"; });
+    refuses("--accuracy", [](TerrainBuildOptions& o) { o.accuracy_m = std::nan(""); });
+    refuses("is also an input", [&](TerrainBuildOptions& o) { o.output = raster_; });
+    EXPECT_TRUE(std::filesystem::exists(raster_));
+}
+
+TEST_F(TerrainCommand, InfoNamesTheOffsetOfDamage) {
+    (void)build();
+    std::string bytes = place_.read("t.tdb");
+    bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
+    place_.write("t.tdb", bytes);
+    expect_user_error([&] { (void)info(); }, "has a damaged chunk at offset");
+    place_.write("t.tdb", bytes.substr(0, bytes.size() / 2));
+    expect_user_error([&] { (void)info(); }, "t.tdb: is shorter than its header says");
+}
+
+TEST_F(TerrainCommand, FractalTerrainIsARasterThatBuilds) {
+    const TerrainFractalOptions options{100, 7, place_.file("f.tif")};
+    const CommandRun made = run_command([&](Console& console) { return run_terrain_fractal(options, console); }, true);
+    EXPECT_EQ(made.code, 0);
+    EXPECT_EQ(made.json()["size"], 100);
+    EXPECT_EQ(made.json()["seed"], 7);
+    EXPECT_EQ(load_rasters({options.output}, {}).columns, 100u);
+    for (const std::uint32_t size : {2u, 20000u}) {
+        expect_user_error(
+            [&] {
+                (void)run_command([&](Console& console) {
+                    return run_terrain_fractal({size, 1, place_.file("x.tif")}, console);
+                });
+            },
+            "--size");
+    }
+    EXPECT_FALSE(std::filesystem::exists(place_.file("x.tif")));
+}
+
+TEST_F(TerrainCommand, NotesOfTheRasterReachTheUser) {
+    test_support::RasterFile two;
+    two.bands = 2;
+    build_.rasters = {two.write(place_.file("two.tif"))};
+    EXPECT_THAT(build().notes, HasSubstr("two.tif: has 2 bands"));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,103 @@
+#include "host_sim/reports/frame_record_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/frame_result.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::json;
+
+const base::Time kOrigin{2'500'000'000};
+
+Json parsed(const FrameResult& result) { return Json::parse(frame_record_json(result, kOrigin)); }
+
+TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
+    const FrameResult result = test_support::frame_result(42, 10);
+    EXPECT_EQ(frame_record_json(result, kOrigin).find('\n'), std::string::npos);
+    const Json json = parsed(result);
+    EXPECT_EQ(json["frame"], 42);
+    EXPECT_EQ(json["time_s"], 7.5);
+    EXPECT_EQ(json["hash"], "0123456789abcdef");
+    EXPECT_EQ(json["phase"], "takeoff");
+    EXPECT_EQ(json["sub_phase"], "first_climb");
+    EXPECT_EQ(json["phase_source"], "can");
+    EXPECT_NEAR(json["own_ship"]["lat_deg"].get<double>(), 46.5, 1e-12);
+    EXPECT_NEAR(json["own_ship"]["lon_deg"].get<double>(), 9.75, 1e-12);
+    EXPECT_EQ(json["own_ship"]["alt_msl_m"], 1510);
+    EXPECT_EQ(json["own_ship"]["alt_ellipsoid_m"], 1560);
+    EXPECT_NEAR(json["own_ship"]["heading_deg"].get<double>(), 270, 1e-12);
+    EXPECT_NEAR(json["own_ship"]["roll_deg"].get<double>(), -10, 1e-12);
+    EXPECT_EQ(json["own_ship"]["state"], "valid");
+    EXPECT_EQ(json["signals"].size(), flight::kSignalCount);
+    EXPECT_EQ(json["terrain"], Json({{"tau_px", 1},
+                                     {"worst_error_px", 0.75},
+                                     {"worst_chunk", "2/3/4"},
+                                     {"triangles", 12345},
+                                     {"chunks", 67},
+                                     {"pending", 8}}));
+    EXPECT_EQ(json["bytes"], Json({{"cpu", 100}, {"gpu", 200}, {"cpu_budget", 1000}, {"gpu_budget", 2000}, {"uploaded", 50}}));
+    EXPECT_EQ(json["ms"], Json({{"plan", 1}, {"draw", 2}, {"total", 3}}));
+    EXPECT_EQ(json["latency_ms"], 12);
+}
+
+TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
+    const Json json = parsed(test_support::frame_result(0, 3));
+    for (const char* key : {"frame", "time_s", "hash", "phase", "sub_phase", "phase_source", "own_ship", "signals", "flags",
+                            "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
+    for (const char* aspect : {"terrain", "data", "uncertainty"})
+        for (const char* key : {"technique", "detail", "weight"})
+            EXPECT_TRUE(json["presentation"][aspect].contains(key)) << aspect << key;
+}
+
+TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
+    FrameResult result = test_support::frame_result(0, 3);
+    EXPECT_EQ(parsed(result)["flags"], Json::array());
+    ASSERT_TRUE(result.record.flags.try_push_back(display::Name("altitude.stale")));
+    display::EffectRecord effect;
+    effect.name = display::Name("haze");
+    effect.state = display::EffectState::replaced;
+    effect.replaced_by = display::Name("tint");
+    effect.draws = 3;
+    ASSERT_TRUE(result.record.effects.try_push_back(effect));
+    const Json json = parsed(result);
+    EXPECT_EQ(json["flags"], Json({"altitude.stale"}));
+    EXPECT_EQ(json["effects"][0]["name"], "haze");
+    EXPECT_EQ(json["effects"][0]["state"], "replaced");
+    EXPECT_EQ(json["effects"][0]["replaced_by"], "tint");
+    EXPECT_EQ(json["effects"][0]["draws"], 3);
+}
+
+TEST(FrameRecordJson, WhatIsNotKnownIsNull) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.own_ship.height_is_geometric = false;
+    result.record.altitude_msl_m = std::nan("");
+    result.latency_ms = INFINITY;
+    const Json json = parsed(result);
+    EXPECT_TRUE(json["own_ship"]["alt_ellipsoid_m"].is_null());
+    EXPECT_TRUE(json["own_ship"]["alt_msl_m"].is_null());
+    EXPECT_TRUE(json["latency_ms"].is_null());
+}
+
+TEST(FrameRecordJson, NumbersReadBackToTheSameBits) {
+    FrameResult result = test_support::frame_result(0, 3);
+    for (const double value : {0.1, 1.0 / 3, 46.123456789012345, 1e-300, 123456789.123456789}) {
+        result.latency_ms = value;
+        EXPECT_EQ(parsed(result)["latency_ms"].get<double>(), value);
+    }
+}
+
+TEST(FrameRecordJson, HashesHaveSixteenDigits) {
+    EXPECT_EQ(hash_text(0), "0000000000000000");
+    EXPECT_EQ(hash_text(0xABCu), "0000000000000abc");
+    EXPECT_EQ(hash_text(~std::uint64_t{0}), "ffffffffffffffff");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,91 @@
+#include "host_sim/reports/html_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/frame_result.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+RunStory short_story() {
+    RunStory story(base::Time{0});
+    const RgbaPicture picture{4, 4, std::vector<std::uint8_t>(64, 200)};
+    for (std::uint64_t n = 0; n < 5; ++n) {
+        FrameResult result = test_support::frame_result(n, static_cast<double>(n));
+        EXPECT_TRUE(n != 3 || result.record.flags.try_push_back(display::Name("altitude.stale")));
+        if (story.add(result, 300, 60)) story.add_picture(result, view_of(picture));
+    }
+    return story;
+}
+
+RunSummary summary() {
+    RunSummary s;
+    s.log = "flight <1> & co.log";
+    s.frames = 5;
+    s.notes = {"<b>broken</b> line"};
+    return s;
+}
+
+TEST(HtmlReport, TellsTheWholeStory) {
+    const std::string html = html_report(summary(), short_story(), {});
+    for (const char* part : {"<!DOCTYPE html>", "takeoff.first_climb", "altitude.stale", "Memory", "Ground speed",
+                             "frame 0, 0.0 s", "not certified"})
+        EXPECT_THAT(html, HasSubstr(part));
+    EXPECT_THAT(html, HasSubstr("flight &lt;1&gt; &amp; co.log"));
+    EXPECT_THAT(html, Not(HasSubstr("<b>broken</b>")));
+    EXPECT_THAT(html_report(summary(), RunStory(base::Time{0}), {}), HasSubstr("None were raised."));
+}
+
+// Nothing is fetched and nothing runs: every source is a data URI, and there are no scripts, links or imports.
+TEST(HtmlReport, NeedsNothingButItself) {
+    const std::string html = html_report(summary(), short_story(), {});
+    EXPECT_THAT(html, Not(HasSubstr("<script")));
+    EXPECT_THAT(html, Not(HasSubstr("<link")));
+    EXPECT_THAT(html, Not(HasSubstr("@import")));
+    EXPECT_THAT(html, Not(HasSubstr("http")));
+    const std::regex source("(src|href)='([^']{0,22})");
+    std::size_t pictures = 0;
+    for (std::sregex_iterator it(html.begin(), html.end(), source), end; it != end; ++it, ++pictures)
+        EXPECT_EQ((*it)[2].str(), "data:image/png;base64,");
+    EXPECT_EQ(pictures, 5u);
+}
+
+TEST(HtmlReport, EveryElementIsClosed) {
+    const std::string html = html_report(summary(), short_story(), {});
+    for (const char* element : {"section", "table", "tr", "td", "figure", "svg", "div", "ul", "li"}) {
+        const auto count = [&](const std::string& pattern) {
+            const std::regex expression(pattern);
+            return std::distance(std::sregex_iterator(html.begin(), html.end(), expression), std::sregex_iterator());
+        };
+        EXPECT_EQ(count(std::string("<") + element + "[ >]"), count(std::string("</") + element + ">")) << element;
+    }
+}
+
+TEST(HtmlReport, MarksWhatMustNotBe) {
+    RunSummary bad = summary();
+    EXPECT_THAT(html_report(bad, short_story(), {}), Not(HasSubstr("class='bad'")));
+    bad.heap_allocations_after_start = 2;
+    EXPECT_THAT(html_report(bad, short_story(), {}), HasSubstr("class='bad'>2"));
+}
+
+TEST(HtmlReport, WritesBothFilesWhole) {
+    const test_support::TemporaryFolder folder;
+    write_run_reports(folder.path(), summary(), short_story(), {});
+    EXPECT_EQ(nlohmann::json::parse(folder.read("summary.json"))["frames"], 5);
+    EXPECT_THAT(folder.read("report.html"), HasSubstr("</html>"));
+    EXPECT_EQ(folder.entries(), 2u);
+    test_support::expect_user_error([&] { write_run_reports(folder.file("none"), summary(), short_story(), {}); },
+                                    "summary.json");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,106 @@
+#include "host_sim/reports/line_chart.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "cpl_minixml.h"
+
+namespace tedavis::host_sim {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+LineChart ramp() {
+    LineChart chart{"Altitude", "m", {0, 1, 2, 3, 4}, {}, {}};
+    chart.curves.push_back({"own ship", "#123456", {0, 100, 200, 300, 400}});
+    return chart;
+}
+
+std::string path_of(const std::string& svg) {
+    std::smatch found;
+    return std::regex_search(svg, found, std::regex("<path d='([^']*)'")) ? found[1].str() : "";
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+}
+
+bool is_well_formed(const std::string& svg) {
+    CPLXMLNode* tree = CPLParseXMLString(svg.c_str());
+    CPLDestroyXMLNode(tree);
+    return tree != nullptr;
+}
+
+TEST(LineChart, ARampIsAStraightLineThatRises) {
+    const std::string path = path_of(line_chart_svg(ramp()));
+    const std::regex point("[ML]([0-9.]+) ([0-9.]+)");
+    std::vector<double> x, y;
+    for (std::sregex_iterator it(path.begin(), path.end(), point), end; it != end; ++it) {
+        x.push_back(std::stod((*it)[1]));
+        y.push_back(std::stod((*it)[2]));
+    }
+    ASSERT_EQ(x.size(), 5u);
+    for (std::size_t i = 1; i < 5; ++i) {
+        EXPECT_NEAR(x[i] - x[i - 1], (x[4] - x[0]) / 4, 0.11);
+        EXPECT_NEAR(y[i] - y[i - 1], (y[4] - y[0]) / 4, 0.11);
+    }
+    EXPECT_LT(y[4], y[0]) << "upwards is a smaller y in SVG";
+}
+
+TEST(LineChart, AGapInterruptsTheCurve) {
+    LineChart chart = ramp();
+    EXPECT_EQ(count(path_of(line_chart_svg(chart)), "M"), 1u);
+    chart.curves[0].values[2] = std::nan("");
+    const std::string path = path_of(line_chart_svg(chart));
+    EXPECT_EQ(count(path, "M"), 2u);
+    EXPECT_EQ(count(path, "L"), 2u);
+}
+
+TEST(LineChart, IsWellFormedWhateverTheNamesAndNumbers) {
+    LineChart chart = ramp();
+    chart.title = "<script> & 'more'";
+    chart.curves.push_back({"b < c & \"d\"", "#000000", {1e300, -1e300, INFINITY, std::nan(""), 0}});
+    chart.spans.push_back({1, 2, "approach & <final>", "#ff0000"});
+    const std::string svg = line_chart_svg(chart);
+    EXPECT_TRUE(is_well_formed(svg));
+    EXPECT_THAT(svg, Not(HasSubstr("<script>")));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(HasSubstr("inf")));
+    EXPECT_FALSE(is_well_formed("<svg><b></svg>")) << "a control";
+}
+
+TEST(LineChart, DrawsNothingKnownWithoutFailing) {
+    LineChart empty{"Empty", "m", {}, {}, {}};
+    EXPECT_TRUE(is_well_formed(line_chart_svg(empty)));
+    LineChart one{"One", "m", {5}, {{"a", "#000000", {3}}}, {}};
+    EXPECT_TRUE(is_well_formed(line_chart_svg(one)));
+    LineChart flat = ramp();
+    flat.curves[0].values = {7, 7, 7, 7, 7};
+    EXPECT_TRUE(is_well_formed(line_chart_svg(flat)));
+}
+
+TEST(LineChart, ARunThatGoesBackwardsHasItsSpansTheRightWayRound) {
+    LineChart chart = ramp();
+    chart.times_s = {4, 3, 2, 1, 0};
+    chart.spans.push_back({3, 1, "cruise", "#ff0000"});
+    std::smatch found;
+    const std::string svg = line_chart_svg(chart);
+    ASSERT_TRUE(std::regex_search(svg, found, std::regex("<rect [^>]*width='([0-9.]+)'")));
+    EXPECT_GT(std::stod(found[1]), 100);
+}
+
+TEST(LineChart, EscapesAndRounds) {
+    EXPECT_EQ(escaped_html("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
+    EXPECT_EQ(decimal(1.25, 1), "1.2");
+    EXPECT_EQ(decimal(-3, 0), "-3");
+    EXPECT_EQ(decimal(1e300, 0), "1000000000000000");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,83 @@
+#include "host_sim/reports/run_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(RunSummary, MedianAndPercentileOfFrameTimes) {
+    EXPECT_EQ(frame_times({}).median_ms, 0);
+    EXPECT_EQ(frame_times({}).p99_ms, 0);
+    EXPECT_EQ(frame_times({7}).median_ms, 7);
+    EXPECT_EQ(frame_times({7}).p99_ms, 7);
+    EXPECT_EQ(frame_times({3, 1, 2}).median_ms, 2);
+    EXPECT_EQ(frame_times({4, 1, 2, 3}).median_ms, 2.5);
+    std::vector<double> hundred;
+    for (int i = 100; i >= 1; --i) hundred.push_back(i);
+    EXPECT_EQ(frame_times(hundred).p99_ms, 99);
+    EXPECT_EQ(frame_times(hundred).median_ms, 50.5);
+}
+
+RunSummary full_summary() {
+    RunSummary s;
+    s.frames = 17;
+    s.fps_median = 31.5;
+    s.device = "es3-mid";
+    s.log = "flight.log";
+    s.width = 640;
+    s.height = 480;
+    s.can = {1000, 900, 80, 15, 5};
+    s.interrupted = true;
+    s.notes = {"line 7 is broken"};
+    return s;
+}
+
+TEST(RunSummary, HasEveryKeyOfTheContract) {
+    const Json json = Json::parse(run_summary_json(full_summary(), {}));
+    for (const char* key :
+         {"frames", "fps_median", "ms_p99", "heap_allocations_after_start", "worst_error_px", "gl_calls_outside_device", "device",
+          "design", "terrain", "scene", "log", "switches", "size", "costs", "gl", "version", "can"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["frames"], 17);
+    EXPECT_EQ(json["fps_median"], 31.5);
+    EXPECT_EQ(json["size"], "640x480");
+    EXPECT_EQ(json["can"], Json({{"frames", 1000}, {"decoded", 900}, {"alien", 80}, {"errors", 15}, {"dropped", 5}}));
+    EXPECT_EQ(json["interrupted"], true);
+    EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
+}
+
+TEST(RunSummary, ListsTheBudgetLineByLine) {
+    base::BudgetTable memory;
+    base::BudgetLine line;
+    line.name = base::FixedString<31>("terrain.chunks");
+    line.owner = base::FixedString<31>("terrain");
+    line.reason = base::FixedString<95>("the visible set");
+    line.kind = base::MemoryKind::gpu;
+    line.bytes = 4096;
+    line.use.in_use = 1000;
+    line.use.high_water = 2000;
+    line.use.refused = 3;
+    ASSERT_TRUE(memory.try_add(line));
+    const Json json = Json::parse(run_summary_json(full_summary(), memory));
+    EXPECT_EQ(json["memory"], Json({{{"name", "terrain.chunks"},
+                                     {"owner", "terrain"},
+                                     {"reason", "the visible set"},
+                                     {"kind", "gpu"},
+                                     {"bytes", 4096},
+                                     {"in_use", 1000},
+                                     {"high_water", 2000},
+                                     {"refused", 3}}}));
+}
+
+TEST(RunSummary, SurvivesNamesThatAreNoText) {
+    RunSummary summary = full_summary();
+    summary.log = "caf\xE9.log";
+    EXPECT_EQ(Json::parse(run_summary_json(summary, {}))["log"], "caf\xEF\xBF\xBD.log");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
