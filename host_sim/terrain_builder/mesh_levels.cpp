@@ -278,10 +278,11 @@ SignedError measure_triangle(const Lattice& lattice, const LatticeTriangle& tria
     return error;
 }
 
-std::vector<float> measure_errors(const Lattice& lattice) {
+std::vector<float> measure_errors(const Lattice& lattice, const std::function<void()>& pulse) {
     std::vector<float> errors(static_cast<std::size_t>(lattice.columns * lattice.rows), 0.0f);
     for (std::int64_t scale = 1; scale < top_side(lattice); scale *= 2) {
         for (const bool centres : {false, true}) {
+            if (pulse) pulse();
             for_each_vertex(lattice, scale, centres, [&](LatticeVertex v) {
                 float error = own_error(lattice, v);
                 raise_to_children(lattice, errors, v, centres, scale, error);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "host_sim/terrain_builder/raster.hpp"
@@ -40,8 +41,9 @@ struct SignedError {
 inline constexpr float kAlwaysNeeded = 1e30f;
 inline constexpr std::uint8_t kNeverNeeded = 0xFF;
 
-/// The nested error of every post, metres; kAlwaysNeeded at void borders.
-[[nodiscard]] std::vector<float> measure_errors(const Lattice& lattice);
+/// The nested error of every post, metres; kAlwaysNeeded at void borders. `pulse` is called now and then and may throw to
+/// stop.
+[[nodiscard]] std::vector<float> measure_errors(const Lattice& lattice, const std::function<void()>& pulse = {});
 
 /// For every post the highest level whose mesh has it (kNeverNeeded: none). Chunk corners are kept as chunk_mesh.hpp
 /// requires, and border vertices are made independent of other borders.

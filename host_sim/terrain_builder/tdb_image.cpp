@@ -452,8 +452,9 @@ TerrainModel make_model(Raster raster, const BuildOptions& options) {
     for (std::uint32_t levels = useful_levels(model.raster);; --levels) {
         size_lattice(model, levels);
         fill_lattice(model);
-        if (options.progress) options.progress(0, 1);
-        model.errors_m = measure_errors(model.lattice);
+        model.errors_m = measure_errors(model.lattice, [&options] {
+            if (options.progress) options.progress(0, 1);
+        });
         // Many voids need their borders at every level; then the coarsest levels are left away.
         if (fit_tolerances(model) || levels == 1) return model;
     }

@@ -146,6 +146,16 @@ TEST(MeshLevels, ErrorsAreNestedAndCoverTheirTriangles) {
     EXPECT_GE(errors[lattice.at(middle.i, middle.j)], std::max(of_t.above, of_t.below) - 1e-4);
 }
 
+TEST(MeshLevels, MeasuringStopsWhenToldTo) {
+    struct Stop {};
+    int pulses = 0;
+    EXPECT_THROW((void)measure_errors(rough_lattice(5),
+                                      [&pulses] {
+                                          if (++pulses == 3) throw Stop{};
+                                      }),
+                 Stop);
+}
+
 TEST(MeshLevels, LevelsKeepWhatIsAboveTheToleranceWithItsParentsAndCorners) {
     const TerrainModel model = make_model(test_support::make_rough_raster(257, 257), {});
     const Lattice& lattice = model.lattice;

@@ -1,0 +1,147 @@
+// Ctrl-C in mid-work: what is left is whole or nothing at all, and the exit code says that the user stopped it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "bus/candump/candump_log_source.hpp"
+#include "tests/support/program_samples.hpp"
+#include "tests/support/running_program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::tests {
+namespace {
+
+using test_support::ProgramResult;
+using test_support::ProgramSamples;
+using test_support::ProgramSetting;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr int kInterruptedCode = 130;
+
+class InterruptSignal : public ::testing::Test {
+protected:
+    /// Sends the signal once a file has grown, so that the program is at work for certain.
+    ProgramResult stop(std::vector<std::string> words, const std::string& growing, std::uintmax_t bytes, int which = SIGINT) {
+        words.insert(words.begin(), ProgramSamples::program());
+        ProgramSetting setting;
+        setting.signal = which;
+        setting.signal_when = [=] {
+            std::error_code not_there;
+            const auto size = std::filesystem::file_size(growing, not_there);
+            return !not_there && size >= bytes;
+        };
+        return test_support::run_program(words, setting);
+    }
+
+    test_support::TemporaryFolder place_;
+};
+
+/// Hours of flight, so that no machine is done before the signal comes.
+std::string long_flight() {
+    std::string text = "time,latitude_deg,longitude_deg,height_msl_m\n";
+    for (int i = 0; i < 86'400; ++i) {
+        char line[100];
+        std::snprintf(line, sizeof line, "%d,%.6f,%.6f,%.1f\n", 1586684820 + i, 46.5 + 0.1 * std::sin(i * 1e-3),
+                      9.75 + 0.1 * std::cos(i * 1e-3), 3000.0);
+        text += line;
+    }
+    return text;
+}
+
+TEST_F(InterruptSignal, ConvertKeepsAValidLogThatEndsEarly) {
+    const std::string flight = place_.write("f.csv", long_flight());
+    const ProgramResult result =
+        stop({"convert", flight, "-o", place_.file("f.log"), "--json"}, place_.file("f.log.part"), 100'000);
+    EXPECT_EQ(result.code, kInterruptedCode) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("interrupted; the log is valid and ends early"));
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["interrupted"], true);
+    EXPECT_EQ(json, nlohmann::json::parse(place_.read("f.log.json")));
+    const std::string log = place_.read("f.log");
+    EXPECT_EQ(log.back(), '\n');
+    bus::CandumpLogSource source({log.data(), log.size()});
+    std::vector<bus::CanFrame> frames(4096);
+    while (source.read(base::Time{INT64_MAX}, {frames.data(), frames.size()}) > 0) {
+    }
+    EXPECT_EQ(source.statistics().frames, json["frames"]);
+    EXPECT_EQ(source.statistics().malformed, 0u);
+    EXPECT_EQ(place_.entries(), 3u) << "the flight, the log and its companion";
+}
+
+TEST_F(InterruptSignal, TerrainBuildLeavesNothing) {
+    const std::string raster = place_.file("r.tif");
+    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
+              0);
+    for (const int which : {SIGINT, SIGTERM}) {
+        const ProgramResult result =
+            stop({"terrain", "build", raster, "-o", place_.file("t.tdb")}, place_.file("t.tdb.part"), 0, which);
+        EXPECT_EQ(result.code, kInterruptedCode) << result.err;
+        EXPECT_EQ(result.err, "tedavis: interrupted; nothing was written\n");
+        EXPECT_EQ(place_.entries(), 1u) << "the raster only";
+    }
+}
+
+TEST_F(InterruptSignal, TerrainBuildKeepsWhatWasThereBefore) {
+    const std::string raster = place_.file("r.tif"), database = place_.write("t.tdb", "an older one");
+    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
+              0);
+    EXPECT_EQ(stop({"terrain", "build", raster, "-o", database}, place_.file("t.tdb.part"), 0).code, kInterruptedCode);
+    EXPECT_EQ(place_.read("t.tdb"), "an older one");
+}
+
+TEST_F(InterruptSignal, ScenarioBuildLeavesNotEvenItsFolder) {
+    std::string text = ProgramSamples::read("scenario.toml");
+    for (int i = 0; i < 6; ++i)
+        text += "\n[[leg]]\nkind = \"stand\"\nphase = \"ground\"\nstated_by = \"can\"\nduration_s = 600\n";
+    const std::string scenario = place_.write("s.toml", text);
+    const ProgramResult result =
+        stop({"scenario", "build", scenario, "-o", place_.file("a/b")}, place_.file("a/b/flight.log.part"), 10'000);
+    EXPECT_EQ(result.code, kInterruptedCode) << result.err;
+    EXPECT_EQ(result.err, "tedavis: interrupted; nothing was written\n");
+    EXPECT_EQ(place_.entries(), 1u) << "the scenario only";
+}
+
+TEST_F(InterruptSignal, AKilledProgramLeavesNoHalfFileUnderTheNameOfAWholeOne) {
+    const std::string flight = place_.write("f.csv", long_flight());
+    ProgramSetting setting;
+    setting.signal = SIGKILL;  // which no program can catch
+    setting.signal_when = [this] {
+        std::error_code not_there;
+        const auto size = std::filesystem::file_size(place_.file("f.log.part"), not_there);
+        return !not_there && size > 0;
+    };
+    const ProgramResult result =
+        test_support::run_program({ProgramSamples::program(), "convert", flight, "-o", place_.file("f.log")}, setting);
+    EXPECT_EQ(result.signal, SIGKILL);
+    EXPECT_FALSE(std::filesystem::exists(place_.file("f.log")));
+    EXPECT_FALSE(std::filesystem::exists(place_.file("f.log.json")));
+}
+
+TEST_F(InterruptSignal, ProgressIsDrawnOnATerminalOnly) {
+    const std::string program = ProgramSamples::program(), raster = ProgramSamples::path("raster.tif"),
+                      flight = ProgramSamples::path("flight.csv");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{program, "terrain", "build", raster, "-o", place_.file("t.tdb")},
+          {program, "terrain", "check", ProgramSamples::path("terrain.tdb"), raster},
+          {program, "convert", flight, "-o", place_.file("f.log")},
+          {program, "scenario", "build", "default", "-o", place_.file("s")}}) {
+        const ProgramResult plain = test_support::run_program(words);
+        EXPECT_EQ(plain.code, 0);
+        EXPECT_THAT(plain.err, Not(HasSubstr("%")));
+        EXPECT_THAT(plain.err, Not(HasSubstr("\r")));
+        ProgramSetting setting;
+        setting.terminal = true;
+        const ProgramResult live = test_support::run_program(words, setting);
+        EXPECT_EQ(live.code, 0);
+        EXPECT_THAT(live.err, HasSubstr(" %")) << words[1] << " " << words[2];
+        EXPECT_EQ(live.out, plain.out) << "the result is the same";
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::tests
