@@ -30,6 +30,9 @@ void check_options(const ConvertOptions& options) {
     }
 }
 
+/// To the microsecond: nanoseconds since 1970 do not fit a double, and would show it in the last digits.
+double seconds_of(base::Time time) { return static_cast<double>(time.ns / 1000) / 1e6; }
+
 Json cleaning_json(const CleaningCounts& counts) {
     return {{"out_of_order", counts.out_of_order},
             {"duplicates", counts.duplicates},
@@ -62,8 +65,8 @@ Json report(const ConvertOptions& options, const ImportedFile& file, const Recor
                  {"aircraft", flight.aircraft},
                  {"callsign", flight.callsign},
                  {"log", options.output},
-                 {"begin_s", resampled.begin().ns / 1e9},
-                 {"end_s", resampled.end().ns / 1e9},
+                 {"begin_s", seconds_of(resampled.begin())},
+                 {"end_s", seconds_of(resampled.end())},
                  {"frames", counts.frames},
                  {"silent_s", static_cast<double>(counts.silent_ms) / 1e3},
                  {"interrupted", counts.interrupted},

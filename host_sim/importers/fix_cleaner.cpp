@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "render_core/earth/wgs84.hpp"
@@ -17,7 +18,7 @@ constexpr double kPositionMargin_m = 60.0;
 constexpr std::size_t kBelievedInARow = 5;
 constexpr std::ptrdiff_t kMedianReach = 4;
 constexpr double kHeightMargin_m = 40.0;
-constexpr double kHeightMargin_mps = 5.0;
+constexpr double kHeightMargin_mps = 8.0;
 
 double distance_m(const RecordedFix& a, const RecordedFix& b) {
     return earth::surface_distance_m({a.latitude_rad, a.longitude_rad, {}}, {b.latitude_rad, b.longitude_rad, {}});
@@ -75,20 +76,39 @@ void drop_position_jumps(std::vector<RecordedFix>& fixes, CleaningCounts& counts
 
 using HeightMember = std::optional<double> RecordedFix::*;
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+struct TimedHeight {
+    double time_s = 0, height_m = 0;
+};
+
+/// Off the line through the neighbourhood that a third of wild values cannot turn (Theil 1950, Sen 1968: the median of
+/// all slopes), so that a steady climb goes on through a pause of the recording.
+double off_line_m(const std::vector<TimedHeight>& near, const TimedHeight& asked) {
+    std::vector<double> slopes, heights;
+    for (std::size_t a = 0; a < near.size(); ++a)
+        for (std::size_t b = a + 1; b < near.size(); ++b)
+            slopes.push_back((near[b].height_m - near[a].height_m) / (near[b].time_s - near[a].time_s));
+    const double slope_mps = median(std::move(slopes));
+    for (const TimedHeight& known : near) heights.push_back(known.height_m + slope_mps * (asked.time_s - known.time_s));
+    return asked.height_m - median(std::move(heights));
+}
+
 bool is_outlier(const std::vector<RecordedFix>& fixes, std::ptrdiff_t i, HeightMember height) {
-    std::vector<double> near;
+    const auto fix = [&fixes](std::ptrdiff_t k) -> const RecordedFix& { return fixes[static_cast<std::size_t>(k)]; };
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, i - kMedianReach);
     const std::ptrdiff_t last = std::min(static_cast<std::ptrdiff_t>(fixes.size()) - 1, i + kMedianReach);
-    for (std::ptrdiff_t k = first; k <= last; ++k) {
-        const auto& value = fixes[static_cast<std::size_t>(k)].*height;
-        if (value) near.push_back(*value);
-    }
+    std::vector<TimedHeight> near;
+    for (std::ptrdiff_t k = first; k <= last; ++k)
+        if (fix(k).*height) near.push_back({seconds_between(fix(first), fix(k)), *(fix(k).*height)});
     if (near.size() < 3) return false;
-    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::nth_element(near.begin(), middle, near.end());
-    const double interval_s = seconds_between(fixes[static_cast<std::size_t>(first)], fixes[static_cast<std::size_t>(last)]) /
-                              static_cast<double>(last - first);
-    return std::abs(*(fixes[static_cast<std::size_t>(i)].*height) - *middle) > kHeightMargin_m + kHeightMargin_mps * interval_s;
+    const double interval_s = seconds_between(fix(first), fix(last)) / static_cast<double>(last - first);
+    const TimedHeight asked{seconds_between(fix(first), fix(i)), *(fix(i).*height)};
+    return std::abs(off_line_m(near, asked)) > kHeightMargin_m + kHeightMargin_mps * interval_s;
 }
 
 std::size_t empty_height_outliers(std::vector<RecordedFix>& fixes, HeightMember height) {

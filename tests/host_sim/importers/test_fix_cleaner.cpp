@@ -75,6 +75,19 @@ TEST(FixCleaner, EmptiesHeightOutliersAndKeepsTheFix) {
     EXPECT_TRUE(flight.fixes[10].pressure_altitude_m);
 }
 
+TEST(FixCleaner, ADescentGoesOnThroughAPauseOfTheRecording) {
+    RecordedFlight flight = steady_flight(60);
+    for (std::size_t i = 0; i < 60; ++i) {
+        const double pause_s = i < 30 ? 0 : 12;
+        flight.fixes[i].time = flight.fixes[i].time + base::Duration::from_seconds(pause_s);
+        flight.fixes[i].latitude_rad += 50.0 * pause_s / 6.36e6;
+        flight.fixes[i].gnss_height_m = 3000 - 9 * (static_cast<double>(i) + pause_s);
+    }
+    EXPECT_EQ(clean_fixes(flight).gnss_height_jumps, 0u);
+    *flight.fixes[31].gnss_height_m += 180;
+    EXPECT_EQ(clean_fixes(flight).gnss_height_jumps, 1u) << "a control";
+}
+
 TEST(FixCleaner, SurvivesVeryShortFlights) {
     for (int count : {0, 1, 2}) {
         RecordedFlight flight = steady_flight(count);
