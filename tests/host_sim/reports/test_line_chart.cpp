@@ -1,12 +1,11 @@
 #include "host_sim/reports/line_chart.hpp"
 
+#include <cpl_minixml.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <regex>
-
-#include "cpl_minixml.h"
 
 namespace tedavis::host_sim {
 namespace {
