@@ -112,7 +112,6 @@ std::string base_name(const std::string& path) { return path.substr(path.find_la
 
 Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& options) {
     if (files.empty()) throw UserError("terrain build: no raster named; give at least one height file");
-    GDALAllRegister();
     const QuietGdal quiet;
     std::vector<RasterSource> sources;
     std::string names;

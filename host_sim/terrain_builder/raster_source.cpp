@@ -141,6 +141,7 @@ OGRSpatialReference wgs84_longitude_latitude() {
 }
 
 RasterSource open_raster_source(const std::string& file, const RasterOptions& options) {
+    GDALAllRegister();  // does nothing the second time
     RasterSource source;
     source.file = file;
     source.dataset = open_dataset(file);
