@@ -127,6 +127,7 @@ flight::OwnShipEstimate OwnShipFilter::estimate(base::Time now) const {
     result.at = now;
     result.state = worse(worse(state_of(north, settings_), state_of(east, settings_)), state_of(up, settings_));
     if (position_invalid_ || height_invalid_[source]) result.state = base::SignalState::invalid;
+    result.height_is_on_qnh = source == static_cast<std::size_t>(HeightSource::baro) && up.started;
     result.height_is_geometric = source == static_cast<std::size_t>(HeightSource::ellipsoid) && up.started;
     return result;
 }

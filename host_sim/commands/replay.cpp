@@ -7,12 +7,13 @@
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/replay/run_recorder.hpp"
+#include "host_sim/user_error.hpp"
 #include "host_sim/window/live_window.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-void run_batch(const ReplayOptions& options, Console& console) {
+int run_batch(const ReplayOptions& options, Console& console) {
     DisplaySession session(options.picture, is_generated_flight(options.log));
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
     const FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
@@ -26,15 +27,14 @@ void run_batch(const ReplayOptions& options, Console& console) {
     }
     console.progress_done();
     recorder.finish(interrupt.requested(), console);
+    return interrupt.requested() ? kInterruptedExitCode : 0;
 }
 
 }  // namespace
 
 int run_replay(const ReplayOptions& options, Console& console) {
-    if (options.window)
-        run_live_window(options, console);
-    else
-        run_batch(options, console);
+    if (!options.window) return run_batch(options, console);
+    run_live_window(options, console);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "platform/clock/monotonic_clock.hpp"
@@ -51,17 +52,24 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
 
 const FrameResult& RunRecorder::draw(base::Time time) {
     instant_ = player_.at(time);
+    draw_watched(time);
+    result_.record = session_.display().record();
+    result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
+    result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
+    return result_;
+}
+
+void RunRecorder::draw_watched(base::Time time) {
+    HeapTrap trap;
     const base::Time start = platform::monotonic_now();
     session_.display().update(instant_.aircraft, instant_.phase, time);
     const base::Time planned = platform::monotonic_now();
     session_.draw();
     const base::Time drawn = platform::monotonic_now();
-    result_.record = session_.display().record();
+    trap.close();
+    heap_allocations_ += trap.counts().ours;
     result_.timing = {milliseconds_between(start, planned), milliseconds_between(planned, drawn),
                       milliseconds_between(start, drawn)};
-    result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
-    result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
-    return result_;
 }
 
 void RunRecorder::keep() {
@@ -94,6 +102,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.fps_median = times.median_ms > 0 ? 1000 / times.median_ms : 0;
     s.ms_p99 = times.p99_ms;
     s.worst_error_px = worst_error_px_;
+    s.heap_allocations_after_start = heap_allocations_;
     s.gl_calls_outside_device = session_.display().gl().denied().total;
     s.device = options_.picture.device;
     s.design = options_.picture.design;

@@ -33,6 +33,7 @@ public:
 
 private:
     [[nodiscard]] RunSummary summary(bool interrupted);
+    void draw_watched(base::Time time);
 
     const ReplayOptions& options_;
     DisplaySession& session_;
@@ -44,6 +45,7 @@ private:
     std::vector<double> total_ms_;
     std::vector<std::string> notes_;
     double worst_error_px_ = 0;
+    std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };
 
 }  // namespace tedavis::host_sim

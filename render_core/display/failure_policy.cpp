@@ -121,6 +121,10 @@ private:
     [[nodiscard]] bool turns_view(Signal heading) const {
         return valid(heading) && (heading != Signal::magnetic_heading || valid(Signal::magnetic_variation));
     }
+    /// An altitude on a known setting places the terrain well enough to show it, not to colour it.
+    [[nodiscard]] bool height_is_on_qnh() const {
+        return state_.own_ship.height_is_on_qnh && valid(Signal::baro_altitude) && valid(Signal::baro_setting);
+    }
     /// The first source in this state; count_ for none.
     [[nodiscard]] Signal first_in(const SourceChain& chain, SignalState wanted) const {
         for (std::size_t i = 0; i < chain.count; ++i)
@@ -146,7 +150,8 @@ private:
         for (const SignalRule& rule : kRules) {
             if (rule.group != chain.group) continue;
             const SignalState state = state_of(rule.signal);
-            const std::uint8_t bits = consequences(rule, state);
+            std::uint8_t bits = consequences(rule, state);
+            if (chain.group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
             if (!served) gathered_[static_cast<std::size_t>(chain.group)] |= bits;
             if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(to_string(rule.signal), to_string(state));
         }
@@ -186,8 +191,9 @@ private:
             all_gathered_ |= kRemoveTerrain;
             flag("own_ship", to_string(state));
         } else if (!state_.own_ship.height_is_geometric) {
-            all_gathered_ |= kRemoveWarningColors | kDegradeTerrain;
-            flag("own_ship", "height_not_geometric");
+            all_gathered_ |= kRemoveWarningColors;
+            if (!height_is_on_qnh()) all_gathered_ |= kDegradeTerrain;
+            flag("own_ship", height_is_on_qnh() ? "height_on_qnh" : "height_not_geometric");
         }
     }
 

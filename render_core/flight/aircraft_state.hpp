@@ -18,7 +18,8 @@ struct OwnShipEstimate {
     double velocity_up_mps = 0;
     base::Time at;
     base::SignalState state = base::SignalState::missing;  ///< stale while held beyond the extrapolation limit
-    bool height_is_geometric = false;  ///< false: from pressure altitude, terrain is degraded and flagged
+    bool height_is_geometric = false;                      ///< above the ellipsoid; else above MSL, from pressure
+    bool height_is_on_qnh = false;  ///< from the altitude on the altimeter's setting; else from the standard one
 };
 
 struct AircraftState {
@@ -26,7 +27,9 @@ struct AircraftState {
     std::array<base::FreshnessLimits, kSignalCount> limits{};
     OwnShipEstimate own_ship;
 
-    [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const { return signals[static_cast<std::size_t>(signal)]; }
+    [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const {
+        return signals[static_cast<std::size_t>(signal)];
+    }
     [[nodiscard]] base::Stamped<double>& operator[](Signal signal) { return signals[static_cast<std::size_t>(signal)]; }
     [[nodiscard]] base::SignalState state_of(Signal signal, base::Time now) const {
         const auto index = static_cast<std::size_t>(signal);

@@ -150,8 +150,10 @@ TdbFailure TerrainDatabase::read_chunk(ChunkIndex index, base::Span<std::uint8_t
 
 earth::GeoidUndulation TerrainDatabase::undulation(double latitude_rad, double longitude_rad) const {
     const FileHeader& h = header_;
+    // About the grid's middle, so that a grid of any width is met from either side.
+    const double half_width_deg = 0.5 * h.undulation_step_deg * (h.undulation_columns - 1.0);
     const double west_offset_deg =
-        std::remainder(base::degrees(longitude_rad) - h.west_deg, 360.0) + h.west_deg - h.undulation_west_deg;
+        std::remainder(base::degrees(longitude_rad) - h.undulation_west_deg - half_width_deg, 360.0) + half_width_deg;
     const double last_i = h.undulation_columns - 1.0, last_j = h.undulation_rows - 1.0;
     const double x = std::fmin(std::fmax(west_offset_deg / h.undulation_step_deg, 0.0), last_i);
     const double y =

@@ -2,16 +2,16 @@
 // tests/heap_control shows that an allocation in any library folder would be seen.
 #include <gtest/gtest.h>
 
+#include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/support/flight_loop.hpp"
 #include "tests/support/gl_session.hpp"
-#include "tests/support/heap_trap.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis {
 namespace {
 
-using test_support::HeapTrap;
+using host_sim::HeapTrap;
 
 constexpr double kWholeFlight_s = 398;
 

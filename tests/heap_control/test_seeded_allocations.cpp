@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/heap_control/seeded_allocation.hpp"
 #include "tests/support/flight_loop.hpp"
-#include "tests/support/heap_trap.hpp"
 #include "tests/support/temporary_folder.hpp"
 #if defined(TEDAVIS_SEED_TARGET)
 #include "target/live_flight.hpp"
@@ -15,7 +15,7 @@
 namespace tedavis {
 namespace {
 
-using test_support::HeapTrap;
+using host_sim::HeapTrap;
 using ::testing::HasSubstr;
 
 /// A flight in the air, and what of the board's loop can run beside it without a board.

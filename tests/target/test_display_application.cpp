@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host_sim/heap_trap/heap_trap.hpp"
 #include "render_core/gl/readback.hpp"
-#include "tests/support/heap_trap.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/fake_board.hpp"
 
@@ -92,7 +92,7 @@ TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {
         if (sleeps < 60) the_flight->send_due(*the_port);
     };
     start();
-    test_support::HeapTrap trap;
+    host_sim::HeapTrap trap;
     const RunReport report = application->run(130, stop);
     trap.close();
     EXPECT_EQ(report.frames, 130u);
@@ -105,7 +105,7 @@ TEST_F(DisplayApplicationTest, TheTrapWouldHaveSeenAnAllocationInTheLoop) {
     static std::unique_ptr<int> seeded;
     FakeClock::on_sleep = [] { seeded = std::make_unique<int>(7); };
     start();
-    test_support::HeapTrap trap;
+    host_sim::HeapTrap trap;
     (void)application->run(3, stop);
     trap.close();
     EXPECT_EQ(trap.counts().ours, 3u);

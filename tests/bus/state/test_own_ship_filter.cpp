@@ -88,11 +88,14 @@ TEST(OwnShipFilter, WithoutGnssHeightPressureAltitudeServesAndSaysSo) {
     flight::OwnShipEstimate estimate = filter.estimate(at(5));
     EXPECT_EQ(estimate.state, SignalState::valid);
     EXPECT_FALSE(estimate.height_is_geometric);
+    EXPECT_FALSE(estimate.height_is_on_qnh);
     EXPECT_NEAR(estimate.position.height.m, 1410, 0.2);
     filter.add_height(HeightSource::baro, 1450, at(4.95));
     EXPECT_NEAR(filter.estimate(at(5)).position.height.m, 1450, 1) << "the altimeter's comes before the standard altitude";
+    EXPECT_TRUE(filter.estimate(at(5)).height_is_on_qnh);
     filter.add_height(HeightSource::ellipsoid, 1500, at(4.96));
     EXPECT_TRUE(filter.estimate(at(5)).height_is_geometric);
+    EXPECT_FALSE(filter.estimate(at(5)).height_is_on_qnh);
 }
 
 TEST(OwnShipFilter, InvalidIsSaidAtOnce) {

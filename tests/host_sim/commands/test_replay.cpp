@@ -46,6 +46,7 @@ TEST(Replay, LeavesAWholeRun) {
     const auto summary = summary_of(folder);
     EXPECT_EQ(summary.at("frames"), 17);
     EXPECT_EQ(summary.at("size"), "320x240");
+    EXPECT_EQ(summary.at("heap_allocations_after_start"), 0);
     EXPECT_EQ(summary.at("interrupted"), false);
     EXPECT_EQ(summary.at("gl_calls_outside_device"), 0);
     EXPECT_GT(summary.at("can").at("decoded"), 1000);
@@ -186,7 +187,7 @@ TEST(Replay, CtrlCLeavesAValidPartialRun) {
     std::ostringstream results;
     Console console(results, notes, false, true);
     const ReplayOptions options = files().options("interrupted");
-    EXPECT_EQ(run_replay(options, console), 0);
+    EXPECT_EQ(run_replay(options, console), kInterruptedExitCode);
     const auto some = hashes_by_time(options.output);
     EXPECT_EQ(some.size(), 6u) << "35 % of 17";
     for (const auto& [time, hash] : some) EXPECT_EQ(whole().at(time), hash) << time;

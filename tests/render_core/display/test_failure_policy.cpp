@@ -243,6 +243,24 @@ TEST(FailurePolicy, HeightWithoutGeometryKeepsTerrainDegradedAndUncoloured) {
     EXPECT_TRUE(has_notice(decisions, "TERRAIN DEGRADED"));
 }
 
+TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColours) {
+    AircraftState state = everything_valid();
+    put(state, Signal::ellipsoid_height, SignalState::missing);
+    put(state, Signal::true_altitude, SignalState::missing);
+    state.own_ship.height_is_geometric = false;
+    state.own_ship.height_is_on_qnh = true;
+    DisplayDecisions decisions = decide(state);
+    EXPECT_TRUE(decisions.show_terrain);
+    EXPECT_FALSE(decisions.terrain_degraded);
+    EXPECT_FALSE(decisions.show_warning_colors);
+    EXPECT_TRUE(has_flag(decisions, "own_ship.height_on_qnh"));
+    for (const Signal needed : {Signal::baro_altitude, Signal::baro_setting}) {
+        AircraftState without = state;
+        put(without, needed, SignalState::missing);
+        EXPECT_TRUE(decide(without).terrain_degraded) << to_string(needed);
+    }
+}
+
 TEST(FailurePolicy, AccuracyBeyondItsLimitDegrades) {
     for (Signal accuracy : {Signal::horizontal_accuracy, Signal::vertical_accuracy}) {
         AircraftState state = everything_valid();

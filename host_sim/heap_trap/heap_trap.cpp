@@ -1,4 +1,4 @@
-#include "tests/support/heap_trap.hpp"
+#include "host_sim/heap_trap/heap_trap.hpp"
 
 #include <execinfo.h>
 
@@ -17,7 +17,7 @@
 #endif
 #endif
 
-namespace tedavis::test_support {
+namespace tedavis::host_sim {
 namespace {
 
 constexpr int kMaxFrames = 24;
@@ -76,7 +76,7 @@ std::string HeapTrap::first_of_ours() const {
 
 void HeapTrap::watch_this_thread() { watched = true; }
 
-}  // namespace tedavis::test_support
+}  // namespace tedavis::host_sim
 
 #if !defined(TEDAVIS_TRAP_BY_HOOK)
 // The whole family, so that no allocation and no release mixes two allocators.
@@ -88,19 +88,19 @@ void* __libc_memalign(std::size_t, std::size_t);
 void __libc_free(void*);
 
 void* malloc(std::size_t size) noexcept {
-    tedavis::test_support::note_allocation();
+    tedavis::host_sim::note_allocation();
     return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-    tedavis::test_support::note_allocation();
+    tedavis::host_sim::note_allocation();
     return __libc_calloc(count, size);
 }
 void* realloc(void* old, std::size_t size) noexcept {
-    tedavis::test_support::note_allocation();
+    tedavis::host_sim::note_allocation();
     return __libc_realloc(old, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-    tedavis::test_support::note_allocation();
+    tedavis::host_sim::note_allocation();
     return __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return memalign(alignment, size); }

@@ -1,6 +1,6 @@
 // The trap that proves "no heap after the start": it must see every kind of allocation, ours and the driver's apart, and a
 // frame of the GL layer must cost none of ours.
-#include "tests/support/heap_trap.hpp"
+#include "host_sim/heap_trap/heap_trap.hpp"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -19,9 +19,9 @@
 namespace tedavis {
 namespace {
 
+using host_sim::HeapCounts;
+using host_sim::HeapTrap;
 using test_support::GlSession;
-using test_support::HeapCounts;
-using test_support::HeapTrap;
 using test_support::TriangleScene;
 
 /// Keeps the compiler from leaving out an allocation that nobody uses.
@@ -53,7 +53,11 @@ TEST(HeapTrap, SeesEveryKindOfAllocation) {
               1u);
     EXPECT_EQ(counted([] { delete kept(new int(3)); }).ours, 1u);
     EXPECT_EQ(counted([] { delete[] kept(new char[100]); }).ours, 1u);
-    EXPECT_EQ(counted([] { std::vector<int> numbers(50); kept(numbers.data()); }).ours, 1u);
+    EXPECT_EQ(counted([] {
+                  std::vector<int> numbers(50);
+                  kept(numbers.data());
+              }).ours,
+              1u);
 }
 
 TEST(HeapTrap, SeesNothingWhenClosed) {
@@ -122,7 +126,8 @@ TEST(HeapTrap, FramesOfTheGlLayerCostNoneOfOurs) {
         }
         at.surface->release_current();
         good = good && at.surface->make_current();
-        at.gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);  // denied: counted without heap
+        at.gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          nullptr);  // denied: counted without heap
         trap.close();
         EXPECT_TRUE(good);
         EXPECT_EQ(trap.counts().ours, 0u) << backend << "\n" << trap.first_of_ours();

@@ -1,5 +1,8 @@
 /// Counts heap allocations of the watched threads while it lives: ours apart from those inside drivers.
 ///
+/// It shows for every replay, and to the tests, that the core takes no memory after its start. Linked into a program, it
+/// replaces the C library's entry points by ones that count and pass on.
+///
 /// Every malloc-like call of the process goes through the trap (operator new as well); under a sanitizer through its hook.
 /// A thread counts when it is watched: the one that made the trap, and threads that called `watch_this_thread`.
 /// Allocations below a base::DriverScope are the driver's. One trap at a time.
@@ -8,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace tedavis::test_support {
+namespace tedavis::host_sim {
 
 struct HeapCounts {
     std::uint64_t ours = 0;
@@ -31,4 +34,4 @@ public:
     static void watch_this_thread();
 };
 
-}  // namespace tedavis::test_support
+}  // namespace tedavis::host_sim
