@@ -64,7 +64,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"glm/"}, {}},
         {{"gdal", "cpl_", "ogr_", "nlohmann/", "CLI/", "png.h", "zlib.h"}, {"host_sim/"}},
         {{"stb/"}, {"toolchains/"}},
-        {{"csetjmp"}, {"host_sim/"}},
+        {{"csetjmp", "execinfo.h"}, {"host_sim/"}},
         {{"gtest/", "gmock/", "benchmark/", "GeographicLib/"}, {"tests/"}},
         {{"linux/", "sys/", "net/", "unistd.h", "fcntl.h", "poll.h", "time.h", "signal.h", "errno.h"},
          {"bus/socketcan/", "bus/switches/gpiod_", "platform/", "target/", "host_sim/"}},

@@ -84,7 +84,7 @@ TEST(HeapTrap, SaysWhoAllocatedFirst) {
     HeapTrap trap;
     std::free(kept(std::malloc(8)));
     trap.close();
-    EXPECT_NE(trap.first_of_ours().find("test_contracts"), std::string::npos);
+    EXPECT_NE(trap.first_of_ours().find("test_host_sim"), std::string::npos);
 }
 
 void allocate_once(void*, std::uint32_t) { std::free(kept(std::malloc(8))); }
