@@ -61,6 +61,7 @@ struct SkySettings {
 struct DegradationLimits {
     double horizontal_accuracy_m = 50;
     double vertical_accuracy_m = 30;
+    double terrain_error_px = 4;  ///< terrain that the device's budgets force to be coarser is said to be coarse
 };
 
 /// Beyond these angles the picture changes to recovery: chevrons, no flight path, no warning colours.

@@ -48,20 +48,21 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (terrain != nullptr)
         if (gl::GlError error = open_terrain(*terrain); !error.sentence.empty()) return error;
     gl_.seal();
+    for (const MemoryCut& cut : kCuts) settings_.device.budget.find(cut.line)->use = (this->*cut.arena).use();
     return {};
 }
 
+const Display::MemoryCut Display::kCuts[] = {
+    {effects::kTerrainHeights, &Display::heights_memory_},  {effects::kTerrainIndex, &Display::index_memory_},
+    {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kStaging, &Display::staging_memory_},
+    {effects::kLodScratch, &Display::lod_memory_},          {effects::kSymbology, &Display::symbology_memory_}};
+
 gl::GlError Display::cut_memory(base::Arena& memory) {
-    const struct {
-        std::string_view line;
-        base::Arena* arena;
-    } cuts[] = {{effects::kTerrainHeights, &heights_memory_},  {effects::kTerrainIndex, &index_memory_},
-                {effects::kTerrainChunkSlots, &slots_memory_}, {effects::kStaging, &staging_memory_},
-                {effects::kLodScratch, &lod_memory_},          {effects::kSymbology, &symbology_memory_}};
-    for (const auto& cut : cuts) {
+    for (const MemoryCut& cut : kCuts) {
         const base::BudgetLine* line = settings_.device.budget.find(cut.line);
-        *cut.arena = memory.carve(static_cast<std::size_t>(line->bytes));
-        if (cut.arena->use().capacity != line->bytes)
+        base::Arena& arena = this->*cut.arena;
+        arena = memory.carve(static_cast<std::size_t>(line->bytes));
+        if (arena.use().capacity != line->bytes)
             return gl::make_error("the reservation does not hold the budget line '", cut.line,
                                   "'; lower the budgets in the device file");
     }
@@ -140,15 +141,22 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     conditions_.terrain = terrain_source(state.own_ship);
     conditions_.phase = phase;
     conditions_.generated_flight = settings_.generated_flight;
+    if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
+        state[Signal::height_above_terrain].value_or(0) < 0)
+        conditions_.terrain = TerrainSource::above_own_ship;
     decisions_ = decide_display(state, now, conditions_, settings_.design);
     begin_record(now);
     plan_view();
     plan_terrain();
 }
 
-/// Terrain that turns out not to be had: the decisions are made again without it, so that its notice is on this frame.
+/// Terrain that turns out not to be had: its notice must be on this frame already.
 void Display::give_up_terrain(TerrainSource reason) {
     conditions_.terrain = reason;
+    decide_again();
+}
+
+void Display::decide_again() {
     decisions_ = decide_display(state_, record_.time, conditions_, settings_.design);
     for (const auto& name : decisions_.flags) flag(name.view());
 }
@@ -214,7 +222,10 @@ void Display::plan_terrain() {
     }
     record_.terrain.worst_error_px = lod_.worst_error_px;
     if (lod_.tau_reached_px > lod.tau_px) flag("terrain.tau_raised");
-    if (lod_.worst_error_px > lod.tau_px) flag("terrain.error_above_tau");
+    if (lod_.tau_reached_px > settings_.design.degradation.terrain_error_px) {
+        conditions_.terrain_is_coarse = true;
+        decide_again();
+    }
     bool voids = false;
     for (std::uint32_t n = 0; n < lod_.chunks; ++n)
         voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
@@ -300,8 +311,7 @@ void Display::finish_record() {
     for (EffectRecord& effect : record_.effects)
         if (effect.name.view() == "terrain") effect.draws = terrain_result_.draws;
     const base::BudgetTable& budget = settings_.device.budget;
-    record_.bytes.cpu = symbology_memory_.use().in_use + heights_memory_.use().in_use + index_memory_.use().in_use +
-                        slots_memory_.use().in_use + staging_memory_.use().in_use + lod_memory_.use().in_use;
+    record_.bytes.cpu = budget.in_use(base::MemoryKind::cpu);
     record_.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
     record_.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);
     record_.bytes.gpu_budget = budget.total(base::MemoryKind::gpu);

@@ -65,6 +65,13 @@ public:
     [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const { return has_terrain_ ? &database_ : nullptr; }
 
 private:
+    /// A line of the budget table and the arena that it pays for.
+    struct MemoryCut {
+        std::string_view line;
+        base::Arena Display::*arena;
+    };
+    static const MemoryCut kCuts[6];
+
     [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
@@ -74,6 +81,7 @@ private:
     void plan_terrain();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
+    void decide_again();
     void note_effects();
     void flag(std::string_view name);
     void draw_sky();

@@ -212,11 +212,13 @@ private:
         out_.plain_horizon = !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         if (out_.terrain_degraded) flag("terrain", "degraded");
         ElementDecision& ground = out_[Element::ground_height];
-        if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::flagged;
+        if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::substituted;
         if (conditions_.terrain == TerrainSource::none) flag("terrain", "missing");
         if (conditions_.terrain == TerrainSource::outside) flag("terrain", "outside_database");
         if (conditions_.terrain == TerrainSource::failed) flag("terrain", "failed");
         if (conditions_.terrain == TerrainSource::over_budget) flag("terrain", "over_budget");
+        if (conditions_.terrain == TerrainSource::above_own_ship) flag("terrain", "above_own_ship");
+        if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
     }
 
     void decide_flight_path() {
@@ -245,7 +247,9 @@ private:
             notice(NoticeLevel::caution, "NO GPS POSITION");
         if (conditions_.terrain == TerrainSource::none) notice(NoticeLevel::caution, "NO TERRAIN DATA");
         if (conditions_.terrain == TerrainSource::outside) notice(NoticeLevel::caution, "OUTSIDE DATABASE");
+        if (conditions_.terrain == TerrainSource::above_own_ship) notice(NoticeLevel::caution, "BELOW TERRAIN");
         if (out_.terrain_degraded) notice(NoticeLevel::caution, "TERRAIN DEGRADED");
+        if (out_.show_terrain && conditions_.terrain_is_coarse) notice(NoticeLevel::caution, "TERRAIN COARSE");
         const bool removed_by_signal = conditions_.terrain == TerrainSource::ready && !out_.show_terrain;
         if (removed_by_signal || conditions_.terrain == TerrainSource::over_budget) notice(NoticeLevel::caution, "TERRAIN OFF");
         add_phase_notices();

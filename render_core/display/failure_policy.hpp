@@ -20,15 +20,17 @@ namespace tedavis::display {
 enum class TerrainSource : std::uint8_t {
     none,  ///< no database was given
     ready,
-    outside,      ///< the own ship is not over it
-    failed,       ///< it could not be read or did not check
-    over_budget,  ///< its coarsest meshes exceed the device's budgets
+    outside,         ///< the own ship is not over it
+    failed,          ///< it could not be read or did not check
+    over_budget,     ///< its coarsest meshes exceed the device's budgets
+    above_own_ship,  ///< the own ship would be below its surface: one of the two is wrong
 };
 
 struct DisplayConditions {
     TerrainSource terrain = TerrainSource::none;
     flight::PhaseStatus phase;
-    bool generated_flight = false;  ///< the flight comes from a scenario
+    bool generated_flight = false;   ///< the flight comes from a scenario
+    bool terrain_is_coarse = false;  ///< budgets allow no better than the design's limit of error
 };
 
 /// Signals that state the same information stand in one group, the first choice first.

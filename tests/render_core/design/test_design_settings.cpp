@@ -47,6 +47,7 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     EXPECT_EQ(file.sky.ground_horizon, built_in.sky.ground_horizon);
     EXPECT_EQ(file.sky.haze_distance_m, built_in.sky.haze_distance_m);
     EXPECT_EQ(file.degradation.vertical_accuracy_m, built_in.degradation.vertical_accuracy_m);
+    EXPECT_EQ(file.degradation.terrain_error_px, built_in.degradation.terrain_error_px);
     ASSERT_EQ(file.terrain.palette.size(), built_in.terrain.palette.size());
     for (std::size_t i = 0; i < file.terrain.palette.size(); ++i)
         EXPECT_EQ(file.terrain.palette[i].color, built_in.terrain.palette[i].color);

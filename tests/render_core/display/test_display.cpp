@@ -137,6 +137,13 @@ TEST(Display, BytesStayWithinTheBudgetsAndAreTheSameEveryFrame) {
     EXPECT_EQ(first.cpu, last.cpu);
     EXPECT_EQ(first.gpu, last.gpu);
     EXPECT_LE(last.cpu, last.cpu_budget);
+    std::uint64_t lines = 0;
+    for (const base::BudgetLine& line : over.display.display().budget().lines()) {
+        EXPECT_LE(line.use.in_use, line.bytes) << line.name.view();
+        if (line.kind == base::MemoryKind::cpu) lines += line.use.in_use;
+    }
+    EXPECT_EQ(lines, last.cpu) << "the table tells the same as the record";
+    EXPECT_GT(lines, 1'000'000u);
     EXPECT_LE(last.gpu, last.gpu_budget);
     EXPECT_GT(last.gpu, 0u);
 }
@@ -214,6 +221,30 @@ TEST(Display, OutsideTheDatabaseIsSaid) {
     static_cast<void>(picture_of(over.display, state));
     EXPECT_TRUE(has_flag(over.display, "terrain.outside_database"));
     EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+}
+
+TEST(Display, BelowItsSurfaceTheTerrainIsTakenAway) {
+    OverHills over;
+    static_cast<void>(picture_of(over.display, aircraft_at(900)));
+    EXPECT_TRUE(has_flag(over.display, "terrain.above_own_ship"));
+    EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+    static_cast<void>(picture_of(over.display, aircraft_at(1700)));
+    EXPECT_FALSE(has_flag(over.display, "terrain.above_own_ship"));
+    EXPECT_GT(over.display.display().record().terrain.triangles, 0u);
+}
+
+TEST(Display, TerrainBeyondTheDesignsErrorIsSaidToBeCoarse) {
+    OverHills over;
+    const Picture fine = picture_of(over.display, aircraft_at(2000));
+    EXPECT_FALSE(has_flag(over.display, "terrain.coarse"));
+    const std::string path = "configs/designs/default.toml";
+    design::DesignSettings strict = design::read_design_settings(test_support::source_file(path), path).value();
+    strict.degradation.terrain_error_px = 0.5 * strict.terrain.tau_px;
+    over.display.display().set_design(strict);
+    const Picture coarse = picture_of(over.display, aircraft_at(2000));
+    EXPECT_TRUE(has_flag(over.display, "terrain.coarse"));
+    EXPECT_GT(over.display.display().record().terrain.triangles, 0u);
+    EXPECT_NE(fine, coarse) << "the notice is on the picture";
 }
 
 TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {

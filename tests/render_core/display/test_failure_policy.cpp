@@ -261,6 +261,17 @@ TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColours) {
     }
 }
 
+TEST(FailurePolicy, CoarseTerrainIsShownAndSaid) {
+    DisplayConditions conditions = good_conditions();
+    conditions.terrain_is_coarse = true;
+    const DisplayDecisions decisions = decide(everything_valid(), conditions);
+    EXPECT_TRUE(decisions.show_terrain);
+    EXPECT_TRUE(has_notice(decisions, "TERRAIN COARSE"));
+    EXPECT_TRUE(has_flag(decisions, "terrain.coarse"));
+    conditions.terrain = TerrainSource::outside;
+    EXPECT_FALSE(has_notice(decide(everything_valid(), conditions), "TERRAIN COARSE")) << "nothing is shown that could be coarse";
+}
+
 TEST(FailurePolicy, AccuracyBeyondItsLimitDegrades) {
     for (Signal accuracy : {Signal::horizontal_accuracy, Signal::vertical_accuracy}) {
         AircraftState state = everything_valid();
@@ -297,7 +308,8 @@ TEST(FailurePolicy, TheDatabaseHasItsPictures) {
     const std::pair<TerrainSource, const char*> cases[] = {{TerrainSource::none, "NO TERRAIN DATA"},
                                                            {TerrainSource::outside, "OUTSIDE DATABASE"},
                                                            {TerrainSource::failed, "TERRAIN FAIL"},
-                                                           {TerrainSource::over_budget, "TERRAIN OFF"}};
+                                                           {TerrainSource::over_budget, "TERRAIN OFF"},
+                                                           {TerrainSource::above_own_ship, "BELOW TERRAIN"}};
     for (const auto& [source, text] : cases) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = source;
