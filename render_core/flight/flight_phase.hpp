@@ -16,7 +16,9 @@ struct FlightPhase {
 
     /// The code of bus message 1830: 10 x place of the scenario + place of the sub-phase, both counted from 1, so that
     /// a payload of zeros claims nothing.
-    [[nodiscard]] constexpr std::uint8_t code() const { return static_cast<std::uint8_t>(10 * static_cast<int>(scenario) + sub_phase); }
+    [[nodiscard]] constexpr std::uint8_t code() const {
+        return static_cast<std::uint8_t>(10 * static_cast<int>(scenario) + sub_phase);
+    }
     friend constexpr bool operator==(FlightPhase a, FlightPhase b) { return a.code() == b.code(); }
     friend constexpr bool operator!=(FlightPhase a, FlightPhase b) { return !(a == b); }
 };
@@ -53,7 +55,7 @@ struct PhaseStatus {
     FlightPhase phase;
     PhaseSource source = PhaseSource::none;
     bool switch_fault = false;  ///< an impossible switch pattern was read; the last valid one is kept
-    bool disagreement = false;  ///< a source of lower authority states another scenario
+    bool disagreement = false;  ///< a source of lower authority states another scenario, and is not just late
 };
 static_assert(std::is_trivially_copyable_v<PhaseStatus>);
 

@@ -60,27 +60,49 @@ void consider(const Spoken& spoken, base::Time now, const PhaseArbiterSettings& 
     if (now - state.candidate_since >= dwell_of(spoken, settings, state)) take(spoken, state);
 }
 
-/// Whether a source below the one in effect states another scenario now.
-bool contradicted(const AllSpoken& all, const PhaseArbiterState& state) {
-    if (!speaks(all, state.source)) return false;
-    for (const Spoken& spoken : all) {
-        const bool below = spoken.source < state.source;  // the enumeration is in order of authority
-        const Scenario scenario = spoken.statement.phase.scenario;
-        if (below && spoken.statement.stated && scenario != Scenario::unknown && scenario != state.phase.scenario) return true;
-    }
-    return false;
+/// How long a source may go on stating `stated` after the phase turned to `in_effect`, before it contradicts.
+base::Duration allowance(Scenario stated, Scenario in_effect, const PhaseArbiterSettings& settings) {
+    struct Passage {
+        Scenario from, to;
+        bool levels_off;  ///< out of a climb into level flight
+    };
+    constexpr Passage kPassages[] = {
+        {Scenario::ground, Scenario::takeoff, false},    {Scenario::takeoff, Scenario::ground, false},
+        {Scenario::takeoff, Scenario::cruise, true},     {Scenario::takeoff, Scenario::approach, false},
+        {Scenario::cruise, Scenario::approach, false},   {Scenario::approach, Scenario::ground, false},
+        {Scenario::approach, Scenario::takeoff, false},  {Scenario::approach, Scenario::go_around, false},
+        {Scenario::go_around, Scenario::approach, true}, {Scenario::go_around, Scenario::cruise, true}};
+    for (const Passage& passage : kPassages)
+        if (passage.from == stated && passage.to == in_effect)
+            return passage.levels_off ? settings.level_off_allowance : settings.passage_allowance;
+    return settings.disagreement_dwell;
 }
 
-void update_disagreement(bool contradiction, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
-    if (contradiction == state.disagreement) {
-        state.disagreement_waits = false;
-        return;
+/// Whether a source below the one in effect has stated another scenario for longer than it may.
+bool contradicted(const AllSpoken& all, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+    const Scenario in_effect = state.phase.scenario;
+    const bool spoken_for = speaks(all, state.source);
+    bool any = false;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const bool below = all[n].source < state.source;  // the enumeration is in order of authority
+        const PhaseStatement& statement = all[n].statement;
+        const Scenario stated = statement.phase.scenario;
+        const bool differs = spoken_for && below && statement.stated && stated != Scenario::unknown && stated != in_effect;
+        PhaseArbiterState::Difference& difference = state.differences[n];
+        if (!differs || !difference.running || difference.in_effect != in_effect) difference = {now, in_effect, differs};
+        any = any || (differs && now - difference.since >= allowance(stated, in_effect, settings));
     }
-    if (!state.disagreement_waits) state.disagreement_since = now;
-    state.disagreement_waits = true;
-    if (now - state.disagreement_since < settings.disagreement_dwell) return;
-    state.disagreement = contradiction;
-    state.disagreement_waits = false;
+    return any;
+}
+
+/// Up at once, because the difference has lasted; down after a dwell.
+void update_disagreement(bool contradiction, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+    if (contradiction) {
+        state.disagreement = true;
+        state.last_contradiction = now;
+    } else if (now - state.last_contradiction > settings.disagreement_dwell) {
+        state.disagreement = false;
+    }
 }
 
 }  // namespace
@@ -106,7 +128,7 @@ PhaseStatus arbitrate_phase(const PhaseInputs& inputs, base::Time now, const Pha
         consider(top, now, settings, state);
     }
     if (top.source != PhaseSource::none && top.statement.phase == state.phase) state.stated_at = now;
-    update_disagreement(contradicted(all, state), now, settings, state);
+    update_disagreement(contradicted(all, now, settings, state), now, settings, state);
     const bool held = state.source != PhaseSource::none && !speaks(all, state.source);
     return {state.phase, held ? PhaseSource::held : state.source, inputs.switch_fault, state.disagreement};
 }

@@ -171,6 +171,62 @@ TEST(PhaseArbiter, disagreement_rises_and_falls_with_a_dwell) {
     EXPECT_EQ(a.history.size(), 3u);
 }
 
+/// Seconds until the flag rises when a switch turns from what motion states to another scenario; -1 when it does not.
+double seconds_to_the_flag(Scenario motion, Scenario switched) {
+    Arbiter a;
+    a.inputs.motion = states({motion, 0});
+    a.inputs.switches = a.inputs.motion;
+    a.until(950);
+    a.inputs.switches = states({switched, 0});
+    for (std::int64_t ms = 1000; ms <= 61'000; ms += 50)
+        if (a.until(ms).find("disagreement") != std::string::npos) return static_cast<double>(ms - 1000) / 1000;
+    return -1;
+}
+
+TEST(PhaseArbiter, a_source_that_is_only_late_contradicts_after_the_time_that_the_passage_takes) {
+    using S = Scenario;
+    // Rows: what motion still states; columns: what the switch says. Ground, take-off, cruise, approach, go-around.
+    constexpr S kAll[] = {S::ground, S::takeoff, S::cruise, S::approach, S::go_around};
+    constexpr double kSeconds[5][5] = {{-1, 20, 2, 2, 2},  //
+                                       {20, -1, 40, 20, 2},
+                                       {2, 2, -1, 20, 2},
+                                       {20, 20, 2, -1, 20},
+                                       {2, 2, 40, 40, -1}};
+    for (int motion = 0; motion < 5; ++motion)
+        for (int switched = 0; switched < 5; ++switched)
+            EXPECT_EQ(seconds_to_the_flag(kAll[motion], kAll[switched]), kSeconds[motion][switched]) << motion << " " << switched;
+}
+
+TEST(PhaseArbiter, motion_that_stays_in_cruise_through_an_approach_for_30_s_is_a_disagreement) {
+    Arbiter a;
+    a.inputs.switches = states(kApproach);
+    a.inputs.motion = states(kCruise);
+    EXPECT_EQ(a.until(30'000), "approach switch disagreement");
+}
+
+TEST(PhaseArbiter, the_allowance_is_counted_anew_for_the_next_scenario_only) {
+    Arbiter a;
+    a.inputs.motion = states(kTakeoffSecondClimb);
+    a.inputs.switches = states(kCruise);
+    a.until(34'950);
+    a.inputs.switches = states(kApproachDescent);
+    a.until(44'950);
+    a.inputs.switches = states(kApproachInitial);
+    EXPECT_EQ(a.until(54'950), "approach.initial switch");
+    EXPECT_EQ(a.until(55'000), "approach.initial switch disagreement") << "20 s in approach, whatever its phases";
+}
+
+TEST(PhaseArbiter, a_late_source_does_not_hurry_another) {
+    Arbiter a;
+    a.inputs.switches = states(kApproach);
+    a.inputs.motion = states(kCruise);
+    a.until(15'000, [&](std::int64_t ms) {
+        if (ms >= 14'000) a.can(kGround, ms);
+    });
+    EXPECT_EQ(a.history, std::vector<std::string>{"approach switch"});
+    EXPECT_EQ(a.until(16'000, [&](std::int64_t ms) { a.can(kGround, ms); }), "approach switch disagreement");
+}
+
 TEST(PhaseArbiter, another_sub_phase_or_no_statement_or_unknown_is_no_disagreement) {
     for (const PhaseStatement motion : {states(kApproachFinal), kNothing, states(FlightPhase{})}) {
         Arbiter a;
