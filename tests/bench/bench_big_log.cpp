@@ -21,11 +21,14 @@
 #include <thread>
 #include <vector>
 
+#include "tests/bench/bench_result.hpp"
+
 extern char** environ;
 
 namespace {
 
 namespace fs = std::filesystem;
+using tedavis::bench::BenchResult;
 
 constexpr int kSpacing_s = 400;  ///< between the starts of two flights; one lasts 399 s
 constexpr int kRunsEach = 3;
@@ -78,15 +81,6 @@ int write_repeated(const std::string& flight, const fs::path& path, std::uint64_
     return repeats;
 }
 
-struct Line {
-    std::string name;
-    double value;
-    const char* unit;
-    double target;
-    bool holds;
-    double baseline;
-};
-
 class BigLogBench {
 public:
     BigLogBench(fs::path folder, std::uint64_t bytes) : folder_(std::move(folder)) {
@@ -97,18 +91,18 @@ public:
         std::this_thread::sleep_for(std::chrono::seconds(3));  // an index is kept of logs at rest only
     }
 
-    std::vector<Line> measure() {
+    std::vector<BenchResult> measure() {
         const Cost small = replay(folder_ / "flight.log", 200, 200);
         const Cost indexing = run_tedavis(arguments(big(), 0, 0, "1"));
         if (!fs::exists(index())) throw std::runtime_error("no index was kept beside the log");
-        std::vector<Line> lines;
+        std::vector<BenchResult> lines;
         measure_starts(small, indexing, lines);
         measure_memory(small, indexing, lines);
         return lines;
     }
 
 private:
-    void measure_starts(const Cost& small, const Cost& indexing, std::vector<Line>& lines) const {
+    void measure_starts(const Cost& small, const Cost& indexing, std::vector<BenchResult>& lines) const {
         Cost slowest;
         for (int n = 1; n <= 8; ++n) {
             const Cost cost = replay(big(), length_s() * n / 8.5, length_s() * n / 8.5);
@@ -122,7 +116,7 @@ private:
         lines.push_back({"first start, without an index / start with one", ratio, "ratio", 1, ratio > 1, 1});
     }
 
-    void measure_memory(const Cost& small, const Cost& indexing, std::vector<Line>& lines) const {
+    void measure_memory(const Cost& small, const Cost& indexing, std::vector<BenchResult>& lines) const {
         const Cost whole = run_tedavis(arguments(big(), 0, length_s(), "60"));
         const double peak = std::max(indexing.peak_mib, whole.peak_mib), added = indexing.peak_mib - small.peak_mib;
         // Kept indices belong to the log, so the other device needs no pass of its own; it is asked for one here.
@@ -165,23 +159,6 @@ private:
     int repeats_ = 0;
 };
 
-void print_table(const std::vector<Line>& lines) {
-    std::printf("%-50s %12s %-8s %12s %6s %12s\n", "name", "value", "unit", "target", "holds", "baseline");
-    for (const Line& line : lines)
-        std::printf("%-50s %12.4g %-8s %12.4g %6s %12.4g\n", line.name.c_str(), line.value, line.unit, line.target,
-                    line.holds ? "yes" : "no", line.baseline);
-}
-
-void print_json(const std::vector<Line>& lines) {
-    std::printf("[");
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        std::printf(
-            "%s\n  {\"name\": \"%s\", \"value\": %.9g, \"unit\": \"%s\", \"target\": %.9g, \"holds\": %s, \"baseline\": %.9g}",
-            i > 0 ? "," : "", lines[i].name.c_str(), lines[i].value, lines[i].unit, lines[i].target,
-            lines[i].holds ? "true" : "false", lines[i].baseline);
-    std::printf("\n]\n");
-}
-
 /// Removed with the log in it, whatever happens.
 struct TemporaryFolder {
     fs::path path = fs::temp_directory_path() / ("tedavis_big_log_" + std::to_string(getpid()));
@@ -223,9 +200,8 @@ int main(int argc, char** argv) {
     }
     try {
         const TemporaryFolder folder;
-        const std::vector<Line> lines = BigLogBench(folder.path, arguments.mib << 20).measure();
-        arguments.json ? print_json(lines) : print_table(lines);
-        return std::all_of(lines.begin(), lines.end(), [](const Line& line) { return line.holds; }) ? 0 : 1;
+        const std::vector<BenchResult> lines = BigLogBench(folder.path, arguments.mib << 20).measure();
+        return tedavis::bench::report(lines, arguments.json);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_big_log: %s\n", error.what());
         return 2;

@@ -14,11 +14,13 @@
 #include "bus/candump/candump_line.hpp"
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
+#include "tests/bench/bench_result.hpp"
 
 namespace {
 
 using namespace tedavis;
 using namespace tedavis::bus;
+using bench::BenchResult;
 
 constexpr base::Time kForever{std::numeric_limits<std::int64_t>::max()};
 constexpr std::int64_t kFirstSecond = 1'700'000'000;
@@ -80,33 +82,7 @@ std::uint64_t count_newlines(const std::string& text) {
     return lines;
 }
 
-struct Line {
-    std::string name;
-    double value;
-    const char* unit;
-    double target;
-    bool holds;
-    double baseline;
-};
-
-void print_table(const std::vector<Line>& lines) {
-    std::printf("%-44s %14s %-10s %12s %6s %12s\n", "name", "value", "unit", "target", "holds", "baseline");
-    for (const Line& line : lines)
-        std::printf("%-44s %14.4g %-10s %12.4g %6s %12.4g\n", line.name.c_str(), line.value, line.unit, line.target,
-                    line.holds ? "yes" : "no", line.baseline);
-}
-
-void print_json(const std::vector<Line>& lines) {
-    std::printf("[");
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        std::printf(
-            "%s\n  {\"name\": \"%s\", \"value\": %.9g, \"unit\": \"%s\", \"target\": %.9g, \"holds\": %s, \"baseline\": %.9g}",
-            i > 0 ? "," : "", lines[i].name.c_str(), lines[i].value, lines[i].unit, lines[i].target,
-            lines[i].holds ? "true" : "false", lines[i].baseline);
-    std::printf("\n]\n");
-}
-
-void measure_decoding(const std::string& text, std::vector<Line>& lines) {
+void measure_decoding(const std::string& text, std::vector<BenchResult>& lines) {
     std::uint64_t newlines = 0;
     const double scan = best_seconds(kRuns, [&] { newlines = count_newlines(text); });
     std::vector<CanFrame> batch(64);
@@ -141,8 +117,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string text = flight_log();
-    std::vector<Line> lines;
+    std::vector<BenchResult> lines;
     measure_decoding(text, lines);
-    json ? print_json(lines) : print_table(lines);
-    return std::all_of(lines.begin(), lines.end(), [](const Line& line) { return line.holds; }) ? 0 : 1;
+    return bench::report(lines, json);
 }
