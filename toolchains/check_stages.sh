@@ -16,7 +16,7 @@ stage() {
     if ! $held; then failed=$((failed + 1)); fi
 }
 
-# test_stage NAME BUILD_FOLDER EXCLUDED_LABELS: like stage, and adds ctest's counts to the sum.
+# test_stage NAME BUILD_FOLDER EXCLUDED_LABELS (a regular expression, or ""): like stage, and adds ctest's counts to the sum.
 test_stage() {
     local name=$1 folder=$2 excluded=$3 log counts
     log="$logs/${name// /-}.log"
@@ -111,9 +111,9 @@ changed_sources() {
 
 check_layout() {
     local files
-    mapfile -t files < <(changed_sources)
-    echo "remark: ${#files[@]} changed files"
-    [ ${#files[@]} -eq 0 ] || clang-format --dry-run -Werror "${files[@]}" || {
+    mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
+    echo "remark: ${#files[@]} files"
+    clang-format --dry-run -Werror "${files[@]}" || {
         echo "lay the files out with toolchains/format_sources"
         return 1
     }
