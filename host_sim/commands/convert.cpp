@@ -31,7 +31,7 @@ void check_options(const ConvertOptions& options) {
 }
 
 /// To the microsecond: nanoseconds since 1970 do not fit a double, and would show it in the last digits.
-double seconds_of(base::Time time) { return static_cast<double>(time.ns / 1000) / 1e6; }
+double seconds_of(base::Time time) { return static_cast<double>(time.ns / 1000) / 1e6; }  // NOLINT(bugprone-integer-division)
 
 Json cleaning_json(const CleaningCounts& counts) {
     return {{"out_of_order", counts.out_of_order},

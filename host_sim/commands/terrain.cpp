@@ -10,6 +10,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
+#include "host_sim/number_list.hpp"
 #include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "host_sim/terrain_builder/tdb_image.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
@@ -23,10 +24,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 GeoBounds parse_bounds(const std::string& text) {
-    GeoBounds b;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &b.west_deg, &b.south_deg, &b.east_deg, &b.north_deg, &rest) != 4 ||
-        !(b.south_deg >= -90 && b.south_deg < b.north_deg && b.north_deg <= 90) ||
+    const std::vector<double> n = parse_number_list(text, ',');
+    const GeoBounds b = n.size() == 4 ? GeoBounds{n[0], n[1], n[2], n[3]} : GeoBounds();
+    if (n.size() != 4 || !(b.south_deg >= -90 && b.south_deg < b.north_deg && b.north_deg <= 90) ||
         !(b.west_deg >= -360 && b.west_deg < b.east_deg && b.east_deg <= 360))
         throw UserError("--bounds " + text +
                         ": not W,S,E,N in degrees with W < E and S < N; write for instance 9.6,46.5,10.2,47.1");

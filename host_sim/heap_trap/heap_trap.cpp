@@ -80,12 +80,14 @@ void HeapTrap::watch_this_thread() { watched = true; }
 
 #if !defined(TEDAVIS_TRAP_BY_HOOK)
 // The whole family, so that no allocation and no release mixes two allocators.
+// The C library's own names. NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 void __libc_free(void*);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) noexcept {
     tedavis::host_sim::note_allocation();

@@ -39,6 +39,7 @@ bool all_have(const std::vector<RecordedFix>& fixes, Member member) {
 template <class Member>
 std::vector<double> values_of(const std::vector<RecordedFix>& fixes, Member member) {
     std::vector<double> values;
+    values.reserve(fixes.size());
     for (const RecordedFix& fix : fixes) values.push_back(*(fix.*member));
     return values;
 }
