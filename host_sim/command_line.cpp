@@ -73,6 +73,23 @@ CLI::Validator above_zero() {
             "above 0"};
 }
 
+/// CLI11's own check names a largest number of 309 digits.
+CLI::Validator from_zero() {
+    return {[](std::string& text) {
+                return std::strtod(text.c_str(), nullptr) >= 0 ? std::string() : text + " is no number from 0 on";
+            },
+            "from 0"};
+}
+
+template <class Choice>
+Choice choice_from(const std::string& option, const std::string& word, const std::map<std::string, Choice>& choices) {
+    const auto found = choices.find(word);
+    if (found != choices.end()) return found->second;
+    std::string names;
+    for (const auto& [name, choice] : choices) names += (names.empty() ? "" : ", ") + name;
+    throw UserError(option + " " + word + ": unknown; choose one of " + names);
+}
+
 PictureSize size_from(const std::string& text) {
     PictureSize size;
     char rest = 0;
@@ -109,8 +126,9 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
     command->add_option_function<std::string>(
         "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
-    command->add_option("--gl", picture.gl, "egl or osmesa")
-        ->transform(CLI::CheckedTransformer(kGl).description(""))
+    command
+        ->add_option_function<std::string>(
+            "--gl", [&picture](const std::string& word) { picture.gl = choice_from("--gl", word, kGl); }, "egl or osmesa")
         ->default_str("egl");
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
 }
@@ -123,9 +141,13 @@ void add_convert(CLI::App& app, CommandLine& line) {
     command->add_option("FLIGHT", o.flight, "the recording; may be gzip-compressed")->required();
     command->add_option("-o", o.output, "the log to write")->required();
     command->add_option("--aircraft", o.aircraft, "identity or callsign where the file holds several");
-    add_optional(command, "--qnh", o.qnh_hpa, "QNH in hPa: barometric altitudes become altitudes above sea level");
-    command->add_flag("--assume-geometric", o.assume_geometric,
-                      "without GNSS heights, take barometric altitudes for heights above sea level");
+    add_optional(
+        command, "--qnh", o.qnh_hpa,
+        "QNH in hPa: pressure altitudes become altitudes on that setting; no geometric heights without --assume-geometric");
+    command->add_flag(
+        "--assume-geometric", o.assume_geometric,
+        "without GNSS heights, take barometric altitudes for heights above sea level: with --qnh those on that setting, "
+        "else pressure altitudes as they are");
 }
 
 void add_scenario(CLI::App& app, CommandLine& line) {
@@ -136,7 +158,7 @@ void add_scenario(CLI::App& app, CommandLine& line) {
                                     [&o](Console& console) { return run_scenario_build(o, console); });
     command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
     command->add_option("-o", o.output, "folder to write to")->required();
-    add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(CLI::NonNegativeNumber);
+    add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(from_zero());
 }
 
 void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
@@ -146,8 +168,7 @@ void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
         ->check(CLI::IsMember({"egm96", "ellipsoid"}))
         ->capture_default_str();
     add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
-    command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")
-        ->check(CLI::NonNegativeNumber);
+    command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(from_zero());
 }
 
 void add_terrain(CLI::App& app, CommandLine& line) {
@@ -172,8 +193,8 @@ void add_terrain(CLI::App& app, CommandLine& line) {
     TerrainFractalOptions& f = line.terrain_fractal;
     CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size",
                                     [&f](Console& console) { return run_terrain_fractal(f, console); });
-    fractal->add_option("--size", f.size, "posts a side")->check(CLI::NonNegativeNumber)->capture_default_str();
-    fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->check(CLI::NonNegativeNumber)->capture_default_str();
+    fractal->add_option("--size", f.size, "posts a side")->check(from_zero())->capture_default_str();
+    fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->check(from_zero())->capture_default_str();
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
 }
 
@@ -186,7 +207,8 @@ void add_shot(CLI::App& app, CommandLine& line) {
             "--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")
         ->required();
     command->add_option_function<std::string>(
-        "--phase", [&o](const std::string& text) { o.phase = phase_from(text); }, "flight phase; default: unknown");
+        "--phase", [&o](const std::string& text) { o.phase = phase_from(text); },
+        "flight phase, as if a switch stated it; default: none is stated");
     command->add_option("-o", o.output, "the picture to write (.png)")->required();
     add_picture_options(command, o.picture);
 }
@@ -213,16 +235,15 @@ int run_replay_line(CommandLine& line, Console& console) {
 }
 
 void add_replay_instants(CLI::App* command, ReplayOptions& o) {
-    add_optional(command, "--from", o.from_s, "seconds since the log's first frame");
-    add_optional(command, "--to", o.to_s, "seconds since the log's first frame");
-    add_optional(command, "--step", o.step_s, "seconds between frames, negative to go backwards; default: the device's rate");
+    add_optional(command, "--from", o.from_s, "earliest frame, in seconds since the log's first; default: 0");
+    add_optional(command, "--to", o.to_s, "latest frame; not before --from, also when going backwards; default: the log's end");
+    add_optional(command, "--step", o.step_s,
+                 "seconds between frames; negative: backwards from --to down to --from; default: the device's rate");
     static const std::map<std::string, FrameOutput> kOutputs{
         {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
-    command
-        ->add_option_function<FrameOutput>(
-            "--frames", [&o](const FrameOutput& value) { o.frames = value; },
-            "png, hash or none; default: png, with --window hash")
-        ->transform(CLI::CheckedTransformer(kOutputs).description(""));
+    command->add_option_function<std::string>(
+        "--frames", [&o](const std::string& word) { o.frames = choice_from("--frames", word, kOutputs); },
+        "png, hash or none; default: png, with --window hash");
 }
 
 void add_replay(CLI::App& app, CommandLine& line) {
@@ -233,6 +254,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     command->add_option("--switches", o.switches, "switch log");
     command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
     add_replay_instants(command, o);
+    command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
     line.replay_config_holds = command->get_options(
         [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });

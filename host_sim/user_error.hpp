@@ -6,11 +6,14 @@
 
 namespace tedavis::host_sim {
 
-/// A fault in what the user gave. Exit code 2.
+/// A fault in what the user gave. Exit code kFaultyInputExitCode.
 class UserError : public std::runtime_error {
 public:
     explicit UserError(const std::string& sentence) : std::runtime_error(sentence) {}
 };
+
+/// Of a command whose input turned out to be faulty; also where it left a valid partial result.
+inline constexpr int kFaultyInputExitCode = 2;
 
 /// Of a command that Ctrl-C or SIGTERM ended early, as shells have it.
 inline constexpr int kInterruptedExitCode = 130;

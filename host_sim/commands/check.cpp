@@ -1,6 +1,8 @@
 #include "host_sim/commands/check.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -17,6 +19,7 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/shipped_files.hpp"
+#include "host_sim/terrain_builder/raster.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/effects/device.hpp"
@@ -82,6 +85,8 @@ std::string check_log(const std::string& path) {
     if (statistics.malformed > 0)
         found += ", " + std::to_string(statistics.malformed) + " broken lines (first: line " +
                  std::to_string(source.reports()[0].line) + ")";
+    if (source.line_counts().other > 0)
+        found += ", " + std::to_string(source.line_counts().other) + " lines that do not begin with '('";
     if (statistics.dropped > 0) found += ", " + std::to_string(statistics.dropped) + " frames lost by the recorder";
     return found;
 }
@@ -126,6 +131,21 @@ std::string check_terrain(const std::string& path) {
     return "a terrain database, every checksum right";
 }
 
+constexpr std::array<std::string_view, 14> kRasterExtensions = {".tif", ".tiff", ".hgt", ".zip", ".hf2", ".ter", ".bt",
+                                                                ".asc", ".img",  ".vrt", ".dem", ".dt0", ".dt1", ".dt2"};
+
+bool is_raster_name(std::string extension) {
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kRasterExtensions.begin(), kRasterExtensions.end(), extension) != kRasterExtensions.end();
+}
+
+/// Read to its last post, as the terrain builder does.
+std::string check_raster(const std::string& path) {
+    const Raster raster = load_rasters({path}, {});
+    return "a height raster of " + std::to_string(raster.columns) + " x " + std::to_string(raster.rows) + " posts, " +
+           std::to_string(raster.void_posts) + " of them void";
+}
+
 struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
@@ -144,6 +164,9 @@ FileChecker config_checker(const std::string& path) {
         if (folder == kind.folder) return kind.check;
     }
     const std::string text = read_file(path);
+    if (folder == "boards" || text.find("[can]") != std::string::npos)
+        throw UserError(
+            path + ": a board file, which only the board's own program reads; run tedavis-display --self-test --config " + path);
     for (const FolderKind& kind : kConfigKinds) {
         if (text.find(kind.key) != std::string::npos) return kind.check;
     }
@@ -158,9 +181,14 @@ std::string check_file(const std::string& path) {
     if (extension == ".tdb") return check_terrain(path);
     if (extension == ".switches") return check_switch_log(path);
     if (extension == ".log" || extension == ".gz") return check_log(path);
+    if (is_raster_name(extension)) return check_raster(path);
     (void)read_file(path);
-    throw UserError(path + ": '" + extension +
-                    "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz and .switches");
+    if (extension == ".dbc")
+        throw UserError(path +
+                        ": a CAN database for other tools, which no program here reads; check the bus file (.toml) instead");
+    throw UserError(
+        path + ": '" + extension +
+        "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz, .switches and height rasters");
 }
 
 }  // namespace

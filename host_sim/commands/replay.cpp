@@ -26,16 +26,13 @@ int run_batch(const ReplayOptions& options, Console& console) {
         console.progress("replay", n + 1, times.count());
     }
     console.progress_done();
-    recorder.finish(interrupt.requested(), console);
-    return interrupt.requested() ? kInterruptedExitCode : 0;
+    return recorder.finish(interrupt.requested(), console);
 }
 
 }  // namespace
 
 int run_replay(const ReplayOptions& options, Console& console) {
-    if (!options.window) return run_batch(options, console);
-    run_live_window(options, console);
-    return 0;
+    return options.window ? run_live_window(options, console) : run_batch(options, console);
 }
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,8 @@
 #include "host_sim/commands/shot.hpp"
 
+#include <cctype>
+#include <filesystem>
+
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/geoid_below.hpp"
@@ -42,22 +45,32 @@ flight::AircraftState posed_aircraft(const ShotPose& pose, display::Display& dis
 
 double milliseconds_since(base::Time start) { return (platform::monotonic_now() - start).to_seconds() * 1000; }
 
-std::string record_path(const std::string& picture) {
-    const std::size_t dot = picture.find_last_of('.');
-    const bool has_extension = dot != std::string::npos && picture.find('/', dot) == std::string::npos;
-    return (has_extension ? picture.substr(0, dot) : picture) + ".json";
+std::string record_path(const std::string& picture) { return std::filesystem::path(picture).replace_extension(".json").string(); }
+
+void require_png_name(const std::string& picture) {
+    std::string extension = std::filesystem::path(picture).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (!extension.empty() && extension != ".png")
+        throw UserError("-o " + picture + ": the picture is a PNG; give it a name that ends in .png");
+}
+
+flight::PhaseStatus stated_phase(const std::string& name) {
+    if (name.empty()) return {};
+    const flight::ParsedPhase phase = flight::phase_from_name(name);
+    if (!phase.ok) throw UserError("--phase " + name + ": unknown; write for instance takeoff.first_climb or cruise");
+    return {phase.phase, flight::PhaseSource::switches, false, false};
 }
 
 }  // namespace
 
 int run_shot(const ShotOptions& options, Console& console) {
-    const flight::ParsedPhase phase = flight::phase_from_name(options.phase);
-    if (!phase.ok) throw UserError("--phase " + options.phase + ": unknown; write for instance takeoff.first_climb or cruise");
+    require_png_name(options.output);
+    const flight::PhaseStatus phase = stated_phase(options.phase);
     DisplaySession session(options.picture, false);
     FrameResult result;
     const base::Time start = platform::monotonic_now();
     const flight::AircraftState state = posed_aircraft(options.pose, session.display());
-    session.display().update(state, {phase.phase, flight::PhaseSource::switches, false, false}, kShotTime);
+    session.display().update(state, phase, kShotTime);
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();
     result.timing.total_ms = milliseconds_since(start);
@@ -71,7 +84,10 @@ int run_shot(const ShotOptions& options, Console& console) {
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
                        hash_text(result.hash),
                    json);
-    return 0;
+    const std::string fault = session.terrain_fault();
+    if (fault.empty()) return 0;
+    console.note("note: " + fault);
+    return kFaultyInputExitCode;
 }
 
 }  // namespace tedavis::host_sim

@@ -16,12 +16,12 @@ struct ShotPose {
 
 struct ShotOptions {
     ShotPose pose;
-    std::string phase = "unknown";  ///< "takeoff.first_climb", checked by the command line
+    std::string phase;  ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
-    std::string output;  ///< X.png; the record goes beside it as X.json
+    std::string output;  ///< X.png; the record goes beside it as X.json; without an extension the same
 };
 
-/// Returns the exit code; throws UserError.
+/// Returns the exit code, 2 also for a picture whose terrain failed; throws UserError.
 [[nodiscard]] int run_shot(const ShotOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -31,6 +31,13 @@ bool looks_like_igc(std::string_view text) {
     return record && text.find("\nB") != std::string_view::npos;
 }
 
+/// As candump -l and -L write it: "(seconds.fraction) interface identifier#data".
+bool looks_like_bus_log(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t stamp_end = line.find(')');
+    return line.front() == '(' && stamp_end != std::string_view::npos && line.find('#', stamp_end) != std::string_view::npos;
+}
+
 std::string choices(const ImportedFile& file) {
     std::string list;
     for (const RecordedFlight& flight : file.flights) {
@@ -52,6 +59,7 @@ ImportedFile import_flight_file(const std::string& path) {
     if (text.find('\0') != std::string_view::npos)
         throw UserError(path + ": binary data; give an IGC, GPX, ADS-B JSON or CSV flight");
     const char first = text[start];
+    if (looks_like_bus_log(text.substr(start))) throw UserError(path + ": a bus log already; 'tedavis replay' takes it as it is");
     if (first == '<') return import_gpx(text, path);
     if (first == '[' || first == '{') return import_adsb_json(text, path);
     return looks_like_igc(text.substr(start)) ? import_igc(text, path) : import_csv(text, path);

@@ -18,6 +18,9 @@ effects::DeviceSettings load_device(const std::string& name) {
     return device.value();
 }
 
+/// The display starts with one sentence for all; memory, programs and their limits come from the device file.
+bool is_about_the_database(const std::string& sentence) { return sentence.rfind("the terrain database ", 0) == 0; }
+
 SurfaceMaker headless_surface(GlChoice gl) {
     return [gl](const platform::SurfaceSettings& settings) {
         return platform::make_surface(gl == GlChoice::egl ? "egl" : "osmesa", settings);
@@ -40,11 +43,12 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     open_terrain(options.terrain);
     const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
     open_surface({settings.width_px, settings.height_px, lane}, make_surface);
-    start_display(settings, options.terrain);
+    start_display(settings, options);
     pixels_.resize(std::size_t{settings.width_px} * settings.height_px * 4);
 }
 
 void DisplaySession::open_terrain(const std::string& path) {
+    terrain_name_ = path;
     if (path.empty()) return;
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
@@ -59,15 +63,17 @@ void DisplaySession::open_surface(const platform::SurfaceSettings& settings, con
         throw UserError("the drawing surface cannot be made current; try another --gl, or another screen for --window");
 }
 
-void DisplaySession::start_display(const display::DisplaySettings& settings, const std::string& terrain) {
+void DisplaySession::start_display(const display::DisplaySettings& settings, const PictureOptions& options) {
+    const std::string device = resolve_config(options.device, "devices");
     auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
-    if (!reservation.ok()) throw UserError(std::string(reservation.error().sentence.view()));
+    if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().sentence.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
     const gl::GlError error =
-        display_->start(settings, reservation_.arena(), *surface_, terrain.empty() ? nullptr : &terrain_file_);
-    if (!error.sentence.empty())
-        throw UserError((terrain.empty() ? std::string() : terrain + ": ") + std::string(error.sentence.view()));
+        display_->start(settings, reservation_.arena(), *surface_, options.terrain.empty() ? nullptr : &terrain_file_);
+    if (error.sentence.empty()) return;
+    const std::string sentence(error.sentence.view());
+    throw UserError((is_about_the_database(sentence) ? options.terrain : device) + ": " + sentence);
 }
 
 DisplaySession::~DisplaySession() {
@@ -84,12 +90,20 @@ std::string DisplaySession::gl_description() {
 
 void DisplaySession::draw() {
     display_->draw(*surface_);
+    for (const display::Name& flag : display_->record().flags)
+        terrain_failed_ = terrain_failed_ || flag.view() == "terrain.failed";
     if (!gl::read_pixels(display_->gl(), width(), height(), {pixels_.data(), pixels_.size()}))
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
 }
 
 void DisplaySession::present() {
     if (surface_->present() != base::SurfaceState::ready) throw UserError("the drawing surface was lost; start the replay again");
+}
+
+std::string DisplaySession::terrain_fault() const {
+    if (!terrain_failed_) return {};
+    return terrain_name_ + ": a part of it cannot be used, so the terrain was taken off the display; 'tedavis check " +
+           terrain_name_ + "' finds the place, 'tedavis terrain build' makes it anew";
 }
 
 std::uint64_t DisplaySession::frame_hash() const {

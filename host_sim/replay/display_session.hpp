@@ -43,11 +43,13 @@ public:
     void present();
     [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
     [[nodiscard]] std::uint64_t frame_hash() const;
+    /// A sentence once the display has given its terrain up for the rest of the run (flag "terrain.failed"); empty before.
+    [[nodiscard]] std::string terrain_fault() const;
 
 private:
     void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
     void open_terrain(const std::string& path);
-    void start_display(const display::DisplaySettings& settings, const std::string& terrain);
+    void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
 
     effects::DeviceSettings device_;
     std::unique_ptr<base::Surface> surface_;
@@ -55,6 +57,8 @@ private:
     platform::FileByteSource terrain_file_;
     std::unique_ptr<display::Display> display_;
     std::vector<std::uint8_t> pixels_;
+    std::string terrain_name_;
+    bool terrain_failed_ = false;
 };
 
 }  // namespace tedavis::host_sim

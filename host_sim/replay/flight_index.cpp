@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr char kMagic[] = "TEDAVIS flight index 1\n";
+constexpr char kMagic[] = "TEDAVIS flight index 2\n";
 
 class ByteWriter {
 public:
@@ -96,6 +96,8 @@ std::string pack_index(const FlightIndex& index, const IndexKey& key) {
     writer.put(index.first);
     writer.put(index.last);
     writer.put(index.counters);
+    writer.put(index.broken_lines);
+    writer.put(index.other_lines);
     writer.put(std::uint64_t{index.reports.size()});
     for (const bus::LineReport& report : index.reports) {
         writer.put(report.line);
@@ -128,6 +130,8 @@ UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const Ch
     index.first = reader.get<base::Time>();
     index.last = reader.get<base::Time>();
     index.counters = reader.get<bus::BusCounters>();
+    index.broken_lines = reader.get<std::uint64_t>();
+    index.other_lines = reader.get<std::uint64_t>();
     index.reports = get_reports(reader);
     const auto stride = reader.get<std::uint64_t>();
     index.track = CheckpointTrack(spacing, stride, get_checkpoints(reader));

@@ -148,6 +148,8 @@ void FlightPlayer::make_index() {
     if (console_ != nullptr) console_->progress_done();
     index_.last = source_->position().newest;
     index_.counters = progress_.assembler.snapshot(index_.last).counters;
+    index_.broken_lines = source_->statistics().malformed;
+    index_.other_lines = source_->line_counts().other;
     for (const bus::LineReport& report : source_->reports()) index_.reports.push_back(report);
 }
 
@@ -258,6 +260,12 @@ std::vector<std::string> FlightPlayer::notes() const {
     std::vector<std::string> notes = switch_notes_;
     for (const bus::LineReport& report : index_.reports)
         notes.push_back(line_note(log_name_, report.line, bus::describe(report.fault)));
+    if (index_.broken_lines > index_.reports.size())
+        notes.push_back(log_name_ + ": " + std::to_string(index_.broken_lines) + " broken lines in all; only the first " +
+                        std::to_string(index_.reports.size()) + " are named");
+    if (index_.other_lines > 0)
+        notes.push_back(log_name_ + ": " + std::to_string(index_.other_lines) +
+                        " lines do not begin with '(' as those of candump do; they were passed over");
     return notes;
 }
 

@@ -58,9 +58,12 @@ public:
     /// Other switches from here on: the edges up to `kept_until` stay, later ones give way to `edges` (all later, in order).
     void replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges);
 
-    /// Sentences about broken lines, for the report.
+    /// Sentences about broken and foreign lines, for the report.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] bus::BusCounters counters_of_whole_log() const { return index_.counters; }
+    /// Lines of the whole log that begin like a frame and are none, and that do not begin like one.
+    [[nodiscard]] std::uint64_t broken_lines() const { return index_.broken_lines; }
+    [[nodiscard]] std::uint64_t other_lines() const { return index_.other_lines; }
 
 private:
     void open_bus(const PlayerFiles& files);

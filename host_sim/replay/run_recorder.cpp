@@ -9,6 +9,7 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 
 namespace tedavis::host_sim {
@@ -83,7 +84,7 @@ void RunRecorder::keep() {
         write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());
 }
 
-void RunRecorder::finish(bool interrupted, Console& console) {
+int RunRecorder::finish(bool interrupted, Console& console) {
     records_.commit();
     const RunSummary done = summary(interrupted);
     const base::BudgetTable& memory = session_.display().budget();
@@ -92,7 +93,12 @@ void RunRecorder::finish(bool interrupted, Console& console) {
     std::snprintf(line, sizeof line, ": %llu frames%s, %.1f frames/s median, worst terrain error %.2f px",
                   static_cast<unsigned long long>(done.frames), interrupted ? " (interrupted)" : "", done.fps_median,
                   done.worst_error_px);
+    if (!done.notes.empty())
+        console.note("note: " + std::to_string(done.notes.size()) + (done.notes.size() == 1 ? " note" : " notes") +
+                     " in summary.json, the first: " + done.notes.front());
     console.result(options_.output + line, run_summary_json(done, memory));
+    if (interrupted) return kInterruptedExitCode;
+    return session_.terrain_fault().empty() ? 0 : kFaultyInputExitCode;
 }
 
 RunSummary RunRecorder::summary(bool interrupted) {
@@ -113,9 +119,12 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.height = session_.height();
     s.gl = session_.gl_description();
     const bus::BusCounters counters = player_.counters_of_whole_log();
-    s.can = {counters.frames, counters.decoded, counters.alien, counters.errors, counters.dropped};
+    s.can = {counters.frames,  counters.decoded,       counters.alien,       counters.errors,
+             counters.dropped, player_.broken_lines(), player_.other_lines()};
     s.interrupted = interrupted;
-    s.notes = player_.notes();
+    if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
+    const std::vector<std::string> lines = player_.notes();
+    s.notes.insert(s.notes.end(), lines.begin(), lines.end());
     s.notes.insert(s.notes.end(), notes_.begin(), notes_.end());
     return s;
 }

@@ -28,8 +28,9 @@ public:
     void note(const std::string& sentence) { notes_.push_back(sentence); }
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
-    /// Writes the records, the summary and the report, and states the command's result. Once, at the end.
-    void finish(bool interrupted, Console& console);
+    /// Writes the records, the summary and the report, and states the command's result. Once, at the end. Returns the exit
+    /// code: kInterruptedExitCode, 2 where the terrain database failed during the run, else 0.
+    [[nodiscard]] int finish(bool interrupted, Console& console);
 
 private:
     [[nodiscard]] RunSummary summary(bool interrupted);

@@ -19,11 +19,12 @@ const char* own_ship_state(base::SignalState state) {
 
 Json own_ship_json(const display::FrameRecord& record) {
     const earth::Geodetic& position = record.own_ship.position;
-    const Json ellipsoid_m = record.own_ship.height_is_geometric ? Json(position.height.m) : Json();
-    return {{"lat_deg", base::degrees(position.latitude_rad)},
-            {"lon_deg", base::degrees(position.longitude_rad)},
-            {"alt_msl_m", record.altitude_msl_m},
-            {"alt_ellipsoid_m", ellipsoid_m},
+    const bool is_known = record.own_ship.state == base::SignalState::valid || record.own_ship.state == base::SignalState::stale;
+    const auto where_known = [](bool known, double value) { return known ? Json(value) : Json(); };
+    return {{"lat_deg", where_known(is_known, base::degrees(position.latitude_rad))},
+            {"lon_deg", where_known(is_known, base::degrees(position.longitude_rad))},
+            {"alt_msl_m", where_known(is_known, record.altitude_msl_m)},
+            {"alt_ellipsoid_m", where_known(is_known && record.own_ship.height_is_geometric, position.height.m)},
             {"heading_deg", base::degrees(record.heading_rad)},
             {"pitch_deg", base::degrees(record.pitch_rad)},
             {"roll_deg", base::degrees(record.roll_rad)},

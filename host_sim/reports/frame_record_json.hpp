@@ -22,7 +22,7 @@ struct FrameResult {
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,
-/// values that are not finite as null. `time_s` counts from `origin`.
+/// values that are not finite, and the place of an own ship that is lost, as null. `time_s` counts from `origin`.
 [[nodiscard]] std::string frame_record_json(const FrameResult& result, base::Time origin);
 /// 16 lower-case hex digits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);

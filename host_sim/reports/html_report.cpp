@@ -70,6 +70,7 @@ std::string summary_table(const RunSummary& s) {
     row("GL calls outside the device's list", std::to_string(s.gl_calls_outside_device), s.gl_calls_outside_device > 0);
     row("bus frames", std::to_string(s.can.frames) + ": " + std::to_string(s.can.decoded) + " decoded, " + std::to_string(s.can.alien) + " alien, " +
                           std::to_string(s.can.errors) + " errors, " + std::to_string(s.can.dropped) + " dropped");
+    row("lines of the log that are no frames", std::to_string(s.can.broken_lines) + " broken, " + std::to_string(s.can.other_lines) + " other", s.can.broken_lines > 0);
     return "<div class='wide'><table>" + rows + "</table></div>";
 }
 

@@ -51,7 +51,8 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["gl"] = summary.gl;
     json["version"] = version();
     json["can"] = {{"frames", summary.can.frames}, {"decoded", summary.can.decoded}, {"alien", summary.can.alien},
-                   {"errors", summary.can.errors}, {"dropped", summary.can.dropped}};
+                   {"errors", summary.can.errors}, {"dropped", summary.can.dropped},
+                   {"broken_lines", summary.can.broken_lines}, {"other_lines", summary.can.other_lines}};
     json["interrupted"] = summary.interrupted;
     json["notes"] = summary.notes;
     json["memory"] = memory_json(memory);

@@ -9,9 +9,10 @@
 
 namespace tedavis::host_sim {
 
-/// Frames on the bus by what became of them.
+/// Frames on the bus by what became of them, and lines of the log that are no frames: begun like one, or not even that.
 struct CanCounts {
     std::uint64_t frames = 0, decoded = 0, alien = 0, errors = 0, dropped = 0;
+    std::uint64_t broken_lines = 0, other_lines = 0;
 };
 
 struct RunSummary {

@@ -175,11 +175,11 @@ void LiveRun::write_switches() const {
     write_file_atomically(switches_path(), switch_log_text(player_.switch_config(), player_.switch_edges()));
 }
 
-void LiveRun::finish(bool interrupted) {
+int LiveRun::finish(bool interrupted) {
     write_switches();
     options_.switches = switches_path();
     if (!options_.save_config.empty()) save_replay_config(options_, options_.save_config);
-    recorder_.finish(interrupted, console_);
+    return recorder_.finish(interrupted, console_);
 }
 
 }  // namespace tedavis::host_sim

@@ -33,7 +33,8 @@ public:
     [[nodiscard]] const WindowController& controller() const { return controller_; }
 
     /// Writes the folder and, where asked for, the config that replays the session. Once, at the end.
-    void finish(bool interrupted);
+    /// Returns the exit code, as RunRecorder::finish.
+    [[nodiscard]] int finish(bool interrupted);
 
 private:
     /// What a picture depends on; an equal one needs no drawing.

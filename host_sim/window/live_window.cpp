@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kRest(2);
 
-void run_until_closed(LiveRun& run, Console& console) {
+int run_until_closed(LiveRun& run, Console& console) {
     console.note("press h in the window for its keys");
     const InterruptGuard interrupt;
     base::Time before = platform::monotonic_now();
@@ -22,12 +22,12 @@ void run_until_closed(LiveRun& run, Console& console) {
         if (!run.turn(now - before)) std::this_thread::sleep_for(kRest);
         before = now;
     }
-    run.finish(interrupt.requested());
+    return run.finish(interrupt.requested());
 }
 
 }  // namespace
 
-void run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
+int run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
     platform::Window* window = nullptr;
     const SurfaceMaker make_surface =
         [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
@@ -39,7 +39,7 @@ void run_live_window(const ReplayOptions& options, Console& console, const Windo
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
     LiveRun run(options, session, player, *window, console);
-    run_until_closed(run, console);
+    return run_until_closed(run, console);
 }
 
 }  // namespace tedavis::host_sim

@@ -13,7 +13,9 @@ namespace tedavis::host_sim {
 using WindowMaker = std::function<base::Result<std::unique_ptr<platform::Window>, platform::PlatformError>(
     const platform::SurfaceSettings&, const char* title)>;
 
-/// Runs until the window is closed or Ctrl-C. Throws UserError, also where there is no screen; then nothing is written.
-void run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window = platform::make_window);
+/// Runs until the window is closed or Ctrl-C. Returns the exit code. Throws UserError, also where there
+/// is no screen; then nothing is written.
+[[nodiscard]] int run_live_window(const ReplayOptions& options, Console& console,
+                                  const WindowMaker& make_window = platform::make_window);
 
 }  // namespace tedavis::host_sim

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "host_sim/input_file.hpp"
+#include "tests/support/flown_circle.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim {
@@ -69,6 +71,33 @@ TEST(CommandLine, WrongInputIsOneSentenceAndTwo) {
     const Outcome outcome = run({"convert", "/nonexistent/flight.igc", "-o", "/nonexistent/x.log"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.notes, "tedavis: /nonexistent/flight.igc: no such file; check the path\n");
+}
+
+TEST(CommandLine, AWrongWordOrNumberIsToldInAShortSentence) {
+    const auto told = [](const std::vector<const char*>& words) { return run(words).notes; };
+    EXPECT_EQ(told({"shot", "-o", "a.png", "--pose", "1,2,3,4,5,6", "--gl", "vulkan"}),
+              "tedavis: --gl vulkan: unknown; choose one of egl, osmesa\n");
+    EXPECT_EQ(told({"replay", "a.log", "-o", "a", "--frames", "jpg"}),
+              "tedavis: --frames jpg: unknown; choose one of hash, none, png\n");
+    EXPECT_EQ(told({"terrain", "build", "a.tif", "-o", "a.tdb", "--accuracy", "-3"}),
+              "tedavis: --accuracy: -3 is no number from 0 on; see tedavis --help\n");
+    EXPECT_EQ(told({"scenario", "build", "default", "-o", "a", "--seed", "-1"}),
+              "tedavis: --seed: -1 is no number from 0 on; see tedavis --help\n");
+}
+
+TEST(CommandLine, ReplayTakesABusByNameOrFile) {
+    const test_support::FlownFiles files;
+    const std::string own = files.folder.write("own.toml", read_file(TEDAVIS_SOURCE_DIR "/configs/buses/canaerospace.toml"));
+    const auto replayed = [&](const char* bus, const std::string& folder) {
+        return run({"replay", files.log.c_str(), "-o", folder.c_str(), "--bus", bus, "--frames", "hash", "--step", "4", "--size",
+                    "64x48"});
+    };
+    EXPECT_EQ(replayed("glider", files.folder.file("glider")).code, 0);
+    const std::string folder = files.folder.file("own");
+    EXPECT_EQ(replayed(own.c_str(), folder).code, 0);
+    const Outcome refused = replayed("smoke", files.folder.file("smoke"));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.notes, HasSubstr("smoke: no such file and no shipped one of buses; shipped are: canaerospace, glider"));
 }
 
 TEST(CommandLine, PassesOptionsOn) {

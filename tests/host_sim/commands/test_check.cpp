@@ -50,10 +50,11 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
 
 TEST(CheckCommand, LogsAreCountedAndTheirBrokenLinesNamed) {
     const test_support::TemporaryFolder place;
-    const std::string log = place.write("x.log", "(1.000000) can0 123#11\n(1.500000) can0 12\n(2.000000) can0 124#22\n");
+    const std::string log = place.write("x.log", "(1.000000) can0 123#11\n(1.500000) can0 12\nprose\n(2.000000) can0 124#22\n");
     const CommandRun run = check({log});
     EXPECT_EQ(run.code, 0);
-    EXPECT_THAT(run.results, HasSubstr("a candump log of 2 frames, 1 broken lines (first: line 2)"));
+    EXPECT_THAT(run.results,
+                HasSubstr("a candump log of 2 frames, 1 broken lines (first: line 2), 1 lines that do not begin with '('"));
     const std::string panel = place.write("x.switches", "words\n");
     EXPECT_THAT(check({panel}).notes, HasSubstr("x.switches:1: does not begin with"));
 }
@@ -71,6 +72,27 @@ TEST(CheckCommand, DatabasesAreReadToTheirLastByte) {
     const CommandRun run = check({options.output});
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.notes, HasSubstr("t.tdb: has a damaged chunk at offset"));
+}
+
+TEST(CheckCommand, RastersAreReadAndForeignFilesAreKnown) {
+    const test_support::TemporaryFolder place;
+    const CommandRun shipped = check({kConfigs + "data/jacksboro_srtm3.tif"});
+    EXPECT_EQ(shipped.code, 0) << shipped.notes;
+    EXPECT_THAT(shipped.results, HasSubstr("sound, a height raster of "));
+    const std::string raster = test_support::RasterFile().write(place.file("r.TIF"));
+    EXPECT_EQ(check({raster}).code, 0);
+    const std::string bytes = place.read("r.TIF");
+    EXPECT_THAT(check({place.write("short.tif", bytes.substr(0, bytes.size() / 2))}).notes, HasSubstr("short.tif: "));
+    for (const char* name : {"desk_vcan.toml", "arm_board.toml"}) {
+        const std::string board = std::string(TEDAVIS_SOURCE_DIR "/target/boards/") + name;
+        const std::string elsewhere = place.write(name, read_file(board));
+        for (const std::string& path : {board, elsewhere}) {
+            const CommandRun run = check({path});
+            EXPECT_EQ(run.code, 2) << "it was not validated";
+            EXPECT_THAT(run.notes, HasSubstr("run tedavis-display --self-test --config " + path));
+        }
+    }
+    EXPECT_THAT(check({kConfigs + "buses/canaerospace.dbc"}).notes, HasSubstr("a CAN database for other tools"));
 }
 
 TEST(CheckCommand, LooksAtEveryFileAndIsTwoWhenOneIsUnsound) {

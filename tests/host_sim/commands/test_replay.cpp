@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/command_run.hpp"
+#include "tests/support/damaged_terrain.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/frame_lines.hpp"
@@ -154,6 +156,43 @@ TEST(Replay, AlienTrafficChangesNothingButCounters) {
     EXPECT_EQ(mixed.at("decoded"), plain.at("decoded"));
     EXPECT_EQ(mixed.at("frames"), plain.at("frames").get<std::size_t>() + aliens);
     EXPECT_EQ(mixed.at("alien"), plain.at("alien").get<std::size_t>() + aliens);
+}
+
+TEST(Replay, ADamagedChunkIsSaidAndEndsWithTwo) {
+    std::string image = files().folder.read("terrain.tdb");
+    test_support::damage_payloads(image);
+    ReplayOptions options = files().options("damaged");
+    options.picture.terrain = files().folder.write("damaged.tdb", image);
+    const test_support::CommandRun run =
+        test_support::run_command([&](Console& console) { return run_replay(options, console); });
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr("damaged.tdb: a part of it cannot be used"));
+    EXPECT_THAT(run.notes, HasSubstr("'tedavis check " + options.picture.terrain));
+    EXPECT_THAT(run.results, HasSubstr("17 frames"));
+    EXPECT_EQ(frame_lines(options.output).size(), 17u) << "the result is whole but for the terrain";
+    EXPECT_THAT(summary_of(options.output).at("notes").dump(), HasSubstr("damaged.tdb: "));
+}
+
+TEST(Replay, LinesThatAreNoFramesAreCountedAndSaid) {
+    static_cast<void>(whole());
+    EXPECT_EQ(summary_of(files().folder.file("whole")).at("can").at("broken_lines"), 0);
+    EXPECT_EQ(summary_of(files().folder.file("whole")).at("can").at("other_lines"), 0);
+    std::string log = files().folder.read("flight.log");
+    const std::size_t middle = log.find('\n', log.size() / 2) + 1;
+    for (int n = 0; n < 40; ++n) log.insert(middle, "(1700000004.000000) can0 12\n");
+    ReplayOptions options = files().options("broken");
+    options.log = files().folder.write("broken.log", "some prose\n" + log + "more prose\n");
+    const test_support::CommandRun run =
+        test_support::run_command([&](Console& console) { return run_replay(options, console); });
+    EXPECT_EQ(run.code, 0) << "the flight is all there";
+    EXPECT_THAT(run.notes, HasSubstr("note: 34 notes in summary.json, the first: " + options.log + ":"));
+    const auto summary = summary_of(options.output);
+    EXPECT_EQ(summary.at("can").at("broken_lines"), 40);
+    EXPECT_EQ(summary.at("can").at("other_lines"), 2);
+    EXPECT_THAT(summary.at("notes").dump(), HasSubstr("40 broken lines in all; only the first 32 are named"));
+    EXPECT_THAT(summary.at("notes").dump(), HasSubstr("2 lines do not begin with '('"));
+    EXPECT_THAT(files().folder.read("broken/report.html"), HasSubstr("40 broken, 2 other"));
+    EXPECT_EQ(hashes_by_time(options.output), whole());
 }
 
 /// Presses Ctrl-C when the progress line shows a number.

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "host_sim/input_file.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/damaged_terrain.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/gl_session.hpp"
@@ -51,6 +53,7 @@ TEST(Shot, LeavesThePictureAndItsRecord) {
     EXPECT_NEAR(own.at("roll_deg"), 12, 1e-9);
     EXPECT_GT(told.at("terrain").at("triangles"), 100);
     EXPECT_EQ(told.at("phase"), "unknown");
+    EXPECT_EQ(told.at("phase_source"), "none") << "nobody stated one";
 }
 
 TEST(Shot, EqualPosesGiveEqualPictures) {
@@ -77,6 +80,7 @@ TEST(Shot, NamesThePhase) {
     const json record = taken(options);
     EXPECT_EQ(record.at("phase"), "approach");
     EXPECT_EQ(record.at("sub_phase"), "final");
+    EXPECT_EQ(record.at("phase_source"), "switch");
 }
 
 TEST(Shot, NeedsNoTerrain) {
@@ -98,6 +102,21 @@ TEST(Shot, TheRecordLiesBesideThePicture) {
     EXPECT_TRUE(std::filesystem::exists(files().folder.file("dot.ted/plain.json")));
 }
 
+TEST(Shot, ADamagedChunkLeavesThePictureAndEndsWithTwo) {
+    std::string image = files().folder.read("terrain.tdb");
+    test_support::damage_payloads(image);
+    ShotOptions options = shot();
+    options.picture.terrain = files().folder.write("damaged.tdb", image);
+    options.output = files().folder.file("damaged.PNG");
+    const test_support::CommandRun run =
+        test_support::run_command([&](Console& console) { return run_shot(options, console); }, true);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, ::testing::HasSubstr("damaged.tdb: a part of it cannot be used"));
+    EXPECT_THAT(run.json().at("flags").dump(), ::testing::HasSubstr("terrain.failed"));
+    EXPECT_TRUE(std::filesystem::exists(options.output));
+    EXPECT_TRUE(std::filesystem::exists(files().folder.file("damaged.json")));
+}
+
 TEST(Shot, WrongInputIsRefusedAndNothingIsWritten) {
     const auto refused = [](ShotOptions options, const std::string& words) {
         options.output = files().folder.file("refused.png");
@@ -113,6 +132,14 @@ TEST(Shot, WrongInputIsRefusedAndNothingIsWritten) {
     options = shot();
     options.picture.terrain = files().folder.file("none.tdb");
     refused(options, "none.tdb");
+    for (const char* name : {"x.jpg", "x.json", "x.png.tif"}) {
+        options = shot();
+        options.output = files().folder.file(name);
+        std::ostringstream results, notes;
+        Console console(results, notes, false, false);
+        test_support::expect_user_error([&] { static_cast<void>(run_shot(options, console)); }, "name that ends in .png");
+        EXPECT_FALSE(std::filesystem::exists(options.output));
+    }
     options = shot();
     options.output = files().log + "/x.png";
     std::ostringstream results, notes;

@@ -38,6 +38,15 @@ TEST(FlightImporter, RefusesEmptyAndBinaryFiles) {
         "binary data");
 }
 
+TEST(FlightImporter, ABusLogNeedsNoConversion) {
+    const test_support::TemporaryFolder folder;
+    for (const char* line : {"(1586684820.000000) can0 13C#00\n", "\n(1.5)   vcan1 1ABCDE00##1DE.AD\n"})
+        test_support::expect_user_error([&] { (void)import_flight_file(folder.write("a.log", line)); },
+                                        "a.log: a bus log already; 'tedavis replay' takes it as it is");
+    test_support::expect_user_error([&] { (void)import_flight_file(folder.write("b.log", "(a bracket) alone\n")); },
+                                    "the column `latitude_deg` is missing from the first line");
+}
+
 ImportedFile two_aircraft() {
     ImportedFile file;
     file.flights = {{"4b1c22", "HBKRA", HeightDatum::wgs84_ellipsoid, {}}, {"4b088c", "HBDGE", HeightDatum::wgs84_ellipsoid, {}}};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/device_files.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/gl_session.hpp"
@@ -80,6 +81,22 @@ TEST(DisplaySession, ADatabaseWithAFlippedBitIsFoundAndTheNextSessionWorks) {
     options.terrain = files().folder.write("flipped.tdb", image);
     expect_user_error([&] { DisplaySession session(options, false); }, "flipped.tdb: ");
     EXPECT_NE(hash_without_signals(picture()), 0u);
+}
+
+TEST(DisplaySession, TheDeviceFileIsBlamedForWhatIsTheDevices) {
+    std::string device = test_support::source_file("configs/devices/es3-mid.toml");
+    const std::string bytes = "bytes = 1048576";
+    const std::size_t at = device.find(bytes, device.find("\"lod_scratch\""));
+    ASSERT_NE(at, std::string::npos);
+    PictureOptions options = picture();
+    options.device = files().folder.write("small.toml", device.replace(at, bytes.size(), "bytes = 4096"));
+    expect_user_error([&] { DisplaySession session(options, false); }, "small.toml: the budget line 'lod_scratch' is too small");
+}
+
+TEST(DisplaySession, SaysWhenTheTerrainFails) {
+    DisplaySession sound(picture(), false);
+    sound.draw();
+    EXPECT_EQ(sound.terrain_fault(), "");
 }
 
 TEST(DisplaySession, ASurfaceThatCannotBeMadeIsRefused) {

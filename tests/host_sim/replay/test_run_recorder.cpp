@@ -35,7 +35,7 @@ TEST(RunRecorder, KeepsOnlyWhatItIsToldToKeep) {
     recorder.keep();
     EXPECT_EQ(recorder.kept(), 2u);
     recorder.note("a remark");
-    recorder.finish(true, r.console);
+    EXPECT_EQ(recorder.finish(true, r.console), kInterruptedExitCode);
     const auto hashes = test_support::hashes_by_time(r.options.output);
     EXPECT_EQ(hashes.size(), 2u);
     EXPECT_EQ(hashes.count(3), 1u);
@@ -43,6 +43,7 @@ TEST(RunRecorder, KeepsOnlyWhatItIsToldToKeep) {
     EXPECT_EQ(summary.at("frames"), 2);
     EXPECT_EQ(summary.at("interrupted"), true);
     EXPECT_THAT(summary.at("notes").dump(), ::testing::HasSubstr("a remark"));
+    EXPECT_EQ(r.notes.str(), "note: 1 note in summary.json, the first: a remark\n");
     EXPECT_EQ(nlohmann::json::parse(r.results.str()), summary) << "the same on stdout with --json";
 }
 
@@ -55,7 +56,8 @@ TEST(RunRecorder, TheHashIsThatOfThePicture) {
     EXPECT_EQ(recorder.draw(r.at(1)).hash, first.hash);
     EXPECT_NE(recorder.draw(r.at(4)).hash, first.hash);
     recorder.keep();
-    recorder.finish(false, r.console);
+    EXPECT_EQ(recorder.finish(false, r.console), 0);
+    EXPECT_EQ(r.notes.str(), "") << "a sound run needs no notes";
     EXPECT_TRUE(std::filesystem::exists(frame_picture_path(r.options.output, 2)));
     EXPECT_FALSE(std::filesystem::exists(frame_picture_path(r.options.output, 1)));
 }

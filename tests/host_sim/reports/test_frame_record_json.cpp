@@ -85,6 +85,19 @@ TEST(FrameRecordJson, WhatIsNotKnownIsNull) {
     EXPECT_TRUE(json["latency_ms"].is_null());
 }
 
+TEST(FrameRecordJson, ALostOwnShipHasNoPlace) {
+    FrameResult result = test_support::frame_result(0, 3);
+    for (const auto state :
+         {base::SignalState::missing, base::SignalState::lost, base::SignalState::stale, base::SignalState::valid}) {
+        result.record.own_ship.state = state;
+        const Json own = parsed(result)["own_ship"];
+        const bool held = state == base::SignalState::stale || state == base::SignalState::valid;
+        for (const char* key : {"lat_deg", "lon_deg", "alt_msl_m", "alt_ellipsoid_m"})
+            EXPECT_EQ(own[key].is_number(), held) << key << ' ' << own["state"];
+        EXPECT_TRUE(own["heading_deg"].is_number());
+    }
+}
+
 TEST(FrameRecordJson, NumbersReadBackToTheSameBits) {
     FrameResult result = test_support::frame_result(0, 3);
     for (const double value : {0.1, 1.0 / 3, 46.123456789012345, 1e-300, 123456789.123456789}) {

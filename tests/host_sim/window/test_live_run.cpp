@@ -63,7 +63,7 @@ struct Desk {
     }
     /// Ends the session; another display may then be opened.
     void finish() {
-        run->finish(false);
+        EXPECT_EQ(run->finish(false), 0);
         run.reset();
         player.reset();
         session.reset();

@@ -42,11 +42,12 @@ TEST(LiveWindow, RunsUntilItIsClosedAndLeavesAWholeRun) {
     ReplayOptions options = files.options("run");
     options.window = true;
     Voice voice;
-    run_live_window(options, voice.console, window_with([](ScriptedWindow& window) {
-                        window.press(Key::space);
-                        window.press('2');
-                        window.press(Key::escape);
-                    }));
+    const int code = run_live_window(options, voice.console, window_with([](ScriptedWindow& window) {
+                                         window.press(Key::space);
+                                         window.press('2');
+                                         window.press(Key::escape);
+                                     }));
+    EXPECT_EQ(code, 0);
     EXPECT_TRUE(std::filesystem::exists(options.output + "/window.switches"));
     EXPECT_TRUE(std::filesystem::exists(options.output + "/report.html"));
     EXPECT_EQ(test_support::frame_lines(options.output).size(), 1u);
@@ -60,11 +61,12 @@ TEST(LiveWindow, CtrlCLeavesAWholeRunToo) {
     ReplayOptions options = files.options("run");
     options.window = true;
     Voice voice;
-    run_live_window(options, voice.console, window_with([](ScriptedWindow& window) {
-                        window.press(Key::space);
-                        window.press('4');
-                        window.on_present = [] { raise(SIGINT); };
-                    }));
+    const int code = run_live_window(options, voice.console, window_with([](ScriptedWindow& window) {
+                                         window.press(Key::space);
+                                         window.press('4');
+                                         window.on_present = [] { raise(SIGINT); };
+                                     }));
+    EXPECT_EQ(code, kInterruptedExitCode);
     EXPECT_EQ(test_support::frame_lines(options.output).size(), 1u);
     EXPECT_EQ(test_support::summary_of(options.output).at("interrupted"), true);
     EXPECT_THAT(files.folder.read("run/window.switches"), ::testing::HasSubstr("panel.APPROACH 1"));
@@ -76,7 +78,7 @@ TEST(LiveWindow, WithoutAScreenIsOneSentenceAndNothingIsWritten) {
     options.window = true;
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}) unsetenv(variable);
     Voice voice;
-    test_support::expect_user_error([&] { run_live_window(options, voice.console); }, "window");
+    test_support::expect_user_error([&] { static_cast<void>(run_live_window(options, voice.console)); }, "window");
     EXPECT_FALSE(std::filesystem::exists(options.output));
 }
 
