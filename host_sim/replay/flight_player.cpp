@@ -265,7 +265,8 @@ std::vector<std::string> FlightPlayer::notes() const {
                         std::to_string(index_.reports.size()) + " are named");
     if (index_.other_lines > 0)
         notes.push_back(log_name_ + ": " + std::to_string(index_.other_lines) +
-                        " lines do not begin with '(' as those of candump do; they were passed over");
+                        (index_.other_lines == 1 ? " line does" : " lines do") +
+                        " not begin with '(' as candump's do, passed over");
     return notes;
 }
 
