@@ -16,9 +16,9 @@ struct FrameTiming {
 
 struct FrameResult {
     display::FrameRecord record;
-    std::uint64_t hash = 0;    ///< of the pixels, base::frame_hash
+    std::uint64_t hash = 0;  ///< of the pixels, base::frame_hash
     FrameTiming timing;
-    double latency_ms = 0;     ///< from the newest message in the picture to the frame's time, both on the source's clock
+    double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,

@@ -33,8 +33,12 @@ constexpr const char* kStyle =
 
 /// Colours of the scenarios in the phase bar; told apart by their names in the table as well.
 std::string phase_color(const std::string& phase) {
-    static constexpr std::array<std::pair<const char*, const char*>, 6> kColors = {{{"ground", "#888888"}, {"takeoff", "#d98c1f"}, {"cruise", "#3a78c2"},
-                                                                                     {"approach", "#3f9a5a"}, {"go_around", "#c23b4e"}, {"unknown", "#b9a7c9"}}};
+    static constexpr std::array<std::pair<const char*, const char*>, 6> kColors = {{{"ground", "#888888"},
+                                                                                    {"takeoff", "#d98c1f"},
+                                                                                    {"cruise", "#3a78c2"},
+                                                                                    {"approach", "#3f9a5a"},
+                                                                                    {"go_around", "#c23b4e"},
+                                                                                    {"unknown", "#b9a7c9"}}};
     for (const auto& [name, color] : kColors) {
         if (phase.rfind(name, 0) == 0) return color;
     }
@@ -43,7 +47,9 @@ std::string phase_color(const std::string& phase) {
 
 std::string cell(const std::string& text) { return "<td>" + escaped_html(text) + "</td>"; }
 std::string number_cell(const std::string& text) { return "<td class='n'>" + text + "</td>"; }
-std::string section(const std::string& title, const std::string& content) { return "<section><h2>" + title + "</h2>" + content + "</section>\n"; }
+std::string section(const std::string& title, const std::string& content) {
+    return "<section><h2>" + title + "</h2>" + content + "</section>\n";
+}
 std::string table(const std::string& head, const std::string& rows) {
     return "<div class='wide'><table><thead><tr>" + head + "</tr></thead><tbody>" + rows + "</tbody></table></div>";
 }
@@ -52,7 +58,8 @@ std::string summary_table(const RunSummary& s) {
     std::string rows;
     const auto row = [&](const char* name, const std::string& value, bool bad = false) {
         if (value.empty()) return;
-        rows += "<tr><th>" + std::string(name) + "</th><td" + (bad ? " class='bad'" : "") + ">" + escaped_html(value) + "</td></tr>";
+        rows +=
+            "<tr><th>" + std::string(name) + "</th><td" + (bad ? " class='bad'" : "") + ">" + escaped_html(value) + "</td></tr>";
     };
     row("log", s.log);
     row("terrain", s.terrain);
@@ -68,9 +75,11 @@ std::string summary_table(const RunSummary& s) {
     row("worst terrain error", decimal(s.worst_error_px, 3) + " px");
     row("heap allocations after start", std::to_string(s.heap_allocations_after_start), s.heap_allocations_after_start > 0);
     row("GL calls outside the device's list", std::to_string(s.gl_calls_outside_device), s.gl_calls_outside_device > 0);
-    row("bus frames", std::to_string(s.can.frames) + ": " + std::to_string(s.can.decoded) + " decoded, " + std::to_string(s.can.alien) + " alien, " +
-                          std::to_string(s.can.errors) + " errors, " + std::to_string(s.can.dropped) + " dropped");
-    row("lines of the log that are no frames", std::to_string(s.can.broken_lines) + " broken, " + std::to_string(s.can.other_lines) + " other", s.can.broken_lines > 0);
+    row("bus frames", std::to_string(s.can.frames) + ": " + std::to_string(s.can.decoded) + " decoded, " +
+                          std::to_string(s.can.alien) + " alien, " + std::to_string(s.can.errors) + " errors, " +
+                          std::to_string(s.can.dropped) + " dropped");
+    row("lines of the log that are no frames",
+        std::to_string(s.can.broken_lines) + " broken, " + std::to_string(s.can.other_lines) + " other", s.can.broken_lines > 0);
     return "<div class='wide'><table>" + rows + "</table></div>";
 }
 
@@ -83,8 +92,10 @@ std::string notes_list(const RunSummary& summary) {
 std::string strip(const RunStory& story) {
     std::string figures;
     for (const RunStory::Thumbnail& picture : story.thumbnails()) {
-        const std::string caption = "frame " + std::to_string(picture.frame) + ", " + decimal(picture.time_s, 1) + " s, " + picture.phase;
-        figures += "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(picture.png) + "'><figcaption>" + escaped_html(caption) + "</figcaption></figure>\n";
+        const std::string caption =
+            "frame " + std::to_string(picture.frame) + ", " + decimal(picture.time_s, 1) + " s, " + picture.phase;
+        figures += "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(picture.png) +
+                   "'><figcaption>" + escaped_html(caption) + "</figcaption></figure>\n";
     }
     return figures.empty() ? figures : section("Frames", "<div class='strip'>" + figures + "</div>");
 }
@@ -100,21 +111,29 @@ std::string charts(const RunStory& story) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     LineChart altitude{"Altitude and phase", "m", {}, {}, {}};
     altitude.times_s = curve_of(story, [](const auto& s) { return s.time_s; });
-    altitude.curves.push_back({"own ship", "#3a78c2", curve_of(story, [&](const auto& s) { return s.position_valid ? s.altitude_msl_m : kGap; })});
-    altitude.curves.push_back({"terrain", "#9a6b3f", curve_of(story, [&](const auto& s) { return s.position_valid && s.height_above_terrain_known ? s.altitude_msl_m - s.height_above_terrain_m : kGap; })});
-    for (const RunStory::PhaseSpan& span : story.phases()) altitude.spans.push_back({span.begin_s, span.end_s, span.phase + " (" + span.source + ")", phase_color(span.phase)});
+    altitude.curves.push_back(
+        {"own ship", "#3a78c2", curve_of(story, [&](const auto& s) { return s.position_valid ? s.altitude_msl_m : kGap; })});
+    altitude.curves.push_back({"terrain", "#9a6b3f", curve_of(story, [&](const auto& s) {
+                                   return s.position_valid && s.height_above_terrain_known
+                                              ? s.altitude_msl_m - s.height_above_terrain_m
+                                              : kGap;
+                               })});
+    for (const RunStory::PhaseSpan& span : story.phases())
+        altitude.spans.push_back({span.begin_s, span.end_s, span.phase + " (" + span.source + ")", phase_color(span.phase)});
     LineChart speed{"Ground speed", "m/s", altitude.times_s, {}, {}};
     speed.curves.push_back({"ground speed", "#3f9a5a", curve_of(story, [](const auto& s) { return s.ground_speed_mps; })});
     LineChart time{"Frame time", "ms", altitude.times_s, {}, {}};
     time.curves.push_back({"total", "#c23b4e", curve_of(story, [](const auto& s) { return s.total_ms; })});
-    return section("Over time", "<div class='charts'>" + line_chart_svg(altitude) + line_chart_svg(speed) + line_chart_svg(time) + "</div>");
+    return section("Over time",
+                   "<div class='charts'>" + line_chart_svg(altitude) + line_chart_svg(speed) + line_chart_svg(time) + "</div>");
 }
 
 std::string phase_table(const RunStory& story) {
     std::string rows;
     for (const RunStory::PhaseSpan& span : story.phases()) {
-        rows += "<tr><td><span class='key' style='background:" + phase_color(span.phase) + "'></span>" + escaped_html(span.phase) + "</td>" +
-                cell(span.source) + number_cell(decimal(span.begin_s, 1)) + number_cell(decimal(span.end_s, 1)) + "</tr>";
+        rows += "<tr><td><span class='key' style='background:" + phase_color(span.phase) + "'></span>" +
+                escaped_html(span.phase) + "</td>" + cell(span.source) + number_cell(decimal(span.begin_s, 1)) +
+                number_cell(decimal(span.end_s, 1)) + "</tr>";
     }
     return section("Phases", table("<th>phase</th><th>source</th><th>from s</th><th>to s</th>", rows));
 }
@@ -123,7 +142,8 @@ std::string flag_table(const RunStory& story) {
     if (story.flags().empty()) return section("Flags", "<p>None were raised.</p>");
     std::string rows;
     for (const auto& [name, span] : story.flags()) {
-        rows += "<tr>" + cell(name) + number_cell(decimal(span.first_s, 1)) + number_cell(decimal(span.last_s, 1)) + number_cell(std::to_string(span.frames)) + "</tr>";
+        rows += "<tr>" + cell(name) + number_cell(decimal(span.first_s, 1)) + number_cell(decimal(span.last_s, 1)) +
+                number_cell(std::to_string(span.frames)) + "</tr>";
     }
     return section("Flags", table("<th>flag</th><th>first s</th><th>last s</th><th>frames</th>", rows));
 }
@@ -131,28 +151,36 @@ std::string flag_table(const RunStory& story) {
 std::string memory_table(const base::BudgetTable& memory) {
     std::string rows;
     for (const base::BudgetLine& line : memory.lines()) {
-        rows += "<tr>" + cell(std::string(line.name.view())) + cell(line.kind == base::MemoryKind::cpu ? "cpu" : "gpu") + number_cell(std::to_string(line.bytes)) +
-                number_cell(std::to_string(line.use.high_water)) + number_cell(std::to_string(line.use.refused)) + cell(std::string(line.owner.view())) +
+        rows += "<tr>" + cell(std::string(line.name.view())) + cell(line.kind == base::MemoryKind::cpu ? "cpu" : "gpu") +
+                number_cell(std::to_string(line.bytes)) + number_cell(std::to_string(line.use.high_water)) +
+                number_cell(std::to_string(line.use.refused)) + cell(std::string(line.owner.view())) +
                 cell(std::string(line.reason.view())) + "</tr>";
     }
     for (const auto kind : {base::MemoryKind::cpu, base::MemoryKind::gpu}) {
-        rows += "<tr><th>total</th>" + cell(kind == base::MemoryKind::cpu ? "cpu" : "gpu") + number_cell(std::to_string(memory.total(kind))) +
-                number_cell(std::to_string(memory.in_use(kind))) + "<td></td><td></td><td>in use at the end</td></tr>";
+        rows += "<tr><th>total</th>" + cell(kind == base::MemoryKind::cpu ? "cpu" : "gpu") +
+                number_cell(std::to_string(memory.total(kind))) + number_cell(std::to_string(memory.in_use(kind))) +
+                "<td></td><td></td><td>in use at the end</td></tr>";
     }
-    return section("Memory", table("<th>name</th><th>kind</th><th>bytes</th><th>most used</th><th>refused</th><th>owner</th><th>reason</th>", rows));
+    return section(
+        "Memory",
+        table("<th>name</th><th>kind</th><th>bytes</th><th>most used</th><th>refused</th><th>owner</th><th>reason</th>", rows));
 }
 
 }  // namespace
 
 std::string html_report(const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory) {
-    return std::string("<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width,initial-scale=1'>"
-                       "<title>TEDAVIS run</title><style>") +
-           kStyle + "</style></head><body>\n<header><h1>TEDAVIS run: " + escaped_html(summary.log) + "</h1><p>Version " + version() +
-           ". A simulation; not certified for use in flight.</p></header>\n" + section("Summary", summary_table(summary)) + notes_list(summary) + strip(story) +
-           charts(story) + phase_table(story) + flag_table(story) + memory_table(memory) + "</body></html>\n";
+    return std::string(
+               "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
+               "content='width=device-width,initial-scale=1'>"
+               "<title>TEDAVIS run</title><style>") +
+           kStyle + "</style></head><body>\n<header><h1>TEDAVIS run: " + escaped_html(summary.log) + "</h1><p>Version " +
+           version() + ". A simulation; not certified for use in flight.</p></header>\n" +
+           section("Summary", summary_table(summary)) + notes_list(summary) + strip(story) + charts(story) + phase_table(story) +
+           flag_table(story) + memory_table(memory) + "</body></html>\n";
 }
 
-void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory) {
+void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story,
+                       const base::BudgetTable& memory) {
     write_file_atomically(folder + "/" + kSummaryName, run_summary_json(summary, memory));
     write_file_atomically(folder + "/" + kReportName, html_report(summary, story, memory));
 }

@@ -14,9 +14,14 @@ using Json = nlohmann::ordered_json;
 Json memory_json(const base::BudgetTable& memory) {
     Json lines = Json::array();
     for (const base::BudgetLine& line : memory.lines()) {
-        lines.push_back({{"name", std::string(line.name.view())}, {"owner", std::string(line.owner.view())},
-                         {"reason", std::string(line.reason.view())}, {"kind", line.kind == base::MemoryKind::cpu ? "cpu" : "gpu"},
-                         {"bytes", line.bytes}, {"in_use", line.use.in_use}, {"high_water", line.use.high_water}, {"refused", line.use.refused}});
+        lines.push_back({{"name", std::string(line.name.view())},
+                         {"owner", std::string(line.owner.view())},
+                         {"reason", std::string(line.reason.view())},
+                         {"kind", line.kind == base::MemoryKind::cpu ? "cpu" : "gpu"},
+                         {"bytes", line.bytes},
+                         {"in_use", line.use.in_use},
+                         {"high_water", line.use.high_water},
+                         {"refused", line.use.refused}});
     }
     return lines;
 }
@@ -50,9 +55,10 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["costs"] = summary.costs;
     json["gl"] = summary.gl;
     json["version"] = version();
-    json["can"] = {{"frames", summary.can.frames}, {"decoded", summary.can.decoded}, {"alien", summary.can.alien},
-                   {"errors", summary.can.errors}, {"dropped", summary.can.dropped},
-                   {"broken_lines", summary.can.broken_lines}, {"other_lines", summary.can.other_lines}};
+    json["can"] = {
+        {"frames", summary.can.frames},          {"decoded", summary.can.decoded}, {"alien", summary.can.alien},
+        {"errors", summary.can.errors},          {"dropped", summary.can.dropped}, {"broken_lines", summary.can.broken_lines},
+        {"other_lines", summary.can.other_lines}};
     json["interrupted"] = summary.interrupted;
     json["notes"] = summary.notes;
     json["memory"] = memory_json(memory);
