@@ -39,7 +39,7 @@ MapPoint map_point(const RasterSource& source, double column, double row) {
 
 /// What one pixel covers at the middle, in degrees; the hypotenuse makes it independent of how the grid is turned.
 void measure_steps(const RasterSource& source, OGRCoordinateTransformation& to_wgs84, Extent& extent) {
-    const double column = source.dataset->GetRasterXSize() / 2, row = source.dataset->GetRasterYSize() / 2;
+    const double column = source.dataset->GetRasterXSize() * 0.5, row = source.dataset->GetRasterYSize() * 0.5;
     MapPoint here = map_point(source, column, row), east = map_point(source, column + 1, row),
              south = map_point(source, column, row + 1);
     for (MapPoint* point : {&here, &east, &south})
@@ -175,7 +175,7 @@ void warp_into(GDALDataset& target, GDALDataset& copy, const RasterSource& sourc
     GDALDatasetH handle = GDALDataset::ToHandle(&copy);
     int usage_error = 0;
     CPLErrorReset();
-    const GDALDatasetH warped = GDALWarp(nullptr, GDALDataset::ToHandle(&target), 1, &handle, options, &usage_error);
+    GDALDatasetH warped = GDALWarp(nullptr, GDALDataset::ToHandle(&target), 1, &handle, options, &usage_error);
     GDALWarpAppOptionsFree(options);
     if (warped == nullptr) refuse(source);
 }

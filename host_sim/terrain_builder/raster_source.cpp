@@ -32,7 +32,7 @@ std::string inside_zip(const std::string& file) {
     const std::string archive = "/vsizip/" + file;
     const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
     for (int n = 0; n < names.Count(); ++n) {
-        const std::string candidate = archive + "/" + names[n];
+        std::string candidate = archive + "/" + names[n];
         if (GdalDataset(GDALDataset::Open(candidate.c_str(), GDAL_OF_RASTER)) != nullptr) return candidate;
     }
     throw UserError(file + ": no raster inside this archive; unpack it and name the height file");

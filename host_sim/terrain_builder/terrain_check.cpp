@@ -84,7 +84,7 @@ private:
     [[nodiscard]] bool same_description() const {
         ChunkEntry a = stated_, b = expected_;
         a.offset = b.offset = 0;
-        return std::memcmp(&a, &b, sizeof a) == 0;
+        return std::memcmp(&a, &b, sizeof a) == 0;  // the bytes count. NOLINT(bugprone-suspicious-memory-comparison)
     }
 
     template <class T>
@@ -128,7 +128,7 @@ bool same_header(FileHeader stated, FileHeader expected) {
         std::memset(h->source, 0, sizeof h->source);
         std::memset(h->vertical_datum, 0, sizeof h->vertical_datum);
     }
-    return std::memcmp(&stated, &expected, sizeof stated) == 0;
+    return std::memcmp(&stated, &expected, sizeof stated) == 0;  // the bytes count. NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 bool same_undulation(const std::vector<std::uint8_t>& file, const FileHeader& stated, const std::vector<std::uint8_t>& fresh,
