@@ -22,6 +22,7 @@
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/number_list.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/version.hpp"
 #include "host_sim/window/window_keys.hpp"
@@ -91,26 +92,20 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 }
 
 PictureSize size_from(const std::string& text) {
-    PictureSize size;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%ux%u%c", &size.width, &size.height, &rest) != 2 || size.width < 16 || size.height < 16 ||
-        size.width > 16384 || size.height > 16384) {
+    const std::vector<double> n = parse_number_list(text, 'x');
+    const auto is_edge = [](double pixels) { return pixels >= 16 && pixels <= 16384 && pixels == std::floor(pixels); };
+    if (n.size() != 2 || !is_edge(n[0]) || !is_edge(n[1]))
         throw UserError("--size " + text + ": not WIDTHxHEIGHT of 16..16384 pixels, such as 1024x768");
-    }
-    return size;
+    return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
 }
 
 ShotPose pose_from(const std::string& text) {
-    ShotPose pose;
-    char rest = 0;
-    const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%c", &pose.latitude_deg, &pose.longitude_deg,
-                                 &pose.altitude_msl_m, &pose.heading_deg, &pose.pitch_deg, &pose.roll_deg, &rest);
-    // Written so that NaN is refused as well.
-    const bool sane = read == 6 && std::abs(pose.latitude_deg) <= 90 && std::abs(pose.longitude_deg) <= 360 &&
-                      std::abs(pose.altitude_msl_m) <= 100'000 && std::abs(pose.heading_deg) <= 360 &&
-                      std::abs(pose.pitch_deg) <= 90 && std::abs(pose.roll_deg) <= 180;
+    constexpr double kLimits[] = {90, 360, 100'000, 360, 90, 180};
+    const std::vector<double> n = parse_number_list(text, ',');
+    bool sane = n.size() == std::size(kLimits);
+    for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
     if (!sane) throw UserError("--pose " + text + ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level");
-    return pose;
+    return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 
 std::string phase_from(const std::string& name) {

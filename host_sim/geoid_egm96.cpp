@@ -29,7 +29,9 @@ T read_big_endian(const std::string& bytes, std::size_t offset) {
 
 GeoidEgm96::GeoidEgm96(const std::string& path) {
     const std::string bytes = read_file(path);
-    const auto refuse = [&](const std::string& what) { throw UserError(path + ": " + what + "; reinstall the package proj-data"); };
+    const auto refuse = [&](const std::string& what) {
+        throw UserError(path + ": " + what + "; reinstall the package proj-data");
+    };
     if (bytes.size() < kHeaderBytes) refuse("too short for a geoid grid");
     south_deg_ = read_big_endian<double, std::uint64_t>(bytes, 0);
     west_deg_ = read_big_endian<double, std::uint64_t>(bytes, 8);
@@ -38,10 +40,12 @@ GeoidEgm96::GeoidEgm96(const std::string& path) {
     rows_ = read_big_endian<std::int32_t, std::uint32_t>(bytes, 32);
     columns_ = read_big_endian<std::int32_t, std::uint32_t>(bytes, 36);
     const bool sane = rows_ > 1 && columns_ > 1 && rows_ < 100'000 && columns_ < 100'000 && south_deg_ == -90.0 &&
-                      std::abs((rows_ - 1) * latitude_step_deg_ - 180.0) < 1e-6 && std::abs(columns_ * longitude_step_deg_ - 360.0) < 1e-6;
+                      std::abs((rows_ - 1) * latitude_step_deg_ - 180.0) < 1e-6 &&
+                      std::abs(columns_ * longitude_step_deg_ - 360.0) < 1e-6;
     if (!sane) refuse("not a global geoid grid");
     const std::size_t count = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_);
-    if (bytes.size() != kHeaderBytes + 4 * count) refuse("its size does not fit its header (" + std::to_string(bytes.size()) + " bytes)");
+    if (bytes.size() != kHeaderBytes + 4 * count)
+        refuse("its size does not fit its header (" + std::to_string(bytes.size()) + " bytes)");
     heights_m_.resize(count);
     for (std::size_t i = 0; i < count; ++i) heights_m_[i] = read_big_endian<float, std::uint32_t>(bytes, kHeaderBytes + 4 * i);
 }
@@ -62,11 +66,13 @@ GeoidEgm96 GeoidEgm96::installed() {
 
 double GeoidEgm96::node(int row, int column) const {
     const int wrapped = ((column % columns_) + columns_) % columns_;
-    return static_cast<double>(heights_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(wrapped)]);
+    return static_cast<double>(
+        heights_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(wrapped)]);
 }
 
 earth::GeoidUndulation GeoidEgm96::undulation(double latitude_rad, double longitude_rad) const {
-    const double y = std::clamp((base::degrees(latitude_rad) - south_deg_) / latitude_step_deg_, 0.0, static_cast<double>(rows_ - 1));
+    const double y =
+        std::clamp((base::degrees(latitude_rad) - south_deg_) / latitude_step_deg_, 0.0, static_cast<double>(rows_ - 1));
     const double x = (base::degrees(earth::wrap_longitude(longitude_rad)) - west_deg_) / longitude_step_deg_;
     const int row = std::min(static_cast<int>(y), rows_ - 2);
     const int column = static_cast<int>(std::floor(x));

@@ -24,7 +24,9 @@ void nothing_to_flush(png_structp) {}
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-[[noreturn]] void stop_encoding(png_structp, png_const_charp message) { throw std::runtime_error(std::string("PNG encoder: ") + message); }
+[[noreturn]] void stop_encoding(png_structp, png_const_charp message) {
+    throw std::runtime_error(std::string("PNG encoder: ") + message);
+}
 
 struct Writer {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, stop_encoding, ignore_warning);
@@ -47,7 +49,8 @@ std::string encode_png(const RgbaView& view) {
     png_set_write_fn(writer.png, &bytes, append_bytes, nothing_to_flush);
     png_set_compression_level(writer.png, kCompression);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(writer.png, writer.info, view.width, view.height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(writer.png, writer.info, view.width, view.height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(writer.png, writer.info);
     for (std::uint32_t y = 0; y < view.height; ++y) png_write_row(writer.png, view.row(y));
     png_write_end(writer.png, writer.info);
@@ -59,9 +62,12 @@ void write_png(const std::string& path, const RgbaView& view) { write_file_atomi
 RgbaPicture read_png(const std::string& path) {
     const std::string bytes = read_file(path);
     Reader reader;
-    const auto refuse = [&]() -> UserError { return UserError(path + ": not a sound PNG picture (" + reader.image.message + "); write it again"); };
+    const auto refuse = [&]() -> UserError {
+        return UserError(path + ": not a sound PNG picture (" + reader.image.message + "); write it again");
+    };
     if (png_image_begin_read_from_memory(&reader.image, bytes.data(), bytes.size()) == 0) throw refuse();
-    if (reader.image.width > kMostPixelsASide || reader.image.height > kMostPixelsASide) throw UserError(path + ": larger than 32768 pixels a side; scale it down");
+    if (reader.image.width > kMostPixelsASide || reader.image.height > kMostPixelsASide)
+        throw UserError(path + ": larger than 32768 pixels a side; scale it down");
     reader.image.format = PNG_FORMAT_RGBA;
     RgbaPicture picture{reader.image.width, reader.image.height, {}};
     picture.pixels.resize(PNG_IMAGE_SIZE(reader.image));

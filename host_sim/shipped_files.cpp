@@ -35,7 +35,8 @@ std::string resolve_config(const std::string& name_or_path, const std::string& f
     const std::string shipped = shipped_folder + "/" + name_or_path + ".toml";
     if (bare && std::filesystem::is_regular_file(shipped)) return shipped;
     if (std::filesystem::is_regular_file(name_or_path)) return name_or_path;
-    throw UserError(name_or_path + ": no such file and no shipped one of " + folder + "; shipped are: " + shipped_names(shipped_folder));
+    throw UserError(name_or_path + ": no such file and no shipped one of " + folder +
+                    "; shipped are: " + shipped_names(shipped_folder));
 }
 
 }  // namespace tedavis::host_sim

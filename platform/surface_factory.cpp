@@ -5,7 +5,8 @@
 
 namespace tedavis::platform {
 
-base::Result<std::unique_ptr<base::Surface>, PlatformError> make_surface(std::string_view backend, const SurfaceSettings& settings) {
+base::Result<std::unique_ptr<base::Surface>, PlatformError> make_surface(std::string_view backend,
+                                                                         const SurfaceSettings& settings) {
     if (!size_is_possible(settings))
         return base::fail(make_platform_error("the picture's edges must be 16 to 16384 pixels; give such a --size"));
     if (backend == "egl") return make_egl_headless_surface(settings);

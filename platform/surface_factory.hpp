@@ -14,6 +14,6 @@ namespace tedavis::platform {
 /// `backend` is "egl" or "osmesa". The surface is not current yet; one surface at a time is current on a thread. An unknown
 /// name, an impossible size and a machine without the backend are refused in one sentence. Start-up only (allocates).
 [[nodiscard]] base::Result<std::unique_ptr<base::Surface>, PlatformError> make_surface(std::string_view backend,
-                                                                                     const SurfaceSettings& settings);
+                                                                                       const SurfaceSettings& settings);
 
 }  // namespace tedavis::platform

@@ -119,12 +119,12 @@ check_layout() {
     }
 }
 
-# check_tidy FULL: the changed sources that the host build compiles, at most 30 unless FULL is true.
+# check_tidy FULL: the changed sources that the host build compiles, at most 12 unless FULL is true.
 check_tidy() {
     local files
     mapfile -t files < <(changed_sources "$1" | grep '\.cpp$' | grep -xF -f <(compiled_sources))
     local all=${#files[@]}
-    if [ "$1" != true ]; then files=("${files[@]:0:30}"); fi
+    if [ "$1" != true ]; then files=("${files[@]:0:12}"); fi
     echo "remark: ${#files[@]} of $all changed sources"
     [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" timeout 300 clang-tidy -p build/host --quiet
 }

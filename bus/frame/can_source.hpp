@@ -12,9 +12,9 @@ enum class SourceHealth : std::uint8_t { running, idle, link_down, bus_off, ende
 
 struct SourceStatistics {
     std::uint64_t frames = 0;
-    std::uint64_t malformed = 0;   ///< lines or records that are not frames
+    std::uint64_t malformed = 0;  ///< lines or records that are not frames
     std::uint64_t error_frames = 0;
-    std::uint64_t dropped = 0;     ///< frames that kernel or recorder reports as lost
+    std::uint64_t dropped = 0;  ///< frames that kernel or recorder reports as lost
     std::uint64_t reopened = 0;
 };
 

@@ -4,7 +4,8 @@
 
 namespace tedavis::host_sim {
 
-FrameRecordWriter::FrameRecordWriter(const std::string& folder, base::Time origin) : file_(folder + "/" + kFrameRecordsName), origin_(origin) {}
+FrameRecordWriter::FrameRecordWriter(const std::string& folder, base::Time origin)
+    : file_(folder + "/" + kFrameRecordsName), origin_(origin) {}
 
 void FrameRecordWriter::write(const FrameResult& result) {
     file_.stream() << frame_record_json(result, origin_) << '\n';

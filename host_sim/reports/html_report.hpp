@@ -13,6 +13,7 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string html_report(const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory);
 
 /// Writes summary.json and report.html into the folder, each whole or not at all.
-void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory);
+void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story,
+                       const base::BudgetTable& memory);
 
 }  // namespace tedavis::host_sim

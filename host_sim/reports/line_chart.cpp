@@ -42,7 +42,8 @@ Scale vertical_scale(const LineChart& chart) {
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-    return "<text x='" + decimal(x, 1) + "' y='" + decimal(y, 1) + "' text-anchor='" + anchor + "'>" + escaped_html(text) + "</text>";
+    return "<text x='" + decimal(x, 1) + "' y='" + decimal(y, 1) + "' text-anchor='" + anchor + "'>" + escaped_html(text) +
+           "</text>";
 }
 
 std::string grid(const Scale& x, const Scale& y) {
@@ -51,7 +52,8 @@ std::string grid(const Scale& x, const Scale& y) {
     const int y_count = static_cast<int>(std::lround((y.high - y.low) / y_step));
     for (int i = 0; i <= y_count; ++i) {
         const double value = y.low + i * y_step, place = y.at(value);
-        svg += "<line class='grid' x1='" + decimal(kLeft, 1) + "' x2='" + decimal(kWidth - kRight, 1) + "' y1='" + decimal(place, 1) + "' y2='" + decimal(place, 1) + "'/>";
+        svg += "<line class='grid' x1='" + decimal(kLeft, 1) + "' x2='" + decimal(kWidth - kRight, 1) + "' y1='" +
+               decimal(place, 1) + "' y2='" + decimal(place, 1) + "'/>";
         svg += text_at(kLeft - 4, place + 4, "end", decimal(value, y_step < 1 ? 2 : 0));
     }
     for (double value = std::ceil(x.low / x_step) * x_step; value <= x.high; value += x_step) {
@@ -102,19 +104,21 @@ std::string line_chart_svg(const LineChart& chart) {
     for (const double t : chart.times_s) begin = std::min(begin, t), end = std::max(end, t);  // a reversed run counts down
     const Scale x{begin, std::max(end, begin + 1e-3), kLeft, kWidth - kRight};
     const Scale y = vertical_scale(chart);
-    std::string svg = "<svg class='chart' viewBox='0 0 " + decimal(kWidth, 0) + " " + decimal(kHeight, 0) + "' role='img' aria-label='" + escaped_html(chart.title) + "'>";
+    std::string svg = "<svg class='chart' viewBox='0 0 " + decimal(kWidth, 0) + " " + decimal(kHeight, 0) +
+                      "' role='img' aria-label='" + escaped_html(chart.title) + "'>";
     svg += text_at(kLeft, 14, "start", chart.title + " [" + chart.unit + "]");
     double legend = kWidth - kRight;
     for (auto curve = chart.curves.rbegin(); chart.curves.size() > 1 && curve != chart.curves.rend(); ++curve) {
-        svg += "<text x='" + decimal(legend, 1) + "' y='14' text-anchor='end' style='fill:" + curve->color + "'>" + escaped_html(curve->name) + "</text>";
+        svg += "<text x='" + decimal(legend, 1) + "' y='14' text-anchor='end' style='fill:" + curve->color + "'>" +
+               escaped_html(curve->name) + "</text>";
         legend -= 6.5 * static_cast<double>(curve->name.size()) + 10;
     }
     svg += grid(x, y);
     for (const ChartSpan& span : chart.spans) {
         const double left = x.at(std::min(span.begin, span.end)), right = x.at(std::max(span.begin, span.end));
         svg += "<rect x='" + decimal(left, 1) + "' y='" + decimal(kHeight - kBottom - kSpanHeight + 3, 1) + "' width='" +
-               decimal(std::max(right - left, 0.5), 1) + "' height='" + decimal(kSpanHeight - 4, 1) + "' fill='" + span.color + "'><title>" +
-               escaped_html(span.label) + "</title></rect>";
+               decimal(std::max(right - left, 0.5), 1) + "' height='" + decimal(kSpanHeight - 4, 1) + "' fill='" + span.color +
+               "'><title>" + escaped_html(span.label) + "</title></rect>";
     }
     for (const ChartCurve& curve : chart.curves) svg += curve_path(chart, curve, x, y);
     return svg + "</svg>";

@@ -16,17 +16,17 @@ struct RecordDifference {
 struct PixelDifference {
     std::uint64_t count = 0;
     std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  ///< both edges included
-    std::uint32_t largest = 0;  ///< of any channel, 1..255
-    std::string note;           ///< why no pixels could be compared, else empty
+    std::uint32_t largest = 0;                               ///< of any channel, 1..255
+    std::string note;                                        ///< why no pixels could be compared, else empty
 };
 
 struct RunDifference {
     std::uint64_t frame = 0;
     double time_s = 0;
-    std::uint64_t line = 0;                  ///< of frames.jsonl, from 1
-    std::vector<RecordDifference> entries;   ///< empty when one run simply has more frames
+    std::uint64_t line = 0;                 ///< of frames.jsonl, from 1
+    std::vector<RecordDifference> entries;  ///< empty when one run simply has more frames
     bool a_ended = false, b_ended = false;
-    std::optional<PixelDifference> pixels;   ///< when the hashes differ
+    std::optional<PixelDifference> pixels;  ///< when the hashes differ
 };
 
 /// Compares line by line; `ms` is ignored. Nothing when all is the same. Throws UserError for a folder without sound

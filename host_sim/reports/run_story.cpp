@@ -56,7 +56,8 @@ void RunStory::add_phase(const display::FrameRecord& record, double time_s) {
 
 void RunStory::add_picture(const FrameResult& result, const RgbaView& view) {
     const double time_s = (result.record.time - origin_).to_seconds();
-    thumbnails_.push_back({result.record.frame, time_s, phase_text(result.record), encode_png(view_of(shrunk(view, kThumbnailWidth)))});
+    thumbnails_.push_back(
+        {result.record.frame, time_s, phase_text(result.record), encode_png(view_of(shrunk(view, kThumbnailWidth)))});
     if (thumbnails_.size() < kMostThumbnails) return;
     halve(thumbnails_);
     picture_stride_ *= 2;

@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kTurnGain_per_s = 0.5;         // turn rate for one radian of track error
+constexpr double kTurnGain_per_s = 0.5;  // turn rate for one radian of track error
 constexpr double kAltitudeGain_per_s = 0.25;
 constexpr double kSpeedGain_per_s = 0.4;
 constexpr double kGlideGain_per_s = 0.35;
@@ -17,16 +17,16 @@ constexpr double kBankBandwidth = 2.5, kClimbBandwidth = 1.2, kPitchBandwidth = 
 constexpr double kLargestVerticalAcceleration_mps2 = 5.0;
 constexpr double kLargestPitchRate_radps = 0.2;
 constexpr double kLargestJerk_mps3 = 2.0;
-constexpr double kWindFullAbove_m = 80.0;       // free wind from this height above the strip
-constexpr double kCentreLineLead_m = 350.0;     // distance ahead at which the centre line is aimed at
-constexpr double kAimBeyondThreshold_m = 200.0; // touchdown zone
+constexpr double kWindFullAbove_m = 80.0;        // free wind from this height above the strip
+constexpr double kCentreLineLead_m = 350.0;      // distance ahead at which the centre line is aimed at
+constexpr double kAimBeyondThreshold_m = 200.0;  // touchdown zone
 constexpr double kFlareBelow_m = 14.0;
 constexpr double kTouchdownSink_mps = 0.7;
 constexpr double kFlareTime_s = 3.5;
 constexpr double kReferenceSpeed_mps = 60.0;
 constexpr double kReferenceAttack_rad = base::radians(4.0);
 constexpr double kLargestAttack_rad = base::radians(9.0);
-constexpr double kRollEndsBefore_m = 60.0;      // start of the take-off roll from the strip's end
+constexpr double kRollEndsBefore_m = 60.0;  // start of the take-off roll from the strip's end
 constexpr double kLevelledOff_m = 4.0;
 
 double smooth_step(double x) {
@@ -45,8 +45,11 @@ LegPilot::LegPilot(const Scenario& scenario, const FlownAir& air)
       thrust_(0, kThrustBandwidth, kLargestJerk_mps3) {
     const LandingStrip& strip = scenario.strip;
     const double back_m = strip.length_m / 2 - kRollEndsBefore_m;
-    state_.latitude_rad = strip.latitude_rad - back_m * std::cos(strip.heading_rad) / earth::meridian_radius_m(strip.latitude_rad);
-    state_.longitude_rad = strip.longitude_rad - back_m * std::sin(strip.heading_rad) / (earth::prime_vertical_radius_m(strip.latitude_rad) * std::cos(strip.latitude_rad));
+    state_.latitude_rad =
+        strip.latitude_rad - back_m * std::cos(strip.heading_rad) / earth::meridian_radius_m(strip.latitude_rad);
+    state_.longitude_rad =
+        strip.longitude_rad - back_m * std::sin(strip.heading_rad) /
+                                  (earth::prime_vertical_radius_m(strip.latitude_rad) * std::cos(strip.latitude_rad));
     state_.altitude_msl_m = strip.elevation_msl_m + scenario.aircraft.antenna_height_m;
     state_.heading_rad = strip.heading_rad;
 }
@@ -116,19 +119,23 @@ void LegPilot::move() {
     state_.pitch_rad = pitch_.value();
     const double height = state_.altitude_msl_m;
     state_.latitude_rad += state_.north_mps * kScenarioStep_s / (earth::meridian_radius_m(state_.latitude_rad) + height);
-    state_.longitude_rad += state_.east_mps * kScenarioStep_s / ((earth::prime_vertical_radius_m(state_.latitude_rad) + height) * std::cos(state_.latitude_rad));
+    state_.longitude_rad += state_.east_mps * kScenarioStep_s /
+                            ((earth::prime_vertical_radius_m(state_.latitude_rad) + height) * std::cos(state_.latitude_rad));
     state_.altitude_msl_m += state_.up_mps * kScenarioStep_s;
 }
 
 LegPilot::StripCoordinates LegPilot::on_strip() const {
     const LandingStrip& strip = scenario_.strip;
     const double north = (state_.latitude_rad - strip.latitude_rad) * earth::meridian_radius_m(strip.latitude_rad);
-    const double east = earth::angle_difference(state_.longitude_rad, strip.longitude_rad) * earth::prime_vertical_radius_m(strip.latitude_rad) * std::cos(strip.latitude_rad);
+    const double east = earth::angle_difference(state_.longitude_rad, strip.longitude_rad) *
+                        earth::prime_vertical_radius_m(strip.latitude_rad) * std::cos(strip.latitude_rad);
     const double c = std::cos(strip.heading_rad), s = std::sin(strip.heading_rad);
     return {north * c + east * s, east * c - north * s};
 }
 
-double LegPilot::wheels_above_strip_m() const { return state_.altitude_msl_m - scenario_.aircraft.antenna_height_m - scenario_.strip.elevation_msl_m; }
+double LegPilot::wheels_above_strip_m() const {
+    return state_.altitude_msl_m - scenario_.aircraft.antenna_height_m - scenario_.strip.elevation_msl_m;
+}
 
 double LegPilot::track_rad() const { return std::atan2(state_.east_mps, state_.north_mps); }
 
@@ -136,7 +143,8 @@ double LegPilot::course(const Leg& leg) const {
     if (leg.kind == LegKind::hold) return leg.heading_rad;
     if (leg.kind == LegKind::fly_to) {
         const double north = (leg.latitude_rad - state_.latitude_rad) * earth::meridian_radius_m(leg.latitude_rad);
-        const double east = earth::angle_difference(leg.longitude_rad, state_.longitude_rad) * earth::prime_vertical_radius_m(leg.latitude_rad) * std::cos(leg.latitude_rad);
+        const double east = earth::angle_difference(leg.longitude_rad, state_.longitude_rad) *
+                            earth::prime_vertical_radius_m(leg.latitude_rad) * std::cos(leg.latitude_rad);
         return std::atan2(east, north);
     }
     return scenario_.strip.heading_rad - std::atan2(on_strip().right_m, kCentreLineLead_m);
@@ -164,9 +172,12 @@ bool LegPilot::ended(const Leg& leg) const {
     switch (leg.kind) {
         case LegKind::stand: return leg_time_s_ >= leg.duration_s;
         case LegKind::roll: return state_.airspeed_mps >= leg.speed_mps;
-        case LegKind::hold: return std::abs(leg.altitude_msl_m - state_.altitude_msl_m) < kLevelledOff_m || (leg.duration_s > 0 && leg_time_s_ >= leg.duration_s);
+        case LegKind::hold:
+            return std::abs(leg.altitude_msl_m - state_.altitude_msl_m) < kLevelledOff_m ||
+                   (leg.duration_s > 0 && leg_time_s_ >= leg.duration_s);
         case LegKind::fly_to: {
-            const double distance = earth::surface_distance_m({state_.latitude_rad, state_.longitude_rad, {}}, {leg.latitude_rad, leg.longitude_rad, {}});
+            const double distance = earth::surface_distance_m({state_.latitude_rad, state_.longitude_rad, {}},
+                                                              {leg.latitude_rad, leg.longitude_rad, {}});
             return distance <= leg.capture_m;
         }
         case LegKind::final_leg: return wheels_above_strip_m() <= leg.until_height_m;

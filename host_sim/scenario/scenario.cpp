@@ -18,8 +18,12 @@ constexpr std::array<std::string_view, 6> kKinds = {"stand", "roll", "hold", "fl
 constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switches"};
 constexpr std::size_t kMostLegs = 256;
 
-double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) { return radians(section.number(key, low_deg, high_deg)); }
-double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) { return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa); }
+double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) {
+    return radians(section.number(key, low_deg, high_deg));
+}
+double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
+    return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa);
+}
 
 LandingStrip read_strip(ConfigSection section) {
     LandingStrip strip;

@@ -40,12 +40,12 @@ struct AircraftLimits {
 };
 
 enum class LegKind : std::uint8_t {
-    stand,     ///< on the ground, not moving
-    roll,      ///< along the strip until its speed is reached, then off
-    hold,      ///< a heading, climbing or descending to an altitude; ends at the altitude or after a time
-    fly_to,    ///< a point; ends within `capture_m` of it, or when it lies behind
-    final_leg, ///< the strip's extended centre line and glide path, down to a height above the strip
-    land,      ///< glide path, flare, touchdown, braking to a stop
+    stand,      ///< on the ground, not moving
+    roll,       ///< along the strip until its speed is reached, then off
+    hold,       ///< a heading, climbing or descending to an altitude; ends at the altitude or after a time
+    fly_to,     ///< a point; ends within `capture_m` of it, or when it lies behind
+    final_leg,  ///< the strip's extended centre line and glide path, down to a height above the strip
+    land,       ///< glide path, flare, touchdown, braking to a stop
 };
 
 /// Who tells the display about the phase of a leg.
@@ -55,15 +55,15 @@ struct Leg {
     LegKind kind = LegKind::stand;
     flight::FlightPhase phase;
     PhaseStatedBy stated_by = PhaseStatedBy::nobody;
-    double speed_mps = 0;            ///< true airspeed to reach
-    double altitude_msl_m = 0;       ///< hold, fly_to
-    double climb_mps = 0;            ///< largest vertical speed either way
-    double heading_rad = 0;          ///< hold
+    double speed_mps = 0;                                       ///< true airspeed to reach
+    double altitude_msl_m = 0;                                  ///< hold, fly_to
+    double climb_mps = 0;                                       ///< largest vertical speed either way
+    double heading_rad = 0;                                     ///< hold
     double latitude_rad = 0, longitude_rad = 0, capture_m = 0;  ///< fly_to
-    double duration_s = 0;           ///< stand; hold: at most, 0 for no limit
-    double acceleration_mps2 = 0;    ///< roll, and braking of land
-    double glide_rad = 0;            ///< final_leg, land
-    double until_height_m = 0;       ///< final_leg: of the wheels above the strip
+    double duration_s = 0;                                      ///< stand; hold: at most, 0 for no limit
+    double acceleration_mps2 = 0;                               ///< roll, and braking of land
+    double glide_rad = 0;                                       ///< final_leg, land
+    double until_height_m = 0;                                  ///< final_leg: of the wheels above the strip
 };
 
 struct Scenario {

@@ -17,19 +17,20 @@ using flight::Signal;
 constexpr double kLongestLeg_s = 900;
 constexpr double kStepsPerSecond = 100;  // divides exactly where a multiple of 0.01 would not
 constexpr int kWaves = 6;
-constexpr double kRollAmplitude_rad = base::radians(1.2);   // sum of all waves at turbulence 1
+constexpr double kRollAmplitude_rad = base::radians(1.2);  // sum of all waves at turbulence 1
 constexpr double kPitchAmplitude_rad = base::radians(0.5);
 constexpr double kSlowestWave_radps = 0.8, kFastestWave_radps = 5.0;
-constexpr double kGasConstant = 287.05287;                  // of air, J/(kg K)
-constexpr double kSeaLevelDensity = 1.225;                  // kg/m^3
+constexpr double kGasConstant = 287.05287;                        // of air, J/(kg K)
+constexpr double kSeaLevelDensity = 1.225;                        // kg/m^3
 constexpr double kGnssHorizontal_m = 3.0, kGnssVertical_m = 5.0;  // figures of merit of a good receiver
-constexpr double kRateStep_s = 0.02;                        // of the differences that give body rates
+constexpr double kRateStep_s = 0.02;                              // of the differences that give body rates
 
 double mix(double a, double b, double share) { return a + (b - a) * share; }
 
 }  // namespace
 
-ScenarioFlight::ScenarioFlight(const Scenario& scenario, std::uint64_t seed, const GeoidEgm96& geoid) : scenario_(scenario), geoid_(geoid) {
+ScenarioFlight::ScenarioFlight(const Scenario& scenario, std::uint64_t seed, const GeoidEgm96& geoid)
+    : scenario_(scenario), geoid_(geoid) {
     draw_random(seed);
     LegPilot pilot(scenario_, air_);
     states_.push_back(pilot.state());
@@ -42,7 +43,8 @@ ScenarioFlight::ScenarioFlight(const Scenario& scenario, std::uint64_t seed, con
             ended = pilot.step(leg);
             states_.push_back(pilot.state());
             if (!ended && states_.size() > limit) {
-                throw UserError("scenario " + scenario_.name + ": leg " + std::to_string(i + 1) + " does not end within 15 minutes; check its target and limits");
+                throw UserError("scenario " + scenario_.name + ": leg " + std::to_string(i + 1) +
+                                " does not end within 15 minutes; check its target and limits");
             }
         }
         legs_.push_back({begin_s, static_cast<double>(states_.size() - 1) / kStepsPerSecond});
@@ -79,7 +81,9 @@ void ScenarioFlight::add_turbulence() {
     }
 }
 
-base::Time ScenarioFlight::end() const { return scenario_.start + base::Duration::from_seconds(static_cast<double>(states_.size() - 1) * kScenarioStep_s); }
+base::Time ScenarioFlight::end() const {
+    return scenario_.start + base::Duration::from_seconds(static_cast<double>(states_.size() - 1) * kScenarioStep_s);
+}
 
 ScenarioFlight::State ScenarioFlight::state_at(double time_s) const {
     const double place = std::clamp(time_s / kScenarioStep_s, 0.0, static_cast<double>(states_.size() - 1));
@@ -87,8 +91,9 @@ ScenarioFlight::State ScenarioFlight::state_at(double time_s) const {
     const State &a = states_[i], &b = states_[i + 1];
     const double share = place - static_cast<double>(i);
     State state;
-    for (double State::*member : {&State::latitude_rad, &State::longitude_rad, &State::altitude_msl_m, &State::north_mps, &State::east_mps, &State::up_mps,
-                                  &State::airspeed_mps, &State::heading_rad, &State::pitch_rad, &State::roll_rad, &State::wind_share}) {
+    for (double State::*member :
+         {&State::latitude_rad, &State::longitude_rad, &State::altitude_msl_m, &State::north_mps, &State::east_mps,
+          &State::up_mps, &State::airspeed_mps, &State::heading_rad, &State::pitch_rad, &State::roll_rad, &State::wind_share}) {
         state.*member = mix(a.*member, b.*member, share);
     }
     return state;
@@ -125,10 +130,13 @@ void ScenarioFlight::add_air_data(const State& state, SignalSample& sample) cons
     sample[Signal::baro_setting] = air_.qnh_pa;
     sample[Signal::baro_altitude] = field_m + above_m * standard_k / (standard_k + air_.temperature_deviation_k);
     sample[Signal::standard_altitude] = standard_altitude(sample[Signal::baro_altitude], air_.qnh_pa);
-    sample[Signal::outside_temperature] = standard_temperature_k(sample[Signal::standard_altitude]) + air_.temperature_deviation_k;
-    const double density = standard_pressure_pa(sample[Signal::standard_altitude]) / (kGasConstant * sample[Signal::outside_temperature]);
+    sample[Signal::outside_temperature] =
+        standard_temperature_k(sample[Signal::standard_altitude]) + air_.temperature_deviation_k;
+    const double density =
+        standard_pressure_pa(sample[Signal::standard_altitude]) / (kGasConstant * sample[Signal::outside_temperature]);
     sample[Signal::true_airspeed] = state.airspeed_mps;
-    sample[Signal::calibrated_airspeed] = state.airspeed_mps * std::sqrt(density / kSeaLevelDensity);  // far below the speed of sound
+    sample[Signal::calibrated_airspeed] =
+        state.airspeed_mps * std::sqrt(density / kSeaLevelDensity);  // far below the speed of sound
     sample[Signal::indicated_airspeed] = sample[Signal::calibrated_airspeed];
     sample[Signal::wind_speed] = state.wind_share * air_.wind_speed_mps;
     sample[Signal::wind_direction] = earth::wrap_heading(air_.wind_from_rad);
@@ -140,12 +148,14 @@ void ScenarioFlight::add_motion(double time_s, const State& state, SignalSample&
     const double heading_rate = (after.heading_rad - before.heading_rad) / kRateStep_s;
     const double pitch_rate = (after.pitch_rad - before.pitch_rad) / kRateStep_s;
     const double roll_rate = (after.roll_rad - before.roll_rad) / kRateStep_s;
-    const double cr = std::cos(state.roll_rad), sr = std::sin(state.roll_rad), cp = std::cos(state.pitch_rad), sp = std::sin(state.pitch_rad);
+    const double cr = std::cos(state.roll_rad), sr = std::sin(state.roll_rad), cp = std::cos(state.pitch_rad),
+                 sp = std::sin(state.pitch_rad);
     sample[Signal::roll_rate] = roll_rate - heading_rate * sp;
     sample[Signal::pitch_rate] = pitch_rate * cr + heading_rate * cp * sr;
     sample[Signal::yaw_rate] = heading_rate * cp * cr - pitch_rate * sr;
     const double c = std::cos(state.heading_rad), s = std::sin(state.heading_rad);
-    const double north = (after.north_mps - before.north_mps) / kRateStep_s, east = (after.east_mps - before.east_mps) / kRateStep_s;
+    const double north = (after.north_mps - before.north_mps) / kRateStep_s,
+                 east = (after.east_mps - before.east_mps) / kRateStep_s;
     const double up = (after.up_mps - before.up_mps) / kRateStep_s + base::kStandardGravity;
     const double ahead = north * c + east * s, right = east * c - north * s;
     sample[Signal::longitudinal_acceleration] = ahead * cp + up * sp;

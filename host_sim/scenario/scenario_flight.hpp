@@ -28,7 +28,7 @@ public:
         double north_mps = 0, east_mps = 0, up_mps = 0;
         double airspeed_mps = 0;
         double heading_rad = 0, pitch_rad = 0, roll_rad = 0;  ///< heading unwrapped
-        double wind_share = 0;  ///< of the free wind, 0 on the ground
+        double wind_share = 0;                                ///< of the free wind, 0 on the ground
     };
     struct FlownLeg {
         double begin_s = 0, end_s = 0;

@@ -25,8 +25,8 @@ std::uint32_t levels_for(const bus::SwitchConfig& config, const Leg& leg) {
     const flight::FlightPhase phase = stated ? leg.phase : flight::FlightPhase{};
     const bus::SwitchPattern* pattern = pattern_for(config, phase);
     if (pattern == nullptr) {
-        throw UserError("the switch panel '" + std::string(config.title.view()) + "' has no pattern for " + flight::scenario_name(phase) +
-                        "; add one or let another source state that phase");
+        throw UserError("the switch panel '" + std::string(config.title.view()) + "' has no pattern for " +
+                        flight::scenario_name(phase) + "; add one or let another source state that phase");
     }
     return pattern->high;
 }
@@ -40,7 +40,8 @@ public:
             const std::uint32_t bit = std::uint32_t{1} << line;
             if ((changed & bit) == 0) continue;
             std::array<char, bus::kMaxSwitchLogLine> out;
-            const std::size_t count = bus::format_switch_log_line({time, static_cast<std::uint8_t>(line), (levels & bit) != 0}, config_, {out.data(), out.size()});
+            const std::size_t count = bus::format_switch_log_line({time, static_cast<std::uint8_t>(line), (levels & bit) != 0},
+                                                                  config_, {out.data(), out.size()});
             text_.append(out.data(), count);
         }
     }

@@ -9,7 +9,8 @@ namespace tedavis::host_sim {
 class SmoothedValue {
 public:
     /// `bandwidth` in rad/s: the step response is within 5 % after about 4.7 / bandwidth seconds.
-    SmoothedValue(double value, double bandwidth, double rate_limit) : value_(value), bandwidth_(bandwidth), rate_limit_(rate_limit) {}
+    SmoothedValue(double value, double bandwidth, double rate_limit)
+        : value_(value), bandwidth_(bandwidth), rate_limit_(rate_limit) {}
 
     void step(double target, double dt_s) {
         const double acceleration = bandwidth_ * bandwidth_ * (target - value_) - 2 * bandwidth_ * rate_;

@@ -29,11 +29,13 @@ public:
         const base::DriverScope driver;
         display_ = find_headless_display();
         if (display_ == EGL_NO_DISPLAY)
-            return "EGL finds no display that works without a window system; install a GL ES driver (libegl-mesa0) or use --gl osmesa";
+            return "EGL finds no display that works without a window system; install a GL ES driver (libegl-mesa0) or use --gl "
+                   "osmesa";
         config_ = find_headless_config(display_, settings_.lane == ContextLane::es3 ? 3 : 2);
-        if (config_ == nullptr) return "EGL has no RGBA8 configuration with 24-bit depth for this lane; use a device of the other lane";
-        const EGLint size[] = {EGL_WIDTH, static_cast<EGLint>(settings_.width_px), EGL_HEIGHT, static_cast<EGLint>(settings_.height_px),
-                               EGL_NONE};
+        if (config_ == nullptr)
+            return "EGL has no RGBA8 configuration with 24-bit depth for this lane; use a device of the other lane";
+        const EGLint size[] = {EGL_WIDTH, static_cast<EGLint>(settings_.width_px), EGL_HEIGHT,
+                               static_cast<EGLint>(settings_.height_px), EGL_NONE};
         surface_ = eglCreatePbufferSurface(display_, config_, size);
         if (surface_ == EGL_NO_SURFACE) return "EGL refuses a pixel buffer of this size; use a smaller --size";
         if (!create_context()) return "EGL refuses a GL ES context of this lane; use a device of the other lane";
@@ -46,7 +48,8 @@ public:
     bool make_current() override {
         if (!claim_current(this)) return false;
         const base::DriverScope driver;
-        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE) return true;
+        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE)
+            return true;
         drop_current(this);
         return false;
     }
@@ -76,8 +79,13 @@ private:
     [[nodiscard]] bool create_context() {
         eglBindAPI(EGL_OPENGL_ES_API);
         const EGLint version = settings_.lane == ContextLane::es3 ? 3 : 2;
-        const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION, version, EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE,
-                                 EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+        const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION,
+                                 version,
+                                 EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT,
+                                 EGL_TRUE,
+                                 EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                                 EGL_LOSE_CONTEXT_ON_RESET_EXT,
+                                 EGL_NONE};
         const EGLint plain[] = {EGL_CONTEXT_CLIENT_VERSION, version, EGL_NONE};
         if (has_egl_extension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"))
             context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, robust);

@@ -16,6 +16,7 @@
 namespace tedavis::platform {
 
 /// The surface is not current yet.
-[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, PlatformError> make_egl_headless_surface(const SurfaceSettings& settings);
+[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, PlatformError> make_egl_headless_surface(
+    const SurfaceSettings& settings);
 
 }  // namespace tedavis::platform

@@ -58,9 +58,19 @@ public:
     [[nodiscard]] bool create() {
         const base::DriverScope driver;
         pixels_.reset(new (std::nothrow) unsigned char[std::size_t{4} * settings_.width_px * settings_.height_px]());
-        constexpr int kAttributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
-                                       OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 2,
-                                       OSMESA_CONTEXT_MINOR_VERSION, 1, 0};
+        constexpr int kAttributes[] = {OSMESA_FORMAT,
+                                       OSMESA_RGBA,
+                                       OSMESA_DEPTH_BITS,
+                                       24,
+                                       OSMESA_STENCIL_BITS,
+                                       8,
+                                       OSMESA_PROFILE,
+                                       OSMESA_COMPAT_PROFILE,
+                                       OSMESA_CONTEXT_MAJOR_VERSION,
+                                       2,
+                                       OSMESA_CONTEXT_MINOR_VERSION,
+                                       1,
+                                       0};
         context_ = library_.create(kAttributes, nullptr);
         return pixels_ != nullptr && context_ != nullptr;
     }

@@ -15,13 +15,14 @@ namespace tedavis::platform {
 inline constexpr std::uint32_t kMaxWorkers = 64;
 
 struct ThreadWorkersSettings {
-    std::uint32_t concurrency = 1;      ///< 1..kMaxWorkers, the caller included; 1 makes no thread
+    std::uint32_t concurrency = 1;        ///< 1..kMaxWorkers, the caller included; 1 makes no thread
     void (*on_thread_start)() = nullptr;  ///< called once in every new thread (the heap trap of the tests arms itself there)
 };
 
 /// The number of processors that this process may use, 1..kMaxWorkers.
 [[nodiscard]] std::uint32_t usable_processors() noexcept;
 
-[[nodiscard]] base::Result<std::unique_ptr<base::Workers>, PlatformError> make_thread_workers(const ThreadWorkersSettings& settings);
+[[nodiscard]] base::Result<std::unique_ptr<base::Workers>, PlatformError> make_thread_workers(
+    const ThreadWorkersSettings& settings);
 
 }  // namespace tedavis::platform

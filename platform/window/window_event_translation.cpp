@@ -11,10 +11,18 @@ struct KeyPair {
     SDL_Keycode code;
     Key key;
 };
-constexpr KeyPair kKeys[] = {{SDLK_ESCAPE, Key::escape}, {SDLK_RETURN, Key::enter},       {SDLK_SPACE, Key::space},
-                             {SDLK_TAB, Key::tab},       {SDLK_BACKSPACE, Key::backspace}, {SDLK_LEFT, Key::left},
-                             {SDLK_RIGHT, Key::right},   {SDLK_UP, Key::up},               {SDLK_DOWN, Key::down},
-                             {SDLK_PAGEUP, Key::page_up}, {SDLK_PAGEDOWN, Key::page_down}, {SDLK_HOME, Key::home},
+constexpr KeyPair kKeys[] = {{SDLK_ESCAPE, Key::escape},
+                             {SDLK_RETURN, Key::enter},
+                             {SDLK_SPACE, Key::space},
+                             {SDLK_TAB, Key::tab},
+                             {SDLK_BACKSPACE, Key::backspace},
+                             {SDLK_LEFT, Key::left},
+                             {SDLK_RIGHT, Key::right},
+                             {SDLK_UP, Key::up},
+                             {SDLK_DOWN, Key::down},
+                             {SDLK_PAGEUP, Key::page_up},
+                             {SDLK_PAGEDOWN, Key::page_down},
+                             {SDLK_HOME, Key::home},
                              {SDLK_END, Key::end}};
 
 void translate_key(const SDL_KeyboardEvent& from, WindowEvent& to) {

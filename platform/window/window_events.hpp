@@ -7,7 +7,23 @@
 namespace tedavis::platform {
 
 /// The keys that the simulator listens to; letters and digits carry their character.
-enum class Key : std::uint8_t { other, character, escape, enter, space, backspace, tab, left, right, up, down, page_up, page_down, home, end };
+enum class Key : std::uint8_t {
+    other,
+    character,
+    escape,
+    enter,
+    space,
+    backspace,
+    tab,
+    left,
+    right,
+    up,
+    down,
+    page_up,
+    page_down,
+    home,
+    end
+};
 
 enum class WindowEventKind : std::uint8_t { closed, key_down, key_up, mouse_move, mouse_down, mouse_up, mouse_wheel };
 

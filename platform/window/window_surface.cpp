@@ -55,7 +55,8 @@ public:
         const char* video = SDL_GetCurrentVideoDriver();
         if (shows_nothing(video))
             return make_platform_error("no window can be opened: there is no screen (SDL offers only its driver '",
-                                       video == nullptr ? "none" : video, "'); start it on a desk with a screen, or leave out --window");
+                                       video == nullptr ? "none" : video,
+                                       "'); start it on a desk with a screen, or leave out --window");
         ask_for_context(settings_.lane);
         window_ = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, static_cast<int>(settings_.width_px),
                                    static_cast<int>(settings_.height_px), SDL_WINDOW_OPENGL);
@@ -140,7 +141,8 @@ base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSe
 namespace tedavis::platform {
 
 base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings&, const char*) {
-    return base::fail(make_platform_error("this build has no window; install libsdl2-dev and build again, or leave out --window"));
+    return base::fail(
+        make_platform_error("this build has no window; install libsdl2-dev and build again, or leave out --window"));
 }
 
 }  // namespace tedavis::platform

@@ -22,8 +22,9 @@ public:
     virtual void set_title(const char* title) = 0;
 };
 
-/// Refused in one sentence when the build has no SDL, when another surface is current, and when there is no screen: SDL then silently picks a driver that
-/// shows nothing, which would look like success.
-[[nodiscard]] base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings& settings, const char* title);
+/// Refused in one sentence when the build has no SDL, when another surface is current, and when there is no screen: SDL then
+/// silently picks a driver that shows nothing, which would look like success.
+[[nodiscard]] base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings& settings,
+                                                                               const char* title);
 
 }  // namespace tedavis::platform

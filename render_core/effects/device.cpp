@@ -12,13 +12,12 @@ struct RequiredLine {
     std::string_view name;
     base::MemoryKind kind;
 };
-constexpr RequiredLine kRequiredLines[] = {
-    {kTerrainChunkSlots, base::MemoryKind::cpu}, {kTerrainHeights, base::MemoryKind::cpu},
-    {kTerrainIndex, base::MemoryKind::cpu},      {kTerrainVertices, base::MemoryKind::gpu},
-    {kTerrainIndices, base::MemoryKind::gpu},    {kSymbology, base::MemoryKind::cpu},
-    {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
-    {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
-    {kLodScratch, base::MemoryKind::cpu}};
+constexpr RequiredLine kRequiredLines[] = {{kTerrainChunkSlots, base::MemoryKind::cpu}, {kTerrainHeights, base::MemoryKind::cpu},
+                                           {kTerrainIndex, base::MemoryKind::cpu},      {kTerrainVertices, base::MemoryKind::gpu},
+                                           {kTerrainIndices, base::MemoryKind::gpu},    {kSymbology, base::MemoryKind::cpu},
+                                           {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
+                                           {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
+                                           {kLodScratch, base::MemoryKind::cpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxCallExceptions> names;
@@ -61,7 +60,8 @@ void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
         line.use.capacity = line.bytes;
         if (line.name.cut() || line.owner.cut() || line.reason.cut())
             section.fault("name", "name and owner have at most 31 letters and the reason at most 95; shorten them");
-        if (!budget.try_add(line)) section.fault("name", "this budget line is there already, or there are more than 32; remove it");
+        if (!budget.try_add(line))
+            section.fault("name", "this budget line is there already, or there are more than 32; remove it");
     }
 }
 

@@ -36,7 +36,8 @@ void Buffer::destroy(Gl& gl) {
 }
 
 base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use, std::uint64_t bytes) {
-    if (bytes == 0) return base::fail(make_error("a buffer of the budget line '", line.name.view(), "' would be empty; ask for bytes"));
+    if (bytes == 0)
+        return base::fail(make_error("a buffer of the budget line '", line.name.view(), "' would be empty; ask for bytes"));
     if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
     Buffer buffer;
     buffer.target_ = kind == BufferKind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
@@ -44,11 +45,13 @@ base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, Buffer
     const std::uint64_t denied = gl.denied().total;
     gl->GenBuffers(1, &buffer.id_);
     buffer.bind(gl);
-    gl->BufferData(buffer.target_, static_cast<GLsizeiptr>(bytes), nullptr, use == BufferUse::fixed ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
+    gl->BufferData(buffer.target_, static_cast<GLsizeiptr>(bytes), nullptr,
+                   use == BufferUse::fixed ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     if (gl.take_error() != GL_NO_ERROR || gl.denied().total != denied) {
         if (buffer.id_ != 0 && gl.stage() == Stage::start && gl.has(CallId::DeleteBuffers)) gl->DeleteBuffers(1, &buffer.id_);
         give_back(line, bytes);
-        return base::fail(make_error("the driver refused a buffer of ", digits(bytes).view(), " bytes for the budget line ", line.name.view()));
+        return base::fail(
+            make_error("the driver refused a buffer of ", digits(bytes).view(), " bytes for the budget line ", line.name.view()));
     }
     buffer.bytes_ = bytes;
     buffer.line_ = &line;

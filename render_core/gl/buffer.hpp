@@ -39,6 +39,7 @@ private:
 };
 
 /// Start stage only. Content is undefined until uploaded.
-[[nodiscard]] base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use, std::uint64_t bytes);
+[[nodiscard]] base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use,
+                                                        std::uint64_t bytes);
 
 }  // namespace tedavis::gl

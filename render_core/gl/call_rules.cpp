@@ -38,14 +38,16 @@ std::uint64_t texel_bytes(GLenum format) {
 const char* upload_format_refusal(const CallState& state, GLenum format, GLenum type) {
     if (type != GL_UNSIGNED_BYTE) return kFormat;
     if (one_of(format, {GL_RGBA, GL_RGB})) return nullptr;
-    if (state.rules.calls == effects::CallClass::es2) return one_of(format, {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA}) ? nullptr : kFormat;
+    if (state.rules.calls == effects::CallClass::es2)
+        return one_of(format, {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA}) ? nullptr : kFormat;
     return one_of(format, {GL_RED, GL_RG}) ? nullptr : kFormat;
 }
 
 bool power_of_two(GLsizei value) { return value > 0 && (value & (value - 1)) == 0; }
 
 const char* capability_refusal(GLenum capability) {
-    return one_of(capability, {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST, GL_STENCIL_TEST})
+    return one_of(capability,
+                  {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST, GL_STENCIL_TEST})
                ? nullptr
                : kEnumerant;
 }
@@ -74,9 +76,7 @@ const char* indexed_draw_refusal(CallState& state, GLenum mode, GLsizei count, G
     return nullptr;
 }
 
-const char* read_refusal(GLenum format, GLenum type) {
-    return format == GL_RGBA && type == GL_UNSIGNED_BYTE ? nullptr : kFormat;
-}
+const char* read_refusal(GLenum format, GLenum type) { return format == GL_RGBA && type == GL_UNSIGNED_BYTE ? nullptr : kFormat; }
 
 GLuint bound(const CallState& state, GLenum target) {
     return target == GL_ELEMENT_ARRAY_BUFFER ? state.element_buffer : state.array_buffer;
@@ -115,7 +115,8 @@ const char* CallRule<&CallTable::BlendEquationSeparate>::refusal(CallState& stat
     return refusal != nullptr ? refusal : blend_refusal(state, alpha);
 }
 
-const char* CallRule<&CallTable::BufferData>::refusal(CallState& state, GLenum target, GLsizeiptr bytes, const void* data, GLenum usage) {
+const char* CallRule<&CallTable::BufferData>::refusal(CallState& state, GLenum target, GLsizeiptr bytes, const void* data,
+                                                      GLenum usage) {
     if (!one_of(target, {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})) return kTarget;
     if (!one_of(usage, {GL_STREAM_DRAW, GL_STATIC_DRAW, GL_DYNAMIC_DRAW})) return kEnumerant;
     const GLuint buffer = bound(state, target);
@@ -126,7 +127,8 @@ const char* CallRule<&CallTable::BufferData>::refusal(CallState& state, GLenum t
     return nullptr;
 }
 
-const char* CallRule<&CallTable::BufferSubData>::refusal(CallState& state, GLenum target, GLintptr, GLsizeiptr bytes, const void*) {
+const char* CallRule<&CallTable::BufferSubData>::refusal(CallState& state, GLenum target, GLintptr, GLsizeiptr bytes,
+                                                         const void*) {
     if (!one_of(target, {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})) return kTarget;
     if (bytes > 0) state.frame.uploaded_bytes += static_cast<std::uint64_t>(bytes);
     return nullptr;
@@ -164,8 +166,8 @@ const char* CallRule<&CallTable::DrawElements>::refusal(CallState& state, GLenum
     return indexed_draw_refusal(state, mode, count, type);
 }
 
-const char* CallRule<&CallTable::DrawRangeElements>::refusal(CallState& state, GLenum mode, GLuint low, GLuint high, GLsizei count,
-                                                             GLenum type, const void*) {
+const char* CallRule<&CallTable::DrawRangeElements>::refusal(CallState& state, GLenum mode, GLuint low, GLuint high,
+                                                             GLsizei count, GLenum type, const void*) {
     if (high < low) return kEnumerant;
     return indexed_draw_refusal(state, mode, count, type);
 }
@@ -176,23 +178,25 @@ const char* CallRule<&CallTable::EnableVertexAttribArray>::refusal(CallState& st
     return index < state.rules.max_attributes ? nullptr : "more attributes than the device has";
 }
 
-const char* CallRule<&CallTable::FramebufferRenderbuffer>::refusal(CallState& state, GLenum target, GLenum attachment, GLenum, GLuint) {
+const char* CallRule<&CallTable::FramebufferRenderbuffer>::refusal(CallState& state, GLenum target, GLenum attachment, GLenum,
+                                                                   GLuint) {
     return attachment_refusal(state, target, attachment);
 }
 
-const char* CallRule<&CallTable::FramebufferTexture2D>::refusal(CallState& state, GLenum target, GLenum attachment, GLenum kind, GLuint,
-                                                                GLint level) {
+const char* CallRule<&CallTable::FramebufferTexture2D>::refusal(CallState& state, GLenum target, GLenum attachment, GLenum kind,
+                                                                GLuint, GLint level) {
     if (kind != GL_TEXTURE_2D) return kTarget;
     if (level != 0) return kEnumerant;
     return attachment_refusal(state, target, attachment);
 }
 
-const char* CallRule<&CallTable::ReadPixels>::refusal(CallState&, GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum type, void*) {
+const char* CallRule<&CallTable::ReadPixels>::refusal(CallState&, GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum type,
+                                                      void*) {
     return read_refusal(format, type);
 }
 
-const char* CallRule<&CallTable::ReadnPixels>::refusal(CallState&, GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum type, GLsizei,
-                                                       void*) {
+const char* CallRule<&CallTable::ReadnPixels>::refusal(CallState&, GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum type,
+                                                       GLsizei, void*) {
     return read_refusal(format, type);
 }
 
@@ -206,15 +210,17 @@ const char* CallRule<&CallTable::RenderbufferStorage>::refusal(CallState& state,
     return size_refusal(state, width, height);
 }
 
-const char* CallRule<&CallTable::TexImage2D>::refusal(CallState& state, GLenum target, GLint, GLint internal, GLsizei width, GLsizei height,
-                                                      GLint border, GLenum format, GLenum type, const void* pixels) {
+const char* CallRule<&CallTable::TexImage2D>::refusal(CallState& state, GLenum target, GLint, GLint internal, GLsizei width,
+                                                      GLsizei height, GLint border, GLenum format, GLenum type,
+                                                      const void* pixels) {
     if (target != GL_TEXTURE_2D) return kTarget;
     if (border != 0) return kEnumerant;
     if (const char* refusal = upload_format_refusal(state, format, type)) return refusal;
     if (!state.es3() && static_cast<GLenum>(internal) != format) return kFormat;
     if (const char* refusal = size_refusal(state, width, height)) return refusal;
     if (pixels != nullptr)
-        state.frame.uploaded_bytes += texel_bytes(format) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+        state.frame.uploaded_bytes +=
+            texel_bytes(format) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return nullptr;
 }
 
@@ -224,8 +230,8 @@ const char* CallRule<&CallTable::TexParameteri>::refusal(CallState& state, GLenu
     return state.es3() && one_of(name, {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL}) ? nullptr : kEnumerant;
 }
 
-const char* CallRule<&CallTable::TexStorage2D>::refusal(CallState& state, GLenum target, GLsizei levels, GLenum format, GLsizei width,
-                                                        GLsizei height) {
+const char* CallRule<&CallTable::TexStorage2D>::refusal(CallState& state, GLenum target, GLsizei levels, GLenum format,
+                                                        GLsizei width, GLsizei height) {
     if (target != GL_TEXTURE_2D) return kTarget;
     // The sized formats that OpenGL SC 2.0 has.
     if (!one_of(format, {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8, GL_RGBA4, GL_RGB5_A1, GL_RGB565})) return kFormat;
@@ -242,8 +248,8 @@ const char* CallRule<&CallTable::TexSubImage2D>::refusal(CallState& state, GLenu
     return nullptr;
 }
 
-const char* CallRule<&CallTable::VertexAttribPointer>::refusal(CallState& state, GLuint index, GLint, GLenum type, GLboolean, GLsizei,
-                                                               const void*) {
+const char* CallRule<&CallTable::VertexAttribPointer>::refusal(CallState& state, GLuint index, GLint, GLenum type, GLboolean,
+                                                               GLsizei, const void*) {
     if (index >= state.rules.max_attributes) return "more attributes than the device has";
     if (state.array_buffer == 0) return kClientMemory;
     const bool basic = one_of(type, {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_FLOAT});

@@ -42,9 +42,9 @@ struct CallRule {
     }
 };
 
-#define TEDAVIS_GL_RULE(name, ...)                                          \
-    template <>                                                            \
-    struct CallRule<&CallTable::name> {                                    \
+#define TEDAVIS_GL_RULE(name, ...)                                 \
+    template <>                                                    \
+    struct CallRule<&CallTable::name> {                            \
         static const char* refusal(CallState& state, __VA_ARGS__); \
     };
 TEDAVIS_GL_RULE(ActiveTexture, GLenum unit)
@@ -66,15 +66,17 @@ TEDAVIS_GL_RULE(EnableVertexAttribArray, GLuint index)
 TEDAVIS_GL_RULE(FramebufferRenderbuffer, GLenum target, GLenum attachment, GLenum kind, GLuint renderbuffer)
 TEDAVIS_GL_RULE(FramebufferTexture2D, GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level)
 TEDAVIS_GL_RULE(ReadPixels, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels)
-TEDAVIS_GL_RULE(ReadnPixels, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, GLsizei size, void* pixels)
+TEDAVIS_GL_RULE(ReadnPixels, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, GLsizei size,
+                void* pixels)
 TEDAVIS_GL_RULE(RenderbufferStorage, GLenum target, GLenum format, GLsizei width, GLsizei height)
-TEDAVIS_GL_RULE(TexImage2D, GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border, GLenum format,
-                GLenum type, const void* pixels)
+TEDAVIS_GL_RULE(TexImage2D, GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
+                GLenum format, GLenum type, const void* pixels)
 TEDAVIS_GL_RULE(TexParameteri, GLenum target, GLenum name, GLint value)
 TEDAVIS_GL_RULE(TexStorage2D, GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
 TEDAVIS_GL_RULE(TexSubImage2D, GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, const void* pixels)
-TEDAVIS_GL_RULE(VertexAttribPointer, GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride, const void* offset)
+TEDAVIS_GL_RULE(VertexAttribPointer, GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride,
+                const void* offset)
 #undef TEDAVIS_GL_RULE
 
 }  // namespace tedavis::gl

@@ -83,7 +83,8 @@ GlError Gl::check_names() const {
     for (const auto* names : {&device_.gl.also, &device_.gl.never})
         for (const effects::CallName& name : *names)
             if (find_call(name.view()) == CallId::count)
-                return make_error("the device file names the GL call '", name.view(), "', which the call table does not know; remove it");
+                return make_error("the device file names the GL call '", name.view(),
+                                  "', which the call table does not know; remove it");
     return {};
 }
 
@@ -92,20 +93,23 @@ GlError Gl::check_driver() const {
         return make_error("the surface has ", digits(static_cast<std::uint64_t>(facts_.depth_bits)).view(),
                           " depth bits and the device asks for more; choose another surface or device");
     if (device_.depth24_targets && !facts_.depth24_targets)
-        return make_error("the driver ", facts_.version.view(), " has no OES_depth24, which the device asks for; choose another device");
+        return make_error("the driver ", facts_.version.view(),
+                          " has no OES_depth24, which the device asks for; choose another device");
     if (facts_.max_texture_px < static_cast<std::int32_t>(device_.gl.max_texture_px) ||
         facts_.max_attributes < static_cast<std::int32_t>(device_.gl.max_attributes) ||
         facts_.max_texture_units < static_cast<std::int32_t>(device_.gl.max_texture_units))
-        return make_error("the driver ", facts_.version.view(), " has smaller limits than the device file's [gl] table; choose another device");
+        return make_error("the driver ", facts_.version.view(),
+                          " has smaller limits than the device file's [gl] table; choose another device");
     return {};
 }
 
 GlError Gl::load(base::Surface& surface) {
-#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)                                                        \
-    if (device_has(device_.gl, CallId::name)) {                                                                                 \
-        loaded_.name = reinterpret_cast<decltype(loaded_.name)>(find_entry(surface, #name));                                    \
-        if (loaded_.name == nullptr || !provides(facts_, CallOrigin::origin))                                                   \
-            return make_error("the driver ", facts_.version.view(), " lacks gl" #name ", which the device uses; choose another device"); \
+#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)                           \
+    if (device_has(device_.gl, CallId::name)) {                                                    \
+        loaded_.name = reinterpret_cast<decltype(loaded_.name)>(find_entry(surface, #name));       \
+        if (loaded_.name == nullptr || !provides(facts_, CallOrigin::origin))                      \
+            return make_error("the driver ", facts_.version.view(),                                \
+                              " lacks gl" #name ", which the device uses; choose another device"); \
     }
 #include "render_core/gl/gl_calls.inc"
 #undef TEDAVIS_GL_CALL
@@ -113,10 +117,9 @@ GlError Gl::load(base::Surface& surface) {
 }
 
 void Gl::build_table(Stage at, CallTable& table) const {
-#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)               \
-    table.name = device_has(device_.gl, CallId::name) && allowed_in(CallStage::stage, at) \
-                     ? &Guard<&CallTable::name>::call                                  \
-                     : &Deny<&CallTable::name>::call;
+#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)                                                   \
+    table.name = device_has(device_.gl, CallId::name) && allowed_in(CallStage::stage, at) ? &Guard<&CallTable::name>::call \
+                                                                                          : &Deny<&CallTable::name>::call;
 #include "render_core/gl/gl_calls.inc"
 #undef TEDAVIS_GL_CALL
 }

@@ -31,14 +31,16 @@ GLuint compile(Gl& gl, const ProgramSource& source, ShaderStage stage, GlError& 
     char log[kLogLength] = "no message";
     gl->GetShaderInfoLog(shader, kLogLength, nullptr, log);
     gl->DeleteShader(shader);
-    error = stage_error(source, vertex ? "has a vertex shader that does not compile: " : "has a fragment shader that does not compile: ", log);
+    error = stage_error(
+        source, vertex ? "has a vertex shader that does not compile: " : "has a fragment shader that does not compile: ", log);
     return 0;
 }
 
 GlError link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex, GLuint fragment) {
     gl->AttachShader(program, vertex);
     gl->AttachShader(program, fragment);
-    for (const AttributeBinding& attribute : source.attributes) gl->BindAttribLocation(program, attribute.location, attribute.name);
+    for (const AttributeBinding& attribute : source.attributes)
+        gl->BindAttribLocation(program, attribute.location, attribute.name);
     if (gl.has(CallId::ProgramParameteri)) gl->ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     gl->LinkProgram(program);
     GLint linked = GL_FALSE;
@@ -60,14 +62,16 @@ GlError Program::look_up_uniforms(Gl& gl, const ProgramSource& source) {
     for (const char* name : source.uniforms) {
         const GLint location = gl->GetUniformLocation(id_, name);
         if (location < 0) return make_error("program '", source.name, "' does not use the uniform ", name);
-        if (!uniforms_.try_push_back(location)) return make_error("program '", source.name, "' has more uniforms than kMaxUniforms");
+        if (!uniforms_.try_push_back(location))
+            return make_error("program '", source.name, "' has more uniforms than kMaxUniforms");
     }
     return {};
 }
 
 base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source) {
     if (!gl.has(CallId::CompileShader))
-        return base::fail(make_error("program '", source.name, "' cannot be compiled: the device has no compiler; load its binary"));
+        return base::fail(
+            make_error("program '", source.name, "' cannot be compiled: the device has no compiler; load its binary"));
     GlError error;
     const GLuint vertex = compile(gl, source, ShaderStage::vertex, error);
     if (vertex == 0) return base::fail(error);
@@ -85,14 +89,17 @@ base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source
     return base::fail(error);
 }
 
-base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, GLenum format, base::Span<const unsigned char> binary) {
+base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, GLenum format,
+                                            base::Span<const unsigned char> binary) {
     Program program;
     program.id_ = gl->CreateProgram();
     gl->ProgramBinary(program.id_, format, binary.data(), static_cast<GLsizei>(binary.size()));
     GLint linked = GL_FALSE;
     gl->GetProgramiv(program.id_, GL_LINK_STATUS, &linked);
     GlError error;
-    if (linked == GL_FALSE) error = make_error("the driver refused the binary of program '", source.name, "'; make the shader binaries again on this device");
+    if (linked == GL_FALSE)
+        error = make_error("the driver refused the binary of program '", source.name,
+                           "'; make the shader binaries again on this device");
     if (error.sentence.empty()) error = program.look_up_uniforms(gl, source);
     static_cast<void>(gl.take_error());  // a foreign format is also a GL error, and the sentence says it
     if (error.sentence.empty()) return program;

@@ -42,7 +42,8 @@ bool RenderTarget::make_depth(Gl& gl, base::BudgetLine& line) {
     depth_bytes_ = bytes;
     gl->GenRenderbuffers(1, &depth_);
     gl->BindRenderbuffer(GL_RENDERBUFFER, depth_);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, static_cast<GLsizei>(size.width_px), static_cast<GLsizei>(size.height_px));
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, static_cast<GLsizei>(size.width_px),
+                            static_cast<GLsizei>(size.height_px));
     return true;
 }
 
@@ -52,7 +53,8 @@ void RenderTarget::attach(Gl& gl) const {
     if (depth_ != 0) gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
 }
 
-base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine& line, const TextureSettings& color, TargetDepth depth) {
+base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine& line, const TextureSettings& color,
+                                                       TargetDepth depth) {
     TEDAVIS_CHECK(color.format == TextureFormat::rgba8);
     RenderTarget target;
     base::Result<Texture, GlError> texture = make_texture(gl, line, color);
@@ -70,8 +72,9 @@ base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine&
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     if (complete && gl.denied().total == denied) return target;
     target.destroy(gl);
-    return base::fail(make_error("the device or driver cannot draw into a render target of the line '", line.name.view(),
-                                 depth == TargetDepth::none ? "'; use another device file" : "' with 24-bit depth; use another device file"));
+    return base::fail(
+        make_error("the device or driver cannot draw into a render target of the line '", line.name.view(),
+                   depth == TargetDepth::none ? "'; use another device file" : "' with 24-bit depth; use another device file"));
 }
 
 void bind_surface(Gl& gl, const base::Surface& surface) {

@@ -20,8 +20,8 @@ void store(Gl& gl, const TextureSettings& settings) {
         gl->TexStorage2D(GL_TEXTURE_2D, 1, sized, to_size(settings.width_px), to_size(settings.height_px));
     } else {
         const GLenum format = transfer_format(gl, settings.format);
-        gl->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), to_size(settings.width_px), to_size(settings.height_px), 0, format,
-                       GL_UNSIGNED_BYTE, nullptr);
+        gl->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), to_size(settings.width_px), to_size(settings.height_px), 0,
+                       format, GL_UNSIGNED_BYTE, nullptr);
     }
     const GLint filter = settings.filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -54,8 +54,8 @@ bool Texture::upload(Gl& gl, const TexelRect& part, const void* texels) const {
     if (part.width == 0 || part.height == 0) return true;
     bind(gl, 0);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(part.x), static_cast<GLint>(part.y), to_size(part.width), to_size(part.height),
-                      transfer_format(gl, settings_.format), GL_UNSIGNED_BYTE, texels);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(part.x), static_cast<GLint>(part.y), to_size(part.width),
+                      to_size(part.height), transfer_format(gl, settings_.format), GL_UNSIGNED_BYTE, texels);
     return true;
 }
 
@@ -71,7 +71,8 @@ void Texture::destroy(Gl& gl) {
 
 base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings) {
     const std::uint64_t bytes = texture_bytes(settings);
-    if (bytes == 0) return base::fail(make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
+    if (bytes == 0)
+        return base::fail(make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
     if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
     Texture texture;
     texture.settings_ = settings;
@@ -84,7 +85,8 @@ base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, cons
     if (gl.take_error() == GL_NO_ERROR && gl.denied().total == denied) return texture;
     if (texture.id_ != 0 && gl.has(CallId::DeleteTextures)) gl->DeleteTextures(1, &texture.id_);
     give_back(line, bytes);
-    GlError error = make_error("the device or driver refused a texture of ", digits(settings.width_px).view(), " x ", digits(settings.height_px).view());
+    GlError error = make_error("the device or driver refused a texture of ", digits(settings.width_px).view(), " x ",
+                               digits(settings.height_px).view());
     error.sentence.append(" texels for the budget line ");
     error.sentence.append(line.name.view());
     return base::fail(error);

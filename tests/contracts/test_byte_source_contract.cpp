@@ -35,7 +35,8 @@ struct Medium {
 struct FileMedium final : Medium {
     FileMedium() {
         const auto bytes = content();
-        std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         auto opened = open_file(path.c_str());
         EXPECT_TRUE(opened.ok());
         file = std::move(opened.value());

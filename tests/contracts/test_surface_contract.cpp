@@ -207,8 +207,10 @@ TEST(SurfaceBackends, GiveIdenticalBitsInBothLanesAndInEitherOrder) {
     const Bytes reference = picture("egl", "es3-mid");
     EXPECT_EQ(picture("egl", "es2-small"), reference);
     for (const std::string& backend : backends)
-        for (const char* device : {"es2-small", "es3-mid"}) EXPECT_EQ(picture(backend, device), reference) << backend << " " << device;
-    for (auto backend = backends.rbegin(); backend != backends.rend(); ++backend) EXPECT_EQ(picture(*backend, "es2-small"), reference);
+        for (const char* device : {"es2-small", "es3-mid"})
+            EXPECT_EQ(picture(backend, device), reference) << backend << " " << device;
+    for (auto backend = backends.rbegin(); backend != backends.rend(); ++backend)
+        EXPECT_EQ(picture(*backend, "es2-small"), reference);
 }
 
 TEST(SurfaceBackends, TakeTurnsInOneProcessWithTheirObjectsAlive) {

@@ -21,8 +21,9 @@ TEST(SurfaceFactory, RefusesInOneSentence) {
     const auto unknown = make_surface("glut", {64, 48, ContextLane::es3});
     ASSERT_FALSE(unknown.ok());
     EXPECT_STREQ(unknown.error().sentence.c_str(), "the surface 'glut' is not known; use egl or osmesa");
-    for (const SurfaceSettings& size : {SurfaceSettings{0, 48, ContextLane::es3}, SurfaceSettings{64, 15, ContextLane::es3},
-                                        SurfaceSettings{64, 20000, ContextLane::es3}, SurfaceSettings{4294967295u, 48, ContextLane::es3}}) {
+    for (const SurfaceSettings& size :
+         {SurfaceSettings{0, 48, ContextLane::es3}, SurfaceSettings{64, 15, ContextLane::es3},
+          SurfaceSettings{64, 20000, ContextLane::es3}, SurfaceSettings{4294967295u, 48, ContextLane::es3}}) {
         const auto surface = make_surface("egl", size);
         ASSERT_FALSE(surface.ok());
         EXPECT_NE(surface.error().sentence.view().find("--size"), std::string_view::npos);

@@ -34,8 +34,9 @@ struct Vertex {
     float x, y, z;
     std::uint8_t r, g, b, a;
 };
-constexpr Vertex kVertices[] = {{-3.0f, -1.0f, 0.5f, 90, 90, 90, 255}, {3.0f, -1.0f, 0.5f, 90, 90, 90, 255}, {0.0f, 5.0f, 0.5f, 90, 90, 90, 255},
-                                {-0.7f, -0.6f, 0.0f, 255, 0, 0, 255},  {0.8f, -0.5f, 0.0f, 0, 255, 0, 255},  {0.1f, 0.75f, 0.0f, 0, 0, 255, 255}};
+constexpr Vertex kVertices[] = {{-3.0f, -1.0f, 0.5f, 90, 90, 90, 255}, {3.0f, -1.0f, 0.5f, 90, 90, 90, 255},
+                                {0.0f, 5.0f, 0.5f, 90, 90, 90, 255},   {-0.7f, -0.6f, 0.0f, 255, 0, 0, 255},
+                                {0.8f, -0.5f, 0.0f, 0, 255, 0, 255},   {0.1f, 0.75f, 0.0f, 0, 0, 255, 255}};
 constexpr std::uint16_t kIndices[] = {3, 4, 5, 0, 1, 2};  // the near one first: only the depth test keeps it
 constexpr gl::AttributeBinding kAttributes[] = {{"position", 0}, {"color", 1}};
 constexpr const char* kUniforms[] = {"brightness"};
@@ -95,9 +96,12 @@ gl::ProgramSource triangle_program_source() {
 
 TriangleScene::TriangleScene(gl::Gl& gl, base::BudgetTable& budget)
     : program_(take(gl::build_program(gl, triangle_program_source()))),
-      vertices_(take(gl::make_buffer(gl, *budget.find("terrain_vertices"), gl::BufferKind::vertices, gl::BufferUse::fixed, sizeof kVertices))),
-      indices_(take(gl::make_buffer(gl, *budget.find("terrain_indices"), gl::BufferKind::indices, gl::BufferUse::fixed, sizeof kIndices))) {
-    if (!vertices_.upload(gl, 0, kVertices, sizeof kVertices) || !indices_.upload(gl, 0, kIndices, sizeof kIndices)) stop("upload refused");
+      vertices_(take(gl::make_buffer(gl, *budget.find("terrain_vertices"), gl::BufferKind::vertices, gl::BufferUse::fixed,
+                                     sizeof kVertices))),
+      indices_(take(
+          gl::make_buffer(gl, *budget.find("terrain_indices"), gl::BufferKind::indices, gl::BufferUse::fixed, sizeof kIndices))) {
+    if (!vertices_.upload(gl, 0, kVertices, sizeof kVertices) || !indices_.upload(gl, 0, kIndices, sizeof kIndices))
+        stop("upload refused");
 }
 
 void TriangleScene::draw(gl::Gl& gl, const base::Surface& surface) const {

@@ -22,7 +22,8 @@ TEST(ThreadWorkers, CallTheHookInEveryNewThread) {
         const auto workers = make_thread_workers({4, [] { ++started; }});
         ASSERT_TRUE(workers.ok());
         // Every thread takes part in every round, so after one all have started.
-        workers.value()->parallel_for(64, [](void*, std::uint32_t) {}, nullptr);
+        workers.value()->parallel_for(
+            64, [](void*, std::uint32_t) {}, nullptr);
         EXPECT_EQ(started, 3);
     }
 }

@@ -29,7 +29,8 @@ TEST(Window, WithoutAScreenIsAnErrorAndNotAHiddenSuccess) {
     leave_the_desk();
     const auto window = make_window(kSettings, "test");
     ASSERT_FALSE(window.ok());
-    EXPECT_NE(window.error().sentence.view().find("no window can be opened"), std::string_view::npos) << window.error().sentence.c_str();
+    EXPECT_NE(window.error().sentence.view().find("no window can be opened"), std::string_view::npos)
+        << window.error().sentence.c_str();
     EXPECT_NE(window.error().sentence.view().find("--window"), std::string_view::npos);
 }
 

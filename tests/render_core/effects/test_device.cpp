@@ -77,7 +77,8 @@ TEST(Device, RefusalsNameTheFileTheLineAndTheKey) {
 TEST(Device, MissingParts) {
     EXPECT_NE(refusal(replaced(good(), "frame_rate_hz = 30\n", "")).find("frame_rate_hz"), std::string::npos);
     EXPECT_NE(refusal(replaced(good(), "[gl]", "[lg]")).find("[gl]"), std::string::npos);
-    EXPECT_NE(refusal(replaced(good(), "name = \"font_atlas\"", "name = \"other\"")).find("'font_atlas' of kind \"gpu\""), std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "name = \"font_atlas\"", "name = \"other\"")).find("'font_atlas' of kind \"gpu\""),
+              std::string::npos);
     EXPECT_NE(refusal("").find("x.toml"), std::string::npos);
 }
 
@@ -85,23 +86,28 @@ TEST(Device, WrongValues) {
     EXPECT_NE(refusal(replaced(good(), "lane = \"es2\"", "lane = \"es4\"")).find("one of: es2, es3"), std::string::npos);
     EXPECT_NE(refusal(replaced(good(), "lane = \"es2\"", "lane = \"es3\"")).find("needs calls 'es3'"), std::string::npos);
     EXPECT_NE(refusal(replaced(good(), "frame_rate_hz = 30", "frame_rate_hz = nan")).find("frame_rate_hz"), std::string::npos);
-    EXPECT_NE(refusal(replaced(good(), "triangle_budget = 60000", "triangle_budget = -1")).find("triangle_budget"), std::string::npos);
-    EXPECT_NE(refusal(replaced(good(), "name = \"font_atlas\"", "name = \"symbology\"")).find("is there already"), std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "triangle_budget = 60000", "triangle_budget = -1")).find("triangle_budget"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "name = \"font_atlas\"", "name = \"symbology\"")).find("is there already"),
+              std::string::npos);
     EXPECT_NE(refusal(good() + "colour = 3\n").find("colour"), std::string::npos) << "an unknown key";
 }
 
 TEST(Device, ARequiredLineOfTheOtherKindIsMissing) {
-    const std::string wrong_kind = replaced(good(), "name = \"font_atlas\"\nkind = \"gpu\"", "name = \"font_atlas\"\nkind = \"cpu\"");
+    const std::string wrong_kind =
+        replaced(good(), "name = \"font_atlas\"\nkind = \"gpu\"", "name = \"font_atlas\"\nkind = \"cpu\"");
     EXPECT_NE(refusal(wrong_kind).find("'font_atlas' of kind \"gpu\""), std::string::npos);
 }
 
 TEST(Device, CallExceptionsAreRead) {
-    const std::string text = replaced(good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"DrawRangeElements\"]\nnever = [\"GenerateMipmap\", \"Finish\"]");
+    const std::string text = replaced(
+        good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"DrawRangeElements\"]\nnever = [\"GenerateMipmap\", \"Finish\"]");
     const auto device = read_device_settings(text, "x.toml");
     ASSERT_TRUE(device.ok()) << device.error().sentence.c_str();
     EXPECT_EQ(device.value().capability.gl.also[0].view(), "DrawRangeElements");
     EXPECT_EQ(device.value().capability.gl.never.size(), 2u);
-    EXPECT_NE(refusal(replaced(good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"\"]")).find("GL call's name"), std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"\"]")).find("GL call's name"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,9 @@ protected:
         line_.kind = base::MemoryKind::gpu;
         line_.bytes = 1000;
     }
-    base::Result<Buffer, GlError> make(std::uint64_t bytes) { return make_buffer(at_.gl, line_, BufferKind::vertices, BufferUse::streamed, bytes); }
+    base::Result<Buffer, GlError> make(std::uint64_t bytes) {
+        return make_buffer(at_.gl, line_, BufferKind::vertices, BufferUse::streamed, bytes);
+    }
 
     test_support::GlSession at_;
     base::BudgetLine line_;

@@ -67,7 +67,9 @@ TEST_F(CallRules, MoreBuffersThanFollowedAreRefused) {
 
 TEST_F(CallRules, OnlyTrianglesWithAllowedIndicesFromABuffer) {
     const void* none = nullptr;
-    const auto draw = [&](CallState& state, GLenum mode, GLenum type) { return allowed<&CallTable::DrawElements>(state, mode, 3, type, none); };
+    const auto draw = [&](CallState& state, GLenum mode, GLenum type) {
+        return allowed<&CallTable::DrawElements>(state, mode, 3, type, none);
+    };
     EXPECT_FALSE(draw(es2, GL_TRIANGLES, GL_UNSIGNED_SHORT)) << "no index buffer is bound";
     for (CallState* state : {&es2, &es3, &sc2}) {
         state->element_buffer = 1;
@@ -124,7 +126,8 @@ TEST_F(CallRules, UploadsAreCountedInBytes) {
     const unsigned char texels[64] = {};
     const void* pixels = texels;
     const auto upload = [&](CallState& state, GLenum format) {
-        return allowed<&CallTable::TexSubImage2D>(state, GLenum{GL_TEXTURE_2D}, 0, 0, 0, 4, 4, format, GLenum{GL_UNSIGNED_BYTE}, pixels);
+        return allowed<&CallTable::TexSubImage2D>(state, GLenum{GL_TEXTURE_2D}, 0, 0, 0, 4, 4, format, GLenum{GL_UNSIGNED_BYTE},
+                                                  pixels);
     };
     EXPECT_TRUE(upload(es2, GL_RGBA));
     EXPECT_EQ(es2.frame.uploaded_bytes, 64u);
@@ -164,9 +167,12 @@ TEST_F(CallRules, EnumerantsOfLaterVersionsAreRefused) {
     EXPECT_FALSE((allowed<&CallTable::ActiveTexture>(es2, GLenum{GL_TEXTURE0} + 8)));
     EXPECT_TRUE((allowed<&CallTable::ActiveTexture>(es2, GLenum{GL_TEXTURE0} + 7)));
     EXPECT_FALSE((allowed<&CallTable::CreateShader>(es3, GLenum{0x91B9})));  // a compute shader
-    EXPECT_FALSE((allowed<&CallTable::FramebufferTexture2D>(es2, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT1}, GLenum{GL_TEXTURE_2D}, 1u, 0)));
-    EXPECT_FALSE((allowed<&CallTable::FramebufferTexture2D>(es2, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, GLenum{GL_TEXTURE_2D}, 1u, 1)));
-    EXPECT_FALSE((allowed<&CallTable::FramebufferRenderbuffer>(es2, GLenum{GL_DRAW_FRAMEBUFFER}, GLenum{GL_DEPTH_ATTACHMENT}, GLenum{GL_RENDERBUFFER}, 1u)));
+    EXPECT_FALSE((allowed<&CallTable::FramebufferTexture2D>(es2, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT1},
+                                                            GLenum{GL_TEXTURE_2D}, 1u, 0)));
+    EXPECT_FALSE((allowed<&CallTable::FramebufferTexture2D>(es2, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0},
+                                                            GLenum{GL_TEXTURE_2D}, 1u, 1)));
+    EXPECT_FALSE((allowed<&CallTable::FramebufferRenderbuffer>(es2, GLenum{GL_DRAW_FRAMEBUFFER}, GLenum{GL_DEPTH_ATTACHMENT},
+                                                               GLenum{GL_RENDERBUFFER}, 1u)));
 }
 
 TEST_F(CallRules, OnlyRgba8IsReadBack) {

@@ -9,17 +9,28 @@ namespace tedavis::gl {
 namespace {
 
 /// What OpenGL SC 2.0.1 took out of OpenGL ES 2.0, from its specification's list of differences.
-const std::set<std::string> kNotInSc2 = {
-    "AttachShader",      "BindAttribLocation", "CompileShader",     "CompressedTexImage2D", "CopyTexImage2D",  "CopyTexSubImage2D",
-    "CreateShader",      "DeleteBuffers",      "DeleteFramebuffers", "DeleteProgram",       "DeleteRenderbuffers", "DeleteShader",
-    "DeleteTextures",    "DetachShader",       "DrawElements",      "GetActiveAttrib",      "GetActiveUniform", "GetAttachedShaders",
-    "GetProgramInfoLog", "GetShaderiv",        "GetShaderInfoLog",  "GetShaderPrecisionFormat", "GetShaderSource", "GetUniformfv",
-    "GetUniformiv",      "IsBuffer",           "IsFramebuffer",     "IsProgram",            "IsRenderbuffer",  "IsShader",
-    "IsTexture",         "LinkProgram",        "ReadPixels",        "ReleaseShaderCompiler", "ShaderBinary",   "ShaderSource",
-    "TexImage2D",        "ValidateProgram"};
+const std::set<std::string> kNotInSc2 = {"AttachShader",        "BindAttribLocation",
+                                         "CompileShader",       "CompressedTexImage2D",
+                                         "CopyTexImage2D",      "CopyTexSubImage2D",
+                                         "CreateShader",        "DeleteBuffers",
+                                         "DeleteFramebuffers",  "DeleteProgram",
+                                         "DeleteRenderbuffers", "DeleteShader",
+                                         "DeleteTextures",      "DetachShader",
+                                         "DrawElements",        "GetActiveAttrib",
+                                         "GetActiveUniform",    "GetAttachedShaders",
+                                         "GetProgramInfoLog",   "GetShaderiv",
+                                         "GetShaderInfoLog",    "GetShaderPrecisionFormat",
+                                         "GetShaderSource",     "GetUniformfv",
+                                         "GetUniformiv",        "IsBuffer",
+                                         "IsFramebuffer",       "IsProgram",
+                                         "IsRenderbuffer",      "IsShader",
+                                         "IsTexture",           "LinkProgram",
+                                         "ReadPixels",          "ReleaseShaderCompiler",
+                                         "ShaderBinary",        "ShaderSource",
+                                         "TexImage2D",          "ValidateProgram"};
 /// What it added.
-const std::set<std::string> kAddedBySc2 = {"ProgramBinary", "TexStorage2D", "DrawRangeElements", "GetGraphicsResetStatus", "GetnUniformfv",
-                                           "GetnUniformiv", "ReadnPixels"};
+const std::set<std::string> kAddedBySc2 = {"ProgramBinary", "TexStorage2D",  "DrawRangeElements", "GetGraphicsResetStatus",
+                                           "GetnUniformfv", "GetnUniformiv", "ReadnPixels"};
 
 effects::GlRules rules_of(effects::CallClass calls) {
     effects::GlRules rules;
@@ -68,8 +79,8 @@ TEST(CallTable, DeviceFileAddsAndRemovesSingleCalls) {
 }
 
 TEST(CallTable, StorageAndCompilationAreStartUpCalls) {
-    for (const char* name : {"BufferData", "TexImage2D", "TexStorage2D", "RenderbufferStorage", "CompileShader", "LinkProgram", "GenBuffers",
-                             "GenTextures", "CreateProgram", "ProgramBinary", "GetUniformLocation"})
+    for (const char* name : {"BufferData", "TexImage2D", "TexStorage2D", "RenderbufferStorage", "CompileShader", "LinkProgram",
+                             "GenBuffers", "GenTextures", "CreateProgram", "ProgramBinary", "GetUniformLocation"})
         EXPECT_EQ(describe(find_call(name)).stage, CallStage::start) << name;
     for (const char* name : {"Clear", "DrawElements", "BufferSubData", "TexSubImage2D", "UniformMatrix4fv", "ReadPixels"})
         EXPECT_EQ(describe(find_call(name)).stage, CallStage::both) << name;

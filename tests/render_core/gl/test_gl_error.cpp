@@ -19,7 +19,8 @@ TEST(MakeError, CutsWhatDoesNotFit) {
 }
 
 TEST(Digits, AgreeWithTheStandardLibrary) {
-    for (std::uint64_t value : {std::uint64_t{0}, std::uint64_t{9}, std::uint64_t{10}, std::uint64_t{4096}, std::numeric_limits<std::uint64_t>::max()})
+    for (std::uint64_t value :
+         {std::uint64_t{0}, std::uint64_t{9}, std::uint64_t{10}, std::uint64_t{4096}, std::numeric_limits<std::uint64_t>::max()})
         EXPECT_EQ(std::string(digits(value).view()), std::to_string(value));
 }
 

@@ -51,7 +51,8 @@ TEST_P(ProgramTest, CompilerMessagesNameTheProgramAndTheLine) {
 
 TEST_P(ProgramTest, LinkFaultsAndUnusedUniformsAreErrors) {
     ProgramSource source = triangle_program_source();
-    source.fragment = "VARYING vec4 elsewhere;\nuniform float brightness;\nvoid main() { FRAGMENT_COLOR = elsewhere * brightness; }\n";
+    source.fragment =
+        "VARYING vec4 elsewhere;\nuniform float brightness;\nvoid main() { FRAGMENT_COLOR = elsewhere * brightness; }\n";
     EXPECT_NE(sentence(source).find("does not link"), std::string::npos);
     source = triangle_program_source();
     const char* const uniforms[] = {"brightnes"};
@@ -66,9 +67,8 @@ std::vector<Place> places() {
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, ProgramTest, testing::ValuesIn(places()), [](const auto& place) {
-    return place.param.backend + "_" + place.param.device.substr(0, 3);
-});
+INSTANTIATE_TEST_SUITE_P(Places, ProgramTest, testing::ValuesIn(places()),
+                         [](const auto& place) { return place.param.backend + "_" + place.param.device.substr(0, 3); });
 
 TEST(ProgramBinary, OfAnEs3ContextServesTheDeviceWithoutACompiler) {
     std::vector<unsigned char> binary(1 << 20);

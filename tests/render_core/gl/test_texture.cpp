@@ -19,8 +19,11 @@ ProgramSource show_source() {
     ProgramSource source;
     source.name = "show";
     source.vertex =
-        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); }\n";
-    source.fragment = "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = vec4(TEXTURE2D(image, uv).r, 0.0, 0.0, 1.0); }\n";
+        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); "
+        "}\n";
+    source.fragment =
+        "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = vec4(TEXTURE2D(image, uv).r, 0.0, 0.0, 1.0); "
+        "}\n";
     source.attributes = kAttributes;
     source.uniforms = kUniforms;
     return source;
@@ -90,7 +93,8 @@ TEST_P(TextureTest, TakesItsBytesFromTheLine) {
 
 TEST_P(TextureTest, LargerThanTheDeviceIsRefusedAndTakesNothing) {
     line_.bytes = 1u << 30;
-    const auto texture = make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, at_.device.capability.gl.max_texture_px + 1, 4});
+    const auto texture =
+        make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, at_.device.capability.gl.max_texture_px + 1, 4});
     ASSERT_FALSE(texture.ok());
     EXPECT_NE(texture.error().sentence.view().find("refused a texture of"), std::string_view::npos);
     EXPECT_EQ(line_.use.in_use, 0u);
