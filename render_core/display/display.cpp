@@ -13,6 +13,7 @@ namespace {
 
 using flight::Signal;
 
+constexpr design::Color kNoAttitude{0x24, 0x26, 0x2A};
 constexpr double kFar_m = 400000;
 constexpr double kNearestPlane_m = 1;
 constexpr double kFarthestNearPlane_m = 50;
@@ -83,8 +84,10 @@ gl::GlError Display::open_terrain(base::ByteSource& terrain) {
                               gl::digits(opened.error().offset).view());
     database_ = opened.value();
     const std::uint32_t slots = settings_.device.max_chunk_slots;
-    if (!heights_.start(database_, heights_memory_) || !cache_.start(database_, slots, heights_memory_))
-        return gl::make_error("the budget line 'terrain_heights' is too small for max_chunk_slots; raise it in the device file");
+    if (!heights_.start(database_, heights_memory_) || !cache_.start(database_, slots, slots_memory_, heights_memory_))
+        return gl::make_error(
+            "the budget lines 'terrain_heights' and 'terrain_chunk_slots' are too small for max_chunk_slots; raise them in the "
+            "device file");
     chunk_states_ = lod_memory_.allocate_array<std::uint8_t>(database_.chunk_count());
     selected_ = lod_memory_.allocate_array<terrain::SelectedChunk>(slots);
     const std::uint64_t left = lod_memory_.use().capacity - lod_memory_.use().in_use;
@@ -281,6 +284,9 @@ void Display::draw_sky() {
         sky.dip_rad = draw::horizon_dip_rad(eye_msl_m_);
         sky.colors.ground = settings_.design.terrain.unknown;
         sky.colors.ground_horizon = settings_.design.sky.haze;
+    } else if (!decisions_.plain_horizon && !free_view_active_) {
+        // Without attitude any horizon would be a wrong one.
+        sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNoAttitude;
     }
     sky_drawer_.draw(gl_, sky);
 }

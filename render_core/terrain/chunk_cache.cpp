@@ -11,12 +11,12 @@ std::uint64_t ChunkCache::bytes_needed(std::uint32_t slots, std::uint32_t chunks
     return std::uint64_t{slots} * (kSlotBytes + sizeof(Slot)) + std::uint64_t{chunks} * sizeof(SlotIndex) + 256;
 }
 
-bool ChunkCache::start(const TerrainDatabase& database, std::uint32_t slots, base::Arena& arena) {
+bool ChunkCache::start(const TerrainDatabase& database, std::uint32_t slots, base::Arena& records, base::Arena& payloads) {
     if (slots == 0 || slots >= kNoSlot) return false;
     database_ = &database;
-    slots_ = arena.allocate_array<Slot>(slots);
-    payloads_ = arena.allocate_array<std::uint8_t>(slots * kSlotBytes);
-    slot_of_ = arena.allocate_array<SlotIndex>(database.chunk_count());
+    slots_ = records.allocate_array<Slot>(slots);
+    payloads_ = payloads.allocate_array<std::uint8_t>(slots * kSlotBytes);
+    slot_of_ = records.allocate_array<SlotIndex>(database.chunk_count());
     if (slots_.empty() || payloads_.empty() || slot_of_.empty()) return false;
     for (Slot& slot : slots_) slot = Slot{};
     for (SlotIndex& index : slot_of_) index = kNoSlot;

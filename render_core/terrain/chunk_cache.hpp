@@ -1,7 +1,7 @@
 /// A fixed number of chunk slots in memory. The least recently used slot that this frame does not need makes room.
 ///
 /// What is drawn never depends on what was cached before: a wanted chunk is read before it is drawn.
-/// Memory  all from the arena at start(). Thread  one.
+/// Memory  all from the arenas at start(). Thread  one.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,9 @@ public:
         std::uint64_t loads = 0;  ///< counts fillings, so that a drawer knows when to upload again
     };
 
-    /// False when `slots` do not fit the arena (or exceed 65534).
-    [[nodiscard]] bool start(const TerrainDatabase& database, std::uint32_t slots, base::Arena& arena);
+    /// `records` holds a record a slot and the slot of every chunk, `payloads` what the slots hold; both may be one arena.
+    /// False when `slots` do not fit (or exceed 65534).
+    [[nodiscard]] bool start(const TerrainDatabase& database, std::uint32_t slots, base::Arena& records, base::Arena& payloads);
 
     /// The slot of a chunk for this frame, read when it is not there. kNoSlot when all slots are needed by this frame
     /// or the chunk is damaged (`failure()` says which).
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] base::Span<const ChunkVertex> vertices(SlotIndex index) const;
     [[nodiscard]] const TdbFailure& failure() const { return failure_; }
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
+    /// Of both together.
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t slots, std::uint32_t chunks);
 
 private:

@@ -214,6 +214,20 @@ TEST(Display, WithoutADatabaseTheHorizonIsPlain) {
     EXPECT_TRUE(has_flag(display, "terrain.missing"));
 }
 
+TEST(Display, WithoutAttitudeThereIsNoHorizon) {
+    OverHills over(hills().image, "es3-mid", 1024, 768);
+    for (const Signal lost : {Signal::pitch, Signal::roll}) {
+        flight::AircraftState state = aircraft_at(2000, 30, 0);
+        state[lost] = {};
+        const Picture picture = picture_of(over.display, state);
+        // In the gap between the tapes, which nothing else covers.
+        const std::uint8_t *high = picture.at(148, 150), *low = picture.at(148, 600);
+        EXPECT_TRUE(std::equal(high, high + 3, low)) << "one colour above and below";
+        EXPECT_LT(high[2], 64);
+    }
+    EXPECT_TRUE(picture_of(over.display, aircraft_at(2000, 30, 0)).is_sky(148, 150)) << "control";
+}
+
 TEST(Display, OutsideTheDatabaseIsSaid) {
     OverHills over;
     flight::AircraftState state = aircraft_at(2000);

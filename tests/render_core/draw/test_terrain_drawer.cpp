@@ -72,7 +72,7 @@ public:
             const std::string& device = "es3-mid")
         : scene_(scene), session_(backend, device, kWidth, kHeight) {
         const std::uint32_t slots = session_.device.max_chunk_slots;
-        EXPECT_TRUE(cache_.start(scene.built.database, slots, arena_));
+        EXPECT_TRUE(cache_.start(scene.built.database, slots, arena_, arena_));
         EXPECT_EQ(drawer_.start(session_.gl, scene.built.database, cache_, design, session_.device, staging_).sentence.view(),
                   "");
         session_.gl.seal();

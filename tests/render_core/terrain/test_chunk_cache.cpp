@@ -15,7 +15,7 @@ struct Cached {
 
     explicit Cached(std::uint32_t slots)
         : memory(ChunkCache::bytes_needed(slots, built.database.chunk_count())), arena(memory.data(), memory.size()) {
-        EXPECT_TRUE(cache.start(built.database, slots, arena));
+        EXPECT_TRUE(cache.start(built.database, slots, arena, arena));
     }
 };
 
@@ -67,8 +67,8 @@ TEST(ChunkCache, StartRefusesWhatDoesNotFit) {
     std::vector<std::uint8_t> memory(1000);
     base::Arena arena(memory.data(), memory.size());
     ChunkCache cache;
-    EXPECT_FALSE(cache.start(built.database, 2, arena));
-    EXPECT_FALSE(cache.start(built.database, 0, arena));
+    EXPECT_FALSE(cache.start(built.database, 2, arena, arena));
+    EXPECT_FALSE(cache.start(built.database, 0, arena, arena));
 }
 
 }  // namespace
