@@ -15,7 +15,8 @@ bool ChunkCache::start(const TerrainDatabase& database, std::uint32_t slots, bas
     if (slots == 0 || slots >= kNoSlot) return false;
     database_ = &database;
     slots_ = records.allocate_array<Slot>(slots);
-    payloads_ = payloads.allocate_array<std::uint8_t>(slots * kSlotBytes);
+    auto* memory = static_cast<std::uint8_t*>(payloads.allocate(slots * kSlotBytes, alignof(ChunkVertex)));
+    payloads_ = memory != nullptr ? base::Span<std::uint8_t>(memory, slots * kSlotBytes) : base::Span<std::uint8_t>();
     slot_of_ = records.allocate_array<SlotIndex>(database.chunk_count());
     if (slots_.empty() || payloads_.empty() || slot_of_.empty()) return false;
     for (Slot& slot : slots_) slot = Slot{};
