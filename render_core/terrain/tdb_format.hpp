@@ -1,14 +1,22 @@
-/// The terrain database file (.tdb), version 1. Little-endian; every part carries a CRC-32.
+/// The terrain database file (.tdb), version 2. Little-endian; every part carries a CRC-32.
 ///
-/// Layout   FileHeader · ChunkEntry[chunk_count] · undulation grid (float) · chunk payloads.
-/// Lattice  posts at longitude west + i*step (i east), latitude north - j*step (j south), i < columns, j < rows. The
-///          true surface is these posts with two triangles a cell, diagonal (i+1,j)-(i,j+1), on WGS84 plus undulation.
-/// Levels   level k covers 32*2^k cells a chunk; level 0 is exact. Chunks of a level are stored row by row, all that
-///          overlap the raster, so that an index follows from (level, i, j).
-/// Payload  ChunkVertex[vertex_count], then at level 0 the posts: float[33*33] heights above MSL and uint8[33*33] classes.
-/// Mesh     Right-triangulated irregular network (Evans, Kirkpatrick, Townsend, "Right-Triangulated Irregular Networks",
-///          Algorithmica 30, 2001) over the whole lattice: a vertex is in the mesh of level k when its `top_level` is at
-///          least k. Chunks of one level agree on their common border by construction; see chunk_mesh.hpp for two levels.
+/// Layout   FileHeader, undulation grid (float), page table (uint64 offset a page), then in any order directory pages,
+///          chunk payloads, attribute pages and drape pages.
+/// Lattice  posts at longitude west + i*step (i east), latitude north - j*step (j south); lattice.hpp has the rest: closing
+///          round the Earth and rows at the poles.
+/// Surface  the true surface is the posts of the exact chunks, two triangles a cell, diagonal (i+1,j)-(i,j+1), on WGS84 plus
+///          undulation. Exact chunks lie at level 0; where the sources are coarser, at the level of their resolution.
+/// Levels   level k covers 32*2^k cells a chunk; a chunk at the lattice's end covers what there is. Every chunk has either
+///          no children and is exact, or covers its children. Side by side, the finest chunks differ by one level at most.
+/// Pages    kPageChunks x kPageChunks neighbouring entries of one level; the page table lists the pages of level 0 row by
+///          row, then of level 1 and so on; offset 0 means that no chunk lies there.
+/// Payload  ChunkVertex[vertex_count], then uint16 indices[3*triangle_count] unless the chunk is regular.
+/// Vertices the border comes first, clockwise seen from above from the north-west corner; then the others. A regular chunk has
+///          every post (every 2^level-th) and its other vertices row by row.
+/// Borders  a border vertex stays beside a coarser neighbour if it is marked so. The marked ones of level k are the border
+///          vertices of level k+1 on the same line, and contain all corners of level k: two levels meet in the same
+///          vertices. chunk_mesh.hpp closes what the others leave.
+/// Strips   the first `strip_count` triangles touch a border vertex that is not marked; no other triangle does.
 #pragma once
 
 #include <cstddef>
@@ -18,81 +26,131 @@
 namespace tedavis::terrain {
 
 inline constexpr char kTdbMagic[8] = {'T', 'E', 'D', 'A', 'V', 'T', 'D', 'B'};
-inline constexpr std::uint32_t kTdbVersion = 1;
+inline constexpr std::uint32_t kTdbVersion = 2;
 inline constexpr std::uint32_t kChunkCells = 32;
-inline constexpr std::uint32_t kChunkPosts = kChunkCells + 1;
 inline constexpr std::uint32_t kMaxLevels = 11;  ///< a chunk's border then has 2^15 cells, which 16-bit coordinates hold
-inline constexpr std::uint32_t kMaxChunkVertices = 6144;
+inline constexpr std::uint32_t kMaxChunkVertices = 3072;
 inline constexpr std::uint32_t kMaxChunkTriangles = 2 * kMaxChunkVertices;
+inline constexpr std::uint32_t kPageChunks = 8;  ///< entries along the side of a directory page
+
+/// Attribute pages belong to chunks of level 1 and above; a chunk of level 0 uses its quarter of its parent's.
+inline constexpr std::uint32_t kAttributePosts = 65;
+inline constexpr std::uint32_t kHorizonPosts = 33;
+inline constexpr std::uint32_t kHorizonDirections = 16;
 
 enum class PostClass : std::uint8_t {
     land,
     sea,
-    void_,    ///< the source has no height: no surface in any cell that touches it
-    outside,  ///< beyond the raster, only there to fill the last chunk; never drawn
+    void_,    ///< the source has no height; drawn at a filled height, marked as unknown, never part of the true surface
+    outside,  ///< beyond the lattice; in no file
+};
+
+enum LatticeFlag : std::uint32_t {
+    kLatticeClosed = 1,     ///< round the Earth: the last column is the first one's meridian again
+    kLatticeNorthPole = 2,  ///< row 0 is the north pole, `north_deg` the latitude of row 1
+    kLatticeSouthPole = 4,  ///< the last row is the south pole
 };
 
 struct FileHeader {
     char magic[8];
     std::uint32_t version;
     std::uint32_t header_bytes;
-    double west_deg, north_deg;         ///< post (0,0)
+    double west_deg, north_deg;         ///< of post (0,0); see kLatticeNorthPole
     double step_lon_deg, step_lat_deg;  ///< both positive
-    std::uint32_t columns, rows;
+    std::uint32_t columns, rows;        ///< posts, with closing column and pole rows
     std::uint32_t levels;
-    std::uint32_t chunk_count;
-    float tolerance_m[16];             ///< mesh tolerance by level; 0 at level 0
+    std::uint32_t lattice_flags;
+    std::uint64_t chunk_count;
+    std::uint64_t void_posts;
+    float tolerance_m[16];             ///< the error that meshes of a level aim at; 0 at level 0
     float min_height_m, max_height_m;  ///< valid posts, above MSL
-    float le90_m;                      ///< vertical accuracy of the source, 90 % linear error; 0 unknown
-    std::uint32_t void_posts;
+    float le90_m;                      ///< worst vertical accuracy of the sources, 90 % linear error; 0 unknown
+    std::uint32_t page_count;
     double undulation_west_deg, undulation_north_deg, undulation_step_deg;
     std::uint32_t undulation_columns, undulation_rows;
     std::uint64_t undulation_offset;
+    std::uint64_t page_table_offset;
     std::uint64_t file_bytes;
     std::uint32_t undulation_crc;
-    std::uint32_t directory_crc;
-    char source[160];         ///< names of the rasters, zero-terminated
-    char vertical_datum[16];  ///< of the source: "egm96" or "ellipsoid"
-    std::uint32_t max_chunk_vertices, max_chunk_triangles;
-    std::uint32_t reserved;
-    std::uint32_t header_crc;  ///< over all bytes before it
+    std::uint32_t page_table_crc;
+    char source[160];                              ///< names of the rasters, zero-terminated
+    char vertical_datum[16];                       ///< of the source: "egm96" or "ellipsoid"
+    std::uint32_t drape_posts;                     ///< texels along the side of a drape page; 0: no drape
+    float light_azimuth_deg, light_elevation_deg;  ///< of the baked light map
+    std::uint32_t header_crc;                      ///< over all bytes before it
 };
-static_assert(std::is_trivially_copyable_v<FileHeader> && sizeof(FileHeader) == 392);
+static_assert(std::is_trivially_copyable_v<FileHeader> && sizeof(FileHeader) == 416);
 
-struct ChunkEntry {
+/// Where a part lies. `bytes` 0: there is none.
+struct PartPlace {
     std::uint64_t offset;
     std::uint32_t bytes;
     std::uint32_t crc;
-    std::uint16_t level, reserved0;
-    std::uint32_t i, j;  ///< chunk coordinates at its level
-    std::uint32_t vertex_count, triangle_count;
-    float above_m, below_m;            ///< exhaustive signed error of its mesh: drawn above / below the true surface
-    float bound_m;                     ///< see lod_selection.hpp: error bound also for the strips of finer neighbours
-    float min_height_m, max_height_m;  ///< of its posts, above MSL
-    double centre_m[3];                ///< ECEF, whole metres: the vertices' origin
-    float axes[9];                     ///< north, east, down unit vectors of the box, ECEF
-    float half_extent_m[3];            ///< box about the centre along these axes, holds surface and mesh
-    std::uint32_t flags;               ///< bit 0: contains void posts; bit 1: reaches outside the raster
-    std::uint32_t reserved1;
 };
-static_assert(std::is_trivially_copyable_v<ChunkEntry> && sizeof(ChunkEntry) == 136);
-inline constexpr std::uint32_t kChunkHasVoid = 1u;
-inline constexpr std::uint32_t kChunkHasOutside = 2u;
+
+struct ChunkEntry {
+    PartPlace payload;
+    PartPlace attributes;  ///< AttributePage (attribute_page.hpp)
+    PartPlace drape;       ///< RGB, drape_posts^2 texels
+    std::uint32_t i, j;    ///< chunk coordinates at its level
+    std::uint8_t level;
+    std::uint8_t flags;     ///< ChunkFlag
+    std::uint8_t children;  ///< bit by quadrant (bit 0 east, bit 1 south): the child exists
+    std::uint8_t reserved;
+    std::uint16_t vertex_count, border_count;
+    std::uint16_t triangle_count, strip_count;
+    float above_m, below_m;              ///< exhaustive signed error of its own mesh: drawn above / below the true surface
+    float strip_above_m, strip_below_m;  ///< the same for what coarser neighbours make of it, whichever they are
+    float bound_m;                       ///< both errors and those strips of finer neighbours that this chunk causes
+    float min_height_m, max_height_m;    ///< of its valid posts, above MSL
+    float le90_m;                        ///< vertical accuracy of its sources; 0 unknown
+    std::uint32_t reserved1;
+    double centre_m[3];      ///< ECEF, whole metres: the vertices' origin
+    float axes[9];           ///< north, east, down unit vectors of the box, ECEF
+    float half_extent_m[3];  ///< box about the centre along these axes, holds surface and mesh
+};
+static_assert(std::is_trivially_copyable_v<ChunkEntry> && sizeof(ChunkEntry) == 176);
+
+enum ChunkFlag : std::uint8_t {
+    kChunkRegular = 1,
+    kChunkHasVoid = 2,
+    kChunkHasSea = 4,
+    kChunkHasLand = 8,
+};
+
+struct DirectoryPage {
+    std::uint32_t crc;  ///< over all bytes after it
+    std::uint32_t level;
+    std::uint32_t i, j;                             ///< page coordinates
+    ChunkEntry entries[kPageChunks * kPageChunks];  ///< row by row; vertex_count 0: no chunk
+};
+static_assert(std::is_trivially_copyable_v<DirectoryPage> && sizeof(DirectoryPage) == 16 + 64 * sizeof(ChunkEntry));
 
 /// Uploaded to the GPU as it is. Positions lie on a binary grid, 2^-10 m or coarser for vertices of high levels, so that
 /// every chunk holds a shared vertex exactly: see draw/terrain_drawer.hpp.
 struct ChunkVertex {
-    float x, y, z;                 ///< ECEF minus the chunk's centre, metres
-    float height_m;                ///< above MSL
-    std::int8_t normal[3];         ///< unit normal of the full-resolution surface, ECEF, times 127
-    std::uint8_t level_and_class;  ///< bits 0-3 top_level, bits 4-5 PostClass
-    std::uint16_t i, j;            ///< lattice post, relative to the chunk's north-west corner
+    float x, y, z;          ///< ECEF minus the chunk's centre, metres
+    float height_m;         ///< above MSL; filled where void
+    std::int8_t normal[3];  ///< unit normal of the full-resolution surface, ECEF, times 127
+    std::uint8_t kind;      ///< bits 0-1 PostClass, bit 2: stays beside a coarser neighbour (borders only)
+    std::uint16_t i, j;     ///< lattice post, relative to the chunk's north-west corner
 
-    [[nodiscard]] std::uint32_t top_level() const { return level_and_class & 15u; }
-    [[nodiscard]] PostClass post_class() const { return static_cast<PostClass>(level_and_class >> 4); }
+    [[nodiscard]] PostClass post_class() const { return static_cast<PostClass>(kind & 3u); }
+    [[nodiscard]] bool stays_beside_coarser() const { return (kind & 4u) != 0; }
 };
 static_assert(std::is_trivially_copyable_v<ChunkVertex> && sizeof(ChunkVertex) == 24);
 
-inline constexpr std::size_t kLeafPostBytes = std::size_t{kChunkPosts} * kChunkPosts * (sizeof(float) + 1);
+inline constexpr std::size_t kMaxPayloadBytes =
+    kMaxChunkVertices * sizeof(ChunkVertex) + kMaxChunkTriangles * 3 * sizeof(std::uint16_t);
+
+/// One page of every baked map over its chunk's whole domain, texel (0,0) at the north-west corner post, row by row; encodings
+/// in attribute_map.hpp. Beyond the lattice's end the last post is repeated.
+struct AttributePage {
+    std::uint8_t form[kAttributePosts * kAttributePosts][4];      ///< normal east, normal north, sky view, curvature
+    std::uint8_t light[kAttributePosts * kAttributePosts][4];     ///< light map, openness, local relief, class
+    std::uint8_t aperture[kAttributePosts * kAttributePosts][4];  ///< aperture east, north, radius, negative openness
+    std::uint8_t horizon[kHorizonDirections][kHorizonPosts * kHorizonPosts];
+};
+static_assert(std::is_trivially_copyable_v<AttributePage>);
 
 }  // namespace tedavis::terrain

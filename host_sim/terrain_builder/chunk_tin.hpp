@@ -1,0 +1,42 @@
+/// The mesh of one chunk: Delaunay triangulation by greedy insertion of the post with the largest error (Garland, Heckbert,
+/// "Fast Polygonal Approximation of Terrains and Height Fields", CMU-CS-95-181, 1995), between given border vertices.
+///
+/// Coordinates are whole lattice posts relative to the chunk's north-west corner, i east, j south; heights in metres.
+/// Deterministic: equal input gives equal output on every machine. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::host_sim {
+
+struct TinPost {
+    std::uint16_t i = 0, j = 0;
+    float height_m = 0;
+    terrain::PostClass post_class = terrain::PostClass::land;
+};
+
+struct TinInput {
+    std::uint32_t last_i = 0, last_j = 0;  ///< of the chunk: its domain is [0, last_i] x [0, last_j]
+    std::vector<TinPost> border;           ///< clockwise seen from above from the north-west corner, all four corners in it
+    std::vector<TinPost> candidates;       ///< inner posts that may become vertices; on none of the four sides
+    double tolerance_m = 0;                ///< no candidate further from the mesh than this, if the capacity allows
+    std::uint32_t max_vertices = 0;        ///< borders included
+    /// Metres by which a flat triangle of the given extent (posts east, posts south, northernmost row) can miss the curved
+    /// Earth: counts as error of every triangle. May be null.
+    double (*curvature_m)(const void* context, std::uint32_t posts_east, std::uint32_t posts_south, std::uint32_t row) = nullptr;
+    const void* context = nullptr;
+};
+
+struct Tin {
+    std::vector<TinPost> vertices;         ///< the border first, in the order given; then as they were inserted
+    std::vector<std::uint16_t> triangles;  ///< three a triangle, counter-clockwise seen from above (i east, j south)
+    double candidate_error_m = 0;          ///< largest error left at a candidate
+};
+
+/// A triangle that holds void posts has a void vertex, as far as the capacity goes: what is not known is seen to be unknown.
+[[nodiscard]] Tin make_chunk_tin(const TinInput& input);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,41 @@
+/// Exhaustive signed error of flat triangles against the true surface: the proof that a database carries.
+///
+/// Two piecewise linear surfaces differ most at a vertex of their overlay: at posts inside the triangle, and where its sides
+/// cross rows, columns and diagonals of cells. All of them are visited; posts of cells that touch a void post are not part of
+/// the true surface. Heights above the ellipsoid. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::host_sim {
+
+/// A rectangle of neighbouring posts of the lattice, row by row.
+struct PostWindowView {
+    std::int64_t i0 = 0, j0 = 0;  ///< lattice coordinates of its first post
+    std::uint32_t columns = 0, rows = 0;
+    const float* surface_m = nullptr;
+    const terrain::PostClass* post_class = nullptr;
+};
+
+struct MeshCorner {
+    std::int64_t i = 0, j = 0;
+    double surface_m = 0;
+};
+
+struct SignedError {
+    double above_m = 0, below_m = 0;  ///< largest drawn minus true, largest true minus drawn; both >= 0
+
+    void include(const SignedError& other) {
+        above_m = above_m > other.above_m ? above_m : other.above_m;
+        below_m = below_m > other.below_m ? below_m : other.below_m;
+    }
+};
+
+/// Over the part of the triangle inside the window. Zero-area triangles have no error.
+[[nodiscard]] SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,
+                                         const MeshCorner& c);
+
+}  // namespace tedavis::host_sim
