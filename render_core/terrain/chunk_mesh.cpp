@@ -1,168 +1,218 @@
 #include "render_core/terrain/chunk_mesh.hpp"
 
-#include <cstring>
-
-#include "render_core/terrain/rtin.hpp"
+#include "render_core/terrain/regular_chunk.hpp"
 
 namespace tedavis::terrain {
 namespace {
 
-constexpr std::uint16_t kEmpty = 0xFFFF;
-
-/// Finds vertices of one chunk by lattice place and says which are in the mesh.
-class VertexIndex {
-public:
-    VertexIndex(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, ChunkMeshScratch& scratch)
-        : vertices_(vertices),
-          scratch_(scratch),
-          side_(std::int64_t{kChunkCells} << place.level),
-          west_(place.i * side_),
-          north_(place.j * side_) {
-        std::memset(scratch_.table, 0xFF, sizeof scratch_.table);
-        for (std::uint32_t n = 0; n < vertices_.size(); ++n) insert(static_cast<std::uint16_t>(n));
-    }
-
-    [[nodiscard]] std::uint16_t find(LatticeVertex v) const {
-        const std::int64_t i = v.i - west_, j = v.j - north_;
-        for (std::uint32_t slot = slot_of(i, j);; slot = (slot + 1) & (ChunkMeshScratch::kTableSize - 1)) {
-            const std::uint16_t n = scratch_.table[slot];
-            if (n == kEmpty || (vertices_[n].i == i && vertices_[n].j == j)) return n;
-        }
-    }
-    /// The index when the vertex is in the mesh, else kEmpty.
-    [[nodiscard]] std::uint16_t find_effective(LatticeVertex v) const {
-        const std::uint16_t n = find(v);
-        return n != kEmpty && scratch_.effective[n] != 0 ? n : kEmpty;
-    }
-    [[nodiscard]] bool contains(LatticeVertex v) const {
-        return v.i >= west_ && v.j >= north_ && v.i <= west_ + side_ && v.j <= north_ + side_;
-    }
-    [[nodiscard]] LatticeVertex place_of(const ChunkVertex& v) const { return {west_ + v.i, north_ + v.j}; }
-    [[nodiscard]] std::int64_t side() const { return side_; }
-    [[nodiscard]] std::int64_t west() const { return west_; }
-    [[nodiscard]] std::int64_t north() const { return north_; }
-    [[nodiscard]] const ChunkVertex& vertex(std::uint16_t n) const { return vertices_[n]; }
-
-private:
-    [[nodiscard]] static std::uint32_t slot_of(std::int64_t i, std::int64_t j) {
-        const auto key = static_cast<std::uint32_t>((j << 16) | i);
-        return (key * 0x9E3779B1u) >> 18;  // 14 bits
-    }
-    void insert(std::uint16_t n) {
-        std::uint32_t slot = slot_of(vertices_[n].i, vertices_[n].j);
-        while (scratch_.table[slot] != kEmpty) slot = (slot + 1) & (ChunkMeshScratch::kTableSize - 1);
-        scratch_.table[slot] = n;
-    }
-
-    base::Span<const ChunkVertex> vertices_;
-    ChunkMeshScratch& scratch_;
-    std::int64_t side_, west_, north_;
+struct Corners {
+    std::uint16_t a, b, c;
 };
 
-std::uint8_t edges_of(const ChunkVertex& v, std::int64_t side) {
-    return static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == side ? kEdgeEast : 0) |
-                                     (v.j == side ? kEdgeSouth : 0) | (v.i == 0 ? kEdgeWest : 0));
+/// Twice the area over the lattice; positive when counter-clockwise seen from above.
+std::int64_t twice_area(const ChunkVertex& a, const ChunkVertex& b, const ChunkVertex& c) {
+    const std::int64_t bi = std::int64_t{b.i} - a.i, bj = std::int64_t{b.j} - a.j;
+    const std::int64_t ci = std::int64_t{c.i} - a.i, cj = std::int64_t{c.j} - a.j;
+    return bj * ci - bi * cj;
 }
 
-bool is_corner(std::uint8_t edges) { return (edges & (edges - 1)) != 0; }
-
-bool parent_effective(const VertexIndex& index, LatticeVertex parent) {
-    return !index.contains(parent) || index.find_effective(parent) != kEmpty;
+std::int64_t squared_length(const ChunkVertex& a, const ChunkVertex& b) {
+    const std::int64_t di = std::int64_t{b.i} - a.i, dj = std::int64_t{b.j} - a.j;
+    return di * di + dj * dj;
 }
 
-/// Coarse scales come first in file order, so parents are decided before their children.
-void mark_effective(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges,
-                    const VertexIndex& index, ChunkMeshScratch& scratch) {
-    for (std::uint32_t n = 0; n < vertices.size(); ++n) {
-        const ChunkVertex& v = vertices[n];
-        const std::uint8_t edges = edges_of(v, index.side());
-        bool effective = true;
-        if (is_corner(edges)) {
-            effective = true;
-        } else if (edges != 0) {
-            effective = (edges & coarser_edges) == 0 || v.top_level() > place.level;
-        } else {
-            const VertexParents parents = parents_of(index.place_of(v));
-            effective = parent_effective(index, parents.first) && parent_effective(index, parents.second);
-        }
-        scratch.effective[n] = effective ? 1 : 0;
-    }
+bool same_place(const ChunkVertex& a, const ChunkVertex& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/// Sides of the chunk that a border vertex lies on; the south-east corner is the farthest vertex both ways.
+std::uint8_t sides_of(const ChunkVertex& v, const ChunkVertex& south_east) {
+    return static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == south_east.i ? kEdgeEast : 0) |
+                                     (v.j == south_east.j ? kEdgeSouth : 0) | (v.i == 0 ? kEdgeWest : 0));
 }
 
-class TriangleWriter {
+class MeshBuilder {
 public:
-    TriangleWriter(const VertexIndex& index, const ChunkPlace& place, base::Span<std::uint16_t> out)
-        : index_(index), place_(place), out_(out) {}
+    MeshBuilder(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices, ChunkMeshScratch& scratch,
+                base::Span<std::uint16_t> out)
+        : entry_(entry), vertices_(vertices), scratch_(scratch), out_(out) {}
 
-    [[nodiscard]] bool write(const LatticeTriangle& t) {
-        if (beyond_raster(t)) return true;
-        return t.is_unit() ? write_unit(t) : write_large(t);
+    void mark_taken_out(std::uint8_t coarser_edges) {
+        ChunkVertex south_east = vertices_[0];
+        for (std::uint32_t n = 0; n < entry_.border_count; ++n) {
+            if (vertices_[n].i > south_east.i) south_east.i = vertices_[n].i;
+            if (vertices_[n].j > south_east.j) south_east.j = vertices_[n].j;
+        }
+        for (std::uint32_t n = 0; n < vertices_.size(); ++n) scratch_.taken_out[n] = 0;
+        for (std::uint32_t n = 0; n < entry_.border_count; ++n) {
+            const std::uint8_t sides = sides_of(vertices_[n], south_east);
+            const bool is_corner = (sides & (sides - 1)) != 0;
+            const bool out = !is_corner && (sides & coarser_edges) != 0 && !vertices_[n].stays_beside_coarser();
+            scratch_.taken_out[n] = out ? 1 : 0;
+        }
+    }
+
+    /// Triangles that lose a corner wait in the strip.
+    [[nodiscard]] bool add(const Corners& t) {
+        if (t.a >= vertices_.size() || t.b >= vertices_.size() || t.c >= vertices_.size()) return false;
+        const bool in_strip = scratch_.taken_out[t.a] != 0 || scratch_.taken_out[t.b] != 0 || scratch_.taken_out[t.c] != 0;
+        return in_strip ? push_strip(t) : write(t);
+    }
+
+    [[nodiscard]] bool close_strip() {
+        for (std::uint32_t n = 0; n < entry_.border_count; ++n)
+            if (scratch_.taken_out[n] != 0 && !take_out(static_cast<std::uint16_t>(n))) return false;
+        for (std::uint32_t n = 0; n < strip_; ++n)
+            if (!write(strip_triangle(n))) return false;
+        return true;
     }
     [[nodiscard]] std::uint32_t count() const { return count_; }
 
 private:
-    [[nodiscard]] bool beyond_raster(const LatticeTriangle& t) const {
-        const auto min3 = [](std::int64_t a, std::int64_t b, std::int64_t c) {
-            return a < b ? (a < c ? a : c) : (b < c ? b : c);
-        };
-        return min3(t.a.i, t.b.i, t.c.i) >= place_.last_column || min3(t.a.j, t.b.j, t.c.j) >= place_.last_row;
-    }
-    [[nodiscard]] bool is_void(LatticeVertex v) const {
-        const std::uint16_t n = index_.find(v);
-        return n != kEmpty && index_.vertex(n).post_class() == PostClass::void_;
-    }
-    /// A large triangle is void throughout or not at all (the builder splits every mixed one).
-    [[nodiscard]] bool write_large(const LatticeTriangle& t) { return is_void(t.c) || emit(t.a, t.b, t.c); }
-
-    [[nodiscard]] bool write_unit(const LatticeTriangle& t) {
-        const LatticeVertex opposite{t.a.i + t.b.i - t.c.i, t.a.j + t.b.j - t.c.j};
-        if (is_void(t.a) || is_void(t.b) || is_void(t.c) || is_void(opposite)) return true;
-        const std::int64_t i = t.a.i < t.b.i ? t.a.i : t.b.i, j = t.a.j < t.b.j ? t.a.j : t.b.j;
-        const bool alternate_diagonal = ((i + j) & 1) == 0;
-        if (!alternate_diagonal || index_.find_effective(opposite) == kEmpty) return emit(t.a, t.b, t.c);
-        const bool north_east = t.c.i > i;
-        return north_east ? emit({i, j}, {i, j + 1}, {i + 1, j}) : emit({i + 1, j}, {i, j + 1}, {i + 1, j + 1});
-    }
-    [[nodiscard]] bool emit(LatticeVertex a, LatticeVertex b, LatticeVertex c) {
-        const std::uint16_t corners[3] = {index_.find_effective(a), index_.find_effective(b), index_.find_effective(c)};
+    [[nodiscard]] bool write(const Corners& t) {
+        const ChunkVertex &a = vertices_[t.a], &b = vertices_[t.b], &c = vertices_[t.c];
+        if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return true;
         if (count_ + 3 > out_.size()) return false;
-        for (const std::uint16_t corner : corners) {
-            if (corner == kEmpty) return false;
-            out_[count_++] = corner;
+        out_[count_++] = t.a;
+        out_[count_++] = t.b;
+        out_[count_++] = t.c;
+        return true;
+    }
+    [[nodiscard]] bool push_strip(const Corners& t) {
+        if (strip_ == kMaxChunkTriangles) return false;
+        std::uint16_t* at = scratch_.strip + 3 * strip_++;
+        at[0] = t.a;
+        at[1] = t.b;
+        at[2] = t.c;
+        return true;
+    }
+    [[nodiscard]] Corners strip_triangle(std::uint32_t n) const {
+        const std::uint16_t* at = scratch_.strip + 3 * n;
+        return {at[0], at[1], at[2]};
+    }
+    void remove_strip(std::uint32_t n) {
+        --strip_;
+        for (std::uint32_t k = 0; k < 3; ++k) scratch_.strip[3 * n + k] = scratch_.strip[3 * strip_ + k];
+    }
+
+    [[nodiscard]] bool take_out(std::uint16_t v) { return gather_ring(v) && cut_ears(); }
+
+    /// The vertices round `v`, from one side of the border to the other; its triangles leave the strip.
+    [[nodiscard]] bool gather_ring(std::uint16_t v) {
+        std::uint32_t sides = 0;
+        Corners fan[ChunkMeshScratch::kMaxRing];  // `a` to `b` is the side away from v
+        for (std::uint32_t n = strip_; n-- > 0;) {
+            const Corners t = strip_triangle(n);
+            if (t.a != v && t.b != v && t.c != v) continue;
+            if (sides + 1 == ChunkMeshScratch::kMaxRing) return false;
+            fan[sides++] = t.a == v ? Corners{t.b, t.c, v} : t.b == v ? Corners{t.c, t.a, v} : Corners{t.a, t.b, v};
+            remove_strip(n);
+        }
+        return sides > 0 && chain(fan, sides);
+    }
+
+    /// Puts the sides of a fan one after the other into the ring.
+    [[nodiscard]] bool chain(Corners (&fan)[ChunkMeshScratch::kMaxRing], std::uint32_t sides) {
+        std::uint32_t first = 0;
+        for (std::uint32_t n = 0; n < sides; ++n) {
+            bool has_one_before = false;
+            for (std::uint32_t m = 0; m < sides; ++m) has_one_before = has_one_before || fan[m].b == fan[n].a;
+            if (!has_one_before) first = n;
+        }
+        ring_ = 0;
+        scratch_.ring[ring_++] = fan[first].a;
+        std::uint16_t end = fan[first].b;
+        for (std::uint32_t linked = 0; linked < sides; ++linked) {
+            scratch_.ring[ring_++] = end;
+            std::uint32_t next = 0;
+            while (next < sides && fan[next].a != end) ++next;
+            if (next == sides) return linked + 1 == sides;  // a gap: the triangles round the vertex are no fan
+            end = fan[next].b;
+        }
+        return false;  // a closed ring: the vertex is not on the border
+    }
+
+    [[nodiscard]] bool cut_ears() {
+        while (ring_ > 2) {
+            std::uint32_t best = ring_;
+            std::int64_t shortest = INT64_MAX;
+            for (std::uint32_t n = 0; n < ring_; ++n) {
+                if (ring_ > 3 && !is_ear(n)) continue;
+                const std::int64_t length = squared_length(at(n + ring_ - 1), at(n + 1));
+                if (length >= shortest) continue;
+                shortest = length;
+                best = n;
+            }
+            if (best == ring_ || !push_ear(best)) return false;
         }
         return true;
     }
+    [[nodiscard]] std::uint16_t ring_index(std::uint32_t n) const { return scratch_.ring[n % ring_]; }
+    [[nodiscard]] const ChunkVertex& at(std::uint32_t n) const { return vertices_[ring_index(n)]; }
 
-    const VertexIndex& index_;
-    const ChunkPlace& place_;
+    [[nodiscard]] bool is_ear(std::uint32_t n) const {
+        const ChunkVertex &a = at(n + ring_ - 1), &b = at(n), &c = at(n + 1);
+        if (twice_area(a, b, c) <= 0) return false;
+        for (std::uint32_t m = n + 2; m < n + ring_ - 1; ++m) {
+            const ChunkVertex& p = at(m);
+            if (twice_area(a, b, p) >= 0 && twice_area(b, c, p) >= 0 && twice_area(c, a, p) >= 0) return false;
+        }
+        return true;
+    }
+    [[nodiscard]] bool push_ear(std::uint32_t n) {
+        const Corners t{ring_index(n + ring_ - 1), ring_index(n), ring_index(n + 1)};
+        if (twice_area(vertices_[t.a], vertices_[t.b], vertices_[t.c]) <= 0 || !push_strip(t)) return false;
+        for (std::uint32_t m = n % ring_; m + 1 < ring_; ++m) scratch_.ring[m] = scratch_.ring[m + 1];
+        --ring_;
+        return true;
+    }
+
+    const ChunkEntry& entry_;
+    base::Span<const ChunkVertex> vertices_;
+    ChunkMeshScratch& scratch_;
     base::Span<std::uint16_t> out_;
-    std::uint32_t count_ = 0;
+    std::uint32_t count_ = 0, strip_ = 0, ring_ = 0;
 };
+
+/// Two triangles a cell, cut along the true surface's diagonal.
+bool add_regular(MeshBuilder& mesh, const RegularGrid& grid) {
+    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
+        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i) {
+            const auto at = [&](std::uint32_t di, std::uint32_t dj) {
+                return static_cast<std::uint16_t>(grid.index_of(i + di, j + dj));
+            };
+            if (!mesh.add({at(0, 0), at(0, 1), at(1, 0)}) || !mesh.add({at(1, 0), at(0, 1), at(1, 1)})) return false;
+        }
+    return true;
+}
+
+/// The grid of a regular chunk, from its counts; rows 0 when they fit no grid.
+RegularGrid grid_of(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices) {
+    std::uint32_t columns = 1;
+    while (columns < vertices.size() && vertices[columns].j == 0) ++columns;
+    const RegularGrid grid{columns, entry.vertex_count / columns};
+    const bool fits =
+        columns >= 2 && grid.rows >= 2 && grid.vertex_count() == entry.vertex_count && grid.border_count() == entry.border_count;
+    return fits ? grid : RegularGrid{};
+}
 
 }  // namespace
 
-MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place, std::uint8_t coarser_edges,
-                              ChunkMeshScratch& scratch, base::Span<std::uint16_t> indices) {
-    if (vertices.size() > kMaxChunkVertices || place.level >= kMaxLevels) return {};
-    const VertexIndex index(vertices, place, scratch);
-    mark_effective(vertices, place, coarser_edges, index, scratch);
-
-    // Depth of the network is two splits a scale; each split leaves one half waiting.
-    LatticeTriangle open[2 * (6 + kMaxLevels) + 4];
-    std::uint32_t waiting = 0;
-    open[waiting++] = square_triangle(index.west(), index.north(), index.side(), true);
-    open[waiting++] = square_triangle(index.west(), index.north(), index.side(), false);
-    TriangleWriter writer(index, place, indices);
-    while (waiting > 0) {
-        const LatticeTriangle t = open[--waiting];
-        if (!t.is_unit() && index.find_effective(t.middle()) != kEmpty) {
-            open[waiting++] = t.half_at_b();
-            open[waiting++] = t.half_at_a();
-        } else if (!writer.write(t)) {
-            return {};
-        }
+MeshCount build_chunk_indices(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices,
+                              base::Span<const std::uint16_t> stored, std::uint8_t coarser_edges, ChunkMeshScratch& scratch,
+                              base::Span<std::uint16_t> indices) {
+    if (vertices.size() < 4 || vertices.size() > kMaxChunkVertices || entry.vertex_count != vertices.size() ||
+        entry.border_count > vertices.size())
+        return {};
+    MeshBuilder mesh(entry, vertices, scratch, indices);
+    mesh.mark_taken_out(coarser_edges);
+    if ((entry.flags & kChunkRegular) != 0) {
+        const RegularGrid grid = grid_of(entry, vertices);
+        if (grid.rows == 0 || !add_regular(mesh, grid)) return {};
+    } else {
+        for (std::size_t n = 0; n + 2 < stored.size(); n += 3)
+            if (!mesh.add({stored[n], stored[n + 1], stored[n + 2]})) return {};
     }
-    return {writer.count(), true};
+    if (!mesh.close_strip()) return {};
+    return {mesh.count(), true};
 }
 
 }  // namespace tedavis::terrain

@@ -1,43 +1,35 @@
-/// Triangles of a chunk, from its vertices alone, for any combination of coarser neighbours.
+/// Triangles of a chunk for any combination of coarser neighbours.
 ///
-/// A chunk of level k beside one of level k+1 must show on the common border only vertices of top_level >= k+1. Those
-/// vertices and everything that was split because of them are left out; what remains is conforming, so there is no
-/// crack and no T-junction by construction. The builder guarantees that a border vertex never depends on a vertex of
-/// another border (see terrain_builder), so that neighbours decide alike without asking each other.
-///
-/// At unit cells the network's alternating diagonals are replaced by the true surface's fixed one.
+/// Beside a coarser neighbour a chunk shows only those border vertices that the neighbour has too (format: "Borders"). Each of
+/// the others is taken out in border order: the triangles round it are replaced by a triangulation of the polygon that they
+/// leave, by cutting off ears, the one with the shortest new side first. The new surface has the neighbour's border exactly, so
+/// there is no crack and no T-junction. Exact integers throughout; the builder measures what this gives for every combination.
 #pragma once
 
 #include <cstdint>
 
 #include "render_core/base/span.hpp"
-#include "render_core/terrain/tdb_format.hpp"
+#include "render_core/terrain/chunk_key.hpp"
 
 namespace tedavis::terrain {
 
-/// Borders with a coarser neighbour, one bit each.
-enum EdgeBit : std::uint8_t { kEdgeNorth = 1, kEdgeEast = 2, kEdgeSouth = 4, kEdgeWest = 8 };
-
 struct ChunkMeshScratch {
-    static constexpr std::uint32_t kTableSize = 16384;  // power of two, over 2.6 x kMaxChunkVertices
-    std::uint16_t table[kTableSize];
-    std::uint8_t effective[kMaxChunkVertices];
-};
-
-struct ChunkPlace {
-    std::uint32_t level = 0, i = 0, j = 0;        ///< chunk coordinates
-    std::uint32_t last_column = 0, last_row = 0;  ///< of the database, in posts
+    static constexpr std::uint32_t kMaxRing = 512;  ///< vertices round one that is taken out
+    std::uint16_t strip[kMaxChunkTriangles * 3];
+    std::uint16_t ring[kMaxRing];
+    std::uint8_t taken_out[kMaxChunkVertices];
 };
 
 struct MeshCount {
     std::uint32_t indices = 0;
-    bool sound = false;  ///< false: vertices contradict each other or the capacity; nothing may be drawn
+    bool sound = false;  ///< false: the chunk contradicts its format; nothing of it may be drawn
 };
 
-/// Writes triangles (counter-clockwise seen from above) as indices into `vertices`, which must be in file order:
-/// coarse scales first. Deterministic; bounded by the vertex count; allocates nothing.
-[[nodiscard]] MeshCount build_chunk_indices(base::Span<const ChunkVertex> vertices, const ChunkPlace& place,
-                                            std::uint8_t coarser_edges, ChunkMeshScratch& scratch,
-                                            base::Span<std::uint16_t> indices);
+/// Writes triangles (counter-clockwise seen from above) as indices into `vertices`. `stored` are the payload's indices (empty
+/// for a regular chunk), `coarser_edges` a set of EdgeBit. Triangles that a pole has made a line are left out.
+/// Deterministic; bounded by the counts of the entry; allocates nothing.
+[[nodiscard]] MeshCount build_chunk_indices(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices,
+                                            base::Span<const std::uint16_t> stored, std::uint8_t coarser_edges,
+                                            ChunkMeshScratch& scratch, base::Span<std::uint16_t> indices);
 
 }  // namespace tedavis::terrain

@@ -17,6 +17,7 @@
 ///          vertices of level k+1 on the same line, and contain all corners of level k: two levels meet in the same
 ///          vertices. chunk_mesh.hpp closes what the others leave.
 /// Strips   the first `strip_count` triangles touch a border vertex that is not marked; no other triangle does.
+/// Poles    triangles whose corners coincide at a pole are stored like others and left out when they are to be drawn.
 #pragma once
 
 #include <cstddef>

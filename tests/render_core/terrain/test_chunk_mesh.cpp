@@ -2,118 +2,172 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/built_database.hpp"
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "render_core/terrain/regular_chunk.hpp"
 
 namespace tedavis::terrain {
 namespace {
 
-using test_support::BuiltDatabase;
-using test_support::BuiltMesh;
+using Indices = std::vector<std::uint16_t>;
 
-const BuiltDatabase& rough() {
-    static const BuiltDatabase built(test_support::make_rough_raster(161, 193));
-    return built;
-}
+/// A regular chunk of flat ground, one post a metre.
+struct FlatChunk {
+    ChunkEntry entry{};
+    std::vector<ChunkVertex> vertices;
+    std::vector<std::uint16_t> stored;  ///< empty: regular
 
-TEST(ChunkMesh, CoversItsSquareOnceForEveryCombinationOfCoarserNeighbours) {
-    ASSERT_GE(rough().database.levels(), 3u);
-    for (ChunkIndex chunk = 0; chunk < rough().database.chunk_count(); ++chunk) {
-        if ((rough().database.entry(chunk).flags & kChunkHasOutside) != 0) continue;
-        for (std::uint8_t mask = 0; mask < 16; ++mask) {
-            const BuiltMesh mesh(rough(), chunk, mask);
-            EXPECT_EQ(mesh.twice_area(), 2 * mesh.side * mesh.side);
-            for (const auto& [a, b] : mesh.outline())
-                EXPECT_TRUE(mesh.on_square(a, b)) << "T-junction or hole inside chunk " << chunk << " mask " << int{mask};
-        }
-    }
-}
-
-TEST(ChunkMesh, BordersOfOneLevelAgreeWhateverTheirOtherNeighbours) {
-    const TerrainDatabase& db = rough().database;
-    for (std::uint32_t level = 0; level < db.levels(); ++level)
-        for (std::uint32_t j = 0; j < db.grid_rows(level); ++j)
-            for (std::uint32_t i = 0; i + 1 < db.grid_columns(level); ++i)
-                for (const std::uint8_t west_mask : {0, 1, 4, 8, 13})
-                    for (const std::uint8_t east_mask : {0, 1, 4, 2, 7})
-                        EXPECT_EQ(BuiltMesh(rough(), db.at(level, i, j), west_mask).border(kEdgeEast),
-                                  BuiltMesh(rough(), db.at(level, i + 1, j), east_mask).border(kEdgeWest))
-                            << level << ": " << i << "," << j;
-}
-
-TEST(ChunkMesh, BorderTowardsACoarserChunkIsTheCoarserBorder) {
-    const TerrainDatabase& db = rough().database;
-    int compared = 0, different_without_mask = 0;
-    for (std::uint32_t level = 0; level + 1 < db.levels(); ++level)
-        for (std::uint32_t j = 0; j < db.grid_rows(level); ++j)
-            for (std::uint32_t i = 1; i + 1 < db.grid_columns(level); i += 2) {
-                const ChunkIndex coarse = db.at(level + 1, (i + 1) / 2, j / 2);
-                const BuiltMesh fine(rough(), db.at(level, i, j), kEdgeEast), plain(rough(), db.at(level, i, j), 0);
-                std::set<std::int64_t> expected;
-                for (const std::int64_t post : BuiltMesh(rough(), coarse, 0).border(kEdgeWest))
-                    if (post >= fine.north && post <= fine.north + fine.side) expected.insert(post);
-                EXPECT_EQ(fine.border(kEdgeEast), expected);
-                ++compared;
-                different_without_mask += plain.border(kEdgeEast) != expected ? 1 : 0;
+    FlatChunk(std::uint32_t columns, std::uint32_t rows) {
+        const RegularGrid grid{columns, rows};
+        vertices.resize(grid.vertex_count());
+        for (std::uint32_t j = 0; j < rows; ++j)
+            for (std::uint32_t i = 0; i < columns; ++i) {
+                ChunkVertex& v = vertices[grid.index_of(i, j)];
+                v.x = static_cast<float>(i);
+                v.y = static_cast<float>(j);
+                v.i = static_cast<std::uint16_t>(i);
+                v.j = static_cast<std::uint16_t>(j);
             }
-    EXPECT_GE(compared, 4);
-    EXPECT_GT(different_without_mask, 0) << "negative control: without the mask there must be T-junctions";
+        entry.flags = kChunkRegular;
+        entry.vertex_count = static_cast<std::uint16_t>(grid.vertex_count());
+        entry.border_count = static_cast<std::uint16_t>(grid.border_count());
+        entry.triangle_count = static_cast<std::uint16_t>(grid.triangle_count());
+    }
+
+    void keep_beside_coarser(std::uint32_t vertex) { vertices[vertex].kind |= 4; }
+    [[nodiscard]] MeshCount build(std::uint8_t coarser_edges, Indices& indices) const {
+        const auto scratch = std::make_unique<ChunkMeshScratch>();
+        indices.resize(kMaxChunkTriangles * 3);
+        const MeshCount count = build_chunk_indices(entry, {vertices.data(), vertices.size()}, {stored.data(), stored.size()},
+                                                    coarser_edges, *scratch, {indices.data(), indices.size()});
+        indices.resize(count.indices);
+        return count;
+    }
+};
+
+std::int64_t twice_area(const ChunkVertex& a, const ChunkVertex& b, const ChunkVertex& c) {
+    return (std::int64_t{b.j} - a.j) * (std::int64_t{c.i} - a.i) - (std::int64_t{b.i} - a.i) * (std::int64_t{c.j} - a.j);
 }
 
-TEST(ChunkMesh, UnitCellsHaveTheTrueSurfacesDiagonal) {
-    const BuiltMesh mesh(rough(), 0, 0);
-    int diagonals = 0;
-    for (std::size_t n = 0; n < mesh.indices.size(); n += 3)
-        for (int k = 0; k < 3; ++k) {
-            const auto a = mesh.at(mesh.indices[n + k]), b = mesh.at(mesh.indices[n + (k + 1) % 3]);
-            if (std::abs(a.first - b.first) != 1 || std::abs(a.second - b.second) != 1) continue;
-            EXPECT_EQ((a.first - b.first) * (a.second - b.second), -1) << "the other diagonal";
-            ++diagonals;
+/// Sides that belong to one triangle only, as pairs in its direction.
+std::set<std::pair<int, int>> open_sides(const Indices& indices) {
+    std::set<std::pair<int, int>> sides;
+    for (std::size_t n = 0; n < indices.size(); n += 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = indices[n + k], b = indices[n + (k + 1) % 3];
+            if (sides.erase({b, a}) == 0) EXPECT_TRUE(sides.insert({a, b}).second) << "two triangles on one side";
         }
-    EXPECT_GT(diagonals, 1000);
+    return sides;
 }
 
-TEST(ChunkMesh, NothingIsDrawnBeyondTheRaster) {
-    const BuiltDatabase built(test_support::make_rough_raster(70, 45));
-    const ChunkIndex corner = built.database.at(0, 2, 1);
-    const BuiltMesh mesh(built, corner, 0);
-    EXPECT_FALSE(mesh.indices.empty());
-    for (std::size_t n = 0; n < mesh.indices.size(); n += 3) {
-        std::int64_t least_i = INT64_MAX, least_j = INT64_MAX;
-        for (int k = 0; k < 3; ++k) {
-            least_i = std::min(least_i, mesh.at(mesh.indices[n + k]).first);
-            least_j = std::min(least_j, mesh.at(mesh.indices[n + k]).second);
+/// Every triangle is counter-clockwise, together they fill the rectangle, and their border is `border`, clockwise.
+void expect_fills(const FlatChunk& chunk, const Indices& indices, const std::vector<int>& border, std::int64_t cells) {
+    std::int64_t area = 0;
+    for (std::size_t n = 0; n < indices.size(); n += 3) {
+        const std::int64_t of_one =
+            twice_area(chunk.vertices[indices[n]], chunk.vertices[indices[n + 1]], chunk.vertices[indices[n + 2]]);
+        EXPECT_GT(of_one, 0);
+        area += of_one;
+    }
+    EXPECT_EQ(area, 2 * cells);
+    std::set<std::pair<int, int>> expected;
+    for (std::size_t n = 0; n < border.size(); ++n) expected.insert({border[(n + 1) % border.size()], border[n]});
+    EXPECT_EQ(open_sides(indices), expected);
+}
+
+TEST(ChunkMesh, RegularChunkIsTwoTrianglesACellCutAlongTheSurfacesDiagonal) {
+    const FlatChunk chunk(4, 3);
+    Indices indices;
+    ASSERT_TRUE(chunk.build(0, indices).sound);
+    ASSERT_EQ(indices.size(), 3u * 2 * 3 * 2);
+    std::vector<int> border;
+    for (int n = 0; n < chunk.entry.border_count; ++n) border.push_back(n);
+    expect_fills(chunk, indices, border, 6);
+    for (std::size_t n = 0; n < indices.size(); n += 3) {
+        int on_diagonal = 0;
+        int least_i = 99, least_j = 99;
+        for (std::size_t k = 0; k < 3; ++k) {
+            least_i = std::min<int>(least_i, chunk.vertices[indices[n + k]].i);
+            least_j = std::min<int>(least_j, chunk.vertices[indices[n + k]].j);
         }
-        EXPECT_LT(least_i, 69);
-        EXPECT_LT(least_j, 44);
+        for (std::size_t k = 0; k < 3; ++k)
+            on_diagonal += chunk.vertices[indices[n + k]].i + chunk.vertices[indices[n + k]].j == least_i + least_j + 1;
+        EXPECT_EQ(on_diagonal, 2);
     }
 }
 
-TEST(ChunkMesh, VoidCellsHaveNoTriangles) {
-    host_sim::Raster raster = test_support::make_rough_raster(129, 129);
-    for (std::uint32_t j = 40; j < 60; ++j)
-        for (std::uint32_t i = 50; i < 75; ++i) {
-            raster.height_m[raster.at(i, j)] = NAN;
-            raster.post_class[raster.at(i, j)] = PostClass::void_;
-        }
-    raster.void_posts = 20 * 25;
-    const BuiltDatabase built(raster);
-    const ChunkIndex top = built.database.at(built.database.levels() - 1, 0, 0);
-    ASSERT_EQ(std::int64_t{kChunkCells} << built.database.entry(top).level, 128)
-        << "the hole must not cost the coarsest level here";
-    EXPECT_EQ(BuiltMesh(built, top, 0).twice_area(), 2 * (128 * 128 - 26 * 21));
+struct Side {
+    EdgeBit bit;
+    std::uint32_t first, last;  // border vertices, corners included
+};
+
+std::vector<Side> sides_of(std::uint32_t columns, std::uint32_t rows) {
+    const std::uint32_t ne = columns - 1, se = ne + rows - 1, sw = se + columns - 1;
+    return {{kEdgeNorth, 0, ne}, {kEdgeEast, ne, se}, {kEdgeSouth, se, sw}, {kEdgeWest, sw, sw + rows - 1}};
 }
 
-TEST(ChunkMesh, ContradictingVerticesAndSmallOutputAreRefused) {
-    std::vector<ChunkVertex> vertices = rough().vertices(0);
-    const FileHeader& h = rough().database.header();
-    static ChunkMeshScratch scratch;
-    std::vector<std::uint16_t> out(3 * kMaxChunkTriangles);
-    const ChunkPlace place{0, 0, 0, h.columns - 1, h.rows - 1};
-    ASSERT_TRUE(build_chunk_indices({vertices.data(), vertices.size()}, place, 0, scratch, {out.data(), out.size()}).sound);
-    EXPECT_FALSE(build_chunk_indices({vertices.data(), vertices.size()}, place, 0, scratch, {out.data(), 30}).sound);
-    EXPECT_FALSE(
-        build_chunk_indices({vertices.data() + 4, vertices.size() - 4}, place, 0, scratch, {out.data(), out.size()}).sound)
-        << "corners are missing";
+TEST(ChunkMesh, BesideCoarserNeighboursOnlyMarkedVerticesAreLeftAndNothingOpens) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 60; ++round) {
+        const std::uint32_t columns = 2 + random() % 16, rows = 2 + random() % 16;
+        FlatChunk chunk(columns, rows);
+        for (std::uint32_t n = 0; n < chunk.entry.border_count; ++n)
+            if (random() % 3 == 0) chunk.keep_beside_coarser(n);
+        for (std::uint8_t mask = 0; mask < 16; ++mask) {
+            std::vector<int> border;
+            for (const Side& side : sides_of(columns, rows))
+                for (std::uint32_t n = side.first; n < side.last; ++n)
+                    if (n == side.first || (mask & side.bit) == 0 || chunk.vertices[n].stays_beside_coarser())
+                        border.push_back(static_cast<int>(n));
+            Indices indices;
+            ASSERT_TRUE(chunk.build(mask, indices).sound) << columns << "x" << rows << " mask " << int{mask};
+            expect_fills(chunk, indices, border, std::int64_t{columns - 1} * (rows - 1));
+        }
+    }
+}
+
+TEST(ChunkMesh, StoredTrianglesGiveTheSameAsTheRegularOnes) {
+    FlatChunk regular(9, 9), stored(9, 9);
+    Indices base;
+    ASSERT_TRUE(regular.build(0, base).sound);
+    stored.entry.flags = 0;
+    stored.stored = base;
+    Indices a, b;
+    ASSERT_TRUE(regular.build(kEdgeNorth | kEdgeWest, a).sound);
+    ASSERT_TRUE(stored.build(kEdgeNorth | kEdgeWest, b).sound);
+    EXPECT_EQ(a, b);
+}
+
+TEST(ChunkMesh, TrianglesOfAPoleRowAreLeftOut) {
+    FlatChunk chunk(5, 3);
+    for (ChunkVertex& v : chunk.vertices)
+        if (v.j == 0) v.x = 0;
+    Indices indices;
+    ASSERT_TRUE(chunk.build(0, indices).sound);
+    EXPECT_EQ(indices.size(), 3u * (2 * 4 * 2 - 4));
+    ASSERT_TRUE(chunk.build(kEdgeEast, indices).sound);
+}
+
+TEST(ChunkMesh, ContradictionsAreRefused) {
+    FlatChunk chunk(5, 5);
+    Indices good, indices;
+    ASSERT_TRUE(chunk.build(0, good).sound);
+    chunk.entry.flags = 0;
+    chunk.stored = good;
+    chunk.stored[4] = 25;  // beyond the vertices
+    EXPECT_FALSE(chunk.build(0, indices).sound);
+    chunk.stored = good;
+    chunk.stored.resize(3);  // a border vertex without triangles
+    EXPECT_FALSE(chunk.build(kEdgeSouth, indices).sound);
+    chunk.entry.vertex_count = 24;
+    EXPECT_FALSE(chunk.build(0, indices).sound);
+    FlatChunk odd(5, 5);
+    odd.entry.border_count = 15;
+    EXPECT_FALSE(odd.build(0, indices).sound);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+/// Where the posts of a regular chunk stand among its vertices: the border first, clockwise from the north-west corner, then
+/// the others row by row.
+#pragma once
+
+#include <cstdint>
+
+namespace tedavis::terrain {
+
+/// Posts across and down, 2 or more each.
+struct RegularGrid {
+    std::uint32_t columns = 0, rows = 0;
+
+    [[nodiscard]] constexpr std::uint32_t border_count() const { return 2 * (columns + rows) - 4; }
+    [[nodiscard]] constexpr std::uint32_t vertex_count() const { return columns * rows; }
+    [[nodiscard]] constexpr std::uint32_t triangle_count() const { return 2 * (columns - 1) * (rows - 1); }
+
+    [[nodiscard]] constexpr std::uint32_t index_of(std::uint32_t i, std::uint32_t j) const {
+        if (j == 0) return i;
+        if (i == columns - 1) return columns - 1 + j;
+        if (j == rows - 1) return 2 * columns + rows - 3 - i;
+        if (i == 0) return 2 * columns + 2 * rows - 4 - j;
+        return border_count() + (j - 1) * (columns - 2) + (i - 1);
+    }
+};
+
+}  // namespace tedavis::terrain
