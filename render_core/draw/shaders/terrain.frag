@@ -1,11 +1,49 @@
-// Hypsometric tint, Lambert light, haze; with WARNING_BANDS (their number) the colours of terrain near the own ship's height,
-// with RASTER_ENDS nothing beyond the last post.
-uniform sampler2D palette;       // colour by height
-uniform vec2 palette_range;      // lowest height, 1 / (highest - lowest)
-uniform vec4 sea_color;
-uniform vec4 haze_color;
-#ifdef RASTER_ENDS
-uniform vec2 last_place;
+// Terrain: texture, then shade, then sketch, then haze. The defines at the top name the techniques of the style; what no
+// technique asks for is not there. BAKED: the chunk's attribute pages are bound, else the vertex normal must do.
+#ifdef MAP_FORM
+uniform sampler2D form_map;      // normal east, normal north, sky view, curvature
+#endif
+#ifdef MAP_LIGHT
+uniform sampler2D light_map;     // light, openness, local relief, class
+#endif
+#ifdef MAP_APERTURE
+uniform sampler2D aperture_map;  // aperture east, north, cosine of its radius, negative openness
+#endif
+#ifdef MAP_HORIZON
+uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
+uniform vec2 horizon_scale;      // its texture coordinates = page coordinates * x + y
+#endif
+#ifdef MAP_DRAPE
+uniform sampler2D drape_map;
+uniform vec2 drape_scale;
+#endif
+#ifdef PALETTE
+uniform sampler2D palette;       // colour by the texture's quantity
+uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
+#endif
+#ifdef TEXTURE_LINES
+uniform float grid_lines;        // lines a metre
+#endif
+uniform vec3 plain_color;
+uniform vec3 sea_color;
+uniform vec3 unknown_color;
+uniform vec3 haze_color;
+uniform vec2 pixel;              // metres a pixel per metre of distance; strokes apart on the screen, pixels
+#ifdef LIGHTS
+uniform vec4 lights[LIGHTS];     // towards each: east, north, up; its weight
+uniform vec4 light;              // ambient, 1 - ambient, highlight, its exponent
+#endif
+#ifdef OCCLUSION
+uniform vec2 occlusion;          // strength of sky view and of openness
+#endif
+#ifdef SKETCH
+uniform vec3 line_color;
+uniform vec4 form_lines;         // strength of ridges, valleys, suggestive contours, contours
+uniform vec2 contour;            // 1 / interval, lines per index line
+uniform vec2 strokes;            // strength of hatching, stippling
+#endif
+#ifdef PAGE_TEXEL
+uniform float page_texel;        // texture coordinates of one texel
 #endif
 #ifdef WARNING_BANDS
 uniform vec4 band_color[WARNING_BANDS];      // alpha: strength
@@ -13,26 +51,203 @@ uniform float band_lower[WARNING_BANDS];     // height above MSL from which the 
 #endif
 
 VARYING float v_height;
-VARYING float v_light;
-VARYING float v_sea;
+VARYING vec2 v_class;
+VARYING vec3 v_normal;
+VARYING vec3 v_eye;
 VARYING float v_haze;
-#ifdef RASTER_ENDS
-VARYING vec2 v_place;
+#ifdef BAKED
+VARYING vec2 v_page;
+#endif
+#ifdef STROKES
+VARYING vec2 v_ground;
+#endif
+
+const float kSigned = 255.0 / 127.0;
+const float kZero = 128.0 / 127.0;
+
+vec3 normal_of(vec2 code) {
+    vec2 level = code * kSigned - kZero;
+    return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
+}
+
+#ifdef STROKES
+float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.547); }
+#endif
+
+#ifdef PALETTE
+vec3 palette_color(float value) {
+    float level = clamp((value - palette_range.x) * palette_range.y, 0.0, 1.0);
+    return TEXTURE2D(palette, vec2(level * (1023.0 / 1024.0) + 0.5 / 1024.0, 0.5)).rgb;
+}
 #endif
 
 void main() {
-#ifdef RASTER_ENDS
-    if (v_place.x > last_place.x || v_place.y > last_place.y) discard;
+    float distance_m = length(v_eye);
+    vec3 ray = v_eye / distance_m;
+    float pixel_m = distance_m * pixel.x;
+#ifdef MAP_FORM
+    vec4 form = TEXTURE2D(form_map, v_page);
+    vec3 n = normal_of(form.xy);
+#else
+    vec3 n = normalize(v_normal);
 #endif
-    float level = clamp((v_height - palette_range.x) * palette_range.y, 0.0, 1.0);
-    vec3 color = TEXTURE2D(palette, vec2(level * (1023.0 / 1024.0) + 0.5 / 1024.0, 0.5)).rgb;
-    color = mix(color, sea_color.rgb, step(0.999, v_sea));
+#ifdef MAP_LIGHT
+    vec4 baked = TEXTURE2D(light_map, v_page);
+#endif
+
+    // -- texture
+    vec3 color = plain_color;
+#if defined(TEXTURE_HYPSOMETRIC)
+    color = palette_color(v_height);
+#elif defined(TEXTURE_SLOPE)
+    color = palette_color(degrees(atan(length(n.xy), max(n.z, 0.0))));
+#elif defined(TEXTURE_RELIEF) && defined(MAP_LIGHT)
+    float relief = baked.b * kSigned - kZero;
+    color = palette_color(1000.0 * relief * abs(relief));
+#elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
+    color = palette_color((baked.g * kSigned - kZero + 1.0) * 90.0);
+#elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
+    color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.y).rgb;
+#elif defined(TEXTURE_MATERIAL)
+    float grain = hash(floor(v_ground / 24.0)) * 0.5 + hash(floor(v_ground / 96.0)) * 0.5 - 0.5;
+    float steep = 1.0 - n.z + 0.06 * grain;
+    vec3 cover = mix(vec3(0.34, 0.45, 0.22), vec3(0.52, 0.49, 0.34), clamp((v_height - 1200.0) / 900.0 + grain, 0.0, 1.0));
+    cover = mix(cover, vec3(0.93, 0.95, 0.97), clamp((v_height - 2700.0) / 300.0 + 2.0 * grain, 0.0, 1.0));
+    cover = mix(cover, vec3(0.60, 0.56, 0.50), smoothstep(0.14, 0.22, steep));
+    color = mix(cover, vec3(0.43, 0.40, 0.38), smoothstep(0.26, 0.36, steep)) * (1.0 + 0.12 * grain);
+#elif defined(TEXTURE_LINES)
+    vec2 cell = abs(fract(v_ground * grid_lines + 0.5) - 0.5) / grid_lines;
+    vec2 reach = pixel_m * sqrt(max(1.0 - ray.xy * ray.xy, 0.0)) / max(abs(dot(n, ray)), 0.04);
+    color = mix(color, color * 0.35, 1.0 - clamp(min(cell.x / reach.x, cell.y / reach.y), 0.0, 1.0));
+#endif
+    float sea = step(0.999, v_class.x);
+    color = mix(color, sea_color, sea);
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
     vec4 band = vec4(0.0);
-    for (int n = 0; n < WARNING_BANDS; ++n) band = v_height >= band_lower[n] ? band_color[n] : band;
+    for (int b = 0; b < WARNING_BANDS; ++b) band = v_height >= band_lower[b] ? band_color[b] : band;
     color = mix(color, band.rgb, band.a);
 #endif
-    color = mix(color * v_light, haze_color.rgb, v_haze);
+
+    // -- shade
+    float lit = 1.0;
+    float shine = 0.0;
+#ifdef LIGHTS
+    float direct = 0.0;
+    for (int k = 0; k < LIGHTS; ++k) direct += lights[k].w * max(dot(n, lights[k].xyz), 0.0);
+#ifdef MAP_HORIZON
+    float root = TEXTURE2D(horizon_map, v_page * horizon_scale.x + horizon_scale.y).r;
+    // The sun's disc is half a degree wide.
+    direct *= clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
+#endif
+#if defined(SHADE_LIGHT_MAP) && defined(MAP_LIGHT)
+    lit = baked.r * 1.25;
+#elif defined(SHADE_APERTURE) && defined(MAP_APERTURE)
+    vec4 aperture = TEXTURE2D(aperture_map, v_page);
+    vec3 opening = normal_of(aperture.xy);
+    float radius = acos(clamp(aperture.z, 0.0, 1.0));
+    float apart = acos(clamp(dot(opening, lights[0].xyz), -1.0, 1.0));
+    // Share of a soft light of 17 degrees that stands in the opening; the sky light falls with the opening's cap.
+    float seen = 1.0 - smoothstep(radius - 0.3, radius + 0.3, apart);
+    lit = light.x * (1.0 - aperture.z) + light.y * seen * max(dot(n, lights[0].xyz), 0.0);
+#else
+    lit = light.x + light.y * direct;
+#endif
+#ifdef SHADE_PHONG
+    float mirrored = max(dot(reflect(ray, n), lights[0].xyz), 0.0);
+    shine = light.z * pow(mirrored, light.w) * step(0.0001, direct);
+#endif
+#endif
+#if defined(OCCLUSION) && defined(MAP_FORM)
+    lit *= mix(1.0, form.z * form.z, occlusion.x);
+#endif
+#if defined(OCCLUSION) && defined(MAP_LIGHT)
+    lit *= mix(1.0, smoothstep(0.55, 1.02, baked.g * kSigned - kZero + 1.0), occlusion.y);
+#endif
+    color = color * lit + shine * (1.0 - 0.5 * sea);
+
+    // -- sketch
+#ifdef SKETCH
+    float ink = 0.0;
+    float facing = max(-dot(n, ray), 0.03);
+#ifdef CONTOURS
+    // How fast the height changes from pixel to pixel on the screen, along the surface's plane.
+    vec3 climb = vec3(0.0, 0.0, 1.0) + n * (ray.z / facing);
+    float per_pixel = max(pixel_m * length(climb), 1e-3) * contour.x;
+    float phase = v_height * contour.x;
+    float line = floor(phase + 0.5);
+    float strong = step(abs(line - contour.y * floor(line / contour.y + 0.5)), 0.25);
+    float width = 0.6 + 0.6 * strong;
+#ifdef ILLUMINATED
+    float bright = clamp(dot(normalize(n.xy + vec2(1e-6)), normalize(lights[0].xy + vec2(1e-6))), -1.0, 1.0);
+    width *= 0.5 + abs(bright);
+#endif
+    float stroke = clamp(width + 0.5 - abs(phase - line) / per_pixel, 0.0, 1.0) * clamp(1.5 - 3.0 * per_pixel, 0.0, 1.0);
+    stroke *= form_lines.w * (0.55 + 0.45 * strong) * (1.0 - sea) * smoothstep(0.02, 0.06, length(n.xy));
+#ifdef ILLUMINATED
+    color = mix(color, bright > 0.0 ? vec3(1.0) : line_color, stroke);
+#else
+    ink = max(ink, stroke);
+#endif
+#endif
+#if defined(FORM_LINES) && defined(MAP_FORM)
+    float bend = form.w * kSigned - kZero;
+    ink = max(ink, form_lines.x * smoothstep(0.20, 0.34, bend));
+    ink = max(ink, form_lines.y * smoothstep(0.20, 0.34, -bend));
+#endif
+#if defined(SUGGESTIVE) && defined(MAP_FORM)
+    // Radial curvature from three normals along the view's direction over the ground (DeCarlo et al. 2003, section 3).
+    vec2 along = normalize(ray.xy + vec2(1e-6));
+    vec2 texel = vec2(along.x, -along.y) * page_texel * 1.5;
+    float before = dot(normal_of(TEXTURE2D(form_map, v_page - texel).xy).xy, along);
+    float after = dot(normal_of(TEXTURE2D(form_map, v_page + texel).xy).xy, along);
+    float here = dot(n.xy, along);
+    float curvature = after - before;
+    float growth = after - 2.0 * here + before;
+    float turned_away = smoothstep(0.9, 0.6, facing);
+    ink = max(ink, form_lines.z * turned_away * smoothstep(0.012, 0.05, growth) *
+                       clamp(1.4 - abs(curvature) / max(growth, 1e-3), 0.0, 1.0));
+#endif
+#ifdef STROKES
+    float dark = clamp(1.15 - lit, 0.0, 1.0) * (1.0 - sea);
+    // Strokes lie on the ground; their distance there doubles with the distance from the eye, two sizes cross-fade.
+    float octave = log2(max(pixel_m * pixel.y, 1.0));
+    float size = exp2(floor(octave));
+    float fade = fract(octave);
+#ifdef HATCHING
+    vec2 down = normalize(n.xy + vec2(1e-6));
+    float sector = floor(atan(down.y, down.x) * 2.5464791 + 0.5) * 0.39269908;  // eight directions are enough to follow slopes
+    vec2 across = vec2(-sin(sector), -cos(sector));
+    float at = dot(v_ground, across);
+    float fine = abs(fract(at / size) - 0.5) * 2.0;
+    float coarse = abs(fract(at / (2.0 * size)) - 0.5) * 2.0;
+    float edge = 0.35;
+    float tone = dark * smoothstep(0.02, 0.2, 1.0 - n.z);
+    ink = max(ink, strokes.x * smoothstep(1.0 - tone, 1.0 - tone + edge, mix(fine, coarse, fade)) * step(0.04, tone));
+#endif
+#ifdef STIPPLING
+    for (int o = 0; o < 2; ++o) {
+        float cell_m = o == 0 ? size : 2.0 * size;
+        vec2 cell = floor(v_ground / cell_m);
+        vec2 jitter = vec2(hash(cell), hash(cell + 37.0)) * 0.5 + 0.25;
+        float away = length(v_ground / cell_m - cell - jitter);
+        float share = o == 0 ? 1.0 - fade : fade;
+        ink = max(ink, strokes.y * share * (1.0 - smoothstep(0.75, 1.0, away / max(0.42 * sqrt(dark), 1e-3))));
+    }
+#endif
+#endif
+    color = mix(color, line_color, ink);
+#endif
+
+    // -- what is not known, whatever the style: hatched on the screen
+    if (v_class.y > 0.001) {
+        float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0);
+        color = mix(unknown_color * 0.45, unknown_color, smoothstep(0.42, 0.5, abs(stripe - 0.5) * 2.0 * 0.5 + 0.25));
+    }
+    color = mix(color, haze_color, v_haze * (1.0 - 0.5 * step(0.001, v_class.y)));
+#ifdef DISTANCE_IN_ALPHA
+    FRAGMENT_COLOR = vec4(color, log2(1.0 + distance_m / 50.0) / 13.0);
+#else
     FRAGMENT_COLOR = vec4(color, 1.0);
+#endif
 }

@@ -1,0 +1,124 @@
+#include "render_core/design/terrain_style.hpp"
+
+namespace tedavis::design {
+namespace {
+
+using base::ConfigSection;
+
+void read_color(ConfigSection& section, std::string_view key, Color& color) {
+    if (!section.has(key)) return;
+    const ParsedColor parsed = color_from_text(section.text(key));
+    if (parsed.ok)
+        color = parsed.color;
+    else
+        section.fault(key, "is no colour; write it as \"#rrggbb\"");
+}
+
+double read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double angle_rad) {
+    return base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
+}
+
+void read_share(ConfigSection& section, std::string_view key, double& share) { share = section.number(key, 0, 1, share); }
+
+template <class Enum, std::size_t N>
+void read_choice(ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {
+    const base::Span<const std::string_view> choices(names.data(), names.size());
+    value = static_cast<Enum>(section.choice("technique", choices, static_cast<std::size_t>(value)));
+}
+
+void read_texture(ConfigSection section, TerrainStyle& style) {
+    read_choice(section, kTerrainTextureNames, style.texture);
+    read_color(section, "plain_color", style.plain);
+    style.line_spacing_m = section.number("line_spacing_m", 10, 100'000, style.line_spacing_m);
+}
+
+DirectedLight read_light(ConfigSection section, DirectedLight light) {
+    light.azimuth_rad = read_angle(section, "azimuth_deg", 0, 360, light.azimuth_rad);
+    light.elevation_rad = read_angle(section, "elevation_deg", 0, 90, light.elevation_rad);
+    light.weight = section.number("weight", 0, 1, light.weight);
+    return light;
+}
+
+void read_lights(ConfigSection& section, ShadeSettings& shade) {
+    const std::size_t count = section.table_count("light");
+    if (count == 0) return;
+    if (count > kMaxLights) section.fault("light", "'light' has too many entries; keep at most 4");
+    shade.light_count = count < kMaxLights ? count : kMaxLights;
+    for (std::size_t n = 0; n < shade.light_count; ++n) shade.lights[n] = read_light(section.table_at("light", n), {});
+}
+
+void read_shade(ConfigSection section, ShadeSettings& shade) {
+    read_choice(section, kTerrainShadeNames, shade.technique);
+    read_lights(section, shade);
+    read_share(section, "ambient", shade.ambient);
+    shade.follows_sun = section.boolean("follows_sun", shade.follows_sun);
+    shade.cast_shadows = section.boolean("cast_shadows", shade.cast_shadows);
+    read_share(section, "ambient_occlusion", shade.ambient_occlusion);
+    read_share(section, "openness", shade.openness);
+    read_share(section, "highlight", shade.highlight);
+    shade.highlight_exponent = section.number("highlight_exponent", 1, 200, shade.highlight_exponent);
+}
+
+void read_sketch(ConfigSection section, SketchSettings& sketch) {
+    read_color(section, "line_color", sketch.line);
+    read_share(section, "silhouettes", sketch.silhouettes);
+    read_share(section, "ridges", sketch.ridges);
+    read_share(section, "valleys", sketch.valleys);
+    read_share(section, "suggestive_contours", sketch.suggestive_contours);
+    read_share(section, "contours", sketch.contours);
+    sketch.contour_interval_m = section.number("contour_interval_m", 1, 5000, sketch.contour_interval_m);
+    sketch.contour_index = static_cast<std::uint32_t>(section.integer("contour_index", 1, 100, sketch.contour_index));
+    sketch.illuminated = section.boolean("illuminated", sketch.illuminated);
+    read_share(section, "hatching", sketch.hatching);
+    read_share(section, "stippling", sketch.stippling);
+    sketch.stroke_spacing_px = section.number("stroke_spacing_px", 3, 40, sketch.stroke_spacing_px);
+}
+
+bool reads_form(const TerrainStyle& style) {
+    const SketchSettings& sketch = style.sketch;
+    const bool lines = sketch.ridges > 0 || sketch.valleys > 0 || sketch.suggestive_contours > 0 || sketch.contours > 0;
+    return lines || sketch.hatching > 0 || sketch.stippling > 0 || style.shade.technique != TerrainShade::none ||
+           style.shade.ambient_occlusion > 0 || style.texture == TerrainTexture::slope ||
+           style.texture == TerrainTexture::material;
+}
+
+bool reads_light(const TerrainStyle& style) {
+    return style.shade.technique == TerrainShade::light_map || style.shade.openness > 0 ||
+           style.texture == TerrainTexture::local_relief || style.texture == TerrainTexture::openness;
+}
+
+}  // namespace
+
+const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {
+    "plain", "hypsometric", "slope", "local_relief", "openness", "image", "material", "lines"};
+const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
+                                                                         "phong", "light_map", "aperture"};
+
+bool needs_map(const TerrainStyle& style, BakedMap map) noexcept {
+    switch (map) {
+        case BakedMap::form: return reads_form(style);
+        case BakedMap::light: return reads_light(style);
+        case BakedMap::aperture: return style.shade.technique == TerrainShade::aperture;
+        case BakedMap::horizon: return style.shade.cast_shadows;
+        case BakedMap::drape: return style.texture == TerrainTexture::image;
+    }
+    return false;
+}
+
+bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
+    const auto on = [](double x, double y) { return (x > 0) == (y > 0); };
+    const SketchSettings &s = a.sketch, &t = b.sketch;
+    return a.texture == b.texture && a.shade.technique == b.shade.technique && a.shade.light_count == b.shade.light_count &&
+           a.shade.cast_shadows == b.shade.cast_shadows && on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) &&
+           on(a.shade.openness, b.shade.openness) && on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) &&
+           on(s.valleys, t.valleys) && on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) &&
+           s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
+}
+
+void read_terrain_style(ConfigSection& terrain, TerrainStyle& style) {
+    read_texture(terrain.section("texture"), style);
+    read_shade(terrain.section("shade"), style.shade);
+    read_sketch(terrain.section("sketch"), style.sketch);
+}
+
+}  // namespace tedavis::design
