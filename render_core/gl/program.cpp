@@ -61,7 +61,7 @@ void Program::destroy(Gl& gl) {
 GlError Program::look_up_uniforms(Gl& gl, const ProgramSource& source) {
     for (const char* name : source.uniforms) {
         const GLint location = gl->GetUniformLocation(id_, name);
-        if (location < 0) return make_error("program '", source.name, "' does not use the uniform ", name);
+        if (location < 0 && !source.some_unused) return make_error("program '", source.name, "' does not use the uniform ", name);
         if (!uniforms_.try_push_back(location))
             return make_error("program '", source.name, "' has more uniforms than kMaxUniforms");
     }

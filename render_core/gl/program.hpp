@@ -14,7 +14,7 @@
 
 namespace tedavis::gl {
 
-inline constexpr std::size_t kMaxUniforms = 32;
+inline constexpr std::size_t kMaxUniforms = 40;
 
 struct AttributeBinding {
     const char* name;
@@ -26,6 +26,7 @@ struct ProgramSource {
     std::string_view vertex, fragment;  ///< without #version
     base::Span<const AttributeBinding> attributes;
     base::Span<const char* const> uniforms;  ///< looked up once; Program::uniform(i) is the i-th
+    bool some_unused = false;                ///< a program of many variants: uniforms that this one lacks are -1
 };
 
 class Program {

@@ -164,7 +164,9 @@ void main() {
 #if defined(OCCLUSION) && defined(MAP_LIGHT)
     lit *= mix(1.0, smoothstep(0.55, 1.02, baked.g * kSigned - kZero + 1.0), occlusion.y);
 #endif
+#ifdef SHADED
     color = color * lit + shine * (1.0 - 0.5 * sea);
+#endif
 
     // -- sketch
 #ifdef SKETCH
@@ -240,11 +242,10 @@ void main() {
 #endif
 
     // -- what is not known, whatever the style: hatched on the screen
-    if (v_class.y > 0.001) {
-        float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0);
-        color = mix(unknown_color * 0.45, unknown_color, smoothstep(0.42, 0.5, abs(stripe - 0.5) * 2.0 * 0.5 + 0.25));
-    }
-    color = mix(color, haze_color, v_haze * (1.0 - 0.5 * step(0.001, v_class.y)));
+    float unknown = step(0.001, v_class.y);
+    float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) - 0.5) * 12.0;
+    color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
+    color = mix(color, haze_color, v_haze * (1.0 - 0.5 * unknown));
 #ifdef DISTANCE_IN_ALPHA
     FRAGMENT_COLOR = vec4(color, log2(1.0 + distance_m / 50.0) / 13.0);
 #else

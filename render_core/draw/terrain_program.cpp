@@ -1,0 +1,114 @@
+#include "render_core/draw/terrain_program.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using design::BakedMap;
+using design::TerrainShade;
+using design::TerrainTexture;
+
+constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
+                                                {"height", kTerrainHeight},
+                                                {"normal", kTerrainNormal},
+                                                {"kind", kTerrainKind},
+                                                {"place", kTerrainPlace}};
+
+constexpr const char* kUniformNames[kTerrainUniforms] = {
+    "chunk_offset", "view_projection", "to_local",   "haze_per_m",    "lift",         "place_end",   "earth_centre",
+    "page_window",  "stroke_window",   "form_map",   "light_map",     "aperture_map", "horizon_map", "horizon_scale",
+    "drape_map",    "drape_scale",     "palette",    "palette_range", "plain_color",  "sea_color",   "unknown_color",
+    "haze_color",   "pixel",           "grid_lines", "lights",        "light",        "occlusion",   "line_color",
+    "form_lines",   "contour",         "strokes",    "page_texel",    "band_color",   "band_lower"};
+
+constexpr const char* kTextureDefines[design::kTerrainTextures] = {
+    "",
+    "#define TEXTURE_HYPSOMETRIC 1\n#define PALETTE 1\n",
+    "#define TEXTURE_SLOPE 1\n#define PALETTE 1\n",
+    "#define TEXTURE_RELIEF 1\n#define PALETTE 1\n",
+    "#define TEXTURE_OPENNESS 1\n#define PALETTE 1\n",
+    "#define TEXTURE_IMAGE 1\n",
+    "#define TEXTURE_MATERIAL 1\n#define STROKES 1\n",
+    "#define TEXTURE_LINES 1\n#define STROKES 1\n",
+};
+constexpr const char* kMapDefines[design::kBakedMaps] = {"#define MAP_FORM 1\n", "#define MAP_LIGHT 1\n",
+                                                         "#define MAP_APERTURE 1\n", "#define MAP_HORIZON 1\n",
+                                                         "#define MAP_DRAPE 1\n"};
+
+class DefineList {
+public:
+    void add(std::string_view line) { text_.append(line); }
+    void add_if(bool wanted, std::string_view line) {
+        if (wanted) add(line);
+    }
+    void add_number(std::string_view name, std::size_t number) {
+        add("#define ");
+        add(name);
+        add(" ");
+        add(gl::digits(number).view());
+        add("\n");
+    }
+    [[nodiscard]] const TerrainDefines& text() const { return text_; }
+
+private:
+    TerrainDefines text_;
+};
+
+void add_shade(DefineList& defines, const design::ShadeSettings& shade, bool needs_light) {
+    const bool lit = shade.technique != TerrainShade::none;
+    if (lit || needs_light)
+        defines.add_number("LIGHTS", shade.technique == TerrainShade::lights ? shade.light_count : std::size_t{1});
+    defines.add_if(lit || shade.ambient_occlusion > 0 || shade.openness > 0, "#define SHADED 1\n");
+    defines.add_if(shade.technique == TerrainShade::phong, "#define SHADE_PHONG 1\n");
+    defines.add_if(shade.technique == TerrainShade::light_map, "#define SHADE_LIGHT_MAP 1\n");
+    defines.add_if(shade.technique == TerrainShade::aperture, "#define SHADE_APERTURE 1\n");
+    defines.add_if(shade.ambient_occlusion > 0 || shade.openness > 0, "#define OCCLUSION 1\n");
+}
+
+void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool strokes_by_texture) {
+    const bool form_lines = sketch.ridges > 0 || sketch.valleys > 0;
+    const bool strokes = sketch.hatching > 0 || sketch.stippling > 0;
+    const bool any = form_lines || strokes || sketch.suggestive_contours > 0 || sketch.contours > 0;
+    defines.add_if(any, "#define SKETCH 1\n");
+    defines.add_if(form_lines, "#define FORM_LINES 1\n");
+    defines.add_if(sketch.suggestive_contours > 0, "#define SUGGESTIVE 1\n#define PAGE_TEXEL 1\n");
+    defines.add_if(sketch.contours > 0, "#define CONTOURS 1\n");
+    defines.add_if(sketch.contours > 0 && sketch.illuminated, "#define ILLUMINATED 1\n");
+    defines.add_if(strokes && !strokes_by_texture, "#define STROKES 1\n");
+    defines.add_if(sketch.hatching > 0, "#define HATCHING 1\n");
+    defines.add_if(sketch.stippling > 0, "#define STIPPLING 1\n");
+}
+
+}  // namespace
+
+TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
+    DefineList defines;
+    defines.add(kTextureDefines[static_cast<std::size_t>(style.texture)]);
+    const design::SketchSettings& sketch = style.sketch;
+    add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
+    add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
+    defines.add_if(variant.baked, "#define BAKED 1\n");
+    for (std::size_t map = 0; map < design::kBakedMaps; ++map)
+        defines.add_if(variant.baked && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
+    if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
+    defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.outlined, "#define DISTANCE_IN_ALPHA 1\n");
+    return defines.text();
+}
+
+base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
+                                                             const TerrainVariant& variant) {
+    const TerrainDefines defines = terrain_defines(style, variant);
+    base::FixedString<kMaxShaderText> vertex(defines.view()), fragment(defines.view());
+    vertex.append(shader_text(k_terrain_vert));
+    fragment.append(shader_text(k_terrain_frag));
+    gl::ProgramSource source;
+    source.name = "terrain";
+    source.vertex = vertex.view();
+    source.fragment = fragment.view();
+    source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
+    source.uniforms = base::Span<const char* const>(kUniformNames);
+    source.some_unused = true;
+    return gl::build_program(gl, source);
+}
+
+}  // namespace tedavis::draw
