@@ -11,11 +11,11 @@ uniform sampler2D aperture_map;  // aperture east, north, cosine of its radius, 
 #endif
 #ifdef MAP_HORIZON
 uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
-uniform vec2 horizon_scale;      // its texture coordinates = page coordinates * x + y
+uniform vec3 horizon_scale;      // its texture coordinates = page coordinates * x + yz
 #endif
 #ifdef MAP_DRAPE
 uniform sampler2D drape_map;
-uniform vec2 drape_scale;
+uniform vec3 drape_scale;
 #endif
 #ifdef PALETTE
 uniform sampler2D palette;       // colour by the texture's quantity
@@ -107,7 +107,7 @@ void main() {
 #elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
     color = palette_color((baked.g * kSigned - kZero + 1.0) * 90.0);
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
-    color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.y).rgb;
+    color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.yz).rgb;
 #elif defined(TEXTURE_MATERIAL)
     float grain = hash(floor(v_ground / 24.0)) * 0.5 + hash(floor(v_ground / 96.0)) * 0.5 - 0.5;
     float steep = 1.0 - n.z + 0.06 * grain;
@@ -136,7 +136,7 @@ void main() {
     float direct = 0.0;
     for (int k = 0; k < LIGHTS; ++k) direct += lights[k].w * max(dot(n, lights[k].xyz), 0.0);
 #ifdef MAP_HORIZON
-    float root = TEXTURE2D(horizon_map, v_page * horizon_scale.x + horizon_scale.y).r;
+    float root = TEXTURE2D(horizon_map, v_page * horizon_scale.x + horizon_scale.yz).r;
     // The sun's disc is half a degree wide.
     direct *= clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
 #endif
