@@ -4,6 +4,7 @@
 #include "platform/surface_settings.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "target/file_text.hpp"
+#include "target/palette_files.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -20,7 +21,7 @@ public:
         base::ConfigSection root = reader_.root();
         settings_.title.append(root.text("title", "board"));
         take(root, "device", settings_.device, &effects::read_device_settings);
-        take(root, "design", settings_.design, &design::read_design_settings);
+        read_design(root);
         take(root, "bus", settings_.bus, &bus::load_bus_settings);
         read_switches(root.section("switches"));
         read_terrain(root.section("terrain"));
@@ -58,6 +59,17 @@ private:
             settings = loaded.value();
         else if (named_file_fault_.sentence.empty())
             named_file_fault_ = make_board_error({loaded.error().sentence.view()});
+    }
+
+    /// The palettes that a design names lie in one folder: the board file's own, or another that it names.
+    void read_design(base::ConfigSection& root) {
+        Path folder = path_beside(path_, root.text("palettes", ""));
+        if (!folder.empty() && folder.view().back() != '/') folder.append("/");
+        if (folder.cut()) return root.fault("palettes", "the path is longer than 1023 bytes; use a shorter one");
+        take(root, "design", settings_.design, [&folder](std::string_view text, std::string_view path) {
+            PaletteFiles palettes(path, folder.view());
+            return design::read_design_settings(text, path, palettes);
+        });
     }
 
     void read_switches(base::ConfigSection section) {

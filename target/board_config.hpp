@@ -3,6 +3,7 @@
 ///     title = "..."              shown at start
 ///     device = "es3-mid.toml"    files that the board file names are found from the board file's own folder
 ///     design = "default.toml"
+///     palettes = "palettes"      folder of the palettes that the design names; absent: the board file's own
 ///     bus = "canaerospace.toml"
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"

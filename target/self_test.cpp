@@ -22,6 +22,20 @@ std::string_view text_of(const unsigned char (&bytes)[N]) {
     return {reinterpret_cast<const char*>(bytes), N - 1};  // the embedded zero behind it
 }
 
+/// The design's palette comes from the program as well.
+class EmbeddedPalette final : public design::PaletteSource {
+public:
+    explicit EmbeddedPalette(std::string_view text) : text_(text) {}
+    base::Result<design::Palette, base::ConfigError> find(std::string_view name) override {
+        if (name != kName) return base::fail(base::ConfigError{"is not the palette that the self-test has"});
+        return design::read_palette(text_, "alpine.toml");
+    }
+
+private:
+    static constexpr std::string_view kName = "alpine";
+    std::string_view text_;
+};
+
 /// The parts of the test, each of which needs those before it.
 class SelfTest {
 public:
@@ -53,9 +67,13 @@ private:
     }
 
     bool read_settings() {
+        EmbeddedPalette palette(inputs_.palette);
+        const auto read_design = [&palette](std::string_view text, std::string_view name) {
+            return design::read_design_settings(text, name, palette);
+        };
         const bool all = read("canaerospace.toml", inputs_.bus, bus_, &bus::load_bus_settings) &&
                          read("es2-small.toml", inputs_.device, settings_.device, &effects::read_device_settings) &&
-                         read("default.toml", inputs_.design, settings_.design, &design::read_design_settings);
+                         read("default.toml", inputs_.design, settings_.design, read_design);
         settings_.width_px = kKnownPictureWidth;
         settings_.height_px = kKnownPictureHeight;
         return all;
@@ -145,7 +163,8 @@ SelfTestInputs embedded_inputs() noexcept {
             {embedded::k_terrain_tdb, embedded::k_terrain_tdb_size},
             text_of(embedded::k_canaerospace_toml),
             text_of(embedded::k_es2_small_toml),
-            text_of(embedded::k_default_toml)};
+            text_of(embedded::k_default_toml),
+            text_of(embedded::k_alpine_toml)};
 }
 
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) { SelfTest(inputs, report).run(); }

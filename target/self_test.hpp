@@ -18,7 +18,7 @@ namespace tedavis::target {
 struct SelfTestInputs {
     base::Span<const char> log;
     base::Span<const unsigned char> terrain;
-    std::string_view bus, device, design;  ///< texts of configuration files
+    std::string_view bus, device, design, palette;  ///< texts of configuration files; the palette is the design's only one
 };
 
 /// What the build has embedded; lives as long as the program.

@@ -17,6 +17,8 @@
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
+#include "host_sim/measure/palette_check.hpp"
+#include "host_sim/replay/load_design.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
@@ -37,9 +39,31 @@ void require(const Loaded& loaded) {
     if (!loaded.ok()) throw UserError(std::string(loaded.error().sentence.view()));
 }
 
+/// One sentence a line.
+void require_no_faults(const std::vector<std::string>& faults) {
+    std::string all;
+    for (const std::string& fault : faults) all += (all.empty() ? "" : "\n") + fault;
+    if (!all.empty()) throw UserError(all);
+}
+
 std::string check_design(const std::string& path) {
-    require(design::read_design_settings(read_file(path), path));
+    PictureOptions options;
+    options.design = path;
+    const design::DesignSettings design = load_design(options);
+    const std::string name = path + ": palette " + std::string(design.terrain.palette.name.view());
+    require_no_faults(palette_faults(design.terrain.palette, name));
+    require_no_faults(palette_faults_in_design(design.terrain.palette, design, name));
     return "a design";
+}
+
+/// A palette is judged with the colours of a display that was given no design.
+std::string check_palette(const std::string& path) {
+    const design::Palette palette = palette_from_text(read_file(path), path);
+    std::vector<std::string> faults = palette_faults(palette, path);
+    for (std::string& fault : palette_faults_in_design(palette, design::default_design_settings(), path))
+        faults.push_back(std::move(fault));
+    require_no_faults(faults);
+    return "a palette of " + std::to_string(palette.stops.size()) + " colours, fit for every colour vision";
 }
 
 std::string check_device(const std::string& path) {
@@ -150,7 +174,8 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 6> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 7> kConfigKinds = {{{"designs", "[view]", check_design},
+                                                     {"palettes", "[[stop]]", check_palette},
                                                      {"devices", "[[budget]]", check_device},
                                                      {"buses", "[dialect]", check_bus},
                                                      {"switches", "[[pattern]]", check_switches},
@@ -170,9 +195,10 @@ FileChecker config_checker(const std::string& path) {
     for (const FolderKind& kind : kConfigKinds) {
         if (text.find(kind.key) != std::string::npos) return kind.check;
     }
-    throw UserError(path +
-                    ": neither its folder nor its content says what it configures; put it into designs, devices, buses, switches "
-                    "or scenarios");
+    throw UserError(
+        path +
+        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches "
+        "or scenarios");
 }
 
 std::string check_file(const std::string& path) {

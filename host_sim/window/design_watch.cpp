@@ -1,30 +1,31 @@
 #include "host_sim/window/design_watch.hpp"
 
+#include <algorithm>
+
 #include "host_sim/input_file.hpp"
-#include "host_sim/replay/load_design.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
 
-DesignWatch::DesignWatch(const PictureOptions& options)
-    : options_(options), path_(design_path(options)), taken_(read_file(path_)), last_met_(taken_) {
-    options_.design = path_;
-    design_ = design_from_text(taken_, options_);
+DesignWatch::DesignWatch(const PictureOptions& options) : options_(options) {
+    options_.design = design_path(options);
+    design_ = load_design(options_, &taken_);
 }
 
 DesignNews DesignWatch::look() {
-    std::string content;
+    std::vector<std::string> met;
     try {
-        content = read_file(path_);
+        for (const ReadFile& file : taken_) met.push_back(read_file(file.path));
     } catch (const UserError&) {
         return DesignNews::none;  // editors take a file away for a moment while they save
     }
-    const bool settled = content == last_met_;
-    last_met_ = content;
-    if (!settled || content == taken_) return DesignNews::none;
-    taken_ = content;
+    const bool settled = met == last_met_;
+    last_met_ = met;
+    const bool same = std::equal(met.begin(), met.end(), taken_.begin(), taken_.end(),
+                                 [](const std::string& text, const ReadFile& file) { return text == file.text; });
+    if (!settled || same) return DesignNews::none;
     try {
-        design_ = design_from_text(content, options_);
+        design_ = load_design(options_, &taken_);
         return DesignNews::changed;
     } catch (const UserError& error) {
         sentence_ = error.what();

@@ -1,9 +1,11 @@
-/// Notices that the design file was changed while the window is open.
+/// Notices that the design file, or a palette that it names, was changed while the window is open.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host_sim/commands/replay.hpp"
+#include "host_sim/replay/load_design.hpp"
 #include "render_core/design/design_settings.hpp"
 
 namespace tedavis::host_sim {
@@ -19,7 +21,7 @@ public:
     /// Reads the design; throws UserError where it is not sound. The options are copied.
     explicit DesignWatch(const PictureOptions& options);
 
-    /// Looks at the file. A new content counts once it has been met twice, so that a half written file is left alone.
+    /// Looks at the files. A new content counts once it has been met twice, so that a half written file is left alone.
     [[nodiscard]] DesignNews look();
 
     [[nodiscard]] const design::DesignSettings& design() const { return design_; }
@@ -27,8 +29,8 @@ public:
 
 private:
     PictureOptions options_;
-    std::string path_;
-    std::string taken_, last_met_;  ///< contents
+    std::vector<ReadFile> taken_;        ///< what the last design was read from
+    std::vector<std::string> last_met_;  ///< their contents at the last look
     design::DesignSettings design_;
     std::string sentence_;
 };

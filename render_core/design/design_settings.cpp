@@ -1,23 +1,11 @@
 #include "render_core/design/design_settings.hpp"
 
+#include "render_core/design/config_values.hpp"
+
 namespace tedavis::design {
 namespace {
 
 using base::ConfigSection;
-
-void fault_of(ConfigSection& section, std::string_view key, std::string_view what) {
-    base::FixedString<191> sentence("'");
-    sentence.append(key);
-    sentence.append("' ");
-    sentence.append(what);
-    section.fault(key, sentence.view());
-}
-
-Color required_color(ConfigSection& section, std::string_view key) {
-    const ParsedColor parsed = color_from_text(section.text(key));
-    if (!parsed.ok) fault_of(section, key, "is no colour; write it as \"#rrggbb\"");
-    return parsed.color;
-}
 
 void read_color(ConfigSection& section, std::string_view key, Color& color) {
     if (section.has(key)) color = required_color(section, key);
@@ -37,24 +25,19 @@ void read_view(ConfigSection section, ViewSettings& view) {
     view.dpi = section.number("dpi", 30, 1000, view.dpi);
 }
 
-void read_palette(ConfigSection& section, HeightPalette& palette) {
-    const std::size_t count = section.table_count("palette");
-    if (count == 0) return;
-    palette.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        ConfigSection stop = section.table_at("palette", i);
-        HeightColor entry;
-        entry.height_m = stop.number("height_m", -500, 9000);
-        entry.color = required_color(stop, "color");
-        if (!palette.empty() && !(entry.height_m > palette.back().height_m))
-            fault_of(stop, "height_m", "must lie above the stop before it; sort the palette by height");
-        if (!palette.try_push_back(entry)) fault_of(stop, "height_m", "is one stop too many; keep at most 16");
-    }
+/// Heights are coloured; a palette of something else would say nonsense.
+void read_height_palette(ConfigSection& section, PaletteSource& palettes, Palette& palette) {
+    if (!section.has("palette")) return;
+    const auto found = palettes.find(section.text("palette"));
+    if (!found.ok()) return section.fault("palette", found.error().sentence.view());
+    palette = found.value();
+    if (palette.kind != PaletteKind::hypsometric)
+        fault_of(section, "palette", "names no palette of heights; choose one of kind hypsometric");
 }
 
-void read_terrain(ConfigSection section, TerrainSettings& terrain) {
+void read_terrain(ConfigSection section, PaletteSource& palettes, TerrainSettings& terrain) {
     terrain.tau_px = section.number("tau_px", 0.1, 32, terrain.tau_px);
-    read_palette(section, terrain.palette);
+    read_height_palette(section, palettes, terrain.palette);
     read_color(section, "sea_color", terrain.sea);
     read_color(section, "unknown_color", terrain.unknown);
 }
@@ -128,37 +111,24 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
     shown.baro_setting = section.boolean("baro_setting", shown.baro_setting);
     shown.ground_height = section.boolean("ground_height", shown.ground_height);
     shown.phase = section.boolean("phase", shown.phase);
+    shown.legend = section.boolean("legend", shown.legend);
+    static constexpr std::string_view kUnits[] = {"ft", "m"};
+    shown.legend_unit =
+        static_cast<HeightUnit>(section.choice("legend_unit", kUnits, static_cast<std::size_t>(shown.legend_unit)));
 }
 
 }  // namespace
 
-Color color_of_height(const HeightPalette& palette, double height_m) noexcept {
-    TEDAVIS_CHECK(!palette.empty());
-    if (!(height_m > palette[0].height_m)) return palette[0].color;
-    for (std::size_t i = 1; i < palette.size(); ++i)
-        if (height_m < palette[i].height_m) {
-            const HeightColor& below = palette[i - 1];
-            return blended(below.color, palette[i].color, (height_m - below.height_m) / (palette[i].height_m - below.height_m));
-        }
-    return palette.back().color;
-}
-
 DesignSettings default_design_settings() noexcept {
-    static constexpr HeightColor kPalette[] = {
-        {0, {0x3C, 0x64, 0x32}},    {300, {0x5A, 0x7D, 0x3C}},  {800, {0x96, 0x96, 0x50}},  {1500, {0xA0, 0x82, 0x50}},
-        {2500, {0x8C, 0x6E, 0x5A}}, {3500, {0xB4, 0xAA, 0xA0}}, {4500, {0xF0, 0xF0, 0xF0}},
-    };
     DesignSettings design;
     design.name = "default";
-    for (const HeightColor& stop : kPalette) {
-        const bool added = design.terrain.palette.try_push_back(stop);
-        TEDAVIS_CHECK(added);
-    }
+    design.terrain.palette = alpine_palette();
     design.warning_bands = egpws_bands();
     return design;
 }
 
-base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name) {
+base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name,
+                                                                     PaletteSource& palettes) {
     base::ConfigReader reader(text, file_name);
     ConfigSection root = reader.root();
     DesignSettings design = default_design_settings();
@@ -166,7 +136,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     design.name = name;
     if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
     read_view(root.section("view"), design.view);
-    read_terrain(root.section("terrain"), design.terrain);
+    read_terrain(root.section("terrain"), palettes, design.terrain);
     read_light(root.section("light"), design.terrain.light);
     read_sky(root.section("sky"), design.sky);
     read_warning(root.section("warning"), design);

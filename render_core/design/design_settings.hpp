@@ -4,16 +4,16 @@
 /// except `name`: what is absent has the value that stands here.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <type_traits>
 
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/fixed_string.hpp"
-#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/design/color.hpp"
+#include "render_core/design/palette.hpp"
 #include "render_core/design/warning_bands.hpp"
 
 namespace tedavis::design {
@@ -24,16 +24,6 @@ struct ViewSettings {
     double dpi = 96;  ///< pixels an inch of the panel; text never gets smaller than legible on it
 };
 
-struct HeightColor {
-    double height_m = 0;  ///< above mean sea level
-    Color color;
-};
-inline constexpr std::size_t kMaxHeightColors = 16;
-using HeightPalette = base::FixedVector<HeightColor, kMaxHeightColors>;  ///< ascending heights, at least one
-
-/// Linear between the stops (of the encoded values), constant beyond them.
-[[nodiscard]] Color color_of_height(const HeightPalette& palette, double height_m) noexcept;
-
 struct LightSettings {
     double azimuth_rad = base::radians(315);   ///< from which it shines, clockwise from true north
     double elevation_rad = base::radians(45);  ///< above the horizontal
@@ -42,7 +32,7 @@ struct LightSettings {
 
 struct TerrainSettings {
     double tau_px = 1.0;  ///< pixel error asked for, (0.1 .. 32)
-    HeightPalette palette;
+    Palette palette;      ///< colours by height
     Color sea{0x30, 0x58, 0x80};
     Color unknown{0xC0, 0x30, 0xC0};  ///< posts without data (magenta in plan views of terrain systems)
     LightSettings light;
@@ -71,6 +61,8 @@ struct UnusualAttitudeLimits {
     double roll_rad = base::radians(60);
 };
 
+enum class HeightUnit : std::uint8_t { feet, metres };
+
 /// What the design shows; the failure policy decides whether it can be shown.
 struct SymbologySettings {
     bool attitude = true;
@@ -82,6 +74,8 @@ struct SymbologySettings {
     bool baro_setting = true;
     bool ground_height = true;
     bool phase = true;
+    bool legend = true;                         ///< what the colours of the terrain mean
+    HeightUnit legend_unit = HeightUnit::feet;  ///< of the heights in the legend
 };
 
 struct DesignSettings {
@@ -97,9 +91,11 @@ struct DesignSettings {
 };
 static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
-/// Reads a design file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
+/// Reads a design file and, through `palettes`, the palettes that it names; start-up only (allocates while it reads). The
+/// error is one sentence "file:line: what, what to do".
 [[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text,
-                                                                                   std::string_view file_name);
+                                                                                   std::string_view file_name,
+                                                                                   PaletteSource& palettes);
 
 /// The values of an empty file: the picture of a display that was given no design.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;

@@ -152,11 +152,11 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 
 void TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
     design_ = design;
-    const design::HeightPalette& stops = design.terrain.palette;
-    const double low = stops[0].height_m, high = stops.back().height_m;
+    const design::Palette& palette = design.terrain.palette;
+    const double low = palette.stops[0].value, high = palette.stops.back().value;
     std::uint8_t texels[kPaletteTexels * 4];
     for (std::uint32_t n = 0; n < kPaletteTexels; ++n) {
-        const design::Color c = design::color_of_height(stops, low + (high - low) * n / (kPaletteTexels - 1));
+        const design::Color c = design::color_of_value(palette, low + (high - low) * n / (kPaletteTexels - 1));
         texels[4 * n] = c.red;
         texels[4 * n + 1] = c.green;
         texels[4 * n + 2] = c.blue;
@@ -230,7 +230,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     const double haze_m = design_.sky.haze_distance_m;
     gl->Uniform1f(program.uniform(kHaze), haze_m > 0 ? static_cast<float>(1.0 / haze_m) : 0.0f);
     gl->Uniform1i(program.uniform(kPalette), 0);
-    const double low = design_.terrain.palette[0].height_m, high = design_.terrain.palette.back().height_m;
+    const double low = design_.terrain.palette.stops[0].value, high = design_.terrain.palette.stops.back().value;
     gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low),
                   high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
     set_color(gl, program.uniform(kSeaColor), design_.terrain.sea);

@@ -38,9 +38,9 @@ constexpr int kColorTolerance = 14;
 constexpr KnownColor kColors[] = {
     {"sky_high_left", 130, 70, {91, 139, 200}},     {"sky_high_right", 430, 70, {89, 137, 199}},
     {"sky_middle", 130, 150, {117, 162, 213}},      {"sky_low", 420, 200, {133, 176, 221}},
-    {"haze_at_horizon", 130, 275, {181, 187, 217}}, {"terrain_far_left", 130, 320, {47, 111, 46}},
-    {"terrain_far_right", 420, 320, {50, 117, 48}}, {"terrain_middle", 200, 320, {47, 112, 46}},
-    {"terrain_near_left", 140, 390, {59, 104, 47}}, {"terrain_near_right", 380, 390, {46, 115, 44}},
+    {"haze_at_horizon", 130, 275, {181, 187, 217}}, {"terrain_far_left", 130, 320, {44, 100, 58}},
+    {"terrain_far_right", 420, 320, {46, 105, 60}}, {"terrain_middle", 200, 320, {44, 101, 58}},
+    {"terrain_near_left", 140, 390, {55, 89, 64}},  {"terrain_near_right", 380, 390, {42, 103, 57}},
 };
 
 /// Rows in which the terrain begins, cast from the elevation raster (tests/target/self_test/test_known_picture.cpp).

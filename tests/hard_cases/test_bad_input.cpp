@@ -83,6 +83,12 @@ std::string noise() {
     return bytes;
 }
 
+/// Settings end within a value: between two lines a cut file would be another sound one.
+std::size_t length_of_cut(const std::string& name, const std::string& sound) {
+    const std::size_t length = sound.size() * 6 / 10;
+    return name.find(".toml") == std::string::npos ? length : sound.rfind('=', length) + 1;
+}
+
 /// A folder of its own with the faulty file in it, under the sample's own name.
 class FaultyFile {
 public:
@@ -92,7 +98,7 @@ public:
             case Fault::missing: break;
             case Fault::folder: std::filesystem::create_directory(path_); break;
             case Fault::empty: folder_.write(slot.sample, ""); break;
-            case Fault::truncated: folder_.write(slot.sample, sound.substr(0, sound.size() * 6 / 10)); break;
+            case Fault::truncated: folder_.write(slot.sample, sound.substr(0, length_of_cut(slot.sample, sound))); break;
             case Fault::wrong_kind: folder_.write(slot.sample, ProgramSamples::read(slot.other)); break;
             case Fault::noise: folder_.write(slot.sample, noise()); break;
         }

@@ -79,8 +79,7 @@ public:
                     base::ByteSource* terrain) {
         display::DisplaySettings settings;
         settings.device = shipped_device(device);
-        const std::string design = "configs/designs/default.toml";
-        settings.design = design::read_design_settings(source_file(design), design).value();
+        settings.design = shipped_design("default");
         settings.width_px = width;
         settings.height_px = height;
         settings.generated_flight = true;

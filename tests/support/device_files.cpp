@@ -29,4 +29,20 @@ effects::DeviceSettings shipped_device(const std::string& name) {
     return device.value();
 }
 
+base::Result<design::Palette, base::ConfigError> ShippedPalettes::find(std::string_view name) {
+    const std::string path = "configs/palettes/" + std::string(name) + ".toml";
+    return design::read_palette(source_file(path), path);
+}
+
+design::DesignSettings shipped_design(const std::string& name) {
+    const std::string path = "configs/designs/" + name + ".toml";
+    ShippedPalettes palettes;
+    const auto design = design::read_design_settings(source_file(path), path, palettes);
+    if (!design) {
+        std::fprintf(stderr, "%s\n", design.error().sentence.c_str());
+        std::abort();
+    }
+    return design.value();
+}
+
 }  // namespace tedavis::test_support

@@ -1,8 +1,9 @@
-/// The shipped device files, as the tests need them.
+/// The shipped device and design files, as the tests need them.
 #pragma once
 
 #include <string>
 
+#include "render_core/design/design_settings.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::test_support {
@@ -12,5 +13,13 @@ namespace tedavis::test_support {
 
 /// `name` as in configs/devices/NAME.toml; stops the test program with the reader's sentence when it does not load.
 [[nodiscard]] effects::DeviceSettings shipped_device(const std::string& name);
+
+/// Finds palettes as configs/palettes/NAME.toml; a fault becomes the design's.
+class ShippedPalettes final : public design::PaletteSource {
+public:
+    [[nodiscard]] base::Result<design::Palette, base::ConfigError> find(std::string_view name) override;
+};
+/// As above, configs/designs/NAME.toml and the palettes that it names.
+[[nodiscard]] design::DesignSettings shipped_design(const std::string& name);
 
 }  // namespace tedavis::test_support

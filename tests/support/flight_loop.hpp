@@ -26,7 +26,7 @@ public:
           first_(first_stamp(flight.log)),
           next_step_(first_),
           next_frame_(first_),
-          design_(shipped_design()) {}
+          design_(shipped_design("default")) {}
 
     struct Seen {
         std::uint64_t frames = 0, frames_with_terrain = 0, good = 0;
@@ -53,10 +53,6 @@ public:
 private:
     static base::Time first_stamp(const std::string& log) {
         return base::Time{} + base::Duration::seconds(std::stoll(log.substr(1, 10)));
-    }
-    static design::DesignSettings shipped_design() {
-        const std::string design = "configs/designs/default.toml";
-        return design::read_design_settings(source_file(design), design).value();
     }
 
     void feed(base::Time now) {

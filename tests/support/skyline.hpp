@@ -14,13 +14,12 @@ namespace tedavis::test_support {
 
 /// All that is not terrain is pure blue, and the terrain has none.
 inline design::DesignSettings skyline_design() {
-    const std::string path = "configs/designs/default.toml";
-    design::DesignSettings design = design::read_design_settings(source_file(path), path).value();
+    design::DesignSettings design = shipped_design("default");
     const design::Color blue{0, 0, 255};
     design.sky.zenith = design.sky.horizon = design.sky.ground = design.sky.ground_horizon = design.sky.haze = blue;
     design.terrain.unknown = blue;
     design.sky.haze_distance_m = 0;
-    for (design::HeightColor& stop : design.terrain.palette) stop.color = {200, 60, 0};
+    for (design::ColorStop& stop : design.terrain.palette.stops) stop.color = {200, 60, 0};
     design.terrain.sea = {200, 60, 0};
     return design;
 }

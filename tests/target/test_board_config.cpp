@@ -26,7 +26,7 @@ struct Board {
         const auto settings = load_board_settings(path.c_str());
         return settings.ok() ? "" : std::string(settings.error().sentence.view());
     }
-    /// With lines 1 to 4 right; `rest` begins in line 5.
+    /// With lines 1 to 5 right; `rest` begins in line 6.
     std::string load_with(const std::string& rest) { return load_text(head() + rest); }
     BoardSettings settings(const std::string& rest) {
         EXPECT_EQ(load_with(rest), "");
@@ -34,7 +34,8 @@ struct Board {
     }
     static std::string head() {
         return "title = 'a board'\ndevice = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = '" + kRoot +
-               "/configs/designs/approach.toml'\nbus = '" + kRoot + "/configs/buses/canaerospace.toml'\n";
+               "/configs/designs/approach.toml'\npalettes = '" + kRoot + "/configs/palettes'\nbus = '" + kRoot +
+               "/configs/buses/canaerospace.toml'\n";
     }
 };
 
@@ -91,18 +92,18 @@ TEST_P(BoardFault, IsNamedWithFileAndLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BoardFault,
-    ::testing::Values(Fault{"[can]\ninterface = 7\n", 6, "interface"}, Fault{"[can]\ninterface = ''\n", 6, "1 to 15 bytes"},
-                      Fault{"[can]\ninterface = 'a_very_long_interface'\n", 6, "1 to 15 bytes"},
-                      Fault{"[can]\ninterface = 'can0'\nreopen_s = 0\n", 7, "reopen_s"},
-                      Fault{"[can]\ninterface = 'can0'\nreceive_buffer_bytes = 1\n", 7, "receive_buffer_bytes"},
-                      Fault{"[can]\ninterface = 'can0'\nbitrate = 1000000\n", 7, "bitrate"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n", 8, "osmesa"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 8, "width_px"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 8, "height_px"},
-                      Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 8, "write its path"},
-                      Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 8, "none.toml"},
-                      Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 8, "touch"},
-                      Fault{"[can]\ninterface = 'can0'\n[can]\n", 7, ""}, Fault{"[can\n", 5, ""}));
+    ::testing::Values(Fault{"[can]\ninterface = 7\n", 7, "interface"}, Fault{"[can]\ninterface = ''\n", 7, "1 to 15 bytes"},
+                      Fault{"[can]\ninterface = 'a_very_long_interface'\n", 7, "1 to 15 bytes"},
+                      Fault{"[can]\ninterface = 'can0'\nreopen_s = 0\n", 8, "reopen_s"},
+                      Fault{"[can]\ninterface = 'can0'\nreceive_buffer_bytes = 1\n", 8, "receive_buffer_bytes"},
+                      Fault{"[can]\ninterface = 'can0'\nbitrate = 1000000\n", 8, "bitrate"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n", 9, "osmesa"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 9, "width_px"},
+                      Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 9, "height_px"},
+                      Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 9, "write its path"},
+                      Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 9, "none.toml"},
+                      Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 9, "touch"},
+                      Fault{"[can]\ninterface = 'can0'\n[can]\n", 8, ""}, Fault{"[can\n", 6, ""}));
 
 TEST(BoardConfig, ACanSectionIsNeeded) {
     Board board;
@@ -131,8 +132,8 @@ TEST(BoardConfig, TheShippedExamplesAreRight) {
 
     // The board's example names its neighbours in /etc/tedavis: put them beside it as the README says.
     const test_support::TemporaryFolder folder;
-    for (const char* file : {"configs/devices/es2-small.toml", "configs/designs/default.toml", "configs/buses/canaerospace.toml",
-                             "configs/switches/one_hot.toml", "target/boards/arm_board.toml"})
+    for (const char* file : {"configs/devices/es2-small.toml", "configs/designs/default.toml", "configs/palettes/alpine.toml",
+                             "configs/buses/canaerospace.toml", "configs/switches/one_hot.toml", "target/boards/arm_board.toml"})
         std::filesystem::copy(kRoot + "/" + file, folder.path());
     const auto board = load_board_settings(folder.file("arm_board.toml").c_str());
     ASSERT_TRUE(board.ok()) << board.error().sentence.view();

@@ -56,7 +56,8 @@ TEST(BoardProgram, WrongUsageAndInputEndWithTwoAndOneSentence) {
     const std::string configs = std::string(TEDAVIS_SOURCE_DIR) + "/configs/";
     const std::string board =
         folder.write("board.toml", "device = '" + configs + "devices/es2-small.toml'\ndesign = '" + configs +
-                                       "designs/default.toml'\nbus = '" + configs + "buses/canaerospace.toml'\n" + no_terrain);
+                                       "designs/default.toml'\npalettes = '" + configs + "palettes'\nbus = '" + configs +
+                                       "buses/canaerospace.toml'\n" + no_terrain);
     const Ran ran = run({"--config", board.c_str()});
     EXPECT_EQ(ran.code, 2);
     EXPECT_THAT(ran.err, HasSubstr(folder.file("absent.tdb")));

@@ -39,6 +39,7 @@ TEST(CheckCommand, EveryShippedFileIsSound) {
 TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     const test_support::TemporaryFolder place;
     for (const auto& [shipped, kind] : {std::pair{"designs/cruise.toml", "a design"},
+                                        {"palettes/slope.toml", "a palette of 6 colours"},
                                         {"devices/es3-mid.toml", "a device"},
                                         {"buses/canaerospace.toml", "a bus"},
                                         {"switches/one_hot.toml", "a switch panel"},
@@ -46,6 +47,26 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
         const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
         EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
     }
+}
+
+TEST(CheckCommand, PalettesAreJudgedAloneAndInTheirDesign) {
+    const test_support::TemporaryFolder place;
+    std::string text = read_file(kConfigs + "palettes/alpine.toml");
+    text.replace(text.find("#54645a"), 7, "#4f6a44");
+    const std::string palette = place.write("green.toml", text);
+    const CommandRun alone = check({palette});
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_THAT(alone.notes, HasSubstr(palette + ": its colour #"));
+    EXPECT_THAT(alone.notes, HasSubstr("the warning band from -1000.0 ft"));
+    const std::string head = "name = 'own'\n[view]\n[terrain]\npalette = 'green.toml'\n";
+    const std::string design = place.write("own.toml", head);
+    const CommandRun run = check({design});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr(design + ": palette alpine: its colour #"));
+    place.write("own.toml", head + "[warning]\nenabled = false\n");
+    EXPECT_EQ(check({design}).code, 0) << "no band is displayed with it";
+    place.write("own.toml", "name = 'own'\n[view]\n[light]\nambient = 0.02\n");
+    EXPECT_THAT(check({design}).notes, HasSubstr("in 2.0 % of the light stop "));
 }
 
 TEST(CheckCommand, LogsAreCountedAndTheirBrokenLinesNamed) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host_sim/input_file.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -23,6 +25,24 @@ TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
     PictureOptions options;
     options.tau_px = 7;
     EXPECT_EQ(load_design(options).terrain.tau_px, 7);
+}
+
+TEST(LoadDesign, NamesPalettesAndTellsWhatItRead) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    std::vector<ReadFile> files;
+    options.design = folder.write("own.toml", "name = \"own\"\n[terrain]\npalette = \"grey\"\n");
+    EXPECT_EQ(load_design(options, &files).terrain.palette.name.view(), "grey");
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0].path, shipped_root() + "/configs/palettes/grey.toml");
+    EXPECT_EQ(files[0].text, read_file(files[0].path));
+    EXPECT_EQ(files[1].path, options.design);
+    EXPECT_EQ(files[1].text, read_file(options.design));
+    folder.write("own.toml", "name = \"own\"\n[terrain]\npalette = \"my.toml\"\n");
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options, &files)); },
+                                    "own.toml:3: " + folder.file("my.toml"));
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0].text, "") << "not there";
 }
 
 TEST(LoadDesign, SaysWhatIsWrong) {

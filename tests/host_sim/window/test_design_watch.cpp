@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "host_sim/input_file.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -54,6 +56,29 @@ TEST(DesignWatch, AFileThatIsAwayForAMomentIsNoNews) {
     for (int n = 0; n < 3; ++n) EXPECT_EQ(watch.look(), DesignNews::none);
     watched.write(kSound);
     for (int n = 0; n < 3; ++n) EXPECT_EQ(watch.look(), DesignNews::none) << "the same again";
+}
+
+TEST(DesignWatch, ThePaletteIsWatchedToo) {
+    const Watched watched;
+    const std::string grey = read_file(shipped_root() + "/configs/palettes/grey.toml");
+    const std::string names_it = "name = \"a\"\n[terrain]\npalette = \"mine.toml\"\n";
+    DesignWatch watch(watched.options);
+    const auto settled = [&watch] {
+        EXPECT_EQ(watch.look(), DesignNews::none);
+        return watch.look();
+    };
+    watched.write(names_it);
+    EXPECT_EQ(settled(), DesignNews::broken) << "there is none yet";
+    EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("mine.toml"));
+    watched.folder.write("mine.toml", grey);
+    EXPECT_EQ(settled(), DesignNews::changed);
+    EXPECT_EQ(watch.design().terrain.palette.stops[0].color, (design::Color{0x2C, 0x2C, 0x2C}));
+    EXPECT_EQ(settled(), DesignNews::none);
+    std::string darker = grey;
+    darker.replace(darker.find("#2c2c2c"), 7, "#202020");
+    watched.folder.write("mine.toml", darker);
+    EXPECT_EQ(settled(), DesignNews::changed);
+    EXPECT_EQ(watch.design().terrain.palette.stops[0].color, (design::Color{0x20, 0x20, 0x20}));
 }
 
 TEST(DesignWatch, TheCommandLineStaysAboveTheFile) {

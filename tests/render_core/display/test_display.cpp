@@ -251,8 +251,7 @@ TEST(Display, TerrainBeyondTheDesignsErrorIsSaidToBeCoarse) {
     OverHills over;
     const Picture fine = picture_of(over.display, aircraft_at(2000));
     EXPECT_FALSE(has_flag(over.display, "terrain.coarse"));
-    const std::string path = "configs/designs/default.toml";
-    design::DesignSettings strict = design::read_design_settings(test_support::source_file(path), path).value();
+    design::DesignSettings strict = test_support::shipped_design("default");
     strict.degradation.terrain_error_px = 0.5 * strict.terrain.tau_px;
     over.display.display().set_design(strict);
     const Picture coarse = picture_of(over.display, aircraft_at(2000));
@@ -286,8 +285,7 @@ TEST(Display, TheEyeIsWhereTheAircraftAndTheDesignPutIt) {
     static_cast<void>(picture_of(over.display, state));
     const glm::dvec3 own = earth::to_ecef(state.own_ship.position);
     EXPECT_LT(glm::length(over.display.display().view().eye - own), 1e-6);
-    const std::string path = "configs/designs/default.toml";
-    design::DesignSettings design = design::read_design_settings(test_support::source_file(path), path).value();
+    design::DesignSettings design = test_support::shipped_design("default");
     design.view.eye_forward_m = 3;
     design.view.eye_down_m = -1.5;
     over.display.display().set_design(design);

@@ -178,7 +178,7 @@ TEST(TerrainDrawer, ColoursFollowHeightAndWarningBandsInEveryPixel) {
                                       below = design::band_of(design.warning_bands, height - 12 - aircraft_m, false),
                                       above = design::band_of(design.warning_bands, height + 12 - aircraft_m, false);
                     if (below != above) continue;  // a pixel at a limit holds both
-                    Color expected = design::color_of_height(design.terrain.palette, height);
+                    Color expected = design::color_of_value(design.terrain.palette, height);
                     if (warning && band < design.warning_bands.size())
                         expected = blend(expected, design.warning_bands[band].color, design.warning_bands[band].strength);
                     expected = blend({0, 0, 0}, expected, light);
@@ -225,7 +225,7 @@ TEST(TerrainDrawer, NothingIsDrawnBeyondTheRaster) {
 TEST(TerrainDrawer, TheSamePictureAfterTurningTheWorld) {
     const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();
     design::DesignSettings design = plain_design();
-    for (design::HeightColor& stop : design.terrain.palette) stop.color = {120, 160, 90};  // the geoid differs between places
+    for (design::ColorStop& stop : design.terrain.palette.stops) stop.color = {120, 160, 90};  // the geoid differs between places
     const auto picture_at = [&](double west_deg) {
         host_sim::Raster raster = test_support::make_rough_raster(129, 129);
         raster.west_deg = west_deg;
@@ -266,7 +266,7 @@ TEST(TerrainDrawer, ANewDesignColoursTheNextFrame) {
     const TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));
     const Picture before = drawing.draw(input, 1);
     design::DesignSettings blue = plain_design();
-    for (design::HeightColor& stop : blue.terrain.palette) stop.color = {0, 0, 200};
+    for (design::ColorStop& stop : blue.terrain.palette.stops) stop.color = {0, 0, 200};
     drawing.set_design(blue);
     const Color after = drawing.draw(input, 1).at(160, 120);
     EXPECT_EQ(after.red, 0);

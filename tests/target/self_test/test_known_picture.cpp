@@ -27,7 +27,7 @@ constexpr std::uint32_t kWidth = kKnownPictureWidth, kHeight = kKnownPictureHeig
 Pixels drawn() {
     display::DisplaySettings settings;
     settings.device = test_support::shipped_device("es2-small");
-    settings.design = design::read_design_settings(embedded_inputs().design, "default.toml").value();
+    settings.design = test_support::shipped_design("default");
     settings.width_px = kWidth;
     settings.height_px = kHeight;
     auto surface = std::move(platform::make_surface("egl", {kWidth, kHeight, platform::ContextLane::es2}).value());

@@ -1,0 +1,23 @@
+/// What is left of colours without one of the three kinds of cones.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "host_sim/measure/color_difference.hpp"
+
+namespace tedavis::host_sim {
+
+enum class ColorVision : std::uint8_t { normal, protan, deutan, tritan };
+inline constexpr std::array<ColorVision, 4> kColorVisions = {ColorVision::normal, ColorVision::protan, ColorVision::deutan,
+                                                             ColorVision::tritan};
+
+/// "normal vision", "protanopia" and so on.
+[[nodiscard]] const char* to_string(ColorVision vision) noexcept;
+
+/// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE Transactions
+/// on Visualization and Computer Graphics 15 (2009), at severity 1, applied to linear light. It is weakest for tritanopia, as
+/// its authors say.
+[[nodiscard]] LinearRgb seen_with(ColorVision vision, const LinearRgb& light) noexcept;
+
+}  // namespace tedavis::host_sim

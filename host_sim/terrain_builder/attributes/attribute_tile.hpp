@@ -1,0 +1,45 @@
+/// A rectangle of posts of one level of the attribute pyramid, with what lies round it.
+///
+/// Level m of the pyramid has posts 2^m cells apart; a height of level m + 1 is the mean of valid heights of level m. All
+/// reaches below are in posts of the tile's own level, so that a tile needs the same apron at every level; what lies
+/// beyond comes from the level above (far_horizons.hpp).
+#pragma once
+
+#include <vector>
+
+#include "render_core/base/units.hpp"
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::host_sim {
+
+/// A post sees the posts up to here, along a row or a column, in each of the 16 directions.
+inline constexpr int kHorizonReach = 16;
+/// Light that the surroundings return comes from as far, and they are shadowed from as far again.
+inline constexpr int kAttributeApron = 2 * kHorizonReach;
+/// Local relief compares a post with the square that reaches this far to each side.
+inline constexpr int kReliefReach = 8;
+
+/// Rows run from north to south, columns from west to east. Posts that are void or outside may hold any height.
+struct AttributeTile {
+    int columns = 0, rows = 0;  ///< inner posts, for which attributes are wanted; at least 1
+    /// (columns + 2 kAttributeApron) by (rows + 2 kAttributeApron), the apron included.
+    std::vector<float> height_m;
+    std::vector<terrain::PostClass> post_class;
+    std::vector<double> east_m;  ///< from post to post along each row, the apron's rows included; positive
+    double north_m = 0;          ///< from post to post along a column; positive
+
+    [[nodiscard]] int full_columns() const { return columns + 2 * kAttributeApron; }
+    [[nodiscard]] int full_rows() const { return rows + 2 * kAttributeApron; }
+};
+
+/// The light that is baked into the light map. Its parts add up to at most 1 where nothing is bounced.
+struct FixedLight {
+    double azimuth_rad = base::radians(315);  ///< clockwise from north
+    double elevation_rad = base::radians(45);
+    double disc_radius_rad = base::radians(0.2665);  ///< the sun's mean; shadows are soft over the disc; positive
+    double direct = 0.8;                             ///< on a surface that faces the light
+    double sky = 0.2;                                ///< on level open ground
+    double albedo = 0.25;                            ///< of all ground, for the bounce
+};
+
+}  // namespace tedavis::host_sim

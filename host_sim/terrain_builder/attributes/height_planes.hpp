@@ -1,0 +1,40 @@
+/// The heights of a tile, ready to be swept: what is void or outside can neither raise nor lower a horizon.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "host_sim/terrain_builder/attributes/attribute_tile.hpp"
+#include "host_sim/terrain_builder/attributes/lanes.hpp"
+
+namespace tedavis::host_sim {
+
+/// Stands for "no height": below (or above) every horizon, and finite, so that lanes which nobody reads stay finite too.
+inline constexpr float kNoHeight_m = 1e7f;
+[[nodiscard]] inline bool is_height(float height_m) { return height_m > -0.5f * kNoHeight_m; }
+
+/// Values at the posts and half way to the next post south and east.
+enum HalfPost { at_post, half_south, half_east, kHalfPosts };
+using HalfPlanes = std::array<std::vector<float>, kHalfPosts>;
+
+/// Fills the half-way planes from the posts: the mean of two posts, or the one that is valid.
+void fill_half_posts(HalfPlanes& planes, const std::vector<float>& validity, std::size_t stride);
+
+struct HeightPlanes {
+    explicit HeightPlanes(const AttributeTile& tile);
+
+    /// Inner post (0,0) is at(0,0); columns and rows from -kAttributeApron on. Planes end with room for reading kLanes on.
+    [[nodiscard]] std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row + kAttributeApron) * stride + static_cast<std::size_t>(column + kAttributeApron);
+    }
+    [[nodiscard]] double east_m(int row) const { return tile.east_m[static_cast<std::size_t>(row + kAttributeApron)]; }
+
+    const AttributeTile& tile;  ///< must live as long
+    std::size_t stride;
+    HalfPlanes high;              ///< metres; -kNoHeight_m where there is none
+    HalfPlanes low;               ///< metres; +kNoHeight_m where there is none
+    std::vector<float> validity;  ///< of posts: 1 or 0
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,140 @@
+#include "host_sim/terrain_builder/attributes/sky_sweep.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using terrain::kHorizonDirections;
+
+constexpr float kHalfPi = 1.57079632679f;
+constexpr float kVanishing = 1e-8f;  // square of the length of a direction that is none
+
+/// Strips of elevation end at samples 1, 2, 4, 8 and 16.
+constexpr bool ends_strip(std::size_t s) { return (s & (s - 1)) == 0; }
+
+/// sin²H and H - sin H cos H of a limit at this tangent of elevation.
+struct Limit {
+    explicit Limit(Lanes tangent) {
+        const Lanes square = 1.0f / (1.0f + tangent * tangent);
+        deficit = tangent * tangent * square;
+        level = (kHalfPi - arc_tangent(tangent)) - tangent * square;
+    }
+    /// Of a surface whose normal has the component `along` in the direction.
+    [[nodiscard]] Lanes irradiance(Lanes up, Lanes along) const { return up * (1.0f - deficit) + along * level; }
+
+    Lanes deficit;  ///< cos²H: what the limit takes from sin²H
+    Lanes level;
+};
+
+/// Adds directions a right angle apart first, so that a tile turned by a right angle gives the same bits.
+Lanes total(const Lanes (&parts)[kHorizonDirections]) {
+    Lanes sum = all(0.0f);
+    for (std::size_t k = 0; k < 4; ++k) sum += (parts[k] + parts[k + 8]) + (parts[k + 4] + parts[k + 12]);
+    return sum;
+}
+
+}  // namespace
+
+/// In one direction.
+struct SkySweep::Found {
+    Lanes horizon;       ///< tangent, not below 0
+    Lanes limit;         ///< tangent: the horizon, or the tangent plane where that is higher
+    Lanes above, below;  ///< largest and least tangent within the reach; beyond any height where there is no post
+    Lanes bounce;
+};
+
+/// Weighted values of all directions.
+struct SkySweep::Sums {
+    Lanes deficit[kHorizonDirections], level[kHorizonDirections], sine[kHorizonDirections], bounce[kHorizonDirections],
+        above[kHorizonDirections], below[kHorizonDirections], known[kHorizonDirections];
+
+    void add(std::size_t k, const Found& found, float weight, float no_post) {
+        const Limit limit(found.limit);
+        deficit[k] = limit.deficit * weight;
+        level[k] = limit.level * weight;
+        sine[k] = root(limit.deficit) * weight;
+        bounce[k] = found.bounce * weight;
+        const auto some = found.above > -no_post;
+        known[k] = some ? all(weight) : all(0.0f);
+        above[k] = some ? arc_tangent(found.above) * weight : all(0.0f);
+        below[k] = some ? arc_tangent(found.below) * weight : all(0.0f);
+    }
+    /// Sum of `level` times the directions' unit vectors.
+    [[nodiscard]] Lanes along(const std::array<RowDirection, kHorizonDirections>& d, float RowDirection::*part) const {
+        Lanes sum = all(0.0f);
+        for (std::size_t k = 0; k < 4; ++k)
+            sum += (level[k] - level[k + 8]) * (d[k].*part) + (level[k + 4] - level[k + 12]) * (d[k + 4].*part);
+        return sum;
+    }
+};
+
+SkySweep::SkySweep(const HeightPlanes& planes, const Gradients& gradients, const HalfPlanes& direct, float level_light,
+                   const FarView& above)
+    : planes_(planes),
+      gradients_(gradients),
+      direct_(direct),
+      level_light_(level_light),
+      places_(sample_places(planes.stride)),
+      directions_(),
+      far_(above, 0, planes.tile.columns) {}
+
+void SkySweep::begin_row(int row) {
+    row_ = row;
+    directions_ = row_directions(planes_.east_m(row), planes_.tile.north_m);
+    far_.read(row);
+}
+
+SkySweep::Found SkySweep::look(std::size_t k, std::size_t at, std::size_t column) const {
+    const RowDirection& direction = directions_[k];
+    const Lanes height_m = load(&planes_.high[at_post][at]);
+    const Lanes slope = load(&gradients_.east[at]) * direction.east + load(&gradients_.north[at]) * direction.north;
+    const Lanes up = 1.0f / root(1.0f + (load(&gradients_.east[at]) * load(&gradients_.east[at]) +
+                                         load(&gradients_.north[at]) * load(&gradients_.north[at])));
+    const Lanes along = -slope * up;
+    Lanes seen = slope, light = load(&direct_[at_post][at]), bounce = all(0.0f);
+    Lanes above = all(kNoHorizon), below = all(kNoHeight_m);
+    Lanes arriving = Limit(seen).irradiance(up, along);
+    for (std::size_t s = 1; s <= kHorizonReach; ++s) {
+        const SamplePlace place = places_[k][s];
+        const std::size_t sample = at + static_cast<std::size_t>(place.offset);
+        const Lanes high = (load(&planes_.high[place.plane][sample]) - height_m) * direction.per_m[s] - direction.drop[s];
+        const Lanes low = (load(&planes_.low[place.plane][sample]) - height_m) * direction.per_m[s] - direction.drop[s];
+        above = larger(above, high);
+        below = smaller(below, low);
+        light = high > seen ? load(&direct_[place.plane][sample]) : light;
+        seen = larger(seen, high);
+        if (!ends_strip(s)) continue;
+        const Lanes left = Limit(seen).irradiance(up, along);
+        bounce += light * (arriving - left);
+        arriving = left;
+    }
+    const Lanes far = far_.tangent(static_cast<int>(k), column, height_m);
+    const Lanes horizon = larger(larger(above, far), all(0.0f)), limit = larger(horizon, seen);
+    bounce += level_light_ * (arriving - Limit(limit).irradiance(up, along));
+    return {horizon, limit, above, below, bounce};
+}
+
+void SkySweep::sweep(int column, SkyLanes& sky) const {
+    const std::size_t at = planes_.at(column, row_);
+    Sums sums;
+    for (std::size_t k = 0; k < kHorizonDirections; ++k) {
+        const Found found = look(k, at, static_cast<std::size_t>(column));
+        sky.horizon[k] = found.horizon;
+        // Halfway between any height and none, seen from the farthest sample.
+        sums.add(k, found, directions_[k].weight, 0.5f * kNoHeight_m * directions_[k].per_m[kHorizonReach]);
+    }
+    const NormalLanes normal = normal_of(load(&gradients_.east[at]), load(&gradients_.north[at]));
+    const Lanes east = sums.along(directions_, &RowDirection::east), north = sums.along(directions_, &RowDirection::north);
+    const Lanes up = 1.0f - total(sums.deficit);
+    const Lanes view = normal.up * up + (normal.east * east + normal.north * north);
+    sky.sky_view = smaller(larger(view, all(0.0f)), all(1.0f));
+    const Lanes square = up * up + (east * east + north * north), length = root(larger(square, all(kVanishing)));
+    sky.aperture_east = square > kVanishing ? east / length : normal.east;
+    sky.aperture_north = square > kVanishing ? north / length : normal.north;
+    sky.aperture_cosine = smaller(total(sums.sine), all(1.0f));
+    const Lanes known = total(sums.known), divisor = known > 0.0f ? known : all(1.0f);
+    sky.openness_above = kHalfPi - total(sums.above) / divisor;
+    sky.openness_below = kHalfPi + total(sums.below) / divisor;
+    sky.bounce = larger(total(sums.bounce), all(0.0f));
+}
+
+}  // namespace tedavis::host_sim

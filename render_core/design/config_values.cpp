@@ -1,0 +1,21 @@
+#include "render_core/design/config_values.hpp"
+
+#include "render_core/base/fixed_string.hpp"
+
+namespace tedavis::design {
+
+void fault_of(base::ConfigSection& section, std::string_view key, std::string_view what) {
+    base::FixedString<191> sentence("'");
+    sentence.append(key);
+    sentence.append("' ");
+    sentence.append(what);
+    section.fault(key, sentence.view());
+}
+
+Color required_color(base::ConfigSection& section, std::string_view key) {
+    const ParsedColor parsed = color_from_text(section.text(key));
+    if (!parsed.ok) fault_of(section, key, "is no colour; write it as \"#rrggbb\"");
+    return parsed.color;
+}
+
+}  // namespace tedavis::design

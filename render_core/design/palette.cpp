@@ -1,0 +1,102 @@
+#include "render_core/design/palette.hpp"
+
+#include "render_core/base/units.hpp"
+#include "render_core/design/config_values.hpp"
+
+namespace tedavis::design {
+namespace {
+
+using base::ConfigSection;
+
+constexpr std::string_view kKinds[] = {"hypsometric", "sequential", "diverging"};
+constexpr std::string_view kUnits[] = {"m", "deg", "1"};
+constexpr std::string_view kOrders[] = {"lightness", "hue"};
+
+/// What a value in the file may be, and one of its units in ours.
+struct UnitRange {
+    double low, high, scale;
+};
+constexpr UnitRange kRanges[] = {{-12'000, 9000, 1}, {-180, 180, base::radians(1)}, {-1e6, 1e6, 1}};
+
+/// Index of the choice; absence is a fault.
+std::size_t required_choice(ConfigSection& section, std::string_view key, base::Span<const std::string_view> choices) {
+    if (!section.has(key)) static_cast<void>(section.text(key));
+    return section.choice(key, choices, 0);
+}
+
+bool is_title(std::string_view text) {
+    for (char c : text)
+        if (!((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ')) return false;
+    return !text.empty();
+}
+
+void read_names(ConfigSection& root, Palette& palette) {
+    palette.name.append(root.text("name"));
+    if (palette.name.empty() || palette.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
+    palette.title.append(root.text("title"));
+    if (palette.title.cut() || !is_title(palette.title.view()))
+        fault_of(root, "title", "must be 1 to 11 capitals, digits and spaces");
+}
+
+void read_stop(ConfigSection stop, const UnitRange& range, Palette& palette) {
+    ColorStop entry;
+    entry.value = stop.number("value", range.low, range.high) * range.scale;
+    entry.color = required_color(stop, "color");
+    if (entry.color.alpha != 255) fault_of(stop, "color", "must be opaque; write it as \"#rrggbb\"");
+    if (!palette.stops.empty() && !(entry.value > palette.stops.back().value))
+        fault_of(stop, "value", "must lie above the stop before it; sort the stops by value");
+    if (!palette.stops.try_push_back(entry)) fault_of(stop, "value", "is one stop too many; keep at most 16");
+}
+
+}  // namespace
+
+Color color_of_value(const Palette& palette, double value) noexcept {
+    const auto& stops = palette.stops;
+    TEDAVIS_CHECK(!stops.empty());
+    if (!(value > stops[0].value)) return stops[0].color;
+    for (std::size_t i = 1; i < stops.size(); ++i)
+        if (value < stops[i].value) {
+            const ColorStop& below = stops[i - 1];
+            return blended(below.color, stops[i].color, (value - below.value) / (stops[i].value - below.value));
+        }
+    return stops.back().color;
+}
+
+Palette alpine_palette() noexcept {
+    static constexpr ColorStop kStops[] = {
+        {0, {0x32, 0x44, 0x3A}},    {300, {0x54, 0x64, 0x5A}},  {800, {0x80, 0x7A, 0x68}},  {1500, {0xA8, 0x92, 0x6C}},
+        {2500, {0xC8, 0xAC, 0x84}}, {3500, {0xDC, 0xCD, 0xB4}}, {4500, {0xF6, 0xF4, 0xF0}},
+    };
+    Palette palette;
+    palette.name = "alpine";
+    palette.title = "TERRAIN";
+    for (const ColorStop& stop : kStops) {
+        const bool added = palette.stops.try_push_back(stop);
+        TEDAVIS_CHECK(added);
+    }
+    return palette;
+}
+
+base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std::string_view file_name) {
+    base::ConfigReader reader(text, file_name);
+    ConfigSection root = reader.root();
+    Palette palette;
+    read_names(root, palette);
+    palette.kind = static_cast<PaletteKind>(required_choice(root, "kind", kKinds));
+    palette.unit = static_cast<PaletteUnit>(required_choice(root, "unit", kUnits));
+    palette.order = static_cast<PaletteOrder>(required_choice(root, "order", kOrders));
+    if (palette.kind == PaletteKind::hypsometric && palette.unit != PaletteUnit::metres)
+        fault_of(root, "unit", "of a hypsometric palette must be \"m\"");
+    const std::size_t count = root.table_count("stop");
+    if (count < 2) fault_of(root, "kind", "needs at least two colours; add [[stop]] tables");
+    if (palette.kind == PaletteKind::diverging && count % 2 == 0)
+        fault_of(root, "kind", "\"diverging\" needs a middle; give an odd number of stops");
+    for (std::size_t i = 0; i < count; ++i)
+        read_stop(root.table_at("stop", i), kRanges[static_cast<std::size_t>(palette.unit)], palette);
+    if (!reader.finish()) return base::fail(reader.error());
+    return palette;
+}
+
+bool is_short_name(std::string_view name) noexcept { return name.find_first_of("./") == std::string_view::npos; }
+
+}  // namespace tedavis::design

@@ -1,0 +1,68 @@
+/// Named colours for values of the terrain: one file of configs/palettes/ each.
+///
+///     name = "alpine"
+///     title = "TERRAIN"          over the legend, upper case, at most 11 characters
+///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle
+///     unit = "m"                 of the values: "m", "deg" or "1"
+///     order = "lightness"        what tells more from less: "lightness" or "hue"
+///     [[stop]]                   2 to 16, values ascending
+///     value = 0
+///     color = "#32443a"
+///
+/// The core opens no files: who reads a design hands over a PaletteSource that finds what it names.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/design/color.hpp"
+
+namespace tedavis::design {
+
+enum class PaletteKind : std::uint8_t { hypsometric, sequential, diverging };
+enum class PaletteUnit : std::uint8_t { metres, degrees, one };
+enum class PaletteOrder : std::uint8_t { lightness, hue };
+
+struct ColorStop {
+    double value = 0;  ///< metres (hypsometric: above mean sea level), radians or a plain number, by the palette's unit
+    Color color;
+};
+inline constexpr std::size_t kMaxColorStops = 16;
+
+struct Palette {
+    base::FixedString<47> name;
+    base::FixedString<11> title;
+    PaletteKind kind = PaletteKind::hypsometric;
+    PaletteUnit unit = PaletteUnit::metres;
+    PaletteOrder order = PaletteOrder::lightness;
+    base::FixedVector<ColorStop, kMaxColorStops> stops;  ///< ascending values, at least two
+};
+static_assert(std::is_trivially_copyable_v<Palette>);
+
+/// Linear between the stops (of the encoded values), constant beyond them.
+[[nodiscard]] Color color_of_value(const Palette& palette, double value) noexcept;
+
+/// The heights of a display that was given no design; configs/palettes/alpine.toml says the same.
+[[nodiscard]] Palette alpine_palette() noexcept;
+
+/// Reads a palette file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
+[[nodiscard]] base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std::string_view file_name);
+
+/// Finds the palettes that a design names.
+class PaletteSource {
+public:
+    virtual ~PaletteSource() = default;
+    /// `name` as the design writes it: of a shipped palette, or a path. The error is one sentence.
+    [[nodiscard]] virtual base::Result<Palette, base::ConfigError> find(std::string_view name) = 0;
+};
+
+/// A short name names a shipped file; a path has a dot or a slash.
+[[nodiscard]] bool is_short_name(std::string_view name) noexcept;
+
+}  // namespace tedavis::design

@@ -1,0 +1,116 @@
+#include "render_core/design/palette.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/device_files.hpp"
+
+namespace tedavis::design {
+namespace {
+
+std::string with(const std::string& kind, const std::string& unit, const std::string& stops) {
+    return "name = 'x'\ntitle = 'X'\nkind = '" + kind + "'\nunit = '" + unit + "'\norder = 'lightness'\n" + stops;
+}
+std::string stop(const std::string& value, const std::string& color = "#000000") {
+    return "[[stop]]\nvalue = " + value + "\ncolor = '" + color + "'\n";
+}
+std::string error_of(const std::string& text) {
+    const auto palette = read_palette(text, "p.toml");
+    return palette.ok() ? "" : std::string(palette.error().sentence.view());
+}
+
+TEST(Palette, EveryShippedOneLoadsUnderItsFileName) {
+    std::size_t files = 0, heights = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/configs/palettes")) {
+        const std::string path = "configs/palettes/" + entry.path().filename().string();
+        const auto palette = read_palette(test_support::source_file(path), path);
+        ASSERT_TRUE(palette.ok()) << palette.error().sentence.view();
+        EXPECT_EQ(palette.value().name.view(), entry.path().stem().string());
+        heights += palette.value().kind == PaletteKind::hypsometric ? 1 : 0;
+        ++files;
+    }
+    EXPECT_GE(files, 7u);
+    EXPECT_GE(heights, 4u);
+}
+
+TEST(Palette, TheBuiltInOneIsTheShippedOne) {
+    const auto file = read_palette(test_support::source_file("configs/palettes/alpine.toml"), "alpine.toml");
+    ASSERT_TRUE(file.ok());
+    const Palette built_in = alpine_palette();
+    EXPECT_EQ(file.value().name, built_in.name);
+    EXPECT_EQ(file.value().title, built_in.title);
+    EXPECT_EQ(file.value().kind, built_in.kind);
+    EXPECT_EQ(file.value().order, built_in.order);
+    ASSERT_EQ(file.value().stops.size(), built_in.stops.size());
+    for (std::size_t i = 0; i < built_in.stops.size(); ++i) {
+        EXPECT_EQ(file.value().stops[i].value, built_in.stops[i].value);
+        EXPECT_EQ(file.value().stops[i].color, built_in.stops[i].color);
+    }
+}
+
+TEST(Palette, DegreesBecomeRadians) {
+    const auto slope = read_palette(with("sequential", "deg", stop("0") + stop("90", "#ffffff")), "p.toml");
+    ASSERT_TRUE(slope.ok()) << slope.error().sentence.view();
+    EXPECT_EQ(slope.value().kind, PaletteKind::sequential);
+    EXPECT_EQ(slope.value().unit, PaletteUnit::degrees);
+    EXPECT_NEAR(slope.value().stops[1].value, 1.5707963267948966, 1e-15);
+    EXPECT_EQ(read_palette(with("sequential", "1", stop("0") + stop("90")), "p.toml").value().stops[1].value, 90);
+    EXPECT_EQ(read_palette(with("diverging", "m", stop("-1") + stop("0") + stop("2")), "p.toml").value().stops[0].value, -1);
+}
+
+TEST(Palette, EveryFaultNamesItsLine) {
+    const std::string two = stop("0") + stop("1");
+    const std::pair<std::string, const char*> faults[] = {
+        {with("hypsometric", "m", stop("5") + stop("5")), "p.toml:10: 'value' must lie above"},
+        {with("hypsometric", "m", stop("0")), "p.toml:3: 'kind' needs at least two"},
+        {with("hypsometric", "deg", two), "p.toml:4: 'unit' of a hypsometric palette must be \"m\""},
+        {with("diverging", "m", two), "p.toml:3: 'kind' \"diverging\" needs a middle"},
+        {with("rainbow", "m", two), "p.toml:3: 'kind' must be one of: hypsometric, sequential, diverging"},
+        {with("hypsometric", "ft", two), "p.toml:4: 'unit' must be one of: m, deg, 1"},
+        {with("hypsometric", "m", stop("0") + stop("1", "red")), "p.toml:11: 'color' is no colour"},
+        {with("hypsometric", "m", stop("0") + stop("1", "#00000080")), "p.toml:11: 'color' must be opaque"},
+        {with("hypsometric", "m", stop("0") + stop("10000")), "p.toml:10: 'value'"},
+        {with("hypsometric", "m", stop("0") + stop("nan")), "p.toml:10: "},
+        {with("hypsometric", "m", two + "width = 1\n"), "p.toml:12: unknown key"},
+        {"name = 'x'\ntitle = 'low'\n", "p.toml:2: 'title' must be"},
+        {"name = 'x'\ntitle = 'TWELVE CHARS'\n", "p.toml:2: 'title' must be"},
+        {"name = ''\n", "p.toml:1: 'name'"},
+        {"", "name"},
+    };
+    for (const auto& [text, expected] : faults)
+        EXPECT_NE(error_of(text).find(expected), std::string::npos) << text << "\n-> " << error_of(text);
+    for (const char* key : {"kind", "unit", "order"}) {
+        std::string text = with("hypsometric", "m", two);
+        const std::size_t line = text.find("\n" + std::string(key) + " = ") + 1;
+        text.erase(line, text.find('\n', line) + 1 - line);
+        EXPECT_NE(error_of(text).find("'" + std::string(key) + "'"), std::string::npos) << "must be stated: " << error_of(text);
+    }
+    std::string many;
+    for (int i = 0; i < 17; ++i) many += stop(std::to_string(i));
+    EXPECT_NE(error_of(with("hypsometric", "m", many)).find("at most 16"), std::string::npos);
+    EXPECT_EQ(error_of(with("hypsometric", "m", two)), "") << "control";
+}
+
+TEST(Palette, HitsStopsInterpolatesBetweenAndHoldsBeyond) {
+    Palette palette;
+    ASSERT_TRUE(palette.stops.try_push_back({0, {0, 0, 0}}));
+    ASSERT_TRUE(palette.stops.try_push_back({100, {200, 100, 0}}));
+    ASSERT_TRUE(palette.stops.try_push_back({300, {0, 100, 50}}));
+    EXPECT_EQ(color_of_value(palette, -1000), (Color{0, 0, 0}));
+    EXPECT_EQ(color_of_value(palette, 100), (Color{200, 100, 0}));
+    EXPECT_EQ(color_of_value(palette, 50), (Color{100, 50, 0}));
+    EXPECT_EQ(color_of_value(palette, 200), (Color{100, 100, 25}));
+    EXPECT_EQ(color_of_value(palette, 9000), (Color{0, 100, 50}));
+}
+
+TEST(Palette, NamesWithADotOrASlashArePaths) {
+    EXPECT_TRUE(is_short_name("alpine"));
+    EXPECT_TRUE(is_short_name("muted_relief"));
+    EXPECT_FALSE(is_short_name("alpine.toml"));
+    EXPECT_FALSE(is_short_name("mine/alpine"));
+}
+
+}  // namespace
+}  // namespace tedavis::design

@@ -1,0 +1,60 @@
+#include "target/palette_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/device_files.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::target {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kShipped = test_support::source_file("configs/palettes/grey.toml");
+
+TEST(PaletteFiles, AShortNameIsAFileOfTheFolderAndAPathIsFoundFromTheDesign) {
+    const test_support::TemporaryFolder place;
+    std::filesystem::create_directory(place.file("designs"));
+    place.write("mine.toml", kShipped);
+    place.write("designs/beside.toml", kShipped);
+    const std::string design = place.file("designs/own.toml"), folder = place.path() + "/";
+    PaletteFiles palettes(design, folder);
+    EXPECT_EQ(palettes.find("mine").value().name.view(), "grey");
+    EXPECT_EQ(palettes.find("beside.toml").value().name.view(), "grey");
+    EXPECT_EQ(palettes.find("../mine.toml").value().name.view(), "grey");
+    EXPECT_EQ(palettes.find(place.file("mine.toml")).value().name.view(), "grey") << "an absolute path";
+    EXPECT_THAT(palettes.find("beside").error().sentence.c_str(), HasSubstr(place.file("beside.toml")));
+}
+
+TEST(PaletteFiles, FaultsNameTheFile) {
+    const test_support::TemporaryFolder place;
+    place.write("bad.toml", "colour = 1\n" + kShipped);
+    const std::string design = place.file("own.toml"), folder = place.path() + "/";
+    PaletteFiles palettes(design, folder);
+    EXPECT_THAT(palettes.find("bad").error().sentence.c_str(), HasSubstr(place.file("bad.toml") + ":1: unknown key"));
+    EXPECT_THAT(palettes.find(std::string(2000, 'p')).error().sentence.c_str(), HasSubstr("use a shorter one"));
+}
+
+TEST(PaletteFiles, TheBoardFileSaysInWhichFolder) {
+    const test_support::TemporaryFolder place;
+    const std::string root = TEDAVIS_SOURCE_DIR;
+    place.write("own.toml", "name = 'own'\n[terrain]\npalette = 'mine'\n");
+    const std::string rest = "device = '" + root + "/configs/devices/es3-mid.toml'\nbus = '" + root +
+                             "/configs/buses/canaerospace.toml'\ndesign = 'own.toml'\n";
+    const std::string can = "[can]\ninterface = 'can0'\n";
+    const auto load = [&](const std::string& text) { return load_board_settings(place.write("board.toml", text).c_str()); };
+    EXPECT_THAT(load(rest + can).error().sentence.c_str(), HasSubstr(place.file("mine.toml"))) << "the board file's own folder";
+    std::filesystem::create_directory(place.file("colours"));
+    place.write("colours/mine.toml", kShipped);
+    for (const char* folder : {"colours", "colours/"}) {
+        const auto settings = load(rest + "palettes = '" + folder + "'\n" + can);
+        ASSERT_TRUE(settings.ok()) << settings.error().sentence.view();
+        EXPECT_EQ(settings.value().design.terrain.palette.name.view(), "grey");
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::target
