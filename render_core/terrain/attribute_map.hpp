@@ -104,7 +104,6 @@ inline constexpr float kLargestRelief_m = 1000;
 
 /// Horizon maps hold one value for every second post along rows and columns.
 inline constexpr int kHorizonPostStep = 2;
-inline constexpr int kHorizonDirections = 16;
 
 /// A direction on the lattice, in half posts: the larger part is 2, so that every step reaches a row or column of posts.
 struct LatticeDirection {

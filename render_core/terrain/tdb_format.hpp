@@ -37,7 +37,7 @@ inline constexpr std::uint32_t kPageChunks = 8;  ///< entries along the side of 
 /// Attribute pages belong to chunks of level 1 and above; a chunk of level 0 uses its quarter of its parent's.
 inline constexpr std::uint32_t kAttributePosts = 65;
 inline constexpr std::uint32_t kHorizonPosts = 33;
-inline constexpr std::uint32_t kHorizonDirections = 16;
+inline constexpr int kHorizonDirections = 16;
 
 enum class PostClass : std::uint8_t {
     land,
