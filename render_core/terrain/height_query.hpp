@@ -1,6 +1,8 @@
-/// Height of the true surface at a place: exact posts, two triangles a cell with the fixed diagonal.
+/// Height of the true surface at a place: posts of the exact chunk there, two triangles a cell with the fixed diagonal; a cell at
+/// a pole is one triangle with its apex there.
 ///
-/// Keeps the posts of the last few level-0 chunks it was asked about. Memory  from the arena at start(). Thread  one.
+/// Reads what it needs at once and keeps the last few pages and chunks; answers do not depend on what is kept.
+/// Memory  from the arena at start(). Thread  one.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -18,23 +20,30 @@ struct HeightAnswer {
 
 class HeightQuery {
 public:
-    static constexpr std::uint32_t kKept = 4;
+    static constexpr std::uint32_t kKeptChunks = 4;
+    static constexpr std::uint32_t kKeptPages = kMaxLevels + 1;
 
     [[nodiscard]] bool start(const TerrainDatabase& database, base::Arena& arena);
     [[nodiscard]] HeightAnswer at(double latitude_rad, double longitude_rad);
     [[nodiscard]] static std::uint64_t bytes_needed();
 
 private:
-    struct Kept {
-        ChunkIndex chunk = kNoChunk;
-        std::uint64_t asked = 0;
+    struct KeptChunk {
+        ChunkEntry entry;
+        std::uint64_t asked;  ///< 0: empty
     };
-    [[nodiscard]] const std::uint8_t* posts_of(ChunkIndex chunk);
+    struct KeptPage {
+        std::uint32_t page_index;
+        std::uint64_t asked;
+    };
+    [[nodiscard]] const ChunkEntry* entry_of(const ChunkKey& key);
+    [[nodiscard]] std::uint32_t chunk_over(std::uint32_t i, std::uint32_t j);
 
     const TerrainDatabase* database_ = nullptr;
-    Kept kept_[kKept];
-    base::Span<std::uint8_t> posts_;
-    base::Span<std::uint8_t> payload_;
+    base::Span<KeptChunk> chunks_;
+    base::Span<std::uint8_t> payloads_;
+    base::Span<KeptPage> kept_pages_;
+    base::Span<DirectoryPage> pages_;
     std::uint64_t asked_ = 0;
 };
 

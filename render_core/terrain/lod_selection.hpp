@@ -1,53 +1,102 @@
-/// Chooses the chunks to draw for one view: every place of the database in view is covered once, neighbours differ by
-/// at most one level, and the projected error stays below tau unless a budget forbids it.
+/// Chooses the chunks to draw for one view: every place of the database is covered once, neighbours differ by at most one level,
+/// and the projected error stays below tau unless a budget, the data or what has arrived forbids it.
 ///
-/// Error     a displacement e at view depth z and off-axis tangent rho moves the projected point by at most
-///           e * focal * sqrt(1 + rho^2) / z = e * focal * (1 + rho^2) / distance pixels.
-///           `bound_m` of a chunk also bounds the strips that finer neighbours coarsen towards it; those lie within half
-///           a chunk of it, so distances are taken to its box grown by that much.
-/// Budgets   when triangles or slots do not suffice, tau is raised by steps of 2^(1/4) until they do; the reached tau is
-///           reported. The result depends on view and settings only, never on earlier frames.
-/// Memory    `states` holds one byte a chunk of the database; nothing is allocated. Thread: any.
+/// Refinement  from the roots: the chunk with the largest projected error in view is split first, after the neighbours that this
+///             forces (2:1 across edges, round the Earth too). A split happens with all that it forces or not at all.
+/// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
+///             forbid tau, refinement starts again with error times visibility in that order, and stops at the first split that
+///             does not fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
+/// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
+///             chunk's lift max(below_m, strip_below_m); on borders and corners by the largest of all chunks that share them, so
+///             that shared vertices agree. The chunks at a pole share its vertex.
+/// Result      depends on view, settings, entries and availability only. Without `conservative_up` a smaller tau never gives a
+///             coarser chunk, budgets apart.
+/// Memory      from an arena at start(). Thread  one.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
-#include "render_core/base/span.hpp"
-#include "render_core/terrain/terrain_database.hpp"
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/terrain/chunk_catalogue.hpp"
+#include "render_core/terrain/lod_tree.hpp"
+#include "render_core/terrain/part_cache.hpp"
 #include "render_core/terrain/view.hpp"
 
 namespace tedavis::terrain {
 
-struct SelectedChunk {
-    ChunkIndex chunk = kNoChunk;
-    std::uint8_t coarser_edges = 0;
-    float error_px = 0;
-    float distance_m = 0;  ///< of the chunk's centre from the eye
+/// Predicted time of the terrain pass: measured on the device.
+struct CostModel {
+    double ns_per_triangle = 0;
+    double us_per_chunk = 0;
 };
 
 struct LodSettings {
     double tau_px = 1;
     std::uint32_t max_triangles = 250000;
-    std::uint32_t max_chunks = 256;
+    std::uint32_t max_chunks = 512;
+    double max_ms = std::numeric_limits<double>::infinity();
+    CostModel cost;
+    double haze_per_m = 0;
+    bool conservative_up = false;
 };
+
+/// Corners in the order of quadrants (bit 0 east, bit 1 south), edges north, east, south, west.
+struct ChunkLift {
+    float own_m = 0;
+    float edge_m[4]{};
+    float corner_m[4]{};
+};
+
+struct SelectedChunk {
+    ChunkKey key = kNoChunk;
+    const ChunkEntry* entry = nullptr;  ///< valid in this frame
+    SlotIndex slot = kNoSlot;           ///< of its payload; kNoSlot only in ideal selections
+    std::uint8_t coarser_edges = 0;     ///< EdgeBit
+    float error_px = 0;
+    float distance_m = 0;  ///< of the chunk's centre from the eye
+    ChunkLift lift;        ///< zeros without conservative_up
+};
+
+enum class SelectionKind : std::uint8_t {
+    ideal,  ///< as if every payload had arrived
+    drawn,  ///< a chunk is split only where all its children in view are available
+};
+
+/// What kept the worst chunk from being split.
+enum class LodStop : std::uint8_t { met, triangles, chunks, milliseconds, nodes, not_arrived, at_data_limit };
+[[nodiscard]] const char* to_string(LodStop reason) noexcept;
 
 struct LodResult {
     std::uint32_t chunks = 0;
     std::uint32_t triangles = 0;  ///< upper bound, without coarser edges
-    double tau_reached_px = 0;
+    double predicted_ms = 0;
+    double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;
-    ChunkIndex worst_chunk = kNoChunk;
-    bool within_budget = false;  ///< false only when the coarsest selection exceeds the budgets
+    ChunkKey worst_chunk = kNoChunk;  ///< kNoChunk: nothing in view
+    LodStop reason = LodStop::met;
+    bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn
 };
 
-/// `selected` gets the chosen chunks, nearest first.
-[[nodiscard]] LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings,
-                                      base::Span<std::uint8_t> states, base::Span<ChunkIndex> work,
-                                      base::Span<SelectedChunk> selected);
+class LodSelector {
+public:
+    /// `nodes`: chunks that one selection may look at, roots and hidden ones included; 4 times the chunks drawn is plenty.
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t nodes);
 
-/// True when no point of the chunk's box can be in the view. Never true for a visible one.
-[[nodiscard]] bool is_outside_view(const ChunkEntry& entry, const View& view);
-/// The bound described above, in pixels; infinite when the eye is inside the grown box of an inexact chunk.
-[[nodiscard]] double projected_error_px(const ChunkEntry& entry, const View& view);
+    /// `selected` gets the chosen chunks in view, nearest first; its size is one more limit of chunks.
+    [[nodiscard]] LodResult select(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
+                                   base::Span<SelectedChunk> selected);
+
+    /// What the last selection needs in memory: its chunks in view and all their ancestors, most urgent first: by the error that
+    /// is shown without it, ancestors before their descendants. Returns how many; what does not fit is left out at the end.
+    [[nodiscard]] std::uint32_t wanted(base::Span<WantedChunk> out);
+
+    [[nodiscard]] const base::ResourceUse& use() const { return tree_.use(); }  ///< nodes
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t nodes);
+
+private:
+    LodTree tree_;
+    base::Span<std::uint32_t> heap_;
+};
 
 }  // namespace tedavis::terrain

@@ -1,5 +1,5 @@
 /// Where the posts of a regular chunk stand among its vertices: the border first, clockwise from the north-west corner, then
-/// the others row by row.
+/// the others row by row; and which posts of the lattice they are.
 #pragma once
 
 #include <cstdint>
@@ -22,5 +22,17 @@ struct RegularGrid {
         return border_count() + (j - 1) * (columns - 2) + (i - 1);
     }
 };
+
+/// The grid of a regular chunk over `cells_i` x `cells_j` cells of the lattice: every 2^level-th post and the last column and row.
+[[nodiscard]] constexpr RegularGrid regular_grid(std::uint32_t cells_i, std::uint32_t cells_j, std::uint32_t level) {
+    const std::uint32_t spacing = 1u << level;
+    return {(cells_i + spacing - 1) / spacing + 1, (cells_j + spacing - 1) / spacing + 1};
+}
+
+/// Lattice posts from the chunk's north-west corner to column (or row) n of its grid.
+[[nodiscard]] constexpr std::uint32_t regular_post(std::uint32_t n, std::uint32_t cells, std::uint32_t level) {
+    const std::uint32_t post = n << level;
+    return post < cells ? post : cells;
+}
 
 }  // namespace tedavis::terrain

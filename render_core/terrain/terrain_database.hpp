@@ -1,15 +1,16 @@
-/// An opened .tdb: header, chunk directory and undulation grid in memory; payloads are read on demand.
+/// An opened .tdb: header, lattice, page table and undulation grid in memory; directory pages and payloads are read on demand.
 ///
-/// Memory    directory and grid come from the arena given to open(); nothing is allocated later.
-/// Failure   open() and read_chunk() verify sizes, ranges and checksums; one flipped bit anywhere in the file is found
-///           when its part is read.
-/// Thread    const after open(); read_chunk() is as thread-safe as the byte source.
+/// Memory    page table (8 bytes a page) and undulation grid come from the arena given to open(); nothing is allocated later.
+/// Failure   every read verifies checksum, sizes and ranges; one flipped bit anywhere in the file is found when its part is
+///           read. A directory page that passes holds entries that nobody needs to doubt again.
+/// Thread    const after open(); reads are as thread-safe as the byte source.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/earth/geodetic.hpp"
+#include "render_core/terrain/lattice.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::terrain {
@@ -23,7 +24,8 @@ enum class TdbError : std::uint8_t {
     header_damaged,
     directory_damaged,
     chunk_damaged,
-    too_large
+    too_large,
+    too_many_roots
 };
 /// Half a sentence: "is not a terrain database".
 [[nodiscard]] const char* to_string(TdbError error) noexcept;
@@ -34,46 +36,39 @@ struct TdbFailure {
     std::uint64_t offset = 0;
 };
 
-using ChunkIndex = std::uint32_t;
-inline constexpr ChunkIndex kNoChunk = 0xFFFFFFFFu;
-
 class TerrainDatabase {
 public:
     [[nodiscard]] static base::Result<TerrainDatabase, TdbFailure> open(base::ByteSource& source, base::Arena& arena);
 
     [[nodiscard]] const FileHeader& header() const { return header_; }
+    [[nodiscard]] const Lattice& lattice() const { return lattice_; }
     [[nodiscard]] std::uint32_t levels() const { return header_.levels; }
-    [[nodiscard]] std::uint32_t chunk_count() const { return header_.chunk_count; }
-    [[nodiscard]] const ChunkEntry& entry(ChunkIndex index) const { return entries_[index]; }
+    [[nodiscard]] std::uint32_t top_level() const { return header_.levels - 1; }
+    /// Chunks of the top level.
+    [[nodiscard]] std::uint32_t root_count() const;
 
-    /// Chunks of a level: columns and rows of its grid.
-    [[nodiscard]] std::uint32_t grid_columns(std::uint32_t level) const;
-    [[nodiscard]] std::uint32_t grid_rows(std::uint32_t level) const;
-    /// kNoChunk outside the grid.
-    [[nodiscard]] ChunkIndex at(std::uint32_t level, std::int64_t i, std::int64_t j) const;
-    [[nodiscard]] ChunkIndex parent(ChunkIndex index) const;
-    /// Quadrant bit 0 east, bit 1 south; kNoChunk at level 0 or outside.
-    [[nodiscard]] ChunkIndex child(ChunkIndex index, std::uint32_t quadrant) const;
+    /// Directory pages by their place in the page table, 0..lattice().page_count()-1. No page: none of its chunks exists.
+    [[nodiscard]] bool has_page(std::uint32_t page_index) const { return page_table_[page_index] != 0; }
+    [[nodiscard]] std::uint64_t page_offset(std::uint32_t page_index) const { return page_table_[page_index]; }
+    /// Reads and verifies. The page must exist.
+    [[nodiscard]] TdbFailure read_page(std::uint32_t page_index, DirectoryPage& page) const;
+    /// Verifies bytes that came from page_offset() by another way: checksum, every entry's place, counts, parts and measures.
+    [[nodiscard]] TdbFailure check_page(std::uint32_t page_index, const DirectoryPage& page) const;
 
-    /// Reads and verifies one payload into `destination` (at least entry.bytes long).
-    [[nodiscard]] TdbFailure read_chunk(ChunkIndex index, base::Span<std::uint8_t> destination) const;
+    /// Reads and verifies a part into `destination` (at least place.bytes long).
+    [[nodiscard]] TdbFailure read_part(const PartPlace& place, base::Span<std::uint8_t> destination) const;
+    /// Verifies the checksum of bytes that came from the part's offset by another way.
+    [[nodiscard]] static TdbFailure check_part(const PartPlace& place, base::Span<const std::uint8_t> bytes);
 
     /// EGM96 minus WGS84 at a place, bilinear in the stored grid, clamped to its border.
     [[nodiscard]] earth::GeoidUndulation undulation(double latitude_rad, double longitude_rad) const;
 
-    /// Fractional lattice coordinates of a place: i east from west, j south from north.
-    struct LatticePoint {
-        double i = 0, j = 0;
-        bool inside = false;
-    };
-    [[nodiscard]] LatticePoint lattice_point(double latitude_rad, double longitude_rad) const;
-
 private:
     base::ByteSource* source_ = nullptr;
     FileHeader header_{};
-    base::Span<ChunkEntry> entries_;
+    Lattice lattice_;
+    base::Span<std::uint64_t> page_table_;
     base::Span<float> undulation_;
-    std::uint32_t level_first_[kMaxLevels + 1]{};
 };
 
 }  // namespace tedavis::terrain

@@ -1,0 +1,58 @@
+/// The part of the quadtree that one selection has looked at: a cover of the whole database by leaves.
+///
+/// Invariant  across every edge, leaves differ by one level at most. Memory  from an arena at start(). Thread  one.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/terrain/chunk_catalogue.hpp"
+#include "render_core/terrain/key_map.hpp"
+
+namespace tedavis::terrain {
+
+using NodeIndex = std::uint32_t;
+inline constexpr NodeIndex kNoNode = KeyMap::kNone;
+
+struct LodNode {
+    ChunkKey key;
+    NodeIndex parent;
+    const ChunkEntry* entry;
+    double error_px;
+    double priority;
+    bool is_leaf;
+    bool is_visible;
+    bool is_queued;
+    std::uint8_t blocked;  ///< LodStop: why it was not split
+};
+
+class LodTree {
+public:
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t nodes);
+    void clear(const Lattice& lattice);
+
+    [[nodiscard]] std::uint32_t size() const { return count_; }
+    [[nodiscard]] std::uint32_t room() const { return static_cast<std::uint32_t>(nodes_.size()) - count_; }
+    [[nodiscard]] LodNode& node(NodeIndex index) { return nodes_[index]; }
+    [[nodiscard]] const LodNode& node(NodeIndex index) const { return nodes_[index]; }
+    /// kNoNode when the selection has not come to it.
+    [[nodiscard]] NodeIndex find(const ChunkKey& key) const { return map_.find(key.packed()); }
+    /// A new leaf; there must be room. Parents come before their children.
+    NodeIndex add(const ChunkKey& key, const ChunkEntry* entry, NodeIndex parent);
+
+    /// Sides beyond which the leaves are coarser.
+    [[nodiscard]] std::uint8_t coarser_edges(const ChunkKey& key) const;
+    /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice.
+    [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j) const;
+
+    [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
+    [[nodiscard]] const base::ResourceUse& use() const { return use_; }
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t nodes);
+
+private:
+    const Lattice* lattice_ = nullptr;
+    base::Span<LodNode> nodes_;
+    KeyMap map_;
+    std::uint32_t count_ = 0;
+    base::ResourceUse use_;
+};
+
+}  // namespace tedavis::terrain

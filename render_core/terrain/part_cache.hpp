@@ -1,0 +1,106 @@
+/// Parts of chunks (payloads, attribute pages) in a fixed number of slots of one size, read asynchronously.
+///
+/// exact  Let W(m) be the list wanted in frame m. In frame n the lists W(n), W(n-1), ... W(n-window) claim the slots in this
+///        order, each from its front; a part that finds no slot left is not kept. A part is available in frame n if it has a
+///        slot and was wanted in one of the frames n-window .. n-arrival; want() waits for it. So what is available follows from
+///        the lists of the last `window` frames alone, whatever was there before.
+/// live   A part is available when it was read. Slots go to the wanted parts from the front of the list, from those whose owner
+///        was not wanted for longest; at most `max_in_flight` reads are under way.
+/// A part that cannot be read or does not hold is never available; it is tried again after `retry_frames`.
+/// Pinned parts keep their slot and are always available.
+/// Memory  from arenas at start(). Thread  one.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/ports/async_reader.hpp"
+#include "render_core/terrain/arrival_mode.hpp"
+#include "render_core/terrain/chunk_catalogue.hpp"
+#include "render_core/terrain/key_map.hpp"
+#include "render_core/terrain/terrain_database.hpp"
+
+namespace tedavis::terrain {
+
+struct WantedChunk {
+    ChunkKey key;
+    const ChunkEntry* entry = nullptr;  ///< valid in this frame
+};
+
+struct PartCacheSettings {
+    std::uint32_t slots = 0;  ///< below kNoSlot
+    std::size_t slot_bytes = 0;
+    PartPlace ChunkEntry::*part = nullptr;
+    /// Beyond the checksum; null: the checksum is enough.
+    bool (*holds)(const Lattice& lattice, const ChunkEntry& entry, base::Span<const std::uint8_t> bytes) = nullptr;
+    ArrivalMode mode = ArrivalMode::exact;
+    std::uint32_t arrival_frames = 2;  ///< 1 or more; exact only
+    std::uint32_t window_frames = 8;   ///< arrival_frames..kMaxWindowFrames; exact only
+    std::uint32_t max_in_flight = 16;  ///< live only
+    std::uint32_t retry_frames = 30;
+    std::uint32_t late_frames = 30;  ///< live only: a read under way for longer is late
+    std::uint32_t first_ticket = 0;  ///< of the reader's tickets, one a slot
+};
+
+inline constexpr std::uint32_t kMaxWindowFrames = 32;
+
+class PartCache {
+public:
+    /// Records and what the slots hold may come from one arena. False when they do not fit.
+    [[nodiscard]] bool start(const TerrainDatabase& database, base::AsyncReader& reader, const PartCacheSettings& settings,
+                             base::Arena& records, base::Arena& parts);
+    /// Reads at once and keeps for good. Before the first frame only.
+    [[nodiscard]] TdbFailure pin(const WantedChunk& chunk);
+
+    void begin_frame();
+    /// Once a frame at most, most urgent first; chunks without such a part are passed over, and what exceeds the slots is
+    /// dropped. What is available does not change again before the next call.
+    void want(base::Span<const WantedChunk> chunks);
+
+    /// kNoSlot when it is not available.
+    [[nodiscard]] SlotIndex slot_of(const ChunkKey& key) const;
+    [[nodiscard]] base::Span<const std::uint8_t> bytes(SlotIndex slot) const;
+    [[nodiscard]] const ChunkEntry& entry(SlotIndex slot) const { return slots_[slot].entry; }
+    /// Grows whenever the slot's content changes, so that a drawer knows when to upload again.
+    [[nodiscard]] std::uint32_t generation(SlotIndex slot) const { return slots_[slot].generation; }
+
+    [[nodiscard]] std::uint32_t pending() const { return pending_; }    ///< wanted in this frame and not available
+    [[nodiscard]] std::uint32_t late() const { return late_; }          ///< reads under way for longer than late_frames
+    [[nodiscard]] std::uint32_t failing() const { return failing_; }    ///< wanted in this frame, and could not be had
+    [[nodiscard]] std::uint64_t failures() const { return failures_; }  ///< failed reads since start
+    [[nodiscard]] const TdbFailure& last_failure() const { return last_failure_; }
+    [[nodiscard]] const base::ResourceUse& use() const { return use_; }  ///< slots
+    [[nodiscard]] static std::uint64_t record_bytes(const PartCacheSettings& settings);
+    [[nodiscard]] static std::uint64_t part_bytes(const PartCacheSettings& settings);
+
+private:
+    enum class State : std::uint8_t { empty, loading, ready, failed };
+    struct Slot {
+        ChunkEntry entry;
+        std::uint64_t key;           ///< packed; 0: free
+        std::uint64_t wanted;        ///< last frame
+        std::uint64_t first_wanted;  ///< exact: the oldest frame of the window
+        std::uint64_t asked;         ///< frame in which the read began
+        std::uint64_t retry;
+        std::uint32_t generation;
+        State state;
+        bool pinned;
+    };
+    struct History {
+        base::Span<std::uint64_t> keys;
+        std::uint32_t count = 0;
+    };
+
+    const TerrainDatabase* database_ = nullptr;
+    base::AsyncReader* reader_ = nullptr;
+    PartCacheSettings settings_;
+    base::Span<Slot> slots_;
+    base::Span<std::uint8_t> parts_;
+    History history_[kMaxWindowFrames + 1];
+    KeyMap slot_of_key_, claims_;
+    std::uint64_t frame_ = 0;
+    std::uint32_t pinned_ = 0, in_flight_ = 0, pending_ = 0, late_ = 0, failing_ = 0;
+    std::uint64_t failures_ = 0;
+    TdbFailure last_failure_;
+    base::ResourceUse use_;
+};
+
+}  // namespace tedavis::terrain
