@@ -1,12 +1,11 @@
 /// Exhaustive signed error of flat triangles against the true surface: the proof that a database carries.
 ///
 /// Two piecewise linear surfaces differ most at a vertex of their overlay: at posts inside the triangle, and where its sides
-/// cross rows, columns and diagonals of cells. All of them are visited; posts of cells that touch a void post are not part of
-/// the true surface. Heights above the ellipsoid. Pure functions; any thread.
+/// cross rows, columns and diagonals of cells. All of them are visited. A cell with a void corner is not part of the true
+/// surface: a place counts if one of the cells that touch it is. Heights above the ellipsoid. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "render_core/terrain/tdb_format.hpp"
 
@@ -34,7 +33,8 @@ struct SignedError {
     }
 };
 
-/// Over the part of the triangle inside the window. Zero-area triangles have no error.
+/// Over the part of the triangle inside the window's cells: windows that share their outermost posts cover a triangle
+/// together. Corners in any order, at most 32768 posts apart. Zero-area triangles have no error.
 [[nodiscard]] SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,
                                          const MeshCorner& c);
 
