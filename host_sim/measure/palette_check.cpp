@@ -196,7 +196,7 @@ std::vector<std::string> palette_faults(const Palette& palette, const std::strin
 std::vector<std::string> palette_faults_in_design(const Palette& palette, const design::DesignSettings& design,
                                                   const std::string& name) {
     std::vector<std::string> faults;
-    const double ambient = design.terrain.light.ambient;
+    const double ambient = design.terrain.style.shade.ambient;
     check_light(palette, ambient, name, faults);
     const std::vector<Color> colors = colors_of(palette);
     for (const Stranger& stranger : strangers_in(design, colors)) {

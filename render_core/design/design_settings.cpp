@@ -25,27 +25,35 @@ void read_view(ConfigSection section, ViewSettings& view) {
     view.dpi = section.number("dpi", 30, 1000, view.dpi);
 }
 
-/// Heights are coloured; a palette of something else would say nonsense.
-void read_height_palette(ConfigSection& section, PaletteSource& palettes, Palette& palette) {
-    if (!section.has("palette")) return;
-    const auto found = palettes.find(section.text("palette"));
-    if (!found.ok()) return section.fault("palette", found.error().sentence.view());
-    palette = found.value();
-    if (palette.kind != PaletteKind::hypsometric)
-        fault_of(section, "palette", "names no palette of heights; choose one of kind hypsometric");
+/// What the texture colours by; a palette of something else would say nonsense.
+bool palette_fits(TerrainTexture texture, const Palette& palette) {
+    switch (texture) {
+        case TerrainTexture::slope:
+        case TerrainTexture::openness: return palette.kind != PaletteKind::hypsometric && palette.unit == PaletteUnit::degrees;
+        case TerrainTexture::local_relief: return palette.kind == PaletteKind::diverging && palette.unit == PaletteUnit::metres;
+        default: return palette.kind == PaletteKind::hypsometric;
+    }
+}
+
+void read_texture_palette(ConfigSection& section, PaletteSource& palettes, TerrainSettings& terrain) {
+    if (section.has("palette")) {
+        const auto found = palettes.find(section.text("palette"));
+        if (!found.ok()) return section.fault("palette", found.error().sentence.view());
+        terrain.palette = found.value();
+    }
+    if (!palette_fits(terrain.style.texture, terrain.palette))
+        fault_of(section, "palette",
+                 "does not fit the texture: heights need a hypsometric one, slope and openness one in degrees, local_relief a "
+                 "diverging one in metres");
 }
 
 void read_terrain(ConfigSection section, PaletteSource& palettes, TerrainSettings& terrain) {
     terrain.tau_px = section.number("tau_px", 0.1, 32, terrain.tau_px);
-    read_height_palette(section, palettes, terrain.palette);
+    terrain.conservative_up = section.boolean("conservative_up", terrain.conservative_up);
     read_color(section, "sea_color", terrain.sea);
     read_color(section, "unknown_color", terrain.unknown);
-}
-
-void read_light(ConfigSection section, LightSettings& light) {
-    read_angle(section, "azimuth_deg", 0, 360, light.azimuth_rad);
-    read_angle(section, "elevation_deg", 0, 90, light.elevation_rad);
-    light.ambient = section.number("ambient", 0, 1, light.ambient);
+    read_terrain_style(section, terrain.style);
+    read_texture_palette(section, palettes, terrain);
 }
 
 void read_sky(ConfigSection section, SkySettings& sky) {
@@ -137,7 +145,6 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
     read_view(root.section("view"), design.view);
     read_terrain(root.section("terrain"), palettes, design.terrain);
-    read_light(root.section("light"), design.terrain.light);
     read_sky(root.section("sky"), design.sky);
     read_warning(root.section("warning"), design);
     read_limits(root.section("degradation"), root.section("unusual_attitude"), design);

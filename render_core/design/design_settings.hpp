@@ -14,6 +14,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/palette.hpp"
+#include "render_core/design/terrain_style.hpp"
 #include "render_core/design/warning_bands.hpp"
 
 namespace tedavis::design {
@@ -24,18 +25,13 @@ struct ViewSettings {
     double dpi = 96;  ///< pixels an inch of the panel; text never gets smaller than legible on it
 };
 
-struct LightSettings {
-    double azimuth_rad = base::radians(315);   ///< from which it shines, clockwise from true north
-    double elevation_rad = base::radians(45);  ///< above the horizontal
-    double ambient = 0.35;                     ///< 0..1 of full light that reaches slopes in the shade
-};
-
 struct TerrainSettings {
     double tau_px = 1.0;  ///< pixel error asked for, (0.1 .. 32)
-    Palette palette;      ///< colours by height
+    Palette palette;      ///< colours of the style's texture
     Color sea{0x30, 0x58, 0x80};
     Color unknown{0xC0, 0x30, 0xC0};  ///< posts without data (magenta in plan views of terrain systems)
-    LightSettings light;
+    TerrainStyle style;
+    bool conservative_up = false;  ///< the silhouette is never below the true terrain
 };
 
 struct SkySettings {

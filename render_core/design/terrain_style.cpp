@@ -1,17 +1,14 @@
 #include "render_core/design/terrain_style.hpp"
 
+#include "render_core/design/config_values.hpp"
+
 namespace tedavis::design {
 namespace {
 
 using base::ConfigSection;
 
 void read_color(ConfigSection& section, std::string_view key, Color& color) {
-    if (!section.has(key)) return;
-    const ParsedColor parsed = color_from_text(section.text(key));
-    if (parsed.ok)
-        color = parsed.color;
-    else
-        section.fault(key, "is no colour; write it as \"#rrggbb\"");
+    if (section.has(key)) color = required_color(section, key);
 }
 
 double read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double angle_rad) {

@@ -3,62 +3,27 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
-#include "render_core/draw/shader_texts.hpp"
+#include "render_core/draw/terrain_uniforms.hpp"
 #include "render_core/gl/draw_triangles.hpp"
 
 namespace tedavis::draw {
 namespace {
 
+using design::BakedMap;
 using terrain::ChunkVertex;
+using terrain::SelectedChunk;
 
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
+constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // the light moves so far before horizons are mixed anew
 
-enum Attribute : GLuint { kPosition, kHeight, kNormal, kKind, kPlace };
-constexpr gl::AttributeBinding kAttributes[] = {
-    {"position", kPosition}, {"height", kHeight}, {"normal", kNormal}, {"kind", kKind}, {"place", kPlace}};
-
-enum Uniform : std::size_t {
-    kChunkOffset,
-    kViewProjection,
-    kLightDirection,
-    kLight,
-    kHaze,
-    kPalette,
-    kPaletteRange,
-    kSeaColor,
-    kHazeColor,
-    kCommonUniforms
-};
-constexpr const char* kCommonNames[kCommonUniforms] = {"chunk_offset",  "view_projection", "light_direction",
-                                                       "light",         "haze_per_m",      "palette",
-                                                       "palette_range", "sea_color",       "haze_color"};
+constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
 /// Bands that a program can tell apart; most chunks meet two at most, and each costs every fragment.
 constexpr std::size_t kBandsOfProgram[TerrainDrawer::kBandVariants] = {0, 2, design::kMaxWarningBands};
-constexpr const char* kBandDefines[] = {"", "#define WARNING_BANDS 2\n", "#define WARNING_BANDS 8\n"};
-static_assert(design::kMaxWarningBands == 8);
-constexpr const char* kRasterEndsDefine = "#define RASTER_ENDS 1\n";
-
-/// Perspective with the view's axes in ECEF, from eye-relative metres to clip space (z -1..1).
-glm::dmat4 view_projection(const terrain::View& view, const glm::dvec3& eye_fraction) {
-    const double n = view.near_m, f = view.far_m;
-    const double sx = 1.0 / view.half_width_tangent(), sy = 1.0 / view.half_height_tangent();
-    const glm::dvec3 rows[3] = {view.right * sx, -view.down * sy, view.forward};
-    const double zs = (f + n) / (f - n), zo = -2.0 * f * n / (f - n);
-    glm::dmat4 m(0.0);
-    for (int c = 0; c < 3; ++c) m[c] = {rows[0][c], rows[1][c], rows[2][c] * zs, rows[2][c]};
-    const double depth = -glm::dot(rows[2], eye_fraction);
-    m[3] = {-glm::dot(rows[0], eye_fraction), -glm::dot(rows[1], eye_fraction), depth * zs + zo, depth};
-    return m;
-}
-
-void set_color(gl::Gl& gl, GLint location, design::Color c) {
-    gl->Uniform4f(location, static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f,
-                  static_cast<float>(c.blue) / 255.0f, static_cast<float>(c.alpha) / 255.0f);
-}
 
 void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     const std::uint64_t start = slot * kSlotVertexBytes;
@@ -66,19 +31,45 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
         return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(start + offset));
     };
     constexpr GLsizei kStride = sizeof(ChunkVertex);
-    gl->VertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, x)));
-    gl->VertexAttribPointer(kHeight, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, height_m)));
-    gl->VertexAttribPointer(kNormal, 3, GL_BYTE, GL_TRUE, kStride, at(offsetof(ChunkVertex, normal)));
-    gl->VertexAttribPointer(kKind, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(ChunkVertex, level_and_class)));
-    gl->VertexAttribPointer(kPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
+    gl->VertexAttribPointer(kTerrainPosition, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, x)));
+    gl->VertexAttribPointer(kTerrainHeight, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(ChunkVertex, height_m)));
+    gl->VertexAttribPointer(kTerrainNormal, 3, GL_BYTE, GL_TRUE, kStride, at(offsetof(ChunkVertex, normal)));
+    gl->VertexAttribPointer(kTerrainKind, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(ChunkVertex, kind)));
+    gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
+}
+
+/// Depths of a chunk's box along the view.
+DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m) {
+    const glm::dvec3 centre(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]);
+    double reach = lift_m;
+    for (int a = 0; a < 3; ++a) {
+        const glm::dvec3 axis(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
+        reach += entry.half_extent_m[a] * std::abs(glm::dot(axis, view.forward));
+    }
+    const double depth = glm::dot(centre - view.eye, view.forward);
+    return {depth - reach, depth + reach};
+}
+
+/// From the light's azimuth at a chunk to its baked horizons.
+double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
+    const glm::dvec3 north(entry.axes[0], entry.axes[1], entry.axes[2]), east(entry.axes[3], entry.axes[4], entry.axes[5]);
+    return std::atan2(glm::dot(light, east), glm::dot(light, north));
 }
 
 }  // namespace
 
-gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::ChunkCache& cache,
-                                 const design::DesignSettings& design, effects::DeviceSettings& device, base::Arena& staging) {
-    database_ = &database;
-    cache_ = &cache;
+gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
+                                 effects::DeviceSettings& device, base::Arena& staging) {
+    store_ = &store;
+    design_ = design;
+    if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
+    if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
+    if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
+    upload_palette(gl);
+    return {};
+}
+
+gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const std::uint32_t slots = device.max_chunk_slots;
     slots_ = staging.allocate_array<GpuSlot>(slots);
     index_staging_ = staging.allocate_array<std::uint16_t>(kSlotIndices);
@@ -86,73 +77,69 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainDatabase& dat
     if (slots_.empty() || index_staging_.empty() || scratch_ == nullptr)
         return gl::make_error(
             "the budget line 'staging' is too small for the terrain's index staging; raise it in the device file");
-
-    base::BudgetLine* vertex_line = device.budget.find(effects::kTerrainVertices);
-    base::BudgetLine* index_line = device.budget.find(effects::kTerrainIndices);
-    base::BudgetLine* palette_line = device.budget.find(effects::kRenderTargets);
-    auto vertices =
-        gl::make_buffer(gl, *vertex_line, gl::BufferKind::vertices, gl::BufferUse::streamed, slots * kSlotVertexBytes);
+    for (GpuSlot& slot : slots_) slot = GpuSlot{};
+    auto vertices = gl::make_buffer(gl, *device.budget.find(effects::kTerrainVertices), gl::BufferKind::vertices,
+                                    gl::BufferUse::streamed, slots * kSlotVertexBytes);
     if (!vertices.ok()) return vertices.error();
     vertices_ = static_cast<gl::Buffer&&>(vertices.value());
-    auto indices = gl::make_buffer(gl, *index_line, gl::BufferKind::indices, gl::BufferUse::streamed,
-                                   slots * kSlotIndices * sizeof(std::uint16_t));
+    auto indices = gl::make_buffer(gl, *device.budget.find(effects::kTerrainIndices), gl::BufferKind::indices,
+                                   gl::BufferUse::streamed, slots * kSlotIndices * sizeof(std::uint16_t));
     if (!indices.ok()) return indices.error();
     indices_ = static_cast<gl::Buffer&&>(indices.value());
-    auto palette = gl::make_texture(gl, *palette_line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
+    auto palette = gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
+                                    {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
     if (!palette.ok()) return palette.error();
     palette_ = static_cast<gl::Texture&&>(palette.value());
-    if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
-    set_design(gl, design);
     return {};
 }
 
+gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
+    const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
+    if (slots == 0) return {};
+    page_slots_ = staging.allocate_array<PageSlot>(slots);
+    if (page_slots_.empty())
+        return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
+    for (PageSlot& slot : page_slots_) slot = PageSlot{};
+    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, slots, staging);
+}
+
 gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
+    TerrainVariant variant;
+    variant.lifted = design_.terrain.conservative_up;
+    variant.outlined = design_.terrain.style.sketch.silhouettes > 0;
+    for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     for (std::size_t bands = 0; bands < kBandVariants; ++bands)
-        for (const bool ends : {false, true}) {
-            auto program = build_variant(gl, bands, ends);
+        for (const bool baked : {false, true}) {
+            if (baked && !atlas_.is_started()) continue;
+            variant.bands = kBandsOfProgram[bands];
+            variant.baked = baked;
+            auto program = build_terrain_program(gl, design_.terrain.style, variant);
             if (!program.ok()) return program.error();
-            programs_[bands][ends ? 1 : 0] = program.value();
+            programs_[bands][baked ? 1 : 0] = program.value();
         }
     return {};
 }
 
-base::Result<TerrainDrawer::Variant, gl::GlError> TerrainDrawer::build_variant(gl::Gl& gl, std::size_t bands, bool raster_ends) {
-    Variant variant;
-    const char* names[kCommonUniforms + 3];
-    std::size_t count = 0;
-    const auto add = [&](const char* name) {
-        names[count] = name;
-        return count++;
-    };
-    for (const char* name : kCommonNames) add(name);
-    if (bands > 0) {
-        variant.band_color = add("band_color");
-        variant.band_lower = add("band_lower");
-    }
-    if (raster_ends) variant.last_place = add("last_place");
-    base::FixedString<kMaxShaderText> vertex(raster_ends ? kRasterEndsDefine : ""), fragment(vertex.view());
-    vertex.append(shader_text(k_terrain_vert));
-    fragment.append(kBandDefines[bands]);
-    fragment.append(shader_text(k_terrain_frag));
-    auto program =
-        gl::build_program(gl, {"terrain", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes),
-                               base::Span<const char* const>(names, count)});
-    if (!program.ok()) return base::fail(program.error());
-    variant.program = program.value();
-    return variant;
-}
-
 void TerrainDrawer::destroy(gl::Gl& gl) {
     for (auto& of_bands : programs_)
-        for (Variant& variant : of_bands) variant.program.destroy(gl);
+        for (gl::Program& program : of_bands) program.destroy(gl);
+    atlas_.destroy(gl);
     palette_.destroy(gl);
     indices_.destroy(gl);
     vertices_.destroy(gl);
 }
 
-void TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
+bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
+    if (!same_programs(design_.terrain.style, design.terrain.style) ||
+        design_.terrain.conservative_up != design.terrain.conservative_up)
+        return false;
     design_ = design;
-    const design::Palette& palette = design.terrain.palette;
+    upload_palette(gl);
+    return true;
+}
+
+void TerrainDrawer::upload_palette(gl::Gl& gl) {
+    const design::Palette& palette = design_.terrain.palette;
     const double low = palette.stops[0].value, high = palette.stops.back().value;
     std::uint8_t texels[kPaletteTexels * 4];
     for (std::uint32_t n = 0; n < kPaletteTexels; ++n) {
@@ -165,115 +152,126 @@ void TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design)
     TEDAVIS_CHECK(palette_.upload(gl, {0, 0, kPaletteTexels, 1}, texels));
 }
 
-bool TerrainDrawer::prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, std::uint64_t frame) {
-    frame_ = frame;
-    uploaded_ = 0;
-    for (const terrain::SelectedChunk& chunk : selected) {
-        const terrain::SlotIndex slot = cache_->acquire(chunk.chunk, frame);
-        if (slot == terrain::kNoSlot || !upload(gl, slot, chunk)) return false;
-    }
+bool TerrainDrawer::prepare(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input) {
+    for (const SelectedChunk& chunk : selected)
+        if (chunk.slot == terrain::kNoSlot || !upload_chunk(gl, chunk) || !upload_page(gl, chunk, input)) return false;
     return true;
 }
 
-bool TerrainDrawer::upload(gl::Gl& gl, terrain::SlotIndex slot, const terrain::SelectedChunk& selected) {
-    GpuSlot& gpu = slots_[slot];
-    const base::Span<const ChunkVertex> vertices = cache_->vertices(slot);
-    if (gpu.loads != cache_->slot(slot).loads) {
-        if (!vertices_.upload(gl, slot * kSlotVertexBytes, vertices.data(), vertices.size() * sizeof(ChunkVertex))) return false;
-        uploaded_ += vertices.size() * sizeof(ChunkVertex);
-        gpu.loads = cache_->slot(slot).loads;
-        gpu.indexed = false;
+terrain::MeshCount TerrainDrawer::build_indices(const SelectedChunk& chunk) {
+    return terrain::build_chunk_indices(*chunk.entry, store_->vertices(chunk.slot), store_->indices(chunk.slot),
+                                        chunk.coarser_edges, *scratch_, index_staging_);
+}
+
+base::Span<const std::uint16_t> TerrainDrawer::drawn_indices(const SelectedChunk& chunk) {
+    const terrain::MeshCount mesh = build_indices(chunk);
+    return {index_staging_.data(), mesh.sound ? mesh.indices : 0};
+}
+
+bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
+    GpuSlot& gpu = slots_[chunk.slot];
+    const std::uint32_t generation = store_->generation(chunk.slot);
+    if (gpu.generation != generation) {
+        const base::Span<const ChunkVertex> vertices = store_->vertices(chunk.slot);
+        const std::uint64_t bytes = vertices.size() * sizeof(ChunkVertex);
+        if (!vertices_.upload(gl, chunk.slot * kSlotVertexBytes, vertices.data(), bytes)) return false;
+        gpu = {generation, 0, 0, false};
     }
-    if (gpu.indexed && gpu.coarser_edges == selected.coarser_edges) return true;
-    const terrain::ChunkEntry& entry = database_->entry(selected.chunk);
-    const terrain::FileHeader& header = database_->header();
-    const terrain::MeshCount mesh =
-        terrain::build_chunk_indices(vertices, {entry.level, entry.i, entry.j, header.columns - 1, header.rows - 1},
-                                     selected.coarser_edges, *scratch_, index_staging_);
-    if (!mesh.sound || !indices_.upload(gl, slot * kSlotIndices * sizeof(std::uint16_t), index_staging_.data(),
+    if (gpu.indexed && gpu.coarser_edges == chunk.coarser_edges) return true;
+    const terrain::MeshCount mesh = build_indices(chunk);
+    if (!mesh.sound || !indices_.upload(gl, chunk.slot * kSlotIndices * sizeof(std::uint16_t), index_staging_.data(),
                                         mesh.indices * sizeof(std::uint16_t)))
         return false;
-    uploaded_ += mesh.indices * sizeof(std::uint16_t);
-    gpu = {gpu.loads, mesh.indices, selected.coarser_edges, true};
+    gpu = {generation, mesh.indices, chunk.coarser_edges, true};
     return true;
 }
 
-TerrainDrawResult TerrainDrawer::draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected,
-                                      const TerrainDrawInput& input) {
-    TerrainDrawResult result;
-    result.uploaded_bytes = uploaded_;
-    const glm::dvec3 eye_whole = glm::round(input.view.eye);
+TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) const {
+    if (!atlas_.is_started()) return {};
+    const std::uint32_t levels = store_->lattice().levels();
+    for (terrain::ChunkKey owner = terrain::TerrainStore::attribute_key(key); owner.level < levels; owner = owner.parent()) {
+        const terrain::SlotIndex slot = store_->attribute_slot(owner);
+        if (slot != terrain::kNoSlot) return {slot, owner};
+    }
+    return {};
+}
+
+bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input) {
+    const PageChoice page = page_of(chunk.key);
+    if (page.slot == terrain::kNoSlot) return true;
+    PageSlot& slot = page_slots_[page.slot];
+    const terrain::AttributePage& attributes = store_->attributes(page.slot);
+    const bool is_new = slot.generation != store_->attribute_generation(page.slot);
+    if (is_new && !atlas_.upload(gl, page.slot, attributes)) return false;
+    slot.generation = store_->attribute_generation(page.slot);
+    if (!atlas_.has(BakedMap::horizon)) return true;
+    const double azimuth = azimuth_at(*chunk.entry, input.light_direction[0]);
+    if (!is_new && std::abs(earth::angle_difference(azimuth, slot.azimuth_rad)) < kAzimuthStep_rad) return true;
+    slot.azimuth_rad = azimuth;
+    const GroundSize texel = texel_size(store_->lattice(), page.owner);
+    return atlas_.upload_horizon(gl, page.slot, attributes, azimuth, texel.east_m, texel.north_m);
+}
+
+void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
+                         const DepthRange& range, TerrainDrawResult& result) {
     for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
-        for (const Variant& variant : programs_[bands]) set_frame_uniforms(gl, variant.program, input, eye_whole);
+        for (const gl::Program& program : programs_[bands])
+            if (program.valid()) set_frame_uniforms(gl, program, input, range);
     palette_.bind(gl, 0);
+    if (atlas_.is_started()) atlas_.bind(gl);
     vertices_.bind(gl);
     indices_.bind(gl);
-    for (GLuint attribute = kPosition; attribute <= kPlace; ++attribute) gl->EnableVertexAttribArray(attribute);
-    for (const terrain::SelectedChunk& chunk : selected) draw_chunk(gl, chunk, input, eye_whole, result);
-    for (GLuint attribute = kPosition; attribute <= kPlace; ++attribute) gl->DisableVertexAttribArray(attribute);
-    result.complete = result.draws == selected.size();
-    return result;
+    for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
+    for (const SelectedChunk& chunk : selected) {
+        const DepthRange depths = depths_of(*chunk.entry, input.view, greatest_lift_m(chunk.lift));
+        if (depths.far_m >= range.near_m && depths.near_m <= range.far_m) draw_chunk(gl, chunk, input, result);
+    }
+    for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
 }
 
 void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
-                                       const glm::dvec3& eye_whole) const {
+                                       const DepthRange& range) const {
     program.use(gl);
-    const glm::dmat4 matrix = view_projection(input.view, input.view.eye - eye_whole);
-    float values[16];
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) values[4 * c + r] = static_cast<float>(matrix[c][r]);
-    gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
-    const glm::vec3 light(input.light_direction);
-    gl->Uniform3f(program.uniform(kLightDirection), light.x, light.y, light.z);
-    const auto ambient = static_cast<float>(design_.terrain.light.ambient);
-    gl->Uniform2f(program.uniform(kLight), ambient, 1.0f - ambient);
-    const double haze_m = design_.sky.haze_distance_m;
-    gl->Uniform1f(program.uniform(kHaze), haze_m > 0 ? static_cast<float>(1.0 / haze_m) : 0.0f);
+    set_view_uniforms(gl, program, input.view, range);
+    set_color_uniforms(gl, program, design_);
+    set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
     gl->Uniform1i(program.uniform(kPalette), 0);
-    const double low = design_.terrain.palette.stops[0].value, high = design_.terrain.palette.stops.back().value;
-    gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low),
-                  high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
-    set_color(gl, program.uniform(kSeaColor), design_.terrain.sea);
-    set_color(gl, program.uniform(kHazeColor), design_.sky.haze);
+    for (std::size_t map = 0; map < design::kBakedMaps; ++map)
+        gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
+    gl->Uniform1f(program.uniform(kPageTexel), atlas_.is_started() ? atlas_.texel() : 0.0f);
 }
 
-/// The program that tells the bands of this chunk apart, in use and with them.
-const TerrainDrawer::Variant& TerrainDrawer::use_variant(gl::Gl& gl, const terrain::ChunkEntry& entry,
-                                                         const TerrainDrawInput& input) const {
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+                                              const TerrainDrawInput& input) const {
     TerrainBands bands;
     if (input.warning_colors)
         bands =
             bands_within(design_.warning_bands, input.aircraft_msl_m, input.gear_down, entry.min_height_m, entry.max_height_m);
     std::size_t n = 0;
     while (kBandsOfProgram[n] < bands.count) ++n;
-    const bool raster_ends = (entry.flags & terrain::kChunkHasOutside) != 0;
-    const Variant& variant = programs_[n][raster_ends ? 1 : 0];
-    variant.program.use(gl);
+    const gl::Program& program = programs_[n][baked ? 1 : 0];
+    program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfProgram[n]);
-        gl->Uniform4fv(variant.program.uniform(variant.band_color), count, bands.color);
-        gl->Uniform1fv(variant.program.uniform(variant.band_lower), count, bands.lower_m);
+        gl->Uniform4fv(program.uniform(kBandColor), count, bands.color);
+        gl->Uniform1fv(program.uniform(kBandLower), count, bands.lower_m);
     }
-    if (raster_ends) {
-        const std::int64_t side = std::int64_t{terrain::kChunkCells} << entry.level;
-        const auto beyond = [&](std::uint32_t posts, std::uint32_t at) { return static_cast<float>(posts - 1 - at * side); };
-        gl->Uniform2f(variant.program.uniform(variant.last_place), beyond(database_->header().columns, entry.i),
-                      beyond(database_->header().rows, entry.j));
-    }
-    return variant;
+    return program;
 }
 
-void TerrainDrawer::draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& selected, const TerrainDrawInput& input,
-                               const glm::dvec3& eye_whole, TerrainDrawResult& result) {
-    const terrain::SlotIndex slot = cache_->acquire(selected.chunk, frame_);
-    if (slot == terrain::kNoSlot || !slots_[slot].indexed) return;
-    const terrain::ChunkEntry& entry = database_->entry(selected.chunk);
-    const gl::Program& program = use_variant(gl, entry, input).program;
-    gl->Uniform3f(program.uniform(kChunkOffset), static_cast<float>(entry.centre_m[0] - eye_whole.x),
-                  static_cast<float>(entry.centre_m[1] - eye_whole.y), static_cast<float>(entry.centre_m[2] - eye_whole.z));
-    point_attributes(gl, slot);
-    gl::draw_triangles(gl, {static_cast<std::uint32_t>(slot * kSlotIndices), slots_[slot].index_count, entry.vertex_count - 1});
-    result.triangles += slots_[slot].index_count / 3;
+void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result) {
+    const GpuSlot& slot = slots_[chunk.slot];
+    if (!slot.indexed) return;
+    const PageChoice page = page_of(chunk.key);
+    const bool baked = page.slot != terrain::kNoSlot;
+    const gl::Program& program = use_program(gl, *chunk.entry, baked, input);
+    const terrain::Lattice& lattice = store_->lattice();
+    set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
+    if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);
+    point_attributes(gl, chunk.slot);
+    gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
+                            static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});
+    result.triangles += slot.index_count / 3;
     ++result.draws;
 }
 

@@ -1,27 +1,29 @@
-/// Draws the selected terrain chunks: hypsometric tint, Lambert light, haze, and the warning colours where they hold.
+/// Draws the selected terrain chunks in the design's style, with the warning colours where they hold.
 ///
 /// Watertight between levels: the vertex shader adds a chunk offset of whole metres to positions on a binary grid; the
 /// sum is the correctly rounded one of the same real number in every chunk that shares the vertex.
 ///
-/// Memory    GPU slots, one a cache slot, from the lines terrain_vertices and terrain_indices; index staging from the
-///           arena. Thread  the GL thread. Failure  start() gives one sentence.
+/// Memory    GPU slots, one a payload slot of the store, from the lines terrain_vertices and terrain_indices; pages from
+///           terrain_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives one sentence.
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
+#include "render_core/draw/terrain_program.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/buffer.hpp"
-#include "render_core/gl/program.hpp"
-#include "render_core/gl/texture.hpp"
-#include "render_core/terrain/chunk_cache.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
 #include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/terrain_store.hpp"
 
 namespace tedavis::draw {
 
 struct TerrainDrawInput {
     terrain::View view;
-    glm::dvec3 light_direction;  ///< ECEF, towards the light
+    /// Towards each light of the style, ECEF.
+    glm::dvec3 light_direction[design::kMaxLights];
     bool warning_colors = false;
     double aircraft_msl_m = 0;  ///< for warning colours
     bool gear_down = false;
@@ -30,58 +32,66 @@ struct TerrainDrawInput {
 struct TerrainDrawResult {
     std::uint32_t triangles = 0;
     std::uint32_t draws = 0;
-    std::uint64_t uploaded_bytes = 0;
-    bool complete = false;  ///< every selected chunk was drawn
 };
 
 class TerrainDrawer {
 public:
     static constexpr std::size_t kBandVariants = 3;  ///< programs for no, few and all warning bands
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::ChunkCache& cache,
-                                    const design::DesignSettings& design, effects::DeviceSettings& device, base::Arena& staging);
-    /// Palette, light and bands of another design; no new objects.
-    void set_design(gl::Gl& gl, const design::DesignSettings& design);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
+                                    effects::DeviceSettings& device, base::Arena& staging);
+    /// Palette, lights and bands of another design. False, and nothing changes, where its style needs other programs.
+    [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
 
-    /// Reads and uploads what is missing. False when a chunk cannot be had: then nothing of the terrain may be drawn.
-    [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, std::uint64_t frame);
-    /// Draws what prepare() made ready, into the bound framebuffer with depth test and culling as the caller set them.
-    [[nodiscard]] TerrainDrawResult draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected,
-                                         const TerrainDrawInput& input);
+    /// Uploads what is missing of available chunks. False when a chunk contradicts its format: nothing of it may be drawn.
+    [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input);
+    /// Draws what prepare() made ready, as far as it reaches into the range of depths, into the bound framebuffer with depth
+    /// test and culling as the caller set them.
+    void draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
+              const DepthRange& range, TerrainDrawResult& result);
+    /// The index list that a chunk is drawn with; after prepare().
+    [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk);
     void destroy(gl::Gl& gl);
-    [[nodiscard]] const terrain::TdbFailure& failure() const { return cache_->failure(); }
 
 private:
     struct GpuSlot {
-        std::uint64_t loads = 0;  ///< of the cache slot when it was uploaded
+        std::uint32_t generation = 0;  ///< of the store's slot when it was uploaded
         std::uint32_t index_count = 0;
         std::uint8_t coarser_edges = 0;
         bool indexed = false;
     };
-    [[nodiscard]] bool upload(gl::Gl& gl, terrain::SlotIndex slot, const terrain::SelectedChunk& selected);
-    struct Variant {
-        gl::Program program;
-        std::size_t band_color = 0, band_lower = 0, last_place = 0;  ///< uniforms beside the common ones
+    struct PageSlot {
+        std::uint32_t generation = 0;
+        double azimuth_rad = -1;  ///< of the light that its horizon was mixed for
     };
+    /// The page that a chunk takes its maps from; kNoSlot: none has arrived.
+    struct PageChoice {
+        terrain::SlotIndex slot = terrain::kNoSlot;
+        terrain::ChunkKey owner;
+    };
+    [[nodiscard]] gl::GlError start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
+    [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
     [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
-    [[nodiscard]] static base::Result<Variant, gl::GlError> build_variant(gl::Gl& gl, std::size_t bands, bool raster_ends);
-    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
-                            const glm::dvec3& eye_whole) const;
-    [[nodiscard]] const Variant& use_variant(gl::Gl& gl, const terrain::ChunkEntry& entry, const TerrainDrawInput& input) const;
-    void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& selected, const TerrainDrawInput& input,
-                    const glm::dvec3& eye_whole, TerrainDrawResult& result);
+    void upload_palette(gl::Gl& gl);
+    [[nodiscard]] terrain::MeshCount build_indices(const terrain::SelectedChunk& chunk);
+    [[nodiscard]] bool upload_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk);
+    [[nodiscard]] bool upload_page(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input);
+    [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
+    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
+    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+                                                 const TerrainDrawInput& input) const;
+    void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
-    const terrain::TerrainDatabase* database_ = nullptr;
-    terrain::ChunkCache* cache_ = nullptr;
+    const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
-    Variant programs_[kBandVariants][2];  ///< by bands; the second is for chunks in which the raster ends
+    gl::Program programs_[kBandVariants][2];  ///< by bands; the second is for chunks with attribute pages
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
+    PageAtlas atlas_;
     base::Span<GpuSlot> slots_;
+    base::Span<PageSlot> page_slots_;
     base::Span<std::uint16_t> index_staging_;
     terrain::ChunkMeshScratch* scratch_ = nullptr;
-    std::uint64_t frame_ = 0;
-    std::uint64_t uploaded_ = 0;
 };
 
 }  // namespace tedavis::draw

@@ -12,12 +12,14 @@ struct RequiredLine {
     std::string_view name;
     base::MemoryKind kind;
 };
-constexpr RequiredLine kRequiredLines[] = {{kTerrainChunkSlots, base::MemoryKind::cpu}, {kTerrainHeights, base::MemoryKind::cpu},
-                                           {kTerrainIndex, base::MemoryKind::cpu},      {kTerrainVertices, base::MemoryKind::gpu},
-                                           {kTerrainIndices, base::MemoryKind::gpu},    {kSymbology, base::MemoryKind::cpu},
-                                           {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
-                                           {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
-                                           {kLodScratch, base::MemoryKind::cpu}};
+constexpr RequiredLine kRequiredLines[] = {
+    {kTerrainChunkSlots, base::MemoryKind::cpu}, {kTerrainHeights, base::MemoryKind::cpu},
+    {kTerrainIndex, base::MemoryKind::cpu},      {kTerrainVertices, base::MemoryKind::gpu},
+    {kTerrainIndices, base::MemoryKind::gpu},    {kSymbology, base::MemoryKind::cpu},
+    {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
+    {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
+    {kLodScratch, base::MemoryKind::cpu},        {kTerrainAttributes, base::MemoryKind::cpu},
+    {kTerrainPages, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxCallExceptions> names;
@@ -44,6 +46,14 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     capability.depth24_targets = section.boolean("depth24_targets", true);
     if (rules.calls != CallClass::es3 && capability.lane == Lane::es3)
         section.fault("lane", "lane 'es3' needs calls 'es3'; set lane = \"es2\"");
+}
+
+void read_costs(base::ConfigSection section, DeviceSettings& device) {
+    device.terrain_ms = section.number("budget_ms", 0, 1000, 0);
+    device.ns_per_triangle = section.number("ns_per_triangle", 0, 1e6, 0);
+    device.us_per_chunk = section.number("us_per_chunk", 0, 1e6, 0);
+    if (device.terrain_ms > 0 && device.ns_per_triangle == 0 && device.us_per_chunk == 0)
+        section.fault("budget_ms", "needs 'ns_per_triangle' or 'us_per_chunk' beside it; measure them on the device");
 }
 
 void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
@@ -88,6 +98,9 @@ base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string
     device.frame_rate_hz = root.number("frame_rate_hz", 1, 240);
     device.triangle_budget = static_cast<std::uint32_t>(root.integer("triangle_budget", 1000, 100'000'000));
     device.max_chunk_slots = static_cast<std::uint32_t>(root.integer("max_chunk_slots", 8, 65536));
+    device.attribute_pages = static_cast<std::uint32_t>(root.integer("attribute_pages", 0, 1024, 0));
+    device.arrival_frames = static_cast<std::uint32_t>(root.integer("arrival_frames", 1, 8, device.arrival_frames));
+    read_costs(root.section("terrain_cost"), device);
     if (!root.has("gl")) root.fault("gl", "the table [gl] is missing; add it");
     read_gl(root.section("gl"), device.capability);
     read_budget(root, device.budget);

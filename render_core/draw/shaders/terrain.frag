@@ -100,12 +100,12 @@ void main() {
 #if defined(TEXTURE_HYPSOMETRIC)
     color = palette_color(v_height);
 #elif defined(TEXTURE_SLOPE)
-    color = palette_color(degrees(atan(length(n.xy), max(n.z, 0.0))));
+    color = palette_color(atan(length(n.xy), max(n.z, 0.0)));
 #elif defined(TEXTURE_RELIEF) && defined(MAP_LIGHT)
     float relief = baked.b * kSigned - kZero;
     color = palette_color(1000.0 * relief * abs(relief));
 #elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
-    color = palette_color((baked.g * kSigned - kZero + 1.0) * 90.0);
+    color = palette_color((baked.g * kSigned - kZero + 1.0) * 1.5707963);
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
     color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.yz).rgb;
 #elif defined(TEXTURE_MATERIAL)

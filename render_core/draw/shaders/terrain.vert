@@ -34,7 +34,8 @@ void main() {
     vec3 eye_relative = position + chunk_offset;
 #ifdef LIFTED
     vec2 side = step(0.5, place) + step(place_end - 0.5, place);
-    eye_relative += normalize(eye_relative - earth_centre) * lift[int(side.y * 3.0 + side.x + 0.5)];
+    // Along the ellipsoid's normal: z weighs a^2 / b^2.
+    eye_relative += normalize((eye_relative - earth_centre) * vec3(1.0, 1.0, 1.0067394967)) * lift[int(side.y * 3.0 + side.x + 0.5)];
 #endif
     gl_Position = view_projection * vec4(eye_relative, 1.0);
     v_height = height;

@@ -65,7 +65,7 @@ TEST(CheckCommand, PalettesAreJudgedAloneAndInTheirDesign) {
     EXPECT_THAT(run.notes, HasSubstr(design + ": palette alpine: its colour #"));
     place.write("own.toml", head + "[warning]\nenabled = false\n");
     EXPECT_EQ(check({design}).code, 0) << "no band is displayed with it";
-    place.write("own.toml", "name = 'own'\n[view]\n[light]\nambient = 0.02\n");
+    place.write("own.toml", "name = 'own'\n[view]\n[terrain.shade]\nambient = 0.02\n");
     EXPECT_THAT(check({design}).notes, HasSubstr("in 2.0 % of the light stop "));
 }
 

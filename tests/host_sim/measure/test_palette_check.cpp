@@ -102,7 +102,7 @@ TEST(PaletteCheck, AnOrderOfHuesTurnsOneWayInEveryVision) {
 TEST(PaletteCheck, ClassesThatSinkInTheShadeAreNamed) {
     design::DesignSettings design = design::default_design_settings();
     EXPECT_THAT(palette_faults_in_design(design.terrain.palette, design, "p"), IsEmpty());
-    design.terrain.light.ambient = 0.05;
+    design.terrain.style.shade.ambient = 0.05;
     const auto faults = palette_faults_in_design(design.terrain.palette, design, "p");
     ASSERT_FALSE(faults.empty());
     EXPECT_THAT(faults[0], HasSubstr("p: in 5.0 % of the light stop "));

@@ -1,0 +1,173 @@
+#include "render_core/draw/terrain_uniforms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace tedavis::draw {
+namespace {
+
+// Strokes on the ground are told apart over so many metres before their coordinates begin again; a power of two, as all sizes
+// of strokes are.
+constexpr double kGroundPeriod_m = 131072;
+constexpr double kLinesPerPeriod = 128;
+
+/// Perspective with the view's axes in ECEF, from eye-relative metres to clip space (z -1..1).
+glm::dmat4 view_projection(const terrain::View& view, const DepthRange& range, const glm::dvec3& eye_fraction) {
+    const double n = range.near_m, f = range.far_m;
+    const double sx = 1.0 / view.half_width_tangent(), sy = 1.0 / view.half_height_tangent();
+    const glm::dvec3 rows[3] = {view.right * sx, -view.down * sy, view.forward};
+    const double zs = (f + n) / (f - n), zo = -2.0 * f * n / (f - n);
+    glm::dmat4 m(0.0);
+    for (int c = 0; c < 3; ++c) m[c] = {rows[0][c], rows[1][c], rows[2][c] * zs, rows[2][c]};
+    const double depth = -glm::dot(rows[2], eye_fraction);
+    m[3] = {-glm::dot(rows[0], eye_fraction), -glm::dot(rows[1], eye_fraction), depth * zs + zo, depth};
+    return m;
+}
+
+void set_vec3(gl::Gl& gl, GLint location, const glm::dvec3& v) {
+    gl->Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
+
+void set_color(gl::Gl& gl, GLint location, design::Color c) {
+    set_vec3(gl, location, {c.red / 255.0, c.green / 255.0, c.blue / 255.0});
+}
+
+glm::dvec3 axis_of(const terrain::ChunkEntry& entry, int n) {
+    return {entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]};
+}
+
+void set_to_local(gl::Gl& gl, GLint location, const glm::dvec3& east, const glm::dvec3& north, const glm::dvec3& up) {
+    float columns[9];
+    for (int c = 0; c < 3; ++c) {
+        columns[3 * c] = static_cast<float>(east[c]);
+        columns[3 * c + 1] = static_cast<float>(north[c]);
+        columns[3 * c + 2] = static_cast<float>(up[c]);
+    }
+    gl->UniformMatrix3fv(location, 1, GL_FALSE, columns);
+}
+
+void set_lights(gl::Gl& gl, GLint location, const ChunkUniforms& of, const design::ShadeSettings& shade,
+                const glm::dvec3 (&local)[3]) {
+    const std::size_t count = shade.technique == design::TerrainShade::lights ? shade.light_count : 1;
+    double weights = 0;
+    for (std::size_t n = 0; n < count; ++n) weights += shade.lights[n].weight;
+    float values[4 * design::kMaxLights];
+    for (std::size_t n = 0; n < count; ++n) {
+        for (std::size_t a = 0; a < 3; ++a) values[4 * n + a] = static_cast<float>(glm::dot(of.light_directions[n], local[a]));
+        values[4 * n + 3] = count > 1 && weights > 0 ? static_cast<float>(shade.lights[n].weight / weights) : 1.0f;
+    }
+    gl->Uniform4fv(location, static_cast<GLsizei>(count), values);
+}
+
+/// Row by row: north-west corner, north side, north-east corner, west side, inside, ...
+void set_lift(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const glm::dvec3& eye_whole) {
+    const terrain::ChunkLift& lift = of.chunk.lift;
+    const float by_place[9] = {lift.corner_m[0], lift.edge_m[0],   lift.corner_m[1], lift.edge_m[3],  lift.own_m,
+                               lift.edge_m[1],   lift.corner_m[2], lift.edge_m[2],   lift.corner_m[3]};
+    gl->Uniform1fv(program.uniform(kLift), 9, by_place);
+    const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
+    gl->Uniform2f(program.uniform(kPlaceEnd), static_cast<float>(posts.i1 - posts.i0), static_cast<float>(posts.j1 - posts.j0));
+    set_vec3(gl, program.uniform(kEarthCentre), -eye_whole);
+}
+
+/// Metres a post at the middle latitude of the whole lattice, so that strokes meet at every chunk's border.
+GroundSize common_cell(const terrain::Lattice& lattice) {
+    const std::uint32_t j = lattice.rows() / 2;
+    const double latitude = lattice.latitude_rad(j);
+    const double step_lon = lattice.longitude_rad(1) - lattice.longitude_rad(0);
+    const double step_lat = lattice.latitude_rad(j - 1) - latitude;
+    return {step_lon * earth::prime_vertical_radius_m(latitude) * std::cos(latitude),
+            step_lat * earth::meridian_radius_m(latitude)};
+}
+
+void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style) {
+    const bool lines = style.texture == design::TerrainTexture::lines;
+    const double period_m = lines ? style.line_spacing_m * kLinesPerPeriod : kGroundPeriod_m;
+    const GroundSize cell = common_cell(of.lattice);
+    const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
+    gl->Uniform4f(program.uniform(kStrokeWindow), static_cast<float>(cell.east_m), static_cast<float>(cell.north_m),
+                  static_cast<float>(std::fmod(posts.i0 * cell.east_m, period_m)),
+                  static_cast<float>(std::fmod(posts.j0 * cell.north_m, period_m)));
+}
+
+}  // namespace
+
+void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range) {
+    const glm::dmat4 matrix = view_projection(view, range, view.eye - glm::round(view.eye));
+    float values[16];
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) values[4 * c + r] = static_cast<float>(matrix[c][r]);
+    gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
+}
+
+void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) {
+    set_color(gl, program.uniform(kPlainColor), design.terrain.style.plain);
+    set_color(gl, program.uniform(kSeaColor), design.terrain.sea);
+    set_color(gl, program.uniform(kUnknownColor), design.terrain.unknown);
+    set_color(gl, program.uniform(kHazeColor), design.sky.haze);
+    set_color(gl, program.uniform(kLineColor), design.terrain.style.sketch.line);
+    const double haze_m = design.sky.haze_distance_m;
+    gl->Uniform1f(program.uniform(kHazePerM), haze_m > 0 ? static_cast<float>(1.0 / haze_m) : 0.0f);
+    const design::Palette& palette = design.terrain.palette;
+    const double low = palette.stops[0].value, high = palette.stops.back().value;
+    gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low),
+                  high > low ? static_cast<float>(1.0 / (high - low)) : 0.0f);
+}
+
+void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px) {
+    const design::ShadeSettings& shade = style.shade;
+    const design::SketchSettings& sketch = style.sketch;
+    const auto number = [](double value) { return static_cast<float>(value); };
+    gl->Uniform4f(program.uniform(kLight), number(shade.ambient), number(1 - shade.ambient), number(shade.highlight),
+                  number(shade.highlight_exponent));
+    gl->Uniform2f(program.uniform(kOcclusion), number(shade.ambient_occlusion), number(shade.openness));
+    gl->Uniform4f(program.uniform(kFormLines), number(sketch.ridges), number(sketch.valleys), number(sketch.suggestive_contours),
+                  number(sketch.contours));
+    gl->Uniform2f(program.uniform(kContour), number(1 / sketch.contour_interval_m), static_cast<float>(sketch.contour_index));
+    gl->Uniform2f(program.uniform(kStrokes), number(sketch.hatching), number(sketch.stippling));
+    gl->Uniform2f(program.uniform(kPixel), number(1 / focal_px), number(sketch.stroke_spacing_px));
+    gl->Uniform1f(program.uniform(kGridLines), number(1 / style.line_spacing_m));
+}
+
+void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style) {
+    const terrain::ChunkEntry& entry = *of.chunk.entry;
+    const glm::dvec3 eye_whole = glm::round(of.eye);
+    set_vec3(gl, program.uniform(kChunkOffset), glm::dvec3(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]) - eye_whole);
+    const glm::dvec3 local[3] = {axis_of(entry, 1), axis_of(entry, 0), -axis_of(entry, 2)};
+    set_to_local(gl, program.uniform(kToLocal), local[0], local[1], local[2]);
+    if (program.uniform(kLights) >= 0) set_lights(gl, program.uniform(kLights), of, style.shade, local);
+    if (program.uniform(kLift) >= 0) set_lift(gl, program, of, eye_whole);
+    if (program.uniform(kStrokeWindow) >= 0) set_strokes(gl, program, of, style);
+}
+
+void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
+                       const terrain::ChunkKey& owner, const PageAtlas& atlas, std::uint32_t slot) {
+    const terrain::PostRange posts = lattice.posts_of(chunk), page = lattice.posts_of(owner);
+    const auto texels_per_post = 1.0f / static_cast<float>(1u << (owner.level - 1));
+    const PageWindow map = atlas.map_window(slot), horizon = atlas.horizon_window(slot);
+    const float scale = texels_per_post * map.scale;
+    gl->Uniform4f(program.uniform(kPageWindow), scale, scale, map.offset_x + static_cast<float>(posts.i0 - page.i0) * scale,
+                  map.offset_y + static_cast<float>(posts.j0 - page.j0) * scale);
+    gl->Uniform3f(program.uniform(kHorizonScale), horizon.scale, horizon.offset_x, horizon.offset_y);
+}
+
+GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {
+    const terrain::PostRange posts = lattice.posts_of(owner);
+    const std::uint32_t j = std::max((posts.j0 + posts.j1) / 2, 1u);
+    const double latitude = lattice.latitude_rad(j);
+    const double step_lon = lattice.longitude_rad(1) - lattice.longitude_rad(0), spacing = 1u << (owner.level - 1);
+    const double step_lat = lattice.latitude_rad(j - 1) - latitude;
+    // At a pole columns meet; a millimetre keeps the azimuths defined.
+    const double east_m = step_lon * earth::prime_vertical_radius_m(latitude) * std::cos(latitude);
+    return {spacing * std::fmax(east_m, 1e-3), spacing * step_lat * earth::meridian_radius_m(latitude)};
+}
+
+float greatest_lift_m(const terrain::ChunkLift& lift) {
+    float greatest = lift.own_m;
+    for (int n = 0; n < 4; ++n) greatest = std::max({greatest, lift.edge_m[n], lift.corner_m[n]});
+    return greatest;
+}
+
+}  // namespace tedavis::draw

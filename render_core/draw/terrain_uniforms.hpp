@@ -1,0 +1,41 @@
+/// Sets the uniforms of a terrain program: once a frame and range of depths, once a chunk, once a page.
+///
+/// Thread  the GL thread; the program must be in use.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/page_atlas.hpp"
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::draw {
+
+void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range);
+void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design);
+void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
+
+struct ChunkUniforms {
+    const terrain::SelectedChunk& chunk;
+    const terrain::Lattice& lattice;
+    const glm::dvec3& eye;               ///< ECEF
+    const glm::dvec3* light_directions;  ///< ECEF, one a light of the style
+};
+void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style);
+
+/// Where the maps of a chunk lie in the page of `owner`, itself or an ancestor.
+void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
+                       const terrain::ChunkKey& owner, const PageAtlas& atlas, std::uint32_t slot);
+
+struct GroundSize {
+    double east_m = 0, north_m = 0;
+};
+/// Spacing of the texels of a chunk's attribute page, at its middle.
+[[nodiscard]] GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
+
+[[nodiscard]] float greatest_lift_m(const terrain::ChunkLift& lift);
+
+}  // namespace tedavis::draw
