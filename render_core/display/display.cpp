@@ -27,10 +27,10 @@ double far_plane_m(double height_m) {
     return std::fmin(kFar_m, eye + std::sqrt(2 * kRadius_m * kHighestSummit_m));
 }
 
-glm::dvec3 light_direction(const design::LightSettings& light, const earth::Geodetic& place) {
-    const glm::dmat3 ned = earth::north_east_down(place.latitude_rad, place.longitude_rad);
+glm::dvec3 light_direction(const design::DirectedLight& light, const glm::dmat3& north_east_down) {
     const double c = std::cos(light.elevation_rad);
-    return ned * glm::dvec3(c * std::cos(light.azimuth_rad), c * std::sin(light.azimuth_rad), -std::sin(light.elevation_rad));
+    return north_east_down *
+           glm::dvec3(c * std::cos(light.azimuth_rad), c * std::sin(light.azimuth_rad), -std::sin(light.elevation_rad));
 }
 
 }  // namespace
@@ -41,13 +41,17 @@ std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
 }
 
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
-                           base::ByteSource* terrain) {
+                           const TerrainInput& terrain) {
     settings_ = settings;
     if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
-    if (terrain != nullptr)
-        if (gl::GlError error = open_terrain(*terrain); !error.sentence.empty()) return error;
+    if (terrain.file != nullptr) {
+        const TerrainMemory lines{index_memory_,      slots_memory_, heights_memory_,
+                                  attributes_memory_, lod_memory_,   staging_memory_};
+        if (gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, lines); !error.sentence.empty())
+            return error;
+    }
     gl_.seal();
     for (const MemoryCut& cut : kCuts) settings_.device.budget.find(cut.line)->use = (this->*cut.arena).use();
     return {};
@@ -55,8 +59,9 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 
 const Display::MemoryCut Display::kCuts[] = {
     {effects::kTerrainHeights, &Display::heights_memory_},  {effects::kTerrainIndex, &Display::index_memory_},
-    {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kStaging, &Display::staging_memory_},
-    {effects::kLodScratch, &Display::lod_memory_},          {effects::kSymbology, &Display::symbology_memory_}};
+    {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kTerrainAttributes, &Display::attributes_memory_},
+    {effects::kStaging, &Display::staging_memory_},         {effects::kLodScratch, &Display::lod_memory_},
+    {effects::kSymbology, &Display::symbology_memory_}};
 
 gl::GlError Display::cut_memory(base::Arena& memory) {
     for (const MemoryCut& cut : kCuts) {
@@ -74,45 +79,25 @@ gl::GlError Display::start_drawers() {
     base::BudgetTable& budget = settings_.device.budget;
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi);
     if (gl::GlError error = sky_drawer_.start(gl_, budget); !error.sentence.empty()) return error;
+    if (settings_.design.terrain.style.sketch.silhouettes > 0)
+        if (gl::GlError error = outline_.start(gl_, budget, settings_.width_px, settings_.height_px); !error.sentence.empty())
+            return error;
     return quad_drawer_.start(gl_, budget, symbology_memory_, draw::kSymbologyVertices);
-}
-
-gl::GlError Display::open_terrain(base::ByteSource& terrain) {
-    auto opened = terrain::TerrainDatabase::open(terrain, index_memory_);
-    if (!opened.ok())
-        return gl::make_error("the terrain database ", terrain::to_string(opened.error().error), " at offset ",
-                              gl::digits(opened.error().offset).view());
-    database_ = opened.value();
-    const std::uint32_t slots = settings_.device.max_chunk_slots;
-    if (!heights_.start(database_, heights_memory_) || !cache_.start(database_, slots, slots_memory_, heights_memory_))
-        return gl::make_error(
-            "the budget lines 'terrain_heights' and 'terrain_chunk_slots' are too small for max_chunk_slots; raise them in the "
-            "device file");
-    chunk_states_ = lod_memory_.allocate_array<std::uint8_t>(database_.chunk_count());
-    selected_ = lod_memory_.allocate_array<terrain::SelectedChunk>(slots);
-    const std::uint64_t left = lod_memory_.use().capacity - lod_memory_.use().in_use;
-    lod_work_ = lod_memory_.allocate_array<terrain::ChunkIndex>(static_cast<std::size_t>(left / sizeof(terrain::ChunkIndex) / 2));
-    if (chunk_states_.empty() || selected_.empty() || lod_work_.empty())
-        return gl::make_error(
-            "the budget line 'lod_scratch' is too small for this terrain database; raise it in the device file");
-    if (gl::GlError error = terrain_drawer_.start(gl_, database_, cache_, settings_.design, settings_.device, staging_memory_);
-        !error.sentence.empty())
-        return error;
-    has_terrain_ = true;
-    return {};
 }
 
 void Display::stop() {
     gl_.retire();
     quad_drawer_.destroy(gl_);
     sky_drawer_.destroy(gl_);
-    terrain_drawer_.destroy(gl_);
+    outline_.destroy(gl_);
+    terrain_.destroy(gl_);
 }
 
-void Display::set_design(const design::DesignSettings& design) {
+bool Display::set_design(const design::DesignSettings& design) {
+    if (!terrain_.set_design(gl_, design)) return false;
     settings_.design = design;
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
-    if (has_terrain_) terrain_drawer_.set_design(gl_, design);
+    return true;
 }
 
 void Display::set_free_view(const terrain::View& view) {
@@ -123,8 +108,8 @@ void Display::set_free_view(const terrain::View& view) {
 void Display::clear_free_view() { free_view_active_ = false; }
 
 base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
-    if (!has_terrain_ || own_ship.state != base::SignalState::valid) return {};
-    const terrain::HeightAnswer ground = heights_.at(own_ship.position.latitude_rad, own_ship.position.longitude_rad);
+    if (!terrain_.is_started() || own_ship.state != base::SignalState::valid) return {};
+    const terrain::HeightAnswer ground = terrain_.true_height(own_ship.position.latitude_rad, own_ship.position.longitude_rad);
     if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea) return {};
     const double undulation = own_ship.height_is_geometric ? ground.undulation.m : 0;
     const auto quality = own_ship.height_is_geometric ? base::Quality::good : base::Quality::degraded;
@@ -132,9 +117,10 @@ base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimat
 }
 
 TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
-    if (!has_terrain_) return TerrainSource::none;
+    if (!terrain_.is_started()) return TerrainSource::none;
     if (terrain_failed_) return TerrainSource::failed;
-    const bool inside = database_.lattice_point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
+    const bool inside =
+        terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
     return inside || own_ship.state == base::SignalState::missing ? TerrainSource::ready : TerrainSource::outside;
 }
 
@@ -209,32 +195,34 @@ void Display::plan_view() {
 }
 
 double Display::undulation_m(const earth::Geodetic& place) const {
-    return has_terrain_ ? database_.undulation(place.latitude_rad, place.longitude_rad).m : 0;
+    return terrain_.is_started() ? terrain_.database().undulation(place.latitude_rad, place.longitude_rad).m : 0;
 }
 
 void Display::plan_terrain() {
-    lod_ = {};
     record_.terrain.tau_px = settings_.design.terrain.tau_px;
     if (!decisions_.show_terrain) return;
-    const terrain::LodSettings lod{settings_.design.terrain.tau_px, settings_.device.triangle_budget,
-                                   settings_.device.max_chunk_slots};
-    lod_ = terrain::select_chunks(database_, view_, lod, chunk_states_, lod_work_, selected_);
-    if (!lod_.within_budget) {
+    const TerrainPlan plan = terrain_.plan(view_, settings_.design);
+    if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
         return;
     }
-    record_.terrain.worst_error_px = lod_.worst_error_px;
-    if (lod_.tau_reached_px > lod.tau_px) flag("terrain.tau_raised");
-    if (lod_.tau_reached_px > settings_.design.degradation.terrain_error_px) {
-        conditions_.terrain_is_coarse = true;
-        decide_again();
-    }
-    bool voids = false;
-    for (std::uint32_t n = 0; n < lod_.chunks; ++n)
-        voids = voids || (database_.entry(selected_[n].chunk).flags & terrain::kChunkHasVoid) != 0;
-    if (voids) flag("terrain.void");
-    if (lod_.worst_chunk == terrain::kNoChunk) return;
-    const terrain::ChunkEntry& worst = database_.entry(lod_.worst_chunk);
+    record_terrain(plan);
+    if (plan.lod.tau_reached_px <= settings_.design.degradation.terrain_error_px) return;
+    conditions_.terrain_is_coarse = true;
+    decide_again();
+}
+
+void Display::record_terrain(const TerrainPlan& plan) {
+    record_.terrain.worst_error_px = plan.lod.worst_error_px;
+    record_.terrain.tau_reached_px = plan.lod.tau_reached_px;
+    record_.terrain.limit = Name(terrain::to_string(plan.lod.reason));
+    record_.terrain.pending = plan.pending;
+    if (plan.lod.tau_reached_px > settings_.design.terrain.tau_px) flag("terrain.tau_raised");
+    if (plan.has_void) flag("terrain.void");
+    if (plan.is_late) flag("terrain.late");
+    if (plan.is_failing) flag("terrain.failing");
+    if (plan.lod.worst_chunk == terrain::kNoChunk) return;
+    const terrain::ChunkKey& worst = plan.lod.worst_chunk;
     record_.terrain.worst_chunk.append(gl::digits(worst.level).view());
     record_.terrain.worst_chunk.append("/");
     record_.terrain.worst_chunk.append(gl::digits(worst.i).view());
@@ -262,17 +250,36 @@ void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
     terrain_result_ = {};
-    const bool ready = decisions_.show_terrain && terrain_drawer_.prepare(gl_, selected_.subspan(0, lod_.chunks), frame_);
+    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, terrain_input());
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
     }
-    gl_->Clear(GL_DEPTH_BUFFER_BIT);
-    if (decisions_.show_terrain) draw_terrain();
-    draw_sky();
+    const bool outlined = decisions_.show_terrain && outline_.is_started();
+    if (outlined) outline_.begin(gl_);
+    draw_scene();
+    const design::SketchSettings& sketch = settings_.design.terrain.style.sketch;
+    if (outlined) outline_.finish(gl_, surface, sketch.line, sketch.silhouettes);
     if (!free_view_active_) draw_symbology();
     note_effects();
     finish_record();
+}
+
+/// Far terrain, the sky behind it, then near terrain with a depth of its own.
+void Display::draw_scene() {
+    gl_->Clear(GL_DEPTH_BUFFER_BIT);
+    if (!decisions_.show_terrain) return draw_sky();
+    const draw::DepthPlan depth = draw::plan_depth(view_.near_m, view_.far_m);
+    const draw::TerrainDrawInput input = terrain_input();
+    for (std::size_t n = 0; n < depth.count; ++n) {
+        if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);
+        gl_->Enable(GL_DEPTH_TEST);
+        gl_->Enable(GL_CULL_FACE);
+        terrain_.draw(gl_, input, depth.ranges[n], terrain_result_);
+        gl_->Disable(GL_CULL_FACE);
+        gl_->Disable(GL_DEPTH_TEST);
+        if (n == 0) draw_sky();
+    }
 }
 
 void Display::draw_sky() {
@@ -298,17 +305,16 @@ void Display::draw_symbology() {
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 
-void Display::draw_terrain() {
-    gl_->Enable(GL_DEPTH_TEST);
-    gl_->Enable(GL_CULL_FACE);
+draw::TerrainDrawInput Display::terrain_input() const {
     draw::TerrainDrawInput input;
     input.view = view_;
-    input.light_direction = light_direction(settings_.design.terrain.light, record_.own_ship.position);
+    const earth::Geodetic& place = record_.own_ship.position;
+    const glm::dmat3 axes = earth::north_east_down(place.latitude_rad, place.longitude_rad);
+    const design::ShadeSettings& shade = settings_.design.terrain.style.shade;
+    for (std::size_t n = 0; n < shade.light_count; ++n) input.light_direction[n] = light_direction(shade.lights[n], axes);
     input.warning_colors = decisions_.show_warning_colors;
     input.aircraft_msl_m = aircraft_msl_m_;
-    terrain_result_ = terrain_drawer_.draw(gl_, selected_.subspan(0, lod_.chunks), input);
-    gl_->Disable(GL_CULL_FACE);
-    gl_->Disable(GL_DEPTH_TEST);
+    return input;
 }
 
 void Display::finish_record() {

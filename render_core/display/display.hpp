@@ -8,19 +8,18 @@
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
-#include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/terrain_scene.hpp"
+#include "render_core/draw/outline_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/symbology/layout.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
-#include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/gl.hpp"
-#include "render_core/terrain/height_query.hpp"
 
 namespace tedavis::display {
 
@@ -37,9 +36,9 @@ public:
     Display(const Display&) = delete;
     Display& operator=(const Display&) = delete;
 
-    /// The surface must be current; `terrain` may be null (no database). An empty sentence means success.
+    /// The surface must be current. An empty sentence means success.
     [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
-                                    base::ByteSource* terrain);
+                                    const TerrainInput& terrain);
     /// What the reservation handed to start() must hold for this device.
     [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device);
 
@@ -49,8 +48,9 @@ public:
     void draw(base::Surface& surface);
     void stop();
 
-    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update().
-    void set_design(const design::DesignSettings& design);
+    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update(). False, and nothing
+    /// changes, when its terrain needs techniques that the display was not started with.
+    [[nodiscard]] bool set_design(const design::DesignSettings& design);
     /// Replaces the own ship's eye with another one until cleared: the simulator's free camera.
     void set_free_view(const terrain::View& view);
     void clear_free_view();
@@ -62,7 +62,13 @@ public:
     [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
     [[nodiscard]] gl::Gl& gl() { return gl_; }
     [[nodiscard]] const terrain::View& view() const { return view_; }
-    [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const { return has_terrain_ ? &database_ : nullptr; }
+    [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const {
+        return terrain_.is_started() ? &terrain_.database() : nullptr;
+    }
+    /// What stands on the ground stands here; after draw().
+    [[nodiscard]] terrain::DrawnPoint drawn_ground(double latitude_rad, double longitude_rad) {
+        return terrain_.is_started() ? terrain_.drawn_point(latitude_rad, longitude_rad) : terrain::DrawnPoint{};
+    }
 
 private:
     /// A line of the budget table and the arena that it pays for.
@@ -70,11 +76,10 @@ private:
         std::string_view line;
         base::Arena Display::*arena;
     };
-    static const MemoryCut kCuts[6];
+    static const MemoryCut kCuts[7];
 
     [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
     [[nodiscard]] gl::GlError start_drawers();
-    [[nodiscard]] gl::GlError open_terrain(base::ByteSource& terrain);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
@@ -84,28 +89,23 @@ private:
     void decide_again();
     void note_effects();
     void flag(std::string_view name);
+    void record_terrain(const TerrainPlan& plan);
+    [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
+    void draw_scene();
     void draw_sky();
-    void draw_terrain();
     void draw_symbology();
     void finish_record();
 
     DisplaySettings settings_;
     gl::Gl gl_;
-    base::Arena heights_memory_, index_memory_, slots_memory_, staging_memory_, lod_memory_, symbology_memory_;
-    terrain::TerrainDatabase database_;
-    terrain::ChunkCache cache_;
-    terrain::HeightQuery heights_;
-    draw::TerrainDrawer terrain_drawer_;
+    base::Arena heights_memory_, index_memory_, slots_memory_, attributes_memory_, staging_memory_, lod_memory_,
+        symbology_memory_;
+    TerrainScene terrain_;
+    draw::OutlinePass outline_;
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;
     draw::Layout layout_;
-    bool has_terrain_ = false;
     bool terrain_failed_ = false;
-
-    base::Span<std::uint8_t> chunk_states_;
-    base::Span<terrain::ChunkIndex> lod_work_;
-    base::Span<terrain::SelectedChunk> selected_;
-    terrain::LodResult lod_;
 
     flight::AircraftState state_;  ///< of the planned frame
     DisplayConditions conditions_;

@@ -37,6 +37,8 @@ struct TerrainRecord {
     double tau_px = 0;          ///< asked for
     double worst_error_px = 0;  ///< upper bound reached over all drawn chunks
     base::FixedString<31> worst_chunk;
+    double tau_reached_px = 0;  ///< what the frame guarantees
+    Name limit;                 ///< what kept it from tau: "met", "triangles", "not_arrived" ...
     std::uint32_t triangles = 0;
     std::uint32_t chunks = 0;
     std::uint32_t pending = 0;  ///< wanted but not there yet; their coarser parents are drawn

@@ -1,0 +1,118 @@
+#include "render_core/display/terrain_scene.hpp"
+
+#include <limits>
+
+namespace tedavis::display {
+namespace {
+
+using terrain::SelectionKind;
+
+constexpr std::uint32_t kNodesPerSlot = 8;  // looked at by one selection: hidden neighbours and split ancestors too
+
+terrain::StoreSettings store_settings(const effects::DeviceSettings& device, terrain::ArrivalMode mode) {
+    terrain::StoreSettings settings;
+    settings.mode = mode;
+    settings.payload_slots = device.max_chunk_slots;
+    settings.attribute_slots = device.attribute_pages;
+    settings.arrival_frames = device.arrival_frames;
+    return settings;
+}
+
+terrain::LodSettings lod_settings(const effects::DeviceSettings& device, const design::DesignSettings& design) {
+    terrain::LodSettings lod;
+    lod.tau_px = design.terrain.tau_px;
+    lod.max_triangles = device.triangle_budget;
+    lod.max_chunks = device.max_chunk_slots * 2 / 3;  // the others hold ancestors
+    if (device.terrain_ms > 0) lod.max_ms = device.terrain_ms;
+    lod.cost = {device.ns_per_triangle, device.us_per_chunk};
+    lod.haze_per_m = design.sky.haze_distance_m > 0 ? 1 / design.sky.haze_distance_m : 0;
+    lod.conservative_up = design.terrain.conservative_up;
+    return lod;
+}
+
+gl::GlError database_error(const terrain::TdbFailure& failure) {
+    return gl::make_error("the terrain database ", terrain::to_string(failure.error), " at offset ",
+                          gl::digits(failure.offset).view());
+}
+
+}  // namespace
+
+std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device) {
+    return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
+}
+
+gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const design::DesignSettings& design,
+                                effects::DeviceSettings& device, const TerrainMemory& memory) {
+    device_ = &device;
+    auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
+    if (!opened.ok()) return database_error(opened.error());
+    database_ = opened.value();
+    if (gl::GlError error = start_store(input, memory); !error.sentence.empty()) return error;
+    if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
+    if (gl::GlError error = drawer_.start(gl, store_, design, device, memory.staging); !error.sentence.empty()) return error;
+    started_ = true;
+    return {};
+}
+
+gl::GlError TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
+    if (!heights_.start(database_, memory.payloads))
+        return gl::make_error("the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
+    const terrain::TdbFailure failure = store_.start(database_, *input.reader, store_settings(*device_, input.arrival),
+                                                     {memory.index, memory.records, memory.payloads, memory.attributes});
+    if (failure.error == terrain::TdbError::too_large)
+        return gl::make_error(
+            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights' and 'terrain_attributes' do not hold "
+            "max_chunk_slots and attribute_pages; raise them in the device file");
+    return failure.error == terrain::TdbError::none ? gl::GlError{} : database_error(failure);
+}
+
+gl::GlError TerrainScene::start_selection(base::Arena& lod) {
+    const std::uint32_t slots = device_->max_chunk_slots;
+    selected_ = lod.allocate_array<terrain::SelectedChunk>(slots);
+    wanted_ = lod.allocate_array<terrain::WantedChunk>(slots);
+    if (selected_.empty() || wanted_.empty() || !selector_.start(lod, kNodesPerSlot * slots))
+        return gl::make_error("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+    return {};
+}
+
+bool TerrainScene::set_design(gl::Gl& gl, const design::DesignSettings& design) {
+    return !started_ || drawer_.set_design(gl, design);
+}
+
+void TerrainScene::destroy(gl::Gl& gl) { drawer_.destroy(gl); }
+
+terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double longitude_rad) {
+    return heights_.at(latitude_rad, longitude_rad);
+}
+
+TerrainPlan TerrainScene::plan(const terrain::View& view, const design::DesignSettings& design) {
+    const terrain::LodSettings lod = lod_settings(*device_, design);
+    store_.begin_frame();
+    static_cast<void>(selector_.select(store_, view, lod, SelectionKind::ideal, selected_));
+    store_.want({wanted_.data(), selector_.wanted(wanted_)});
+    TerrainPlan plan;
+    plan.lod = selector_.select(store_, view, lod, SelectionKind::drawn, selected_);
+    chunks_ = plan.lod.chunks;
+    for (const terrain::SelectedChunk& chunk : selected())
+        plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
+    plan.pending = store_.pending();
+    plan.is_late = store_.is_late();
+    plan.is_failing = store_.is_failing();
+    return plan;
+}
+
+bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) { return drawer_.prepare(gl, selected(), input); }
+
+void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
+                        draw::TerrainDrawResult& result) {
+    drawer_.draw(gl, selected(), input, range, result);
+}
+
+terrain::DrawnPoint TerrainScene::drawn_point(double latitude_rad, double longitude_rad) {
+    const terrain::LatticePoint point = database_.lattice().point(latitude_rad, longitude_rad);
+    const terrain::SelectedChunk* chunk = terrain::chunk_under(database_.lattice(), selected(), point);
+    if (chunk == nullptr) return {};
+    return terrain::drawn_point(database_, {chunk, store_.vertices(chunk->slot), drawer_.drawn_indices(*chunk)}, point);
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,78 @@
+/// The terrain of a display, from the database file to triangles on the surface.
+///
+///   start(...) · plan(view, design) each frame, without GL · prepare(gl) · draw(gl, range)
+///
+/// Memory    the arenas and GPU lines given to start(). Thread  the display's. Failure  start() gives one sentence; a database
+///           that fails later leaves coarser terrain and says so in the plan.
+#pragma once
+
+#include "render_core/base/ports/async_reader.hpp"
+#include "render_core/base/ports/byte_source.hpp"
+#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/terrain/drawn_surface.hpp"
+#include "render_core/terrain/height_query.hpp"
+
+namespace tedavis::display {
+
+/// Where terrain comes from; without a file there is none.
+struct TerrainInput {
+    base::ByteSource* file = nullptr;
+    base::AsyncReader* reader = nullptr;  ///< of the same file, with reader_tickets() tickets
+    terrain::ArrivalMode arrival = terrain::ArrivalMode::exact;
+};
+
+/// By budget line.
+struct TerrainMemory {
+    base::Arena &index, &records, &payloads, &attributes, &lod, &staging;
+};
+
+/// What plan() found; plain data.
+struct TerrainPlan {
+    terrain::LodResult lod;
+    std::uint32_t pending = 0;  ///< chunks wanted and not there yet
+    bool has_void = false;      ///< ground without data in view
+    bool is_late = false;       ///< the file answers too slowly
+    bool is_failing = false;    ///< parts of it cannot be had
+};
+
+class TerrainScene {
+public:
+    [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
+
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, const design::DesignSettings& design,
+                                    effects::DeviceSettings& device, const TerrainMemory& memory);
+    [[nodiscard]] bool is_started() const { return started_; }
+    /// False, and nothing changes, where the design's style needs other programs.
+    [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
+    void destroy(gl::Gl& gl);
+
+    [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
+    [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
+
+    /// Chooses the chunks of this frame from what is there, and asks for what the view needs.
+    [[nodiscard]] TerrainPlan plan(const terrain::View& view, const design::DesignSettings& design);
+    /// Uploads what is new. False when nothing of the terrain may be drawn.
+    [[nodiscard]] bool prepare(gl::Gl& gl, const draw::TerrainDrawInput& input);
+    void draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& result);
+
+    /// The drawn surface at a place, for what stands on the ground; after prepare().
+    [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
+    [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
+
+private:
+    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
+    [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
+
+    effects::DeviceSettings* device_ = nullptr;
+    terrain::TerrainDatabase database_;
+    terrain::TerrainStore store_;
+    terrain::HeightQuery heights_;
+    terrain::LodSelector selector_;
+    draw::TerrainDrawer drawer_;
+    base::Span<terrain::SelectedChunk> selected_;
+    base::Span<terrain::WantedChunk> wanted_;
+    std::uint32_t chunks_ = 0;
+    bool started_ = false;
+};
+
+}  // namespace tedavis::display
