@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "platform/surface_factory.hpp"
+#include "platform/threads/thread_reader.hpp"
 #include "target/frame_pacer.hpp"
 
 namespace tedavis::target {
@@ -36,14 +37,22 @@ BoardError DisplayApplication::open_surface() {
     return {};
 }
 
+BoardError DisplayApplication::open_terrain() {
+    if (settings_.terrain.empty()) return {};
+    auto file = platform::open_file(settings_.terrain.c_str());
+    if (!file.ok()) return make_board_error({file.error().sentence.view()});
+    terrain_file_ = std::move(file.value());
+    const std::uint32_t tickets = display::TerrainScene::reader_tickets(settings_.device);
+    auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
+    if (!reader.ok()) return make_board_error({reader.error().sentence.view()});
+    terrain_reader_ = std::move(reader.value());
+    return {};
+}
+
 BoardError DisplayApplication::start_display() {
-    base::ByteSource* terrain = nullptr;
-    if (!settings_.terrain.empty()) {
-        auto file = platform::open_file(settings_.terrain.c_str());
-        if (!file.ok()) return make_board_error({file.error().sentence.view()});
-        terrain_file_ = std::move(file.value());
-        terrain = &terrain_file_;
-    }
+    if (BoardError error = open_terrain(); !error.sentence.empty()) return error;
+    display::TerrainInput terrain;
+    if (terrain_reader_) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::live};
     auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), settings_.residency);
     if (!reserved.ok()) return make_board_error({reserved.error().sentence.view()});
     reservation_ = std::move(reserved.value());

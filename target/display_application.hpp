@@ -62,6 +62,7 @@ public:
 
 private:
     [[nodiscard]] BoardError open_surface();
+    [[nodiscard]] BoardError open_terrain();
     [[nodiscard]] BoardError start_display();
 
     BoardSettings settings_;
@@ -71,6 +72,7 @@ private:
     std::unique_ptr<base::Surface> surface_;
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
+    std::unique_ptr<base::AsyncReader> terrain_reader_;
     display::Display display_;
     bool started_ = false;
 };

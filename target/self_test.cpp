@@ -104,7 +104,8 @@ private:
         memory_ = std::move(reserved.value());
         picture_ = std::move(picture.value());
         display_ = std::make_unique<display::Display>();
-        const gl::GlError error = display_->start(settings_, memory_.arena(), *surface_, &terrain_);
+        const gl::GlError error =
+            display_->start(settings_, memory_.arena(), *surface_, {&terrain_, &reader_, terrain::ArrivalMode::exact});
         if (!error.sentence.empty()) {
             report_.add("display", false, error.sentence.view());
             return false;
@@ -117,6 +118,7 @@ private:
     }
 
     void draw(const KnownFlight& flight) {
+        display_->settle(flight.aircraft, flight.phase, flight.now);
         display_->update(flight.aircraft, flight.phase, flight.now);
         display_->draw(*surface_);
         report_.add("presented", surface_->present() == base::SurfaceState::ready, "one frame");
@@ -136,6 +138,7 @@ private:
     const SelfTestInputs& inputs_;
     SelfTestReport& report_;
     platform::MemoryByteSource terrain_;
+    base::SynchronousReader reader_{terrain_, base::kMaxReadTickets};
     display::DisplaySettings settings_;
     bus::BusSettings bus_;
     std::unique_ptr<base::Surface> surface_;

@@ -4,6 +4,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/frame_approach.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/replay/run_recorder.hpp"
@@ -20,7 +21,9 @@ int run_batch(const ReplayOptions& options, Console& console) {
     RunRecorder recorder(options, session, player);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     const InterruptGuard interrupt;
+    FrameApproach approach(player, session.display(), times);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
+        approach.approach(times.backwards() ? times.count() - 1 - n : n);
         static_cast<void>(recorder.draw(times.at(n)));
         recorder.keep();
         console.progress("replay", n + 1, times.count());

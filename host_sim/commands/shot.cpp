@@ -70,6 +70,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     FrameResult result;
     const base::Time start = platform::monotonic_now();
     const flight::AircraftState state = posed_aircraft(options.pose, session.display());
+    session.display().settle(state, phase, kShotTime);
     session.display().update(state, phase, kShotTime);
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();

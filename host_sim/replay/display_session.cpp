@@ -5,6 +5,7 @@
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/surface_factory.hpp"
+#include "platform/threads/thread_reader.hpp"
 #include "render_core/base/hash.hpp"
 #include "render_core/gl/readback.hpp"
 
@@ -53,6 +54,10 @@ void DisplaySession::open_terrain(const std::string& path) {
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
     terrain_file_ = std::move(file.value());
+    const std::uint32_t tickets = display::TerrainScene::reader_tickets(device_);
+    auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
+    if (!reader.ok()) throw UserError(std::string(reader.error().sentence.view()));
+    terrain_reader_ = std::move(reader.value());
 }
 
 void DisplaySession::open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface) {
@@ -69,8 +74,9 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().sentence.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
-    const gl::GlError error =
-        display_->start(settings, reservation_.arena(), *surface_, options.terrain.empty() ? nullptr : &terrain_file_);
+    display::TerrainInput terrain;
+    if (!options.terrain.empty()) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact};
+    const gl::GlError error = display_->start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return;
     const std::string sentence(error.sentence.view());
     throw UserError((is_about_the_database(sentence) ? options.terrain : device) + ": " + sentence);

@@ -55,6 +55,7 @@ private:
     std::unique_ptr<base::Surface> surface_;
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
+    std::unique_ptr<base::AsyncReader> terrain_reader_;
     std::unique_ptr<display::Display> display_;
     std::vector<std::uint8_t> pixels_;
     std::string terrain_name_;

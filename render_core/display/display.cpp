@@ -139,6 +139,20 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     plan_terrain();
 }
 
+void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    const std::uint64_t frame = frame_;
+    update(state, phase, now);
+    frame_ = frame;
+}
+
+void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    constexpr int kMostTimes = 64;
+    for (int n = 0; n < kMostTimes; ++n) {
+        approach(state, phase, now);
+        if (record_.terrain.pending == 0) return;
+    }
+}
+
 /// Terrain that turns out not to be had: its notice must be on this frame already.
 void Display::give_up_terrain(TerrainSource reason) {
     conditions_.terrain = reason;

@@ -44,6 +44,10 @@ public:
 
     /// Plans the frame for `now`. Pure planning: no GL.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
+    void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
+    void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
     void draw(base::Surface& surface);
     void stop();
