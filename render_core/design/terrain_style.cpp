@@ -91,6 +91,11 @@ const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {
 const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
                                                                          "phong", "light_map", "aperture"};
 
+bool has_lines(const SketchSettings& sketch) noexcept {
+    return sketch.silhouettes > 0 || sketch.ridges > 0 || sketch.valleys > 0 || sketch.suggestive_contours > 0 ||
+           sketch.contours > 0 || sketch.hatching > 0 || sketch.stippling > 0;
+}
+
 bool needs_map(const TerrainStyle& style, BakedMap map) noexcept {
     switch (map) {
         case BakedMap::form: return reads_form(style);

@@ -82,6 +82,9 @@ struct TerrainStyle {
 };
 static_assert(std::is_trivially_copyable_v<TerrainStyle>);
 
+/// Any line, hatch or dot at all.
+[[nodiscard]] bool has_lines(const SketchSettings& sketch) noexcept;
+
 /// Baked maps that a style reads.
 enum class BakedMap : std::uint8_t { form, light, aperture, horizon, drape };
 inline constexpr std::size_t kBakedMaps = 5;

@@ -27,6 +27,17 @@ double far_plane_m(double height_m) {
     return std::fmin(kFar_m, eye + std::sqrt(2 * kRadius_m * kHighestSummit_m));
 }
 
+/// "hypsometric_lambert", with "_sketch" where lines are drawn.
+Name style_name(const design::TerrainStyle& style) {
+    Name name(design::kTerrainTextureNames[static_cast<std::size_t>(style.texture)]);
+    if (style.shade.technique != design::TerrainShade::none) {
+        name.append("_");
+        name.append(design::kTerrainShadeNames[static_cast<std::size_t>(style.shade.technique)]);
+    }
+    if (design::has_lines(style.sketch)) name.append("_sketch");
+    return name;
+}
+
 glm::dvec3 light_direction(const design::DirectedLight& light, const glm::dmat3& north_east_down) {
     const double c = std::cos(light.elevation_rad);
     return north_east_down *
@@ -43,6 +54,7 @@ std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain) {
     settings_ = settings;
+    settings_.design = possible_design(settings.design);
     if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
@@ -93,9 +105,21 @@ void Display::stop() {
     terrain_.destroy(gl_);
 }
 
+design::DesignSettings Display::possible_design(const design::DesignSettings& design) {
+    design::DesignSettings possible = design;
+    // Silhouettes need the depth of an off-screen picture; ridges say the most of what they say.
+    design::SketchSettings& sketch = possible.terrain.style.sketch;
+    silhouettes_replaced_ = sketch.silhouettes > 0 && !settings_.device.capability.depth24_targets;
+    if (!silhouettes_replaced_) return possible;
+    sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
+    sketch.silhouettes = 0;
+    return possible;
+}
+
 bool Display::set_design(const design::DesignSettings& design) {
-    if (!terrain_.set_design(gl_, design)) return false;
-    settings_.design = design;
+    const design::DesignSettings possible = possible_design(design);
+    if (!terrain_.set_design(gl_, possible)) return false;
+    settings_.design = possible;
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
     return true;
 }
@@ -255,9 +279,21 @@ void Display::note_effects() {
     note("terrain", decisions_.show_terrain, decisions_.show_terrain ? "terrain in view" : "removed by the failure policy");
     const bool warning = decisions_.show_terrain && decisions_.show_warning_colors;
     note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
-    record_.terrain_aspect.technique = Name(decisions_.show_terrain ? "hypsometric_lambert" : "none");
+    note_silhouettes();
+    record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(settings_.design.terrain.style) : Name("none");
     record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
     record_.terrain_aspect.weight = 1;
+}
+
+void Display::note_silhouettes() {
+    if (!silhouettes_replaced_ && !outline_.is_started()) return;
+    EffectRecord effect;
+    effect.name = Name("silhouettes");
+    effect.state = silhouettes_replaced_ ? EffectState::replaced : EffectState::run;
+    if (!decisions_.show_terrain) effect.state = EffectState::skipped;
+    effect.reason.append(silhouettes_replaced_ ? "the device has no 24-bit depth off screen" : "asked for by the design");
+    if (silhouettes_replaced_) effect.replaced_by = Name("ridges");
+    static_cast<void>(record_.effects.try_push_back(effect));
 }
 
 void Display::draw(base::Surface& surface) {

@@ -92,6 +92,8 @@ private:
     void give_up_terrain(TerrainSource reason);
     void decide_again();
     void note_effects();
+    void note_silhouettes();
+    [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void flag(std::string_view name);
     void record_terrain(const TerrainPlan& plan);
     [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
@@ -110,6 +112,7 @@ private:
     draw::QuadDrawer quad_drawer_;
     draw::Layout layout_;
     bool terrain_failed_ = false;
+    bool silhouettes_replaced_ = false;
 
     flight::AircraftState state_;  ///< of the planned frame
     DisplayConditions conditions_;
