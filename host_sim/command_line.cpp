@@ -157,11 +157,18 @@ void add_scenario(CLI::App& app, CommandLine& line) {
 }
 
 void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
-    command->add_option("--crs", o.crs, "coordinate system of the rasters where they do not state it, such as EPSG:4326");
-    command->add_option("--bounds", o.bounds, "W,S,E,N in degrees");
-    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid")
-        ->check(CLI::IsMember({"egm96", "ellipsoid"}))
-        ->capture_default_str();
+    command->add_option("--crs", o.crs,
+                        "coordinate system of the rasters where they do not state it, such as EPSG:4326; with a vertical part "
+                        "(EPSG:4326+5773, EPSG:4979) also what heights are above");
+    command->add_option("--extent", o.extent,
+                        "W,S,E,N: outer edges of a raster that does not say where it lies, in units of --crs, else in degrees");
+    command->add_option("--bounds", o.bounds, "W,S,E,N in degrees: leaves out what lies outside");
+    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid; default: what the rasters state, else egm96")
+        ->check(CLI::IsMember({"egm96", "ellipsoid"}));
+    command
+        ->add_option("--encoding", o.encoding,
+                     "how the colours of RGB rasters hold heights: terrain-rgb (Mapbox) or terrarium (Mapzen)")
+        ->check(CLI::IsMember({"terrain-rgb", "terrarium"}));
     add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
     command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(from_zero());
 }

@@ -21,7 +21,7 @@
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "host_sim/terrain_builder/raster.hpp"
+#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/effects/device.hpp"
@@ -155,8 +155,9 @@ std::string check_terrain(const std::string& path) {
     return "a terrain database, every checksum right";
 }
 
-constexpr std::array<std::string_view, 14> kRasterExtensions = {".tif", ".tiff", ".hgt", ".zip", ".hf2", ".ter", ".bt",
-                                                                ".asc", ".img",  ".vrt", ".dem", ".dt0", ".dt1", ".dt2"};
+constexpr std::array<std::string_view, 17> kRasterExtensions = {".tif", ".tiff", ".hgt", ".zip", ".hf2", ".hfz",
+                                                                ".ter", ".bt",   ".asc", ".img", ".vrt", ".dem",
+                                                                ".dt0", ".dt1",  ".dt2", ".nc",  ".mmf"};
 
 bool is_raster_name(std::string extension) {
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -165,9 +166,22 @@ bool is_raster_name(std::string extension) {
 
 /// Read to its last post, as the terrain builder does.
 std::string check_raster(const std::string& path) {
-    const Raster raster = load_rasters({path}, {});
-    return "a height raster of " + std::to_string(raster.columns) + " x " + std::to_string(raster.rows) + " posts, " +
-           std::to_string(raster.void_posts) + " of them void";
+    constexpr std::uint32_t kRowsAtOnce = 64;
+    PostSource posts({path}, {});
+    std::vector<float> heights_m(std::size_t{posts.columns()} * kRowsAtOnce);
+    std::vector<terrain::PostClass> classes(heights_m.size());
+    std::uint64_t voids = 0;
+    for (std::uint32_t j = 0; j < posts.rows(); j += kRowsAtOnce) {
+        const std::uint32_t rows = std::min(kRowsAtOnce, posts.rows() - j);
+        const std::size_t count = std::size_t{posts.columns()} * rows;
+        posts.read(0, j, posts.columns(), rows, {heights_m.data(), count}, {classes.data(), count});
+        voids += static_cast<std::uint64_t>(
+            std::count(classes.begin(), classes.begin() + static_cast<std::ptrdiff_t>(count), terrain::PostClass::void_));
+    }
+    if (voids == std::uint64_t{posts.columns()} * posts.rows())
+        throw UserError(path + ": no post has a height from -500 to 9000 m; check the file or its void value");
+    return "a height raster of " + std::to_string(posts.columns()) + " x " + std::to_string(posts.rows()) + " posts, " +
+           std::to_string(voids) + " of them void";
 }
 
 struct FolderKind {

@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
@@ -33,15 +35,36 @@ GeoBounds parse_bounds(const std::string& text) {
     return b;
 }
 
+MapExtent parse_extent(const std::string& text) {
+    const std::vector<double> n = parse_number_list(text, ',');
+    if (n.size() != 4 || !(n[0] < n[2]) || !(n[1] < n[3]))
+        throw UserError("--extent " + text +
+                        ": not W,S,E,N with W < E and S < N; write the outer edges of the raster, in degrees "
+                        "or in units of the system named with --crs");
+    return {n[0], n[1], n[2], n[3]};
+}
+
+/// Words that the command line has not checked; empty means nothing.
+template <class Choice>
+std::optional<Choice> parse_choice(const std::string& option, const std::string& word, std::pair<const char*, Choice> first,
+                                   std::pair<const char*, Choice> second) {
+    if (word.empty()) return std::nullopt;
+    if (word == first.first) return first.second;
+    if (word == second.first) return second.second;
+    throw UserError(option + " " + word + ": unknown; choose " + first.first + " or " + second.first);
+}
+
 RasterOptions raster_options(const TerrainBuildOptions& options) {
     RasterOptions raster;
     if (!options.crs.empty()) raster.crs = options.crs;
     if (!options.bounds.empty()) raster.bounds = parse_bounds(options.bounds);
     raster.void_value = options.void_value;
     if (!std::isfinite(options.accuracy_m)) throw UserError("--accuracy: must be a number of metres, 0 for unknown");
-    if (options.vertical_datum != "egm96" && options.vertical_datum != "ellipsoid")
-        throw UserError("--vertical-datum " + options.vertical_datum + ": unknown; choose egm96 or ellipsoid");
-    raster.vertical_datum = options.vertical_datum == "egm96" ? VerticalDatum::egm96 : VerticalDatum::ellipsoid;
+    if (!options.extent.empty()) raster.extent = parse_extent(options.extent);
+    raster.vertical_datum = parse_choice<VerticalDatum>("--vertical-datum", options.vertical_datum,
+                                                        {"egm96", VerticalDatum::egm96}, {"ellipsoid", VerticalDatum::ellipsoid});
+    raster.encoding = parse_choice<HeightEncoding>("--encoding", options.encoding, {"terrain-rgb", HeightEncoding::terrain_rgb},
+                                                   {"terrarium", HeightEncoding::terrarium});
     return raster;
 }
 
@@ -51,11 +74,9 @@ void report_progress(const char* what, std::uint64_t done, std::uint64_t total, 
     if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
 }
 
-BuildOptions build_options(const TerrainBuildOptions& options, const RasterOptions& raster, const InterruptGuard& interrupt,
-                           Console& console) {
+BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console) {
     BuildOptions build;
     build.le90_m = options.accuracy_m;
-    build.vertical_datum = raster.vertical_datum;
     build.progress = [&](std::uint64_t done, std::uint64_t total) {
         report_progress("terrain", done, total, interrupt, console);
     };
@@ -144,8 +165,9 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const RasterOptions raster = raster_options(options);
     require_other_file(options.output, options.rasters);
-    const BuildOptions build = build_options(options, raster, interrupt, console);
+    BuildOptions build = build_options(options, interrupt, console);
     Raster posts = load(options, raster, console);
+    build.vertical_datum = posts.vertical_datum;
     AtomicFile file(options.output);
     const std::vector<std::uint8_t> image = make_tdb(make_model(std::move(posts), build), build);
     console.progress_done();
@@ -160,8 +182,10 @@ int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const std::vector<std::uint8_t> image = read_bytes(options.database);
     const RasterOptions raster = raster_options(options.build);
-    const BuildOptions build = build_options(options.build, raster, interrupt, console);
-    const TerrainCheck check = check_tdb(image, options.database, make_model(load(options.build, raster, console), build), build);
+    BuildOptions build = build_options(options.build, interrupt, console);
+    Raster posts = load(options.build, raster, console);
+    build.vertical_datum = posts.vertical_datum;
+    const TerrainCheck check = check_tdb(image, options.database, make_model(std::move(posts), build), build);
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;

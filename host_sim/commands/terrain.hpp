@@ -12,9 +12,11 @@ namespace tedavis::host_sim {
 struct TerrainBuildOptions {
     std::vector<std::string> rasters;
     std::string output;
-    std::string crs;     ///< empty: the files' own
-    std::string bounds;  ///< "W,S,E,N" in degrees; empty: all
-    std::string vertical_datum = "egm96";
+    std::string crs;             ///< empty: the files' own
+    std::string extent;          ///< "W,S,E,N" in units of crs, of a file that has no place; empty: none
+    std::string bounds;          ///< "W,S,E,N" in degrees; empty: all
+    std::string vertical_datum;  ///< "egm96" or "ellipsoid"; empty: the files' own, else egm96
+    std::string encoding;        ///< "terrain-rgb" or "terrarium", of colour pictures; empty: none
     std::optional<double> void_value;
     double accuracy_m = 0;  ///< LE90 of the source; 0 unknown
 };

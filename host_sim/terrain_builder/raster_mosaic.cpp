@@ -1,12 +1,9 @@
 #include "host_sim/terrain_builder/raster_mosaic.hpp"
 
-#include <cpl_string.h>
-#include <gdal_utils.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <memory>
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/user_error.hpp"
@@ -39,7 +36,7 @@ MapPoint map_point(const RasterSource& source, double column, double row) {
 
 /// What one pixel covers at the middle, in degrees; the hypotenuse makes it independent of how the grid is turned.
 void measure_steps(const RasterSource& source, OGRCoordinateTransformation& to_wgs84, Extent& extent) {
-    const double column = source.dataset->GetRasterXSize() * 0.5, row = source.dataset->GetRasterYSize() * 0.5;
+    const double column = source.columns * 0.5, row = source.rows * 0.5;
     MapPoint here = map_point(source, column, row), east = map_point(source, column + 1, row),
              south = map_point(source, column, row + 1);
     for (MapPoint* point : {&here, &east, &south})
@@ -52,7 +49,7 @@ void measure_steps(const RasterSource& source, OGRCoordinateTransformation& to_w
 Extent extent_of(const RasterSource& source) {
     Extent e;
     const auto& t = source.transform;
-    const double columns = source.dataset->GetRasterXSize(), rows = source.dataset->GetRasterYSize();
+    const double columns = source.columns, rows = source.rows;
     if (source.plain) return {t[0], t[3] + rows * t[5], t[0] + columns * t[1], t[3], t[1], -t[5]};
     const OGRSpatialReference wgs84 = wgs84_longitude_latitude();
     const std::unique_ptr<OGRCoordinateTransformation> change(OGRCreateCoordinateTransformation(&source.crs, &wgs84));
@@ -113,74 +110,12 @@ void cut(Extent& all, const GeoBounds& bounds) {
     all.south_deg += from_south * all.step_lat_deg;
 }
 
-OGRSpatialReference target_crs(const GeoLattice& lattice) {
-    const double east_deg = lattice.west_deg + lattice.step_lon_deg * static_cast<double>(lattice.columns - 1);
-    if (lattice.west_deg >= -180 && east_deg <= 180) return wgs84_longitude_latitude();
-    char text[100];
-    std::snprintf(text, sizeof text, "+proj=longlat +datum=WGS84 +lon_wrap=%.9f +no_defs +type=crs",
-                  0.5 * (lattice.west_deg + east_deg));
-    OGRSpatialReference wrapped;
-    wrapped.SetFromUserInput(text);
-    wrapped.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return wrapped;
-}
-
-GdalDataset memory_raster(std::int64_t columns, std::int64_t rows) {
-    GdalDataset raster(GetGDALDriverManager()->GetDriverByName("MEM")->Create("", static_cast<int>(columns),
-                                                                              static_cast<int>(rows), 1, GDT_Float32, nullptr));
-    if (raster == nullptr) throw UserError("terrain build: the rasters do not fit the memory; build parts with --bounds");
-    raster->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-    return raster;
-}
-
-/// Metres with voids marked, so that no interpolation mixes heights with marks. Plain ones move to the lattice's turn.
-GdalDataset cleaned(const RasterSource& source, const GeoLattice& lattice, const OGRSpatialReference& target,
-                    const RasterOptions& options) {
-    const int columns = source.dataset->GetRasterXSize(), rows = source.dataset->GetRasterYSize();
-    std::vector<float> heights = read_heights(source, {0, 0, columns, rows}, options);
-    GdalDataset copy = memory_raster(columns, rows);
-    const bool written = copy->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, columns, rows, heights.data(), columns, rows,
-                                                          GDT_Float32, 0, 0) == CE_None;
-    if (!written) throw UserError(source.file + ": does not fit the memory; build parts with --bounds");
-    std::array<double, 6> transform = source.transform;
-    if (source.plain) {
-        const double middle_deg = lattice.west_deg + 0.5 * lattice.step_lon_deg * static_cast<double>(lattice.columns);
-        transform[0] += turns_towards(transform[0] + 0.5 * columns * transform[1], middle_deg);
-    }
-    copy->SetGeoTransform(transform.data());
-    copy->SetSpatialRef(source.plain ? &target : &source.crs);
-    return copy;
-}
-
-GdalDataset empty_target(const GeoLattice& lattice, const OGRSpatialReference& crs) {
-    GdalDataset target = memory_raster(lattice.columns, lattice.rows);
-    double transform[6] = {lattice.west_deg - 0.5 * lattice.step_lon_deg,
-                           lattice.step_lon_deg,
-                           0,
-                           lattice.north_deg + 0.5 * lattice.step_lat_deg,
-                           0,
-                           -lattice.step_lat_deg};
-    target->SetGeoTransform(transform);
-    target->SetSpatialRef(&crs);
-    target->GetRasterBand(1)->Fill(std::numeric_limits<double>::quiet_NaN());
-    return target;
-}
-
-/// Bilinear between the source's posts, with the exact transformation at each of the target's.
-void warp_into(GDALDataset& target, GDALDataset& copy, const RasterSource& source) {
-    CPLStringList arguments;
-    for (const char* argument : {"-r", "bilinear", "-et", "0", "-wo", "NUM_THREADS=2", "-wo", "XSCALE=1", "-wo", "YSCALE=1"})
-        arguments.AddString(argument);
-    GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(arguments.List(), nullptr);
-    GDALDatasetH handle = GDALDataset::ToHandle(&copy);
-    int usage_error = 0;
-    CPLErrorReset();
-    GDALDatasetH warped = GDALWarp(nullptr, GDALDataset::ToHandle(&target), 1, &handle, options, &usage_error);
-    GDALWarpAppOptionsFree(options);
-    if (warped == nullptr) refuse(source);
-}
-
 }  // namespace
+
+GeoBounds area_of(const RasterSource& source) {
+    const Extent e = extent_of(source);
+    return {e.west_deg, e.south_deg, e.east_deg, e.north_deg};
+}
 
 GeoLattice plan_lattice(const std::vector<RasterSource>& sources, const RasterOptions& options) {
     std::vector<Extent> extents;
@@ -197,19 +132,6 @@ GeoLattice plan_lattice(const std::vector<RasterSource>& sources, const RasterOp
     lattice.columns = static_cast<std::int64_t>(std::max(0.0, steps(all.east_deg - all.west_deg, all.step_lon_deg)));
     lattice.rows = static_cast<std::int64_t>(std::max(0.0, steps(all.north_deg - all.south_deg, all.step_lat_deg)));
     return lattice;
-}
-
-std::vector<float> warp_heights(const std::vector<RasterSource>& sources, const GeoLattice& lattice,
-                                const RasterOptions& options) {
-    const OGRSpatialReference crs = target_crs(lattice);
-    const GdalDataset target = empty_target(lattice, crs);
-    for (const RasterSource& source : sources) warp_into(*target, *cleaned(source, lattice, crs, options), source);
-    std::vector<float> heights(static_cast<std::size_t>(lattice.columns * lattice.rows));
-    const int columns = static_cast<int>(lattice.columns), rows = static_cast<int>(lattice.rows);
-    const bool read = target->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, heights.data(), columns, rows, GDT_Float32,
-                                                         0, 0) == CE_None;
-    if (!read) throw UserError("terrain build: the rasters do not fit the memory; build parts with --bounds");
-    return heights;
 }
 
 }  // namespace tedavis::host_sim

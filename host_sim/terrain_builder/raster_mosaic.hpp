@@ -1,4 +1,4 @@
-/// Several rasters, or one of another projection, on one lattice of longitude and latitude.
+/// The lattice of longitude and latitude for several rasters, or for one of another projection.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ struct GeoLattice {
     std::int64_t columns = 0, rows = 0;
 };
 
+/// What a source covers, to the outer edges of its pixels; east may lie beyond 180. Throws UserError where the source cannot
+/// be brought to WGS84.
+[[nodiscard]] GeoBounds area_of(const RasterSource& source);
+
 /// The lattice of all sources within the bounds of the options, as fine as the finest of them in each direction and on
 /// the posts of the first plain one. Throws UserError where a source cannot be brought to WGS84.
 [[nodiscard]] GeoLattice plan_lattice(const std::vector<RasterSource>& sources, const RasterOptions& options);
-
-/// Bilinear heights at the lattice's posts, NaN where no source has one; where sources overlap, the later one counts.
-[[nodiscard]] std::vector<float> warp_heights(const std::vector<RasterSource>& sources, const GeoLattice& lattice,
-                                              const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

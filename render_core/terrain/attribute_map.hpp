@@ -47,17 +47,22 @@ inline constexpr int kAttributeMaps = 3;  ///< channel n lies in map n / 4, byte
 inline constexpr float kBrightestLight = 1.25f;
 inline constexpr float kLargestRelief_m = 1000;
 
+/// The nearest whole number of 0..255; halves go up.
+[[nodiscard]] inline int nearest_step(float steps) {
+    return static_cast<int>(steps + 0.5f);  // quicker than lround, and below 256 as good. NOLINT(bugprone-incorrect-roundings)
+}
+
 /// NaN counts as 0.
 [[nodiscard]] inline std::uint8_t encode_unit(float value) {
     if (value >= 1) return 255;
-    return value > 0 ? static_cast<std::uint8_t>(value * 255 + 0.5f) : std::uint8_t{0};
+    return value > 0 ? static_cast<std::uint8_t>(nearest_step(value * 255)) : std::uint8_t{0};
 }
 [[nodiscard]] inline float decode_unit(std::uint8_t code) { return static_cast<float>(code) / 255; }
 
 /// Codes 1..255 for -1..1; 128 is 0 exactly, and opposite values have opposite codes. NaN counts as 0.
 [[nodiscard]] inline std::uint8_t encode_signed(float value) {
     const float size = std::fabs(value);
-    const int steps = size >= 1 ? 127 : size > 0 ? static_cast<int>(size * 127 + 0.5f) : 0;
+    const int steps = size >= 1 ? 127 : size > 0 ? nearest_step(size * 127) : 0;
     return static_cast<std::uint8_t>(value < 0 ? 128 - steps : 128 + steps);
 }
 /// Code 0 is never written and counts as -1.

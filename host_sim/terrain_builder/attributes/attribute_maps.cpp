@@ -65,8 +65,7 @@ private:
     void write(AttributeChannel channel, int column, int row, Lanes values, float without_height) {
         const std::size_t at = planes_.at(column, row);
         const int lanes = std::min(kLanes, fields_.columns - column);
-        float* const to =
-            &fields_.channel[static_cast<std::size_t>(channel)][static_cast<std::size_t>(row * fields_.columns + column)];
+        float* const to = &fields_.channel[static_cast<std::size_t>(channel)][index_of(column, row, fields_.columns)];
         const Lanes result = load(&planes_.validity[at]) > 0.0f ? values : all(without_height);
         if (lanes == kLanes) return store(to, result);
         for (int n = 0; n < lanes; ++n) to[n] = result[n];
@@ -76,8 +75,7 @@ private:
         const std::size_t at = planes_.at(column, row);
         const Lanes valid = load(&planes_.validity[at]);
         const int lanes = std::min(kLanes, fields_.columns - column);
-        const std::size_t to =
-            static_cast<std::size_t>(row / kHorizonPostStep * fields_.horizon_columns() + column / kHorizonPostStep);
+        const std::size_t to = index_of(column / kHorizonPostStep, row / kHorizonPostStep, fields_.horizon_columns());
         for (std::size_t k = 0; k < kHorizonDirections; ++k) {
             const Lanes tangent = sky.horizon[k], sine = tangent / root(1.0f + tangent * tangent);
             for (int n = 0; n < lanes; n += kHorizonPostStep)

@@ -23,7 +23,7 @@ struct AttributeFields {
     [[nodiscard]] int horizon_columns() const { return (columns + terrain::kHorizonPostStep - 1) / terrain::kHorizonPostStep; }
     [[nodiscard]] int horizon_rows() const { return (rows + terrain::kHorizonPostStep - 1) / terrain::kHorizonPostStep; }
     [[nodiscard]] float at(terrain::AttributeChannel wanted, int column, int row) const {
-        return channel[static_cast<std::size_t>(wanted)][static_cast<std::size_t>(row * columns + column)];
+        return channel[static_cast<std::size_t>(wanted)][index_of(column, row, columns)];
     }
 };
 

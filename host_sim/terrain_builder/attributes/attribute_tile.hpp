@@ -5,6 +5,7 @@
 /// beyond comes from the level above (far_horizons.hpp).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render_core/base/units.hpp"
@@ -19,7 +20,13 @@ inline constexpr int kAttributeApron = 2 * kHorizonReach;
 /// Local relief compares a post with the square that reaches this far to each side.
 inline constexpr int kReliefReach = 8;
 
-/// Rows run from north to south, columns from west to east. Posts that are void or outside may hold any height.
+/// Of a value in rows of `stride` values.
+[[nodiscard]] constexpr std::size_t index_of(int column, int row, int stride) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(column);
+}
+
+/// Rows run from north to south, columns from west to east; in a polar cap these are the north and east of its grid, for
+/// normals, horizons and the light alike. Posts that are void or outside may hold any height.
 struct AttributeTile {
     int columns = 0, rows = 0;  ///< inner posts, for which attributes are wanted; at least 1
     /// (columns + 2 kAttributeApron) by (rows + 2 kAttributeApron), the apron included.

@@ -3,43 +3,73 @@
 #include <cmath>
 
 #include "host_sim/terrain_builder/attributes/row_directions.hpp"
+#include "render_core/base/check.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-using terrain::HorizonBracket;
-
 class Beam {
 public:
     explicit Beam(const FixedLight& light)
-        : east(static_cast<float>(std::cos(light.elevation_rad) * std::sin(light.azimuth_rad))),
-          north(static_cast<float>(std::cos(light.elevation_rad) * std::cos(light.azimuth_rad))),
-          up(static_cast<float>(std::sin(light.elevation_rad))),
-          tangent_(static_cast<float>(std::tan(light.elevation_rad))),
-          part_per_tangent_(
-              static_cast<float>(std::cos(light.elevation_rad) * std::cos(light.elevation_rad) / (2 * light.disc_radius_rad))) {}
-
-    [[nodiscard]] Lanes on(const NormalLanes& normal, Lanes horizon) const {
-        const Lanes cosine = larger((normal.east * east + normal.north * north) + normal.up * up, all(0.0f));
-        const Lanes part = 0.5f + (tangent_ - horizon) * part_per_tangent_;
-        return smaller(cosine, all(1.0f)) * smaller(larger(part, all(0.0f)), all(1.0f));
+        : east_(static_cast<float>(std::cos(light.elevation_rad) * std::sin(light.azimuth_rad))),
+          north_(static_cast<float>(std::cos(light.elevation_rad) * std::cos(light.azimuth_rad))),
+          along_(static_cast<float>(std::cos(light.elevation_rad))),
+          up_(static_cast<float>(std::sin(light.elevation_rad))),
+          per_disc_(static_cast<float>(0.5 / light.disc_radius_rad)) {
+        TEDAVIS_CHECK(light.elevation_rad > 0 && light.elevation_rad <= base::kPi / 2 && light.disc_radius_rad > 0);
     }
 
-    const float east, north, up;
+    [[nodiscard]] float on_level_ground() const { return up_; }
+    /// `horizon` is the tangent of its elevation, not below 0.
+    [[nodiscard]] Lanes on(const NormalLanes& normal, Lanes horizon) const {
+        const Lanes cosine = (normal.east * east_ + normal.north * north_) + normal.up * up_;
+        const Lanes sine_above = (up_ - along_ * horizon) / root(1.0f + horizon * horizon);
+        return clamped(cosine) * clamped(0.5f + sine_above * per_disc_);
+    }
 
 private:
-    const float tangent_, part_per_tangent_;
+    static Lanes clamped(Lanes part) { return smaller(larger(part, all(0.0f)), all(1.0f)); }
+
+    const float east_, north_, along_, up_, per_disc_;
 };
 
+/// Tangent of the horizon's elevation in one direction, not below 0.
 Lanes horizon(const HeightPlanes& planes, const SamplePlaces& places, const RowDirection& direction, std::size_t at, Lanes far) {
     const Lanes height_m = load(&planes.high[at_post][at]);
-    Lanes highest = larger(far, all(kNoHorizon));
+    Lanes highest = larger(far, all(0.0f));
     for (std::size_t s = 1; s <= kHorizonReach; ++s) {
         const float* const sample = planes.high[places[s].plane].data() + at + places[s].offset;
         highest = larger(highest, (load(sample) - height_m) * direction.per_m[s] - direction.drop[s]);
     }
     return highest;
 }
+
+/// At the light's azimuth, between the two directions beside it, for one row of posts.
+class LightHorizon {
+public:
+    LightHorizon(const HeightPlanes& planes, const std::array<SamplePlaces, terrain::kHorizonDirections>& places, int row,
+                 double azimuth_rad)
+        : planes_(planes),
+          places_(places),
+          directions_(row_directions(planes.east_m(row), planes.tile.north_m)),
+          bracket_(terrain::bracket_azimuth(azimuth_rad, planes.east_m(row), planes.tile.north_m)) {}
+
+    [[nodiscard]] Lanes at(std::size_t at, const FarRow& far, std::size_t index) const {
+        const auto weight = static_cast<float>(bracket_.weight);
+        return in(bracket_.first, at, far, index) * (1 - weight) + in(bracket_.second, at, far, index) * weight;
+    }
+
+private:
+    [[nodiscard]] Lanes in(int direction, std::size_t at, const FarRow& far, std::size_t index) const {
+        const auto k = static_cast<std::size_t>(direction);
+        return horizon(planes_, places_[k], directions_[k], at, far.tangent(direction, index, load(&planes_.high[at_post][at])));
+    }
+
+    const HeightPlanes& planes_;
+    const std::array<SamplePlaces, terrain::kHorizonDirections>& places_;
+    const std::array<RowDirection, terrain::kHorizonDirections> directions_;
+    const terrain::HorizonBracket bracket_;
+};
 
 }  // namespace
 
@@ -48,22 +78,17 @@ HalfPlanes direct_light(const HeightPlanes& planes, const Gradients& gradients, 
     const auto places = sample_places(planes.stride);
     const AttributeTile& tile = planes.tile;
     HalfPlanes result;
-    result[at_post].assign(planes.validity.size(), beam.up);
+    result[at_post].assign(planes.validity.size(), beam.on_level_ground());
     FarRow far(above, -kHorizonReach, tile.columns + 2 * kHorizonReach);
     for (int row = -kHorizonReach; row < tile.rows + kHorizonReach; ++row) {
         far.read(row);
-        const auto directions = row_directions(planes.east_m(row), tile.north_m);
-        const HorizonBracket bracket = terrain::bracket_azimuth(light.azimuth_rad, planes.east_m(row), tile.north_m);
-        const auto first = static_cast<std::size_t>(bracket.first), second = static_cast<std::size_t>(bracket.second);
-        const auto weight = static_cast<float>(bracket.weight);
-        for (int column = -kHorizonReach; column < tile.columns + kHorizonReach; column += kLanes) {
-            const std::size_t at = planes.at(column, row), index = static_cast<std::size_t>(column + kHorizonReach);
-            const Lanes height_m = load(&planes.high[at_post][at]);
-            const Lanes a = horizon(planes, places[first], directions[first], at, far.tangent(bracket.first, index, height_m));
-            const Lanes b = horizon(planes, places[second], directions[second], at, far.tangent(bracket.second, index, height_m));
-            const Lanes lit =
-                beam.on(normal_of(load(&gradients.east[at]), load(&gradients.north[at])), a * (1 - weight) + b * weight);
-            store(&result[at_post][at], load(&planes.validity[at]) > 0.0f ? lit : all(beam.up));
+        const LightHorizon horizons(planes, places, row, light.azimuth_rad);
+        const int columns = tile.columns + 2 * kHorizonReach;
+        for (int index = 0; index < columns; index += kLanes) {
+            const std::size_t at = planes.at(index - kHorizonReach, row);
+            const NormalLanes normal = normal_of(load(&gradients.east[at]), load(&gradients.north[at]));
+            const Lanes lit = beam.on(normal, horizons.at(at, far, static_cast<std::size_t>(index)));
+            store(&result[at_post][at], load(&planes.validity[at]) > 0.0f ? lit : all(beam.on_level_ground()));
         }
     }
     fill_half_posts(result, planes.validity, planes.stride);

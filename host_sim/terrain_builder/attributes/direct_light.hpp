@@ -9,8 +9,9 @@
 namespace tedavis::host_sim {
 
 /// 0..1, laid out as HeightPlanes; filled for inner posts and kHorizonReach posts round them, and half way between. Posts
-/// without a height have the value of level open ground. The horizon at the light's azimuth lies linearly between those of
-/// the two lattice directions beside it; the disc is taken as uniform in elevation, its edges along the tangent.
+/// without a height have the value of level open ground. The tangent of the horizon at the light's azimuth lies linearly
+/// between those of the two lattice directions beside it, not below 0 as in the horizon maps; the disc's light counts as
+/// even over its height. The light stands above the horizontal and not beyond the zenith.
 [[nodiscard]] HalfPlanes direct_light(const HeightPlanes& planes, const Gradients& gradients, const FixedLight& light,
                                       const FarView& above);
 

@@ -46,7 +46,7 @@ FarLanes sweep(const HeightPlanes& planes, const SamplePlaces& places, const Row
 }  // namespace
 
 FarRow::FarRow(const FarView& view, int first_column, int columns)
-    : view_(view), count_(static_cast<std::size_t>((columns + kLanes - 1) / kLanes * kLanes)) {
+    : view_(view), count_(static_cast<std::size_t>(columns + kLanes - 1)) {
     values_.assign(2 * kHorizonDirections * count_, 0.0f);
     std::fill_n(values_.begin(), kHorizonDirections * count_, kNoHorizon);
     if (view.horizons == nullptr) return;
@@ -97,6 +97,44 @@ Lanes FarRow::tangent(int direction, std::size_t index, Lanes height_m) const {
     return intercept(direction, index) - per_m(direction, index) * height_m;
 }
 
+namespace {
+
+/// Writes four posts' lines, as many of them as are in the row.
+class LineWriter {
+public:
+    LineWriter(FarHorizons& far, const HeightPlanes& planes, const FarRow& beyond)
+        : far_(far), planes_(planes), places_(sample_places(planes.stride)), beyond_(beyond) {}
+
+    void begin_row(int row) {
+        row_ = row;
+        directions_ = row_directions(planes_.east_m(row), planes_.tile.north_m);
+    }
+    void write(int column) {
+        const std::size_t at = planes_.at(column, row_), to = far_.at(column, row_), index = to - far_.at(-kFarMargin, row_);
+        const auto lanes = static_cast<std::size_t>(std::min(kLanes, far_.columns + kFarMargin - column));
+        std::copy_n(&planes_.validity[at], lanes, &far_.known[to]);
+        for (int k = 0; k < kHorizonDirections; ++k) {
+            const auto direction = static_cast<std::size_t>(k);
+            const FarLanes lines = sweep(planes_, places_[direction], directions_[direction], at,
+                                         {beyond_.intercept(k, index), beyond_.per_m(k, index)});
+            for (std::size_t n = 0; n < lanes; ++n) {
+                far_.lines[to + n].intercept[direction] = lines.intercept[n];
+                far_.lines[to + n].per_m[direction] = lines.per_m[n];
+            }
+        }
+    }
+
+private:
+    FarHorizons& far_;
+    const HeightPlanes& planes_;
+    const std::array<SamplePlaces, kHorizonDirections> places_;
+    std::array<RowDirection, kHorizonDirections> directions_{};
+    const FarRow& beyond_;
+    int row_ = 0;
+};
+
+}  // namespace
+
 FarHorizons make_far_horizons(const HeightPlanes& planes, const FarView& above) {
     FarHorizons far;
     far.columns = planes.tile.columns;
@@ -104,27 +142,12 @@ FarHorizons make_far_horizons(const HeightPlanes& planes, const FarView& above) 
     const int columns = far.columns + 2 * kFarMargin;
     far.lines.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(far.rows + 2 * kFarMargin));
     far.known.resize(far.lines.size());
-    const auto places = sample_places(planes.stride);
     FarRow beyond(above, -kFarMargin, columns);
+    LineWriter writer(far, planes, beyond);
     for (int row = -kFarMargin; row < far.rows + kFarMargin; ++row) {
         beyond.read(row);
-        const auto directions = row_directions(planes.east_m(row), planes.tile.north_m);
-        for (int first = 0; first < columns; first += kLanes) {
-            const std::size_t at = planes.at(first - kFarMargin, row), to = far.at(first - kFarMargin, row);
-            const int lanes = std::min(kLanes, columns - first);
-            for (int n = 0; n < lanes; ++n)
-                far.known[to + static_cast<std::size_t>(n)] = planes.validity[at + static_cast<std::size_t>(n)];
-            for (std::size_t k = 0; k < kHorizonDirections; ++k) {
-                const int direction = static_cast<int>(k);
-                const auto index = static_cast<std::size_t>(first);
-                const FarLanes lines = sweep(planes, places[k], directions[k], at,
-                                             {beyond.intercept(direction, index), beyond.per_m(direction, index)});
-                for (int n = 0; n < lanes; ++n) {
-                    far.lines[to + static_cast<std::size_t>(n)].intercept[k] = lines.intercept[n];
-                    far.lines[to + static_cast<std::size_t>(n)].per_m[k] = lines.per_m[n];
-                }
-            }
-        }
+        writer.begin_row(row);
+        for (int column = -kFarMargin; column < far.columns + kFarMargin; column += kLanes) writer.write(column);
     }
     return far;
 }

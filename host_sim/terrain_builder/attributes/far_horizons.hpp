@@ -25,14 +25,14 @@ struct FarLines {
     std::array<float, terrain::kHorizonDirections> per_m;      ///< 1 / distance of the horizon, metres
 };
 
+/// 132 bytes a post.
 struct FarHorizons {
     int columns = 0, rows = 0;    ///< inner posts of its tile
     std::vector<FarLines> lines;  ///< row by row, (columns + 2 kFarMargin) by (rows + 2 kFarMargin)
     std::vector<float> known;     ///< 1, or 0 at posts without a height
 
     [[nodiscard]] std::size_t at(int column, int row) const {
-        return static_cast<std::size_t>(row + kFarMargin) * static_cast<std::size_t>(columns + 2 * kFarMargin) +
-               static_cast<std::size_t>(column + kFarMargin);
+        return index_of(column + kFarMargin, row + kFarMargin, columns + 2 * kFarMargin);
     }
 };
 
@@ -48,7 +48,7 @@ struct FarView {
 /// do not count. Beyond the last post of the level above, its horizons go on.
 class FarRow {
 public:
-    /// For columns from `first_column` on, `columns` of them (rounded up to whole lanes).
+    /// For columns from `first_column` on, `columns` of them, and what four posts at the last of them read beyond.
     FarRow(const FarView& view, int first_column, int columns);
 
     void read(int row);

@@ -26,9 +26,10 @@ struct HeightPlanes {
 
     /// Inner post (0,0) is at(0,0); columns and rows from -kAttributeApron on. Planes end with room for reading kLanes on.
     [[nodiscard]] std::size_t at(int column, int row) const {
-        return static_cast<std::size_t>(row + kAttributeApron) * stride + static_cast<std::size_t>(column + kAttributeApron);
+        const int full_row = row + kAttributeApron, full_column = column + kAttributeApron;
+        return static_cast<std::size_t>(full_row) * stride + static_cast<std::size_t>(full_column);
     }
-    [[nodiscard]] double east_m(int row) const { return tile.east_m[static_cast<std::size_t>(row + kAttributeApron)]; }
+    [[nodiscard]] double east_m(int row) const { return tile.east_m[index_of(0, row + kAttributeApron, 1)]; }
 
     const AttributeTile& tile;  ///< must live as long
     std::size_t stride;

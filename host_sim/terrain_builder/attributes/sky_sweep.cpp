@@ -8,9 +8,6 @@ using terrain::kHorizonDirections;
 constexpr float kHalfPi = 1.57079632679f;
 constexpr float kVanishing = 1e-8f;  // square of the length of a direction that is none
 
-/// Strips of elevation end at samples 1, 2, 4, 8 and 16.
-constexpr bool ends_strip(std::size_t s) { return (s & (s - 1)) == 0; }
-
 /// sin²H and H - sin H cos H of a limit at this tangent of elevation.
 struct Limit {
     explicit Limit(Lanes tangent) {
@@ -23,6 +20,35 @@ struct Limit {
 
     Lanes deficit;  ///< cos²H: what the limit takes from sin²H
     Lanes level;
+};
+
+/// The ground in view in one direction, from the post's tangent plane up, in strips that end at samples 1, 2, 4, 8 and 16.
+struct Strips {
+    /// At a post with these rises per metre to the east and to the north.
+    Strips(Lanes rise_east, Lanes rise_north, const RowDirection& direction, Lanes own_light)
+        : up(normal_of(rise_east, rise_north).up),
+          highest(rise_east * direction.east + rise_north * direction.north),
+          along(-highest * up),
+          light(own_light),
+          arriving(Limit(highest).irradiance(up, along)) {}
+
+    void see(Lanes tangent, Lanes light_there) {
+        light = tangent > highest ? light_there : light;
+        highest = larger(highest, tangent);
+    }
+    [[nodiscard]] static constexpr bool end_at(std::size_t s) { return (s & (s - 1)) == 0; }
+    void end() {
+        const Lanes left = Limit(highest).irradiance(up, along);
+        bounce += light * (arriving - left);
+        arriving = left;
+    }
+
+    Lanes up;        ///< of the normal
+    Lanes highest;   ///< tangent of what was seen, at first of the tangent plane
+    Lanes along;     ///< of the normal, in this direction
+    Lanes light;     ///< on the post that was highest
+    Lanes arriving;  ///< from above what was seen, were it all sky
+    Lanes bounce = all(0.0f);
 };
 
 /// Adds directions a right angle apart first, so that a tile turned by a right angle gives the same bits.
@@ -86,13 +112,8 @@ void SkySweep::begin_row(int row) {
 SkySweep::Found SkySweep::look(std::size_t k, std::size_t at, std::size_t column) const {
     const RowDirection& direction = directions_[k];
     const Lanes height_m = load(&planes_.high[at_post][at]);
-    const Lanes slope = load(&gradients_.east[at]) * direction.east + load(&gradients_.north[at]) * direction.north;
-    const Lanes up = 1.0f / root(1.0f + (load(&gradients_.east[at]) * load(&gradients_.east[at]) +
-                                         load(&gradients_.north[at]) * load(&gradients_.north[at])));
-    const Lanes along = -slope * up;
-    Lanes seen = slope, light = load(&direct_[at_post][at]), bounce = all(0.0f);
+    Strips strips(load(&gradients_.east[at]), load(&gradients_.north[at]), direction, load(&direct_[at_post][at]));
     Lanes above = all(kNoHorizon), below = all(kNoHeight_m);
-    Lanes arriving = Limit(seen).irradiance(up, along);
     for (std::size_t s = 1; s <= kHorizonReach; ++s) {
         const SamplePlace place = places_[k][s];
         const std::size_t sample = at + static_cast<std::size_t>(place.offset);
@@ -100,17 +121,14 @@ SkySweep::Found SkySweep::look(std::size_t k, std::size_t at, std::size_t column
         const Lanes low = (load(&planes_.low[place.plane][sample]) - height_m) * direction.per_m[s] - direction.drop[s];
         above = larger(above, high);
         below = smaller(below, low);
-        light = high > seen ? load(&direct_[place.plane][sample]) : light;
-        seen = larger(seen, high);
-        if (!ends_strip(s)) continue;
-        const Lanes left = Limit(seen).irradiance(up, along);
-        bounce += light * (arriving - left);
-        arriving = left;
+        strips.see(high, load(&direct_[place.plane][sample]));
+        if (Strips::end_at(s)) strips.end();
     }
     const Lanes far = far_.tangent(static_cast<int>(k), column, height_m);
-    const Lanes horizon = larger(larger(above, far), all(0.0f)), limit = larger(horizon, seen);
-    bounce += level_light_ * (arriving - Limit(limit).irradiance(up, along));
-    return {horizon, limit, above, below, bounce};
+    const Lanes horizon = larger(larger(above, far), all(0.0f)), limit = larger(horizon, strips.highest);
+    strips.see(limit, all(level_light_));
+    strips.end();
+    return {horizon, limit, above, below, strips.bounce};
 }
 
 void SkySweep::sweep(int column, SkyLanes& sky) const {

@@ -101,6 +101,20 @@ TEST_F(TerrainCommand, BoundsDatumAndVoidsReachTheRaster) {
     EXPECT_EQ(check(build_).code, 0) << "the same options give the same database";
 }
 
+TEST_F(TerrainCommand, ExtentAndSystemPlaceAFileThatHasNone) {
+    const std::string picture = "P5 40 30 255\n" + std::string(40 * 30, 99);
+    build_.rasters = {place_.write("bare.pgm", picture)};
+    build_.crs = "EPSG:32632";
+    build_.extent = "558000,5185100,559200,5186000";
+    (void)build();
+    const auto json = info().json();
+    EXPECT_NEAR(json["west_deg"].get<double>(), 9.76, 0.01);
+    EXPECT_NEAR(json["north_deg"].get<double>(), 46.824, 0.01);
+    EXPECT_EQ(json["max_height_m"], 99);
+    EXPECT_EQ(json["vertical_datum"], "egm96");
+    EXPECT_EQ(check(build_).code, 0);
+}
+
 TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
     const auto refuses = [&](const std::string& words, auto change) {
         TerrainBuildOptions options = build_;
@@ -111,6 +125,11 @@ TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
     };
     for (const char* bounds : {"1,2,3", "10,46,9,47", "9,47,10,46", "a,b,c,d", "9,46,10,47,1", "nan,46,10,47", "9,46,10,147"})
         refuses("--bounds", [&](TerrainBuildOptions& o) { o.bounds = bounds; });
+    for (const char* extent : {"1,2,3", "10,46,9,47", "9,47,10,46", "a,b,c,d"})
+        refuses("--extent", [&](TerrainBuildOptions& o) { o.extent = extent; });
+    refuses("says itself where it lies", [](TerrainBuildOptions& o) { o.extent = "9,46,10,47"; });
+    refuses("--encoding cmyk", [](TerrainBuildOptions& o) { o.encoding = "cmyk"; });
+    refuses("no three bands of 8 bits", [](TerrainBuildOptions& o) { o.encoding = "terrarium"; });
     refuses("--vertical-datum moon", [](TerrainBuildOptions& o) { o.vertical_datum = "moon"; });
     refuses("--accuracy", [](TerrainBuildOptions& o) { o.accuracy_m = std::nan(""); });
     refuses("is also an input", [&](TerrainBuildOptions& o) { o.output = raster_; });

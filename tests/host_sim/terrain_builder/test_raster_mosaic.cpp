@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host_sim/quiet_gdal.hpp"
+#include "host_sim/terrain_builder/raster.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -32,13 +33,13 @@ struct Warped {
 class RasterMosaicTest : public ::testing::Test {
 protected:
     Warped warp(const std::vector<RasterFile>& rasters, const RasterOptions& options = {}) {
-        std::vector<RasterSource> sources;
+        std::vector<std::string> files;
         for (std::size_t n = 0; n < rasters.size(); ++n)
-            sources.push_back(open_raster_source(rasters[n].write(folder_.file("r" + std::to_string(n) + ".tif")), options));
-        Warped warped;
-        warped.lattice = plan_lattice(sources, options);
-        warped.heights = warp_heights(sources, warped.lattice, options);
-        return warped;
+            files.push_back(rasters[n].write(folder_.file("r" + std::to_string(n) + ".tif")));
+        const Raster raster = load_rasters(files, options);
+        EXPECT_TRUE(raster.resampled);
+        return {{raster.west_deg, raster.north_deg, raster.step_lon_deg, raster.step_lat_deg, raster.columns, raster.rows},
+                raster.height_m};
     }
 
     test_support::TemporaryFolder folder_;

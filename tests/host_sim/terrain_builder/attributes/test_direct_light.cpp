@@ -30,7 +30,7 @@ TEST(DirectLight, IsLambertsCosineWhereNothingHidesTheLight) {
     const AttributeTile tile = make_tile(30, 20, 20, 25, waves);
     const HeightPlanes planes(tile);
     const Gradients gradients(planes);
-    for (const FixedLight& light : {light_from(315, 45), light_from(100, 30), light_from(0, 89)}) {
+    for (const FixedLight& light : {light_from(315, 45), light_from(100, 30), light_from(0, 89), light_from(40, 90)}) {
         const HalfPlanes direct = direct_light(planes, gradients, light, {});
         const long double along = std::cos(light.elevation_rad);
         for (int row = -kHorizonReach; row < tile.rows + kHorizonReach; ++row) {
@@ -92,6 +92,15 @@ TEST(DirectLight, AFarHorizonHidesTheLightToo) {
     };
     EXPECT_NEAR(lit(0.5f), 0.5, 1e-6) << "26.6 degrees";
     EXPECT_EQ(lit(0.7f), 0) << "35 degrees";
+}
+
+using DirectLightDeathTest = ::testing::Test;
+TEST(DirectLightDeathTest, TheLightStandsAboveTheHorizontal) {
+    const AttributeTile tile = wall_tile();
+    const HeightPlanes planes(tile);
+    const Gradients gradients(planes);
+    EXPECT_DEATH((void)direct_light(planes, gradients, light_from(10, 0), {}), "elevation_rad > 0");
+    EXPECT_DEATH((void)direct_light(planes, gradients, light_from(10, 91), {}), "elevation_rad > 0");
 }
 
 TEST(DirectLight, PostsWithoutHeightAreLitAsLevelGround) {

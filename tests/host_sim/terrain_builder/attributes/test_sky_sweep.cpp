@@ -228,5 +228,73 @@ TEST(SkySweep, ThePyramidSeesWhatAnExhaustiveSearchSees) {
     EXPECT_LT(whole.darkest, 0.65);
 }
 
+/// Light that the ground returns, gathered every quarter of a post in 64 directions.
+double gathered(const AttributeTile& tile, const HalfPlanes& direct, const HeightPlanes& planes, int column, int row,
+                double rise_east, double rise_north, double level_light) {
+    constexpr int kAzimuths = 64;
+    const double up = 1 / std::sqrt(1 + rise_east * rise_east + rise_north * rise_north);
+    const auto bilinear = [&](const auto& value, double x, double y) {
+        const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+        const double u = x - i, v = y - j;
+        return (value(i, j) * (1 - u) + value(i + 1, j) * u) * (1 - v) +
+               (value(i, j + 1) * (1 - u) + value(i + 1, j + 1) * u) * v;
+    };
+    const auto height_m = [&](int i, int j) { return static_cast<double>(tile.height_m[post_of(tile, i, j)]); };
+    const auto lit = [&](int i, int j) { return static_cast<double>(direct[at_post][planes.at(i, j)]); };
+    double sum = 0;
+    for (int k = 0; k < kAzimuths; ++k) {
+        const double azimuth = 2 * kPi * k / kAzimuths, e = std::sin(azimuth), n = std::cos(azimuth);
+        const double rise = rise_east * e + rise_north * n;
+        const auto arriving = [&](double tangent) {
+            const double zenith = kPi / 2 - std::atan(tangent);
+            return up * std::pow(std::sin(zenith), 2) - rise * up * (zenith - std::sin(zenith) * std::cos(zenith));
+        };
+        double highest = rise;
+        for (double d = 0.25; d <= kHorizonReach / std::max(std::abs(e), std::abs(n)) - 1e-9; d += 0.25) {
+            const double x = column + d * e, y = row - d * n, far_m = d * tile.north_m;
+            const double tangent = (bilinear(height_m, x, y) - height_m(column, row)) / far_m - far_m / 2 / 6371000;
+            if (tangent <= highest) continue;
+            sum += bilinear(lit, x, y) * (arriving(highest) - arriving(tangent));
+            highest = tangent;
+        }
+        if (highest < 0) sum += level_light * (arriving(highest) - arriving(0));
+    }
+    return sum / kAzimuths;
+}
+
+TEST(SkySweep, BounceIsWhatAFineGatherFinds) {
+    const FractalTerrain fractal = make_fractal_terrain(129, 3);
+    const AttributeTile tile = make_tile(48, 48, 12, 12, [&](int i, int j) {
+        return fractal.at(static_cast<std::uint32_t>(i + 36), static_cast<std::uint32_t>(j + 36));
+    });
+    OneTile ground(tile);
+    FixedLight light;
+    light.elevation_rad = base::radians(25);
+    ground.direct = direct_light(ground.planes, ground.gradients, light, {});
+    OneTile opposite(tile);
+    light.azimuth_rad += kPi;
+    opposite.direct = direct_light(ground.planes, ground.gradients, light, {});
+    const auto level_light = static_cast<float>(std::sin(light.elevation_rad));
+    double squares = 0, opposite_squares = 0, brightest = 0, darkest = 1;
+    int count = 0;
+    for (int row = 1; row < 48; row += 5) {
+        for (int column = 2; column < 48; column += 5, ++count) {
+            const std::size_t at = ground.planes.at(column, row);
+            const double truth =
+                gathered(tile, ground.direct, ground.planes, column, row, static_cast<double>(ground.gradients.east[at]),
+                         static_cast<double>(ground.gradients.north[at]), static_cast<double>(level_light));
+            const double error = ground.at(column, row, level_light).bounce[0] - truth;
+            squares += error * error;
+            opposite_squares += std::pow(opposite.at(column, row, level_light).bounce[0] - truth, 2);
+            brightest = std::max(brightest, truth);
+            darkest = std::min(darkest, truth);
+        }
+    }
+    EXPECT_LT(std::sqrt(squares / count), 0.012) << "16 directions, and strips that end at posts";
+    EXPECT_GT(opposite_squares, 4 * squares) << "of light from the other side";
+    EXPECT_GT(brightest, 0.1);
+    EXPECT_LT(darkest, 0.01);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim

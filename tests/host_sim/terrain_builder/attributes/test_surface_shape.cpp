@@ -38,6 +38,26 @@ TEST(SurfaceShape, APlaneHasItsNormalAtEveryPostAndNoCurvature) {
     }
 }
 
+// Whole metres on posts 30 m apart: steps of the heights turn the normal by less than a degree.
+TEST(SurfaceShape, HeightsInWholeMetresKeepTheNormalOfAPlane) {
+    double worst_deg = 0;
+    for (const double rise : {0.013, 0.07, 0.21, 0.55}) {
+        const AttributeTile tile =
+            make_tile(60, 1, 30, 30, [&](int i, int j) { return std::round(700 + 30 * rise * (i - 0.37 * j)); });
+        const HeightPlanes planes(tile);
+        const Gradients gradients(planes);
+        const double length = std::sqrt(1 + rise * rise * (1 + 0.37 * 0.37));
+        for (int column = 0; column < tile.columns; ++column) {
+            const std::size_t at = planes.at(column, 0);
+            const NormalLanes n = normal_of(load(&gradients.east[at]), load(&gradients.north[at]));
+            const double cosine = (-rise * n.east[0] - 0.37 * rise * n.north[0] + n.up[0]) / length;
+            worst_deg = std::max(worst_deg, base::degrees(std::acos(std::min(1.0, cosine))));
+        }
+    }
+    EXPECT_LT(worst_deg, 0.96);
+    EXPECT_GT(worst_deg, 0.1) << "whole metres do show";
+}
+
 // All 2^9 patterns of voids in the stencil: a plane keeps its rises wherever two posts of a line are left, and is level
 // where none is.
 TEST(SurfaceShape, VoidsInTheStencilDoNotBendAPlane) {
