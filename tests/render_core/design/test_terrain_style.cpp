@@ -1,0 +1,109 @@
+#include "render_core/design/terrain_style.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render_core/base/config_reader.hpp"
+
+namespace tedavis::design {
+namespace {
+
+struct ReadStyle {
+    TerrainStyle style;
+    std::string error;
+};
+
+ReadStyle read(const std::string& text) {
+    base::ConfigReader reader(text, "d.toml");
+    base::ConfigSection root = reader.root();
+    base::ConfigSection terrain = root.section("terrain");
+    ReadStyle read;
+    read_terrain_style(terrain, read.style);
+    if (!reader.finish()) read.error = std::string(reader.error().sentence.view());
+    return read;
+}
+
+TEST(TerrainStyle, AnEmptySectionLeavesTheDefault) {
+    const ReadStyle none = read("[terrain]\n");
+    EXPECT_EQ(none.error, "");
+    EXPECT_TRUE(same_programs(none.style, TerrainStyle{}));
+    EXPECT_FALSE(has_lines(none.style.sketch));
+}
+
+TEST(TerrainStyle, EveryNameIsReadAsItsTechnique) {
+    for (std::size_t n = 0; n < kTerrainTextures; ++n) {
+        const ReadStyle got = read("[terrain.texture]\ntechnique = \"" + std::string(kTerrainTextureNames[n]) + "\"\n");
+        EXPECT_EQ(got.error, "");
+        EXPECT_EQ(static_cast<std::size_t>(got.style.texture), n);
+    }
+    for (std::size_t n = 0; n < kTerrainShades; ++n) {
+        const ReadStyle got = read("[terrain.shade]\ntechnique = \"" + std::string(kTerrainShadeNames[n]) + "\"\n");
+        EXPECT_EQ(got.error, "");
+        EXPECT_EQ(static_cast<std::size_t>(got.style.shade.technique), n);
+    }
+}
+
+TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
+    const ReadStyle got = read(
+        "[terrain.shade]\ntechnique = 'lights'\n[[terrain.shade.light]]\nazimuth_deg = 180\nelevation_deg = 30\nweight = 0.5\n"
+        "[[terrain.shade.light]]\nazimuth_deg = 90\n");
+    ASSERT_EQ(got.error, "");
+    ASSERT_EQ(got.style.shade.light_count, 2u);
+    EXPECT_DOUBLE_EQ(got.style.shade.lights[0].azimuth_rad, base::kPi);
+    EXPECT_DOUBLE_EQ(got.style.shade.lights[0].elevation_rad, base::kPi / 6);
+    EXPECT_DOUBLE_EQ(got.style.shade.lights[0].weight, 0.5);
+    EXPECT_DOUBLE_EQ(got.style.shade.lights[1].weight, 1);
+}
+
+TEST(TerrainStyle, FaultsNameFileLineAndWhatToDo) {
+    EXPECT_NE(read("[terrain.texture]\ntechnique = 'velvet'\n").error.find("d.toml:2"), std::string::npos);
+    EXPECT_NE(read("[terrain.sketch]\nridges = 1.5\n").error.find("d.toml:2"), std::string::npos);
+    EXPECT_NE(read("[terrain.sketch]\nline_color = 'ink'\n").error.find("#rrggbb"), std::string::npos);
+    EXPECT_NE(read("[terrain.sketch]\nridgess = 1\n").error.find("ridgess"), std::string::npos);
+    std::string five = "[terrain.shade]\n";
+    for (int n = 0; n < 5; ++n) five += "[[terrain.shade.light]]\nazimuth_deg = 10\n";
+    EXPECT_NE(read(five).error.find("at most 4"), std::string::npos);
+}
+
+TEST(TerrainStyle, OnlyTheMapsThatATechniqueReadsAreNeeded) {
+    TerrainStyle bare;
+    bare.texture = TerrainTexture::plain;
+    bare.shade.technique = TerrainShade::none;
+    for (std::size_t map = 0; map < kBakedMaps; ++map) EXPECT_FALSE(needs_map(bare, static_cast<BakedMap>(map)));
+    TerrainStyle style = bare;
+    style.sketch.silhouettes = 1;  // from the depth alone
+    EXPECT_FALSE(needs_map(style, BakedMap::form));
+    style.sketch.valleys = 1;
+    EXPECT_TRUE(needs_map(style, BakedMap::form));
+    EXPECT_FALSE(needs_map(style, BakedMap::light));
+    style = bare;
+    style.texture = TerrainTexture::local_relief;
+    EXPECT_TRUE(needs_map(style, BakedMap::light));
+    style = bare;
+    style.shade.technique = TerrainShade::aperture;
+    EXPECT_TRUE(needs_map(style, BakedMap::aperture));
+    style = bare;
+    style.shade.cast_shadows = true;
+    EXPECT_TRUE(needs_map(style, BakedMap::horizon));
+    style = bare;
+    style.texture = TerrainTexture::image;
+    EXPECT_TRUE(needs_map(style, BakedMap::drape));
+}
+
+TEST(TerrainStyle, ParametersMayChangeWhileRunningTechniquesMayNot) {
+    TerrainStyle a, b;
+    b.shade.ambient = 0.9;
+    b.sketch.line = {1, 2, 3};
+    b.plain = {4, 5, 6};
+    EXPECT_TRUE(same_programs(a, b));
+    b.sketch.contours = 0.5;
+    EXPECT_FALSE(same_programs(a, b));
+    a.sketch.contours = 1;
+    EXPECT_TRUE(same_programs(a, b));
+    b.texture = TerrainTexture::slope;
+    EXPECT_FALSE(same_programs(a, b));
+}
+
+}  // namespace
+}  // namespace tedavis::design

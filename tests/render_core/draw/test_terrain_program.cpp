@@ -1,0 +1,96 @@
+#include "render_core/draw/terrain_program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using design::TerrainShade;
+using design::TerrainStyle;
+using design::TerrainTexture;
+using test_support::GlSession;
+
+TerrainVariant full_variant() {
+    TerrainVariant variant;
+    variant.bands = 2;
+    variant.baked = variant.lifted = variant.outlined = true;
+    for (bool& map : variant.maps) map = true;
+    return variant;
+}
+
+/// Every technique once, most of them together with others.
+std::vector<TerrainStyle> styles() {
+    std::vector<TerrainStyle> all;
+    for (std::size_t texture = 0; texture < design::kTerrainTextures; ++texture) {
+        TerrainStyle style;
+        style.texture = static_cast<TerrainTexture>(texture);
+        style.shade.technique = static_cast<TerrainShade>(texture % design::kTerrainShades);
+        style.shade.light_count = 1 + texture % design::kMaxLights;
+        style.shade.cast_shadows = texture % 2 == 0;
+        style.shade.ambient_occlusion = texture % 3 == 0 ? 0.5 : 0;
+        style.shade.openness = texture % 3 == 1 ? 0.5 : 0;
+        style.sketch.contours = texture % 2 == 1 ? 1 : 0;
+        style.sketch.illuminated = texture % 4 == 1;
+        style.sketch.ridges = texture % 3 == 2 ? 1 : 0;
+        style.sketch.suggestive_contours = texture % 4 == 2 ? 1 : 0;
+        style.sketch.hatching = texture % 4 == 3 ? 1 : 0;
+        style.sketch.stippling = texture % 5 == 0 ? 1 : 0;
+        all.push_back(style);
+    }
+    return all;
+}
+
+TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        GlSession session("egl", device);
+        std::vector<int> seen(kTerrainUniforms, 0);
+        for (const TerrainStyle& style : styles())
+            for (const bool baked : {true, false}) {
+                TerrainVariant variant = full_variant();
+                variant.baked = baked;
+                auto program = build_terrain_program(session.gl, style, variant);
+                ASSERT_TRUE(program.ok()) << program.error().sentence.view();
+                for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
+                program.value().destroy(session.gl);
+            }
+        // A misspelt name would never be found.
+        for (std::size_t n = 0; n < kTerrainUniforms; ++n)
+            if (n != kDrapeScale && n != kDrapeMap) EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
+        session.gl.seal();
+        session.gl.retire();
+    }
+}
+
+TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {
+    TerrainStyle bare;
+    bare.texture = TerrainTexture::plain;
+    bare.shade.technique = TerrainShade::none;
+    TerrainVariant variant;
+    EXPECT_EQ(terrain_defines(bare, variant).view(), "");
+    variant.baked = true;
+    for (bool& map : variant.maps) map = true;
+    EXPECT_EQ(terrain_defines(bare, variant).view(), "#define BAKED 1\n");  // no technique reads a map
+}
+
+TEST(TerrainProgram, AMapThatIsNotThereIsNotRead) {
+    TerrainStyle style;
+    TerrainVariant variant;
+    variant.baked = true;
+    EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_"), std::string::npos);
+    variant.maps[static_cast<std::size_t>(design::BakedMap::form)] = true;
+    EXPECT_NE(std::string(terrain_defines(style, variant).view()).find("#define MAP_FORM 1\n"), std::string::npos);
+    variant.baked = false;
+    EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_"), std::string::npos);
+}
+
+TEST(TerrainProgram, TheLongestListOfDefinesIsNotCut) {
+    for (const TerrainStyle& style : styles()) EXPECT_FALSE(terrain_defines(style, full_variant()).cut());
+}
+
+}  // namespace
+}  // namespace tedavis::draw
