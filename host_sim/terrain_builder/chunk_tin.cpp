@@ -12,7 +12,8 @@ namespace {
 using terrain::PostClass;
 
 constexpr std::uint32_t kNone = DelaunayMesh::kNone;
-constexpr std::size_t kMostVertices = 65536;  // what 16-bit indices name
+constexpr std::size_t kFewestNear = 10, kMostNear = 100;  // triangles searched round a miss
+constexpr std::size_t kMostVertices = 65536;              // what 16-bit indices name
 
 MeshPost place_of(const TinPost& post) { return {post.i, post.j}; }
 
@@ -61,6 +62,16 @@ struct Offer {
     bool operator<(const Offer& o) const { return error_m != o.error_m ? error_m < o.error_m : order > o.order; }
 };
 
+/// A triangle that misses the true surface by too much.
+struct Flaw {
+    TinMiss miss;
+    std::uint32_t triangle, change;
+
+    bool operator<(const Flaw& o) const {
+        return miss.error_m != o.miss.error_m ? miss.error_m < o.miss.error_m : triangle > o.triangle;
+    }
+};
+
 class ChunkTin {
 public:
     explicit ChunkTin(const TinInput& input) : in_(input), mesh_(border_places(input)), vertices_(input.border) {
@@ -69,12 +80,8 @@ public:
     }
 
     [[nodiscard]] Tin run() {
-        const std::size_t capacity = std::min<std::size_t>(in_.max_vertices, kMostVertices);
-        while (!offers_.empty() && vertices_.size() < capacity && offers_.top().error_m > in_.tolerance_m) {
-            const Offer offer = offers_.top();
-            offers_.pop();
-            if (offer.change == holdings_[offer.triangle].change) insert(offer);
-        }
+        mend_candidates();
+        if (in_.miss != nullptr) mend_misses();
         Tin tin;
         for (const DelaunayMesh::Triangle& t : mesh_.triangles())
             for (const std::uint32_t corner : t.corner) tin.triangles.push_back(static_cast<std::uint16_t>(corner));
@@ -87,7 +94,7 @@ private:
     /// What a triangle has: its candidates as a list through next_, and its error.
     struct Holding {
         std::uint32_t first = kNone;
-        std::uint32_t change = 0;
+        std::uint32_t change = 0, measured = 0;  // counts of changes; whose miss is known
         double error_m = 0;
     };
     /// A triangle round the vertex just inserted; (di, dj) leads from the vertex to its corner 1.
@@ -131,9 +138,70 @@ private:
         return fit;
     }
 
-    void insert(const Offer& offer) {
-        const TinPost post = in_.candidates[offer.candidate];
-        mesh_.insert(place_of(post), offer.triangle);
+    [[nodiscard]] bool is_full() const { return vertices_.size() >= std::min<std::size_t>(in_.max_vertices, kMostVertices); }
+
+    void mend_candidates() {
+        while (!offers_.empty() && !is_full()) {
+            const Offer offer = offers_.top();
+            offers_.pop();
+            if (offer.change == holdings_[offer.triangle].change) insert(offer.candidate, offer.triangle);
+        }
+    }
+
+    void mend_misses() {
+        for (measure_changed(); !flaws_.empty() && !is_full(); measure_changed()) {
+            const Flaw flaw = flaws_.top();
+            flaws_.pop();
+            if (flaw.change != holdings_[flaw.triangle].change) continue;
+            const auto [candidate, holder] = nearest_to(flaw.miss, flaw.triangle);
+            if (candidate == kNone) continue;
+            insert(candidate, holder);
+            mend_candidates();
+            if (flaw.change == holdings_[flaw.triangle].change) flaws_.push(flaw);  // not reached yet
+        }
+    }
+
+    void measure_changed() {
+        for (const std::uint32_t triangle : changed_) {
+            Holding& holding = holdings_[triangle];
+            if (holding.measured == holding.change) continue;
+            holding.measured = holding.change;
+            const DelaunayMesh::Triangle& t = mesh_.triangles()[triangle];
+            const TinMiss miss = in_.miss(in_.context, vertices_[t.corner[0]], vertices_[t.corner[1]], vertices_[t.corner[2]]);
+            if (miss.error_m > in_.miss_tolerance_m) flaws_.push({miss, triangle, holding.change});
+        }
+        changed_.clear();
+    }
+
+    struct Held {
+        std::uint32_t candidate = kNone, triangle = kNone;
+    };
+
+    /// Among the candidates of the triangles round one: kFewestNear of them, more while there is none.
+    [[nodiscard]] Held nearest_to(const TinMiss& miss, std::uint32_t triangle) {
+        Held nearest;
+        double least = std::numeric_limits<double>::infinity();
+        near_.assign(1, triangle);
+        for (std::size_t at = 0; at < near_.size() && at < kMostNear; ++at) {
+            if (at >= kFewestNear && nearest.candidate != kNone) break;
+            const std::uint32_t holder = near_[at];
+            for (std::uint32_t n = holdings_[holder].first; n != kNone; n = next_[n]) {
+                const TinPost& post = in_.candidates[n];
+                const double distance = (post.i - miss.i) * (post.i - miss.i) + (post.j - miss.j) * (post.j - miss.j);
+                if (distance > least) continue;
+                if (distance == least && reading_order(in_.candidates[nearest.candidate]) < reading_order(post)) continue;
+                least = distance;
+                nearest = {n, holder};
+            }
+            for (const std::uint32_t beyond : mesh_.triangles()[holder].beyond)
+                if (beyond != kNone && std::find(near_.begin(), near_.end(), beyond) == near_.end()) near_.push_back(beyond);
+        }
+        return nearest;
+    }
+
+    void insert(std::uint32_t candidate, std::uint32_t triangle) {
+        const TinPost post = in_.candidates[candidate];
+        mesh_.insert(place_of(post), triangle);
         vertices_.push_back(post);
         holdings_.resize(mesh_.triangles().size());
         lists_.clear();
@@ -189,6 +257,7 @@ private:
         Holding& holding = holdings_[triangle];
         holding.error_m = fit.error_m;
         ++holding.change;
+        changed_.push_back(triangle);
         if (holding.first == kNone) return;
         const bool hides_void = fit.void_inside && !fit.void_corner;
         std::uint32_t candidate = fit.worst;
@@ -222,8 +291,10 @@ private:
     std::vector<std::uint32_t> next_;  // the candidate behind one in its triangle's list
     std::vector<Holding> holdings_;    // by triangle
     std::priority_queue<Offer> offers_;
+    std::priority_queue<Flaw> flaws_;
+    std::vector<std::uint32_t> changed_;  // triangles whose miss is not known
     std::vector<Sector> round_;
-    std::vector<std::uint32_t> lists_;
+    std::vector<std::uint32_t> lists_, near_;
 };
 
 }  // namespace

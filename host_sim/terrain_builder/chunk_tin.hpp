@@ -19,6 +19,11 @@ struct TinPost {
     terrain::PostClass post_class = terrain::PostClass::land;
 };
 
+/// How far a flat triangle misses the true surface, and the place where.
+struct TinMiss {
+    double error_m = 0, i = 0, j = 0;
+};
+
 struct TinInput {
     std::uint32_t last_i = 0, last_j = 0;  ///< of the chunk: its domain is [0, last_i] x [0, last_j], at most 32768
     std::vector<TinPost> border;           ///< clockwise seen from above from the north-west corner, all four corners in it
@@ -28,7 +33,12 @@ struct TinInput {
     /// Metres by which a flat triangle of the given extent (posts east, posts south, northernmost row) can lie below the
     /// curved Earth: counts as error of every triangle. May be null.
     double (*curvature_m)(const void* context, std::uint32_t posts_east, std::uint32_t posts_south, std::uint32_t row) = nullptr;
-    const void* context = nullptr;
+    /// The miss of a flat triangle, asked once its candidates are within the tolerance. While it exceeds
+    /// `miss_tolerance_m`, the candidate nearest to the place is taken, of the triangle and its neighbours: between posts, where
+    /// sides cross the true surface's folds, a mesh can be far off though it is near at every post. May be null.
+    TinMiss (*miss)(const void* context, const TinPost& a, const TinPost& b, const TinPost& c) = nullptr;
+    double miss_tolerance_m = 0;
+    const void* context = nullptr;  ///< handed to both
 };
 
 struct Tin {

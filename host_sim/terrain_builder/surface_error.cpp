@@ -38,15 +38,35 @@ constexpr OnLine on_line(std::int32_t i, std::int32_t j) {
     return {i + j, i};
 }
 
+/// Lattice coordinates relative to the window.
+struct Place {
+    double i, j;
+};
+
+template <Folds folds>
+constexpr Place place_of(double line, double index) {
+    if (folds == Folds::rows) return {index, line};
+    if (folds == Folds::columns) return {line, index};
+    return {index, line - index};
+}
+
+struct Extreme {
+    double difference = 0;  // drawn minus true
+    Place place{};
+};
+
 class ErrorScan {
 public:
     ErrorScan(const PostWindowView& posts, const Corner (&corners)[3])
         : posts_(posts),
           columns_(static_cast<std::int32_t>(posts.columns)),
           rows_(static_cast<std::int32_t>(posts.rows)),
-          corners_(corners) {}
+          corners_(corners) {
+        highest_.place = lowest_.place = {static_cast<double>(corners[0].i), static_cast<double>(corners[0].j)};
+    }
 
-    [[nodiscard]] SignedError run(double area) {
+    [[nodiscard]] PlacedError run(double area) {
+        look_for_voids();
         scan_posts(area);
         for (int k = 0; k < 3; ++k) {
             const Corner &p = corners_[k], &q = corners_[(k + 1) % 3];
@@ -54,7 +74,9 @@ public:
             scan_side<Folds::columns>(p, q, columns_);
             scan_side<Folds::diagonals>(p, q, rows_ + columns_);
         }
-        return {highest_, std::abs(lowest_)};
+        const SignedError error{highest_.difference, std::abs(lowest_.difference)};
+        const Place place = error.above_m >= error.below_m ? highest_.place : lowest_.place;
+        return {error, place.i + static_cast<double>(posts_.i0), place.j + static_cast<double>(posts_.j0)};
     }
 
 private:
@@ -76,9 +98,27 @@ private:
         return has_cell(i, j) || has_cell(i - 1, j) || has_cell(i, j - 1) || has_cell(i - 1, j - 1);
     }
 
-    void include(double difference) {
-        highest_ = std::max(highest_, difference);
-        lowest_ = std::min(lowest_, difference);
+    /// Most triangles lie inside the window and have no void near: none of their places needs a closer look.
+    void look_for_voids() {
+        const auto [a, b, c] = corners_;
+        const std::int32_t west = std::min({a.i, b.i, c.i}), east = std::max({a.i, b.i, c.i});
+        const std::int32_t north = std::min({a.j, b.j, c.j}), south = std::max({a.j, b.j, c.j});
+        whole_ = west >= 0 && north >= 0 && east < columns_ && south < rows_;
+        for (std::int32_t j = std::max(north - 1, 0); whole_ && j <= std::min(south + 1, rows_ - 1); ++j)
+            whole_ = !has_void(j, {west - 1, east + 1});
+    }
+
+    [[nodiscard]] bool has_void(std::int32_t j, Range range) const {
+        const std::int32_t first = std::max(range.first, 0), last = std::min(range.last, columns_ - 1);
+        const PostClass* begin = posts_.post_class + at(first, j);
+        const auto bytes = static_cast<std::size_t>(last - first + 1);
+        return std::memchr(begin, static_cast<int>(PostClass::void_), bytes) != nullptr ||
+               std::memchr(begin, static_cast<int>(PostClass::outside), bytes) != nullptr;
+    }
+
+    void include(double difference, Place place) {
+        if (difference > highest_.difference) highest_ = {difference, place};
+        if (difference < lowest_.difference) lowest_ = {difference, place};
     }
 
     void scan_posts(double area) {
@@ -108,28 +148,16 @@ private:
     }
 
     void scan_row(std::int32_t j, Range range, double height_at_zero, double per_i) {
-        const bool whole = is_whole(j, range);
         const float* surface = posts_.surface_m + at(0, j);
-        double highest = highest_, lowest = lowest_;
-        for (std::int32_t i = range.first; i <= range.last; ++i) {
-            if (!whole && !touches_cell(i, j)) continue;
-            const double difference = height_at_zero + per_i * i - surface[i];
-            highest = std::max(highest, difference);
-            lowest = std::min(lowest, difference);
+        const auto difference = [&](std::int32_t i) { return height_at_zero + per_i * i - surface[i]; };
+        double highest = highest_.difference, lowest = lowest_.difference;
+        for (std::int32_t i = range.first; whole_ && i <= range.last; ++i) {
+            highest = std::max(highest, difference(i));
+            lowest = std::min(lowest, difference(i));
         }
-        highest_ = highest;
-        lowest_ = lowest;
-    }
-
-    /// No post of the cells round the range is void: none of its posts needs a closer look.
-    [[nodiscard]] bool is_whole(std::int32_t j, Range range) const {
-        if (columns_ < 2 || rows_ < 2) return false;
-        const std::int32_t west = std::max(range.first - 1, 0), east = std::min(range.last + 1, columns_ - 1);
-        const auto bytes = static_cast<std::size_t>(east - west + 1);
-        for (std::int32_t row = std::max(j - 1, 0); row <= std::min(j + 1, rows_ - 1); ++row)
-            for (const PostClass none : {PostClass::void_, PostClass::outside})
-                if (std::memchr(posts_.post_class + at(west, row), static_cast<int>(none), bytes) != nullptr) return false;
-        return true;
+        if (whole_ && highest == highest_.difference && lowest == lowest_.difference) return;
+        for (std::int32_t i = range.first; i <= range.last; ++i)
+            if (whole_ || touches_cell(i, j)) include(difference(i), {static_cast<double>(i), static_cast<double>(j)});
     }
 
     /// Where a side crosses folds between posts. Crossings at posts are visited as posts.
@@ -138,17 +166,26 @@ private:
         const bool turned = on_line<folds>(a.i, a.j).line > on_line<folds>(b.i, b.j).line;
         const Corner &from = turned ? b : a, &to = turned ? a : b;
         const OnLine p = on_line<folds>(from.i, from.j), q = on_line<folds>(to.i, to.j);
-        const std::int32_t length = q.line - p.line;
-        if (length == 0 || (q.index - p.index) % length == 0) return;
-        for (std::int32_t line = std::max(p.line + 1, 0); line < std::min(q.line, lines); ++line) {
-            const Fraction cut = divide((q.index - p.index) * (line - p.line), length);
+        const std::int32_t length = q.line - p.line, first = std::max(p.line + 1, 0), last = std::min(q.line, lines) - 1;
+        if (first > last) return;
+        const Fraction step = divide(q.index - p.index, length);
+        if (step.rest == 0) return;
+        Fraction cut = divide((q.index - p.index) * (first - p.line), length);
+        const double part = 1.0 / length, climb_m = (to.surface_m - from.surface_m) * part;
+        for (std::int32_t line = first; line <= last; ++line, cut = advanced(cut, step, length)) {
             const std::int32_t index = p.index + cut.whole;
-            if (cut.rest == 0 || !touches_cell_between<folds>(line, index)) continue;
-            const double share = static_cast<double>(line - p.line) / length, part = static_cast<double>(cut.rest) / length;
-            const double drawn = from.surface_m + (to.surface_m - from.surface_m) * share;
+            if (cut.rest == 0 || !(whole_ || touches_cell_between<folds>(line, index))) continue;
             const double before = surface_at<folds>(line, index), behind = surface_at<folds>(line, index + 1);
-            include(drawn - (before + (behind - before) * part));
+            const double share = cut.rest * part;
+            const double difference = from.surface_m + climb_m * (line - p.line) - (before + (behind - before) * share);
+            if (difference > highest_.difference || difference < lowest_.difference)
+                include(difference, place_of<folds>(line, index + share));
         }
+    }
+
+    [[nodiscard]] static Fraction advanced(Fraction at, Fraction step, std::int32_t divisor) {
+        const std::int32_t rest = at.rest + step.rest;
+        return rest < divisor ? Fraction{at.whole + step.whole, rest} : Fraction{at.whole + step.whole + 1, rest - divisor};
     }
 
     template <Folds folds>
@@ -169,12 +206,13 @@ private:
     const PostWindowView& posts_;
     const std::int32_t columns_, rows_;
     const Corner (&corners_)[3];
-    double highest_ = 0, lowest_ = 0;  // of drawn minus true
+    bool whole_ = false;  // inside the window and without voids
+    Extreme highest_, lowest_;
 };
 
 }  // namespace
 
-SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b, const MeshCorner& c) {
+PlacedError placed_triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b, const MeshCorner& c) {
     const auto relative = [&](const MeshCorner& corner) {
         return Corner{static_cast<std::int32_t>(corner.i - posts.i0), static_cast<std::int32_t>(corner.j - posts.j0),
                       corner.surface_m};
@@ -182,8 +220,12 @@ SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, con
     const Corner corners[3] = {relative(a), relative(b), relative(c)};
     const double area = static_cast<double>(b.i - a.i) * static_cast<double>(c.j - a.j) -
                         static_cast<double>(b.j - a.j) * static_cast<double>(c.i - a.i);
-    if (area == 0) return {};
+    if (area == 0) return {{}, static_cast<double>(a.i), static_cast<double>(a.j)};
     return ErrorScan(posts, corners).run(area);
+}
+
+SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b, const MeshCorner& c) {
+    return placed_triangle_error(posts, a, b, c).error;
 }
 
 }  // namespace tedavis::host_sim

@@ -27,14 +27,31 @@ struct MeshCorner {
 struct SignedError {
     double above_m = 0, below_m = 0;  ///< largest drawn minus true, largest true minus drawn; both >= 0
 
+    [[nodiscard]] double largest_m() const { return above_m > below_m ? above_m : below_m; }
     void include(const SignedError& other) {
         above_m = above_m > other.above_m ? above_m : other.above_m;
         below_m = below_m > other.below_m ? below_m : other.below_m;
     }
 };
 
+/// The error and a place where the larger of its two parts is met, in lattice coordinates. None: the first corner.
+struct PlacedError {
+    SignedError error;
+    double i = 0, j = 0;
+
+    void include(const PlacedError& other) {
+        if (other.error.largest_m() > error.largest_m()) {
+            i = other.i;
+            j = other.j;
+        }
+        error.include(other.error);
+    }
+};
+
 /// Over the part of the triangle inside the window's cells: windows that share their outermost posts cover a triangle
 /// together. Corners in any order, at most 32768 posts apart. Zero-area triangles have no error.
+[[nodiscard]] PlacedError placed_triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,
+                                                const MeshCorner& c);
 [[nodiscard]] SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,
                                          const MeshCorner& c);
 
