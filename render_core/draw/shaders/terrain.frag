@@ -65,6 +65,11 @@ VARYING vec2 v_ground;
 const float kSigned = 255.0 / 127.0;
 const float kZero = 128.0 / 127.0;
 
+float signed_root(float code) {
+    float root = code * kSigned - kZero;
+    return root * abs(root);
+}
+
 vec3 normal_of(vec2 code) {
     vec2 level = code * kSigned - kZero;
     return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
@@ -102,10 +107,9 @@ void main() {
 #elif defined(TEXTURE_SLOPE)
     color = palette_color(atan(length(n.xy), max(n.z, 0.0)));
 #elif defined(TEXTURE_RELIEF) && defined(MAP_LIGHT)
-    float relief = baked.b * kSigned - kZero;
-    color = palette_color(1000.0 * relief * abs(relief));
+    color = palette_color(1000.0 * signed_root(baked.b));
 #elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
-    color = palette_color((baked.g * kSigned - kZero + 1.0) * 1.5707963);
+    color = palette_color((1.0 + signed_root(baked.g)) * 1.5707963);
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
     color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.yz).rgb;
 #elif defined(TEXTURE_MATERIAL)
@@ -162,7 +166,7 @@ void main() {
     lit *= mix(1.0, form.z * form.z, occlusion.x);
 #endif
 #if defined(OCCLUSION) && defined(MAP_LIGHT)
-    lit *= mix(1.0, smoothstep(0.55, 1.02, baked.g * kSigned - kZero + 1.0), occlusion.y);
+    lit *= mix(1.0, smoothstep(0.55, 1.02, 1.0 + signed_root(baked.g)), occlusion.y);
 #endif
 #ifdef SHADED
     color = color * lit + shine * (1.0 - 0.5 * sea);
@@ -193,9 +197,9 @@ void main() {
 #endif
 #endif
 #if defined(FORM_LINES) && defined(MAP_FORM)
-    float bend = form.w * kSigned - kZero;
-    ink = max(ink, form_lines.x * smoothstep(0.20, 0.34, bend));
-    ink = max(ink, form_lines.y * smoothstep(0.20, 0.34, -bend));
+    float bend = signed_root(form.w);
+    ink = max(ink, form_lines.x * smoothstep(0.05, 0.11, bend));
+    ink = max(ink, form_lines.y * smoothstep(0.05, 0.11, -bend));
 #endif
 #if defined(SUGGESTIVE) && defined(MAP_FORM)
     // Radial curvature from three normals along the view's direction over the ground (DeCarlo et al. 2003, section 3).
