@@ -41,12 +41,13 @@ public:
 private:
     enum class State : std::uint8_t { empty, loading, ready, failed };
     struct Slot {
-        std::uint64_t last_frame;
+        std::uint64_t last_frame;  ///< 0: never used
         std::uint64_t retry_frame;
         std::uint32_t page_index;
         State state;
         bool pinned;
     };
+    [[nodiscard]] TdbFailure pin_top_level();
     [[nodiscard]] std::uint32_t slot_for(std::uint32_t page_index);
     void load(std::uint32_t slot);
     void poll(std::uint32_t slot);

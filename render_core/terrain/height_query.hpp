@@ -14,8 +14,8 @@ enum class HeightStatus : std::uint8_t { land, sea, void_, outside, damaged };
 
 struct HeightAnswer {
     HeightStatus status = HeightStatus::outside;
-    earth::MslHeight height;  ///< only for land and sea
-    earth::GeoidUndulation undulation;
+    earth::MslHeight height;            ///< only for land and sea
+    earth::GeoidUndulation undulation;  ///< everywhere, clamped to the database's border
 };
 
 class HeightQuery {
@@ -34,9 +34,11 @@ private:
     };
     struct KeptPage {
         std::uint32_t page_index;
-        std::uint64_t asked;
+        std::uint64_t asked;  ///< 0: empty
     };
+    [[nodiscard]] base::Span<std::uint8_t> payload(std::uint32_t kept) const;
     [[nodiscard]] const ChunkEntry* entry_of(const ChunkKey& key);
+    [[nodiscard]] const ChunkEntry* exact_over(std::uint32_t i, std::uint32_t j);
     [[nodiscard]] std::uint32_t chunk_over(std::uint32_t i, std::uint32_t j);
 
     const TerrainDatabase* database_ = nullptr;

@@ -15,7 +15,10 @@ public:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t max_entries);
+    /// kNone when it is not in it.
     [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
+    /// Gives a key that is in it another value.
+    void change(std::uint64_t key, std::uint32_t value);
     /// False when max_entries are in it. The key must not be in it yet.
     [[nodiscard]] bool insert(std::uint64_t key, std::uint32_t value);
     /// Does nothing when the key is not in it.

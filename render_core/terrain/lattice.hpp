@@ -21,6 +21,7 @@ struct LatticePoint {
     bool inside = false;
 };
 
+/// A header that TerrainDatabase::open() would not accept must not be given to it.
 class Lattice {
 public:
     Lattice() = default;
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] std::uint32_t columns() const { return columns_; }
     [[nodiscard]] std::uint32_t rows() const { return rows_; }
     [[nodiscard]] std::uint32_t levels() const { return levels_; }
+    [[nodiscard]] std::uint32_t flags() const { return flags_; }  ///< LatticeFlag
     [[nodiscard]] bool is_closed() const { return (flags_ & kLatticeClosed) != 0; }
 
     [[nodiscard]] double latitude_rad(std::uint32_t j) const;

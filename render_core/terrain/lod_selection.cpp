@@ -1,229 +1,145 @@
 #include "render_core/terrain/lod_selection.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+
+#include "render_core/terrain/lod_refinement.hpp"
+#include "render_core/terrain/projected_error.hpp"
 
 namespace tedavis::terrain {
 namespace {
 
-enum ChunkState : std::uint8_t { kUnseen = 0, kSplit = 1, kChosen = 2 };
+constexpr int kReachTries = 8;  // the first finds the largest lift; later ones only what a longer reach brings into view
+constexpr double kNotNeeded = -1;
 
-constexpr int kTauSteps = 60;  // 2^15 times the tau asked for: beyond that every chunk is a root
-
-struct Box {
-    glm::dvec3 centre;   ///< relative to the eye
-    glm::dvec3 axis[3];  ///< north, east, down
-    double half[3];
-};
-
-Box box_of(const ChunkEntry& entry, const View& view) {
-    Box box;
-    box.centre = glm::dvec3(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]) - view.eye;
-    for (int a = 0; a < 3; ++a) {
-        box.axis[a] = glm::dvec3(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
-        box.half[a] = entry.half_extent_m[a];
-    }
-    return box;
+/// A heap sort neither allocates nor recurses.
+template <class T, class Before>
+void sort(T* begin, T* end, const Before& before) {
+    std::make_heap(begin, end, before);
+    std::sort_heap(begin, end, before);
 }
 
-double reach_along(const Box& box, const glm::dvec3& direction) {
-    double reach = 0;
-    for (int a = 0; a < 3; ++a) reach += box.half[a] * std::abs(glm::dot(box.axis[a], direction));
-    return reach;
-}
-
-float distance_m(const ChunkEntry& entry, const View& view) {
-    return static_cast<float>(glm::length(glm::dvec3(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]) - view.eye));
-}
-
-double distance_to_grown_box(const Box& box, double grow_factor) {
-    double squared = 0;
-    for (int a = 0; a < 3; ++a) {
-        const double half = box.half[a] * (a < 2 ? grow_factor : 1.0);
-        const double outside = std::abs(glm::dot(box.centre, box.axis[a])) - half;
-        if (outside > 0) squared += outside * outside;
-    }
-    return std::sqrt(squared);
-}
-
-/// Selection of one tau over the whole tree.
-class Selector {
-public:
-    Selector(const TerrainDatabase& database, const View& view, base::Span<std::uint8_t> states, base::Span<ChunkIndex> work)
-        : db_(database), view_(view), states_(states), work_(work) {}
-
-    /// False when the work list overflows; then a larger tau must be tried.
-    [[nodiscard]] bool refine(double tau_px) {
-        for (std::uint8_t& state : states_) state = kUnseen;
-        count_ = 0;
-        const std::uint32_t top = db_.levels() - 1;
-        for (std::uint32_t j = 0; j < db_.grid_rows(top); ++j)
-            for (std::uint32_t i = 0; i < db_.grid_columns(top); ++i)
-                if (!choose(db_.at(top, i, j))) return false;
-        // `count_` grows while we walk: children are appended. Refused comparisons (NaN) refine.
-        for (std::size_t n = 0; n < count_; ++n) {
-            const ChunkIndex chunk = work_[n];
-            const ChunkEntry& entry = db_.entry(chunk);
-            if (entry.level > 0 && !is_outside_view(entry, view_) && !(projected_error_px(entry, view_) <= tau_px))
-                if (!split(chunk)) return false;
-        }
-        return balance();
-    }
-    [[nodiscard]] base::Span<ChunkIndex> candidates() const { return work_.subspan(0, count_); }
-    [[nodiscard]] bool is_chosen(ChunkIndex chunk) const { return states_[chunk] == kChosen; }
-
-    [[nodiscard]] std::uint8_t coarser_edges(ChunkIndex chunk) const {
-        const ChunkEntry& e = db_.entry(chunk);
-        const std::int64_t i = e.i, j = e.j;
-        return static_cast<std::uint8_t>((coarser_at(e.level, i, j - 1) ? 1 : 0) | (coarser_at(e.level, i + 1, j) ? 2 : 0) |
-                                         (coarser_at(e.level, i, j + 1) ? 4 : 0) | (coarser_at(e.level, i - 1, j) ? 8 : 0));
-    }
-
-private:
-    [[nodiscard]] bool choose(ChunkIndex chunk) {
-        if (count_ == work_.size()) return false;
-        states_[chunk] = kChosen;
-        work_[count_++] = chunk;
-        return true;
-    }
-    [[nodiscard]] bool split(ChunkIndex chunk) {
-        states_[chunk] = kSplit;
-        for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
-            const ChunkIndex child = db_.child(chunk, quadrant);
-            if (child != kNoChunk && !choose(child)) return false;
-        }
-        return true;
-    }
-    /// The chosen chunk that covers the place of (level, i, j), at that level or above; kNoChunk when it is finer or outside.
-    [[nodiscard]] ChunkIndex covering(std::uint32_t level, std::int64_t i, std::int64_t j) const {
-        for (std::uint32_t up = level; up < db_.levels(); ++up) {
-            const ChunkIndex chunk = db_.at(up, i >> (up - level), j >> (up - level));
-            if (chunk == kNoChunk || states_[chunk] == kSplit) return kNoChunk;
-            if (states_[chunk] == kChosen) return chunk;
-        }
-        return kNoChunk;
-    }
-    [[nodiscard]] bool coarser_at(std::uint32_t level, std::int64_t i, std::int64_t j) const {
-        const ChunkIndex chunk = covering(level, i, j);
-        return chunk != kNoChunk && db_.entry(chunk).level > level;
-    }
-    /// Splits neighbours that are more than one level coarser; each split can only make work for finer-to-coarser
-    /// pairs further on in the list, so one growing walk reaches all, repeated until nothing changes.
-    [[nodiscard]] bool balance() {
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (std::size_t n = 0; n < count_; ++n) {
-                if (!is_chosen(work_[n])) continue;
-                const ChunkEntry& e = db_.entry(work_[n]);
-                const std::int64_t beside[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-                for (const auto& step : beside) {
-                    const ChunkIndex other = covering(e.level, std::int64_t{e.i} + step[0], std::int64_t{e.j} + step[1]);
-                    if (other == kNoChunk || db_.entry(other).level <= e.level + 1u) continue;
-                    if (!split(other)) return false;
-                    changed = true;
-                }
-            }
-        }
-        return true;
-    }
-
-    const TerrainDatabase& db_;
-    const View& view_;
-    base::Span<std::uint8_t> states_;
-    base::Span<ChunkIndex> work_;
-    std::size_t count_ = 0;
-};
-
-LodResult collect(const TerrainDatabase& database, const View& view, const Selector& selector, const LodSettings& settings,
-                  double tau_px, base::Span<SelectedChunk> selected) {
-    LodResult result;
-    result.tau_reached_px = tau_px;
-    result.within_budget = true;
-    const std::size_t capacity = settings.max_chunks < selected.size() ? settings.max_chunks : selected.size();
-    for (const ChunkIndex chunk : selector.candidates()) {
-        const ChunkEntry& entry = database.entry(chunk);
-        if (!selector.is_chosen(chunk) || is_outside_view(entry, view)) continue;
-        if (result.chunks == capacity || result.triangles + entry.triangle_count > settings.max_triangles) {
-            result.within_budget = false;
-            return result;
-        }
-        const double error = projected_error_px(entry, view);
-        if (!(error <= result.worst_error_px)) {
-            result.worst_error_px = error;
-            result.worst_chunk = chunk;
-        }
-        selected[result.chunks++] = {chunk, selector.coarser_edges(chunk), static_cast<float>(error), distance_m(entry, view)};
-        result.triangles += entry.triangle_count;
-    }
-    return result;
-}
-
-/// Nearest first, so that a depth test spares the shading of what is hidden. A heap sort neither allocates nor recurses.
-void order_by_distance(base::Span<SelectedChunk> chunks) {
-    const auto nearer = [](const SelectedChunk& a, const SelectedChunk& b) {
-        return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.chunk < b.chunk;
-    };
-    std::make_heap(chunks.begin(), chunks.end(), nearer);
-    std::sort_heap(chunks.begin(), chunks.end(), nearer);
-}
-
-/// Raising tau never adds a chunk, so the least step that fits is found by bisection.
-template <typename Attempt>
-int least_step_that_fits(const Attempt& attempt) {
-    int too_small = 0, step = kTauSteps;
-    while (step - too_small > 1) {
-        const int middle = (too_small + step) / 2;
-        (attempt(middle).within_budget ? step : too_small) = middle;
-    }
-    return step;
+/// Nearest first, so that a depth test spares the shading of what is hidden.
+bool is_nearer(const SelectedChunk& a, const SelectedChunk& b) {
+    return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.key < b.key;
 }
 
 }  // namespace
 
-bool is_outside_view(const ChunkEntry& entry, const View& view) {
-    const Box box = box_of(entry, view);
-    const double depth = glm::dot(box.centre, view.forward);
-    if (depth + reach_along(box, view.forward) < view.near_m) return true;
-    const double tangents[2] = {view.half_width_tangent(), view.half_height_tangent()};
-    const glm::dvec3 sides[2] = {view.right, view.down};
-    for (int a = 0; a < 2; ++a) {
-        for (const double sign : {-1.0, 1.0}) {
-            const glm::dvec3 inward = view.forward * tangents[a] + sides[a] * sign;
-            if (glm::dot(box.centre, inward) + reach_along(box, inward) < 0) return true;
-        }
+const char* to_string(LodStop reason) noexcept {
+    switch (reason) {
+        case LodStop::met: return "met";
+        case LodStop::triangles: return "triangles";
+        case LodStop::chunks: return "chunks";
+        case LodStop::milliseconds: return "milliseconds";
+        case LodStop::nodes: return "nodes";
+        case LodStop::not_arrived: return "not_arrived";
+        case LodStop::at_data_limit: return "at_data_limit";
     }
-    return false;
+    return "unknown";
 }
 
-double projected_error_px(const ChunkEntry& entry, const View& view) {
-    if (entry.bound_m == 0) return 0;
-    const Box box = box_of(entry, view);
-    const double tx = view.half_width_tangent(), ty = view.half_height_tangent();
-    const double corner = 1.0 + tx * tx + ty * ty;
-    const double distance = distance_to_grown_box(box, 2.0);
-    const double by_distance = entry.bound_m * view.focal_px * corner / std::fmax(distance, view.near_m);
-    // A tighter bound where the whole grown box lies well ahead: its least depth.
-    Box grown = box;
-    grown.half[0] *= 2.0;
-    grown.half[1] *= 2.0;
-    const double depth = glm::dot(box.centre, view.forward) - reach_along(grown, view.forward);
-    const double by_depth = depth > view.near_m ? entry.bound_m * view.focal_px * std::sqrt(corner) / depth : by_distance;
-    return std::fmin(by_distance, by_depth);
+std::uint64_t LodSelector::bytes_needed(std::uint32_t nodes) {
+    return LodTree::bytes_needed(nodes) + nodes * sizeof(NodeIndex) + alignof(NodeIndex);
 }
 
-LodResult select_chunks(const TerrainDatabase& database, const View& view, const LodSettings& settings,
-                        base::Span<std::uint8_t> states, base::Span<ChunkIndex> work, base::Span<SelectedChunk> selected) {
-    TEDAVIS_CHECK(states.size() >= database.chunk_count());
-    Selector selector(database, view, states.subspan(0, database.chunk_count()), work);
-    const auto attempt = [&](int step) {
-        const double tau = settings.tau_px * std::exp2(0.25 * step);
-        return selector.refine(tau) ? collect(database, view, selector, settings, tau, selected) : LodResult{};
-    };
-    LodResult result = attempt(0);
-    if (!result.within_budget) result = attempt(least_step_that_fits(attempt));
-    order_by_distance(selected.subspan(0, result.chunks));
+bool LodSelector::start(base::Arena& arena, std::uint32_t nodes) {
+    heap_ = arena.allocate_array<NodeIndex>(nodes);
+    return !heap_.empty() && tree_.start(arena, nodes);
+}
+
+LodResult LodSelector::select(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
+                              base::Span<SelectedChunk> selected) {
+    LodSettings limits = settings;
+    if (selected.size() < limits.max_chunks) limits.max_chunks = static_cast<std::uint32_t>(selected.size());
+    LodRefinement refinement(catalogue, view, limits, kind, tree_, heap_);
+    // Lifts stretch the boxes, and how far is known only when all is chosen.
+    double reach_m = 0;
+    bool fits = true;
+    for (int tries = 0; tries < kReachTries; ++tries) {
+        fits = refine(refinement, limits, reach_m);
+        if (!limits.conservative_up || double{refinement.largest_lift_m()} <= reach_m) break;
+        reach_m = double{refinement.largest_lift_m()};
+    }
+    LodResult result;
+    result.tau_reached_px = limits.tau_px;
+    result.reason = refinement.stop();
+    if (!fits) return result;
+    result.within_budget = true;
+    result.triangles = refinement.triangles();
+    result.predicted_ms = refinement.milliseconds();
+    collect(catalogue, view, limits, kind, refinement, selected, result);
+    sort(selected.begin(), selected.begin() + result.chunks, is_nearer);
     return result;
+}
+
+/// Where a budget ends the refinement, once more in the order in which errors are seen.
+bool LodSelector::refine(LodRefinement& refinement, const LodSettings& settings, double reach_m) {
+    if (!refinement.run(Priority::error, reach_m)) return false;
+    return refinement.stop() == LodStop::met || settings.haze_per_m == 0 || refinement.run(Priority::seen_error, reach_m);
+}
+
+void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
+                          const LodRefinement& refinement, base::Span<SelectedChunk> selected, LodResult& result) const {
+    for (NodeIndex n = 0; n < tree_.size(); ++n) {
+        const LodNode& node = tree_.node(n);
+        if (!node.is_leaf || !node.is_visible) continue;
+        const SlotIndex slot = catalogue.available_slot(node.key);
+        if (kind == SelectionKind::drawn && slot == kNoSlot) continue;  // a root that did not arrive
+        SelectedChunk chunk;
+        chunk.key = node.key;
+        chunk.entry = node.entry;
+        chunk.slot = slot;
+        chunk.coarser_edges = tree_.coarser_edges(node.key);
+        chunk.distance_m = distance_m(*node.entry, view);
+        double error_px = node.error_px;
+        NodeIndex cause = n;
+        if (settings.conservative_up) {
+            const LiftedLeaf lifted = lift_of_leaf(tree_, n, refinement.poles());
+            error_px = drawn_error_px(*node.entry, view, chunk.coarser_edges, lifted.largest.lift_m);
+            chunk.lift = lifted.lift;
+            if (node.error_px <= settings.tau_px) cause = lifted.largest.leaf;
+        }
+        chunk.error_px = static_cast<float>(error_px);
+        selected[result.chunks++] = chunk;
+        if (result.chunks > 1 && error_px <= result.worst_error_px) continue;
+        result.worst_error_px = error_px;
+        result.worst_chunk = node.key;
+        result.reason = static_cast<LodStop>(tree_.node(cause).blocked);
+    }
+    if (result.worst_error_px <= settings.tau_px)
+        result.reason = LodStop::met;
+    else if (result.reason == LodStop::met)
+        result.reason = refinement.stop();
+    result.tau_reached_px = std::max(settings.tau_px, result.worst_error_px);
+}
+
+std::uint32_t LodSelector::wanted(base::Span<WantedChunk> out) {
+    const NodeIndex count = tree_.size();
+    std::uint32_t needed = 0;
+    for (NodeIndex n = 0; n < count; ++n) tree_.node(n).priority = kNotNeeded;
+    // Children come after their parents, so that backwards every need has come up when it is passed on.
+    for (NodeIndex n = count; n-- > 0;) {
+        LodNode& node = tree_.node(n);
+        if (node.is_leaf && node.is_visible) node.priority = std::max(node.priority, shown_without(n));
+        if (node.priority == kNotNeeded) continue;
+        heap_[needed++] = n;
+        if (node.parent == kNoNode) continue;
+        double& above = tree_.node(node.parent).priority;
+        above = std::max({above, node.priority, shown_without(node.parent)});
+    }
+    sort(heap_.begin(), heap_.begin() + needed, [this](NodeIndex a, NodeIndex b) {
+        const LodNode &first = tree_.node(a), &second = tree_.node(b);
+        return first.priority != second.priority ? first.priority > second.priority : first.key < second.key;
+    });
+    const auto written = static_cast<std::uint32_t>(std::min<std::size_t>(needed, out.size()));
+    for (std::uint32_t n = 0; n < written; ++n) out[n] = {tree_.node(heap_[n]).key, tree_.node(heap_[n]).entry};
+    return written;
+}
+
+/// The error in the picture as long as a chunk is not there: its parent's.
+double LodSelector::shown_without(NodeIndex node) const {
+    const NodeIndex parent = tree_.node(node).parent;
+    return parent == kNoNode ? std::numeric_limits<double>::max() : tree_.node(parent).error_px;
 }
 
 }  // namespace tedavis::terrain

@@ -19,6 +19,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/terrain/chunk_catalogue.hpp"
+#include "render_core/terrain/chunk_lift.hpp"
 #include "render_core/terrain/lod_tree.hpp"
 #include "render_core/terrain/part_cache.hpp"
 #include "render_core/terrain/view.hpp"
@@ -39,13 +40,6 @@ struct LodSettings {
     CostModel cost;
     double haze_per_m = 0;
     bool conservative_up = false;
-};
-
-/// Corners in the order of quadrants (bit 0 east, bit 1 south), edges north, east, south, west.
-struct ChunkLift {
-    float own_m = 0;
-    float edge_m[4]{};
-    float corner_m[4]{};
 };
 
 struct SelectedChunk {
@@ -78,6 +72,8 @@ struct LodResult {
     bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn
 };
 
+class LodRefinement;
+
 class LodSelector {
 public:
     /// `nodes`: chunks that one selection may look at, roots and hidden ones included; 4 times the chunks drawn is plenty.
@@ -95,8 +91,13 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t nodes);
 
 private:
+    [[nodiscard]] static bool refine(LodRefinement& refinement, const LodSettings& settings, double reach_m);
+    void collect(const ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
+                 const LodRefinement& refinement, base::Span<SelectedChunk> selected, LodResult& result) const;
+    [[nodiscard]] double shown_without(NodeIndex node) const;
+
     LodTree tree_;
-    base::Span<std::uint32_t> heap_;
+    base::Span<NodeIndex> heap_;
 };
 
 }  // namespace tedavis::terrain

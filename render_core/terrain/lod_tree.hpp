@@ -14,14 +14,15 @@ inline constexpr NodeIndex kNoNode = KeyMap::kNone;
 
 struct LodNode {
     ChunkKey key;
-    NodeIndex parent;
+    NodeIndex parent;  ///< kNoNode: a root
     const ChunkEntry* entry;
-    double error_px;
-    double priority;
+    double error_px;  ///< of its mesh; 0 out of view
+    double priority;  ///< the selection's
     bool is_leaf;
     bool is_visible;
-    bool is_queued;
-    std::uint8_t blocked;  ///< LodStop: why it was not split
+    bool is_tried;         ///< a split was tried: it has happened or will not
+    bool is_queued;        ///< to be tried
+    std::uint8_t blocked;  ///< LodStop: why it has not
 };
 
 class LodTree {
@@ -38,7 +39,7 @@ public:
     /// A new leaf; there must be room. Parents come before their children.
     NodeIndex add(const ChunkKey& key, const ChunkEntry* entry, NodeIndex parent);
 
-    /// Sides beyond which the leaves are coarser.
+    /// Sides of a leaf beyond which the leaves are coarser.
     [[nodiscard]] std::uint8_t coarser_edges(const ChunkKey& key) const;
     /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice.
     [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j) const;

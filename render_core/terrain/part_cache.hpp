@@ -75,19 +75,38 @@ private:
     enum class State : std::uint8_t { empty, loading, ready, failed };
     struct Slot {
         ChunkEntry entry;
-        std::uint64_t key;           ///< packed; 0: free
-        std::uint64_t wanted;        ///< last frame
-        std::uint64_t first_wanted;  ///< exact: the oldest frame of the window
-        std::uint64_t asked;         ///< frame in which the read began
-        std::uint64_t retry;
+        std::uint64_t key;     ///< packed; 0: free
+        std::uint64_t wanted;  ///< last frame
+        std::uint64_t asked;   ///< frame in which the read began
+        std::uint64_t retry;   ///< frame from which a failed one is tried again
+        std::uint32_t age;     ///< exact: frames since it was first wanted, within the window
         std::uint32_t generation;
         State state;
         bool pinned;
     };
+    /// What was wanted in one frame, as far as it claimed slots.
     struct History {
         base::Span<std::uint64_t> keys;
         std::uint32_t count = 0;
+        std::uint64_t frame = 0;
     };
+    [[nodiscard]] bool start_history(base::Arena& records);
+    [[nodiscard]] base::Span<std::uint8_t> bytes_of(std::uint32_t slot) const;
+    [[nodiscard]] bool content_holds(std::uint32_t slot) const;
+    /// It has such a part, and no pinned one.
+    [[nodiscard]] bool needs_slot(const WantedChunk& chunk) const;
+    [[nodiscard]] bool is_available(const Slot& slot) const;
+    [[nodiscard]] std::uint32_t oldest_unwanted() const;
+    [[nodiscard]] std::uint32_t take(std::uint32_t slot, const WantedChunk& chunk);
+    void release(std::uint32_t slot);
+    void want_exactly(base::Span<const WantedChunk> chunks);
+    void claim(base::Span<const WantedChunk> chunks);
+    void claim_for_past_frames();
+    void want_live(base::Span<const WantedChunk> chunks);
+    void ask_where_due(std::uint32_t slot);
+    void fetch(std::uint32_t slot, bool waiting);
+    void conclude(std::uint32_t slot, TdbError error);
+    void count_missing(base::Span<const WantedChunk> chunks);
 
     const TerrainDatabase* database_ = nullptr;
     base::AsyncReader* reader_ = nullptr;

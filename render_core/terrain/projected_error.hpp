@@ -20,7 +20,8 @@ namespace tedavis::terrain {
 /// chunk of it, so its box is grown by that much.
 [[nodiscard]] double projected_error_px(const ChunkEntry& entry, const View& view);
 
-/// From the eye to the chunk's centre.
+/// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);
+[[nodiscard]] double box_distance_m(const ChunkEntry& entry, const View& view);
 
 }  // namespace tedavis::terrain

@@ -64,6 +64,8 @@ public:
     [[nodiscard]] earth::GeoidUndulation undulation(double latitude_rad, double longitude_rad) const;
 
 private:
+    [[nodiscard]] TdbFailure read_tables();
+
     base::ByteSource* source_ = nullptr;
     FileHeader header_{};
     Lattice lattice_;

@@ -77,6 +77,8 @@ public:
     [[nodiscard]] static std::uint64_t attribute_bytes(const StoreSettings& settings);
 
 private:
+    [[nodiscard]] TdbFailure pin_roots();
+
     const TerrainDatabase* database_ = nullptr;
     DirectoryCache directory_;
     PartCache payloads_, attributes_;

@@ -1,0 +1,42 @@
+/// How far the vertices of a chunk are raised so that the drawn surface is nowhere below the true one, alike in all chunks that
+/// share a vertex.
+///
+/// A chunk's own lift is max(below_m, strip_below_m). A border takes the largest of all leaves along the longer of the edges that
+/// meet there, a corner the largest of the leaves round it, a pole the largest of all leaves that touch it. Pure; any thread.
+#pragma once
+
+#include "render_core/terrain/lod_tree.hpp"
+
+namespace tedavis::terrain {
+
+/// Edges north, east, south, west; corners in the order of quadrants (bit 0 east, bit 1 south).
+struct ChunkLift {
+    float own_m = 0;
+    float edge_m[4]{};
+    float corner_m[4]{};
+};
+
+/// A lift and the leaf that asks for it.
+struct LiftSource {
+    float lift_m = 0;
+    NodeIndex leaf = kNoNode;
+
+    void include(const LiftSource& other) {
+        if (other.lift_m > lift_m || leaf == kNoNode) *this = other;
+    }
+};
+
+struct PoleLifts {
+    LiftSource north, south;
+};
+
+struct LiftedLeaf {
+    ChunkLift lift;
+    LiftSource largest;  ///< of own, edges and corners
+};
+
+[[nodiscard]] float own_lift_m(const ChunkEntry& entry);
+[[nodiscard]] PoleLifts pole_lifts(const LodTree& tree);
+[[nodiscard]] LiftedLeaf lift_of_leaf(const LodTree& tree, NodeIndex leaf, const PoleLifts& poles);
+
+}  // namespace tedavis::terrain

@@ -1,0 +1,221 @@
+#include "render_core/terrain/lod_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace tedavis::terrain {
+namespace {
+
+constexpr double kLeastVisibility = 0.05;
+
+float larger(float a, float b) { return a > b ? a : b; }
+
+}  // namespace
+
+double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m) {
+    const float above_m = coarser_edges != 0 ? larger(entry.above_m, entry.strip_above_m) : entry.above_m;
+    return error_in_box_px(entry, view, double{above_m} + double{lift_m}, 0, double{lift_m});
+}
+
+bool LodRefinement::run(Priority priority, double reach_m) {
+    priority_ = priority;
+    reach_m_ = reach_m;
+    queued_ = 0;
+    triangles_ = chunks_ = 0;
+    stop_ = LodStop::met;
+    largest_lift_m_ = 0;
+    tree_.clear(catalogue_.lattice());
+    if (!add_roots()) return false;
+    do {
+        refine();
+    } while (stop_ == LodStop::met && settings_.conservative_up && queue_causes_of_lifted_errors());
+    if (settings_.conservative_up) poles_ = pole_lifts(tree_);
+    return true;
+}
+
+bool LodRefinement::add_roots() {
+    const Lattice& lattice = catalogue_.lattice();
+    const std::uint32_t top = lattice.levels() - 1;
+    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
+        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i) {
+            const ChunkKey root{top, i, j};
+            const FoundEntry found = catalogue_.find(root);
+            if (found.state != EntryState::present) continue;
+            if (tree_.room() == 0) {
+                stop_ = LodStop::nodes;
+                return false;
+            }
+            add({root, found.entry, is_in_view(*found.entry)}, kNoNode);
+        }
+    stop_ = exceeded(triangles_, chunks_);
+    return stop_ == LodStop::met;
+}
+
+/// Splits the worst first. What cannot be split for its own reasons is left; a budget ends it all.
+void LodRefinement::refine() {
+    while (queued_ > 0) {
+        const NodeIndex n = pop();
+        if (tree_.node(n).is_tried) continue;
+        const LodStop reason = try_split(n);
+        LodNode& node = tree_.node(n);
+        node.is_tried = true;
+        node.blocked = static_cast<std::uint8_t>(reason);
+        if (reason == LodStop::met || reason == LodStop::not_arrived || reason == LodStop::at_data_limit) continue;
+        stop_ = reason;
+        return;
+    }
+}
+
+LodStop LodRefinement::try_split(NodeIndex node) {
+    if (const LodStop reason = gather(node); reason != LodStop::met) return reason;
+    if (const LodStop reason = exceeded_by_group(); reason != LodStop::met) return reason;
+    split_group();
+    return LodStop::met;
+}
+
+/// The node and all that its split forces, finer ones first, with their children.
+LodStop LodRefinement::gather(NodeIndex node) {
+    group_.count = 0;
+    group_.members[group_.count++] = node;
+    for (std::uint32_t n = 0; n < group_.count; ++n)
+        if (!force_neighbours_of(group_.members[n])) return LodStop::nodes;
+    for (std::uint32_t n = 0; n < group_.count; ++n)
+        if (const LodStop reason = gather_children(n); reason != LodStop::met) return reason;
+    return LodStop::met;
+}
+
+/// Where a neighbour of the same level is not there, its parent is a leaf, which must be split first.
+bool LodRefinement::force_neighbours_of(NodeIndex node) {
+    const ChunkKey key = tree_.node(node).key;
+    for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
+        const ChunkKey beside = catalogue_.lattice().neighbour(key, side);
+        if (beside == kNoChunk || tree_.find(beside) != kNoNode) continue;
+        const NodeIndex coarser = tree_.find(beside.parent());
+        if (coarser == kNoNode) continue;  // a root that the database lacks
+        NodeIndex* const end = group_.members + group_.count;
+        if (std::find(group_.members, end, coarser) != end) continue;
+        if (group_.count == kMaxGroup) return false;
+        group_.members[group_.count++] = coarser;
+    }
+    return true;
+}
+
+LodStop LodRefinement::gather_children(std::uint32_t member) {
+    const LodNode& node = tree_.node(group_.members[member]);
+    std::uint32_t count = group_.first_child[member];
+    if (node.entry->children == 0) return LodStop::at_data_limit;
+    for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
+        if ((node.entry->children >> quadrant & 1u) == 0) continue;
+        const ChunkKey key = node.key.child(quadrant);
+        const FoundEntry found = catalogue_.find(key);
+        if (found.state == EntryState::absent) return LodStop::at_data_limit;
+        if (found.state == EntryState::missing) return LodStop::not_arrived;
+        const bool is_visible = is_in_view(*found.entry);
+        if (is_visible && kind_ == SelectionKind::drawn && catalogue_.available_slot(key) == kNoSlot) return LodStop::not_arrived;
+        group_.children[count++] = {key, found.entry, is_visible};
+    }
+    group_.first_child[member + 1] = count;
+    return LodStop::met;
+}
+
+LodStop LodRefinement::exceeded_by_group() const {
+    std::int64_t triangles = triangles_, chunks = chunks_;
+    const std::uint32_t children = group_.first_child[group_.count];
+    if (children > tree_.room()) return LodStop::nodes;
+    for (std::uint32_t n = 0; n < group_.count; ++n) {
+        const LodNode& node = tree_.node(group_.members[n]);
+        if (!node.is_visible) continue;
+        triangles -= node.entry->triangle_count;
+        --chunks;
+    }
+    for (std::uint32_t n = 0; n < children; ++n) {
+        if (!group_.children[n].is_visible) continue;
+        triangles += group_.children[n].entry->triangle_count;
+        ++chunks;
+    }
+    return exceeded(triangles, chunks);
+}
+
+/// Coarse ones first, so that levels stay within one of each other.
+void LodRefinement::split_group() {
+    for (std::uint32_t n = group_.count; n-- > 0;) {
+        LodNode& node = tree_.node(group_.members[n]);
+        node.is_leaf = false;
+        node.is_tried = true;
+        if (node.is_visible) {
+            triangles_ -= node.entry->triangle_count;
+            --chunks_;
+        }
+        for (std::uint32_t child = group_.first_child[n]; child < group_.first_child[n + 1]; ++child)
+            add(group_.children[child], group_.members[n]);
+    }
+}
+
+void LodRefinement::add(const Child& child, NodeIndex parent) {
+    const NodeIndex n = tree_.add(child.key, child.entry, parent);
+    LodNode& node = tree_.node(n);
+    node.is_visible = child.is_visible;
+    largest_lift_m_ = larger(largest_lift_m_, own_lift_m(*child.entry));
+    if (!child.is_visible) return;
+    triangles_ += child.entry->triangle_count;
+    ++chunks_;
+    node.error_px = mesh_error_px(*child.entry);
+    // A comparison that NaN refuses refines.
+    if (!(node.error_px <= settings_.tau_px)) push(n, node.error_px);
+}
+
+/// Lifted chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
+double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
+    return settings_.conservative_up ? drawn_error_px(entry, view_, kEdgeNorth, own_lift_m(entry))
+                                     : projected_error_px(entry, view_);
+}
+
+double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {
+    return 1e-6 * settings_.cost.ns_per_triangle * static_cast<double>(triangles) +
+           1e-3 * settings_.cost.us_per_chunk * static_cast<double>(chunks);
+}
+
+LodStop LodRefinement::exceeded(std::int64_t triangles, std::int64_t chunks) const {
+    if (triangles > std::int64_t{settings_.max_triangles}) return LodStop::triangles;
+    if (chunks > std::int64_t{settings_.max_chunks}) return LodStop::chunks;
+    return milliseconds(triangles, chunks) > settings_.max_ms ? LodStop::milliseconds : LodStop::met;
+}
+
+void LodRefinement::push(NodeIndex n, double error_px) {
+    LodNode& node = tree_.node(n);
+    node.is_queued = true;
+    node.priority = error_px;
+    if (priority_ == Priority::seen_error)
+        node.priority *= std::fmax(kLeastVisibility, std::exp(-settings_.haze_per_m * box_distance_m(*node.entry, view_)));
+    heap_[queued_++] = n;
+    std::push_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });
+}
+
+NodeIndex LodRefinement::pop() {
+    std::pop_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });
+    return heap_[--queued_];
+}
+
+bool LodRefinement::comes_after(NodeIndex a, NodeIndex b) const {
+    const LodNode &first = tree_.node(a), &second = tree_.node(b);
+    return first.priority != second.priority ? first.priority < second.priority : second.key < first.key;
+}
+
+/// Errors of leaves with all that their neighbours raise. Where one exceeds tau, the leaf that raises most is to be split.
+bool LodRefinement::queue_causes_of_lifted_errors() {
+    poles_ = pole_lifts(tree_);
+    for (NodeIndex n = 0; n < tree_.size(); ++n) {
+        LodNode& node = tree_.node(n);
+        if (!node.is_leaf || !node.is_visible) continue;
+        const LiftSource largest = lift_of_leaf(tree_, n, poles_).largest;
+        const double error_px = drawn_error_px(*node.entry, view_, tree_.coarser_edges(node.key), largest.lift_m);
+        if (error_px <= settings_.tau_px) continue;
+        LodNode& cause = tree_.node(largest.leaf);
+        if (cause.is_tried || cause.is_queued) continue;
+        push(largest.leaf, error_px);
+    }
+    return queued_ > 0;
+}
+
+}  // namespace tedavis::terrain

@@ -1,0 +1,83 @@
+/// One refinement of a tree of chunks from its roots, within budgets; lod_selection.hpp says what for. Thread  one.
+#pragma once
+
+#include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/projected_error.hpp"
+
+namespace tedavis::terrain {
+
+enum class Priority : std::uint8_t { error, seen_error };  ///< seen: times visibility
+
+class LodRefinement {
+public:
+    /// All must outlive the refinement; `heap` holds as many as the tree has nodes.
+    LodRefinement(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind, LodTree& tree,
+                  base::Span<NodeIndex> heap)
+        : catalogue_(catalogue), view_(view), settings_(settings), kind_(kind), tree_(tree), heap_(heap) {}
+
+    /// Starts anew. Boxes count as in view if they are when stretched upwards by `reach_m`. False when the roots alone do not
+    /// fit; `stop()` says what they exceed.
+    [[nodiscard]] bool run(Priority priority, double reach_m);
+
+    /// The budget that ended the refinement before its end; `met` when none did.
+    [[nodiscard]] LodStop stop() const { return stop_; }
+    [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(triangles_); }
+    [[nodiscard]] double milliseconds() const { return milliseconds(triangles_, chunks_); }
+    /// Largest own lift of any chunk that was looked at.
+    [[nodiscard]] float largest_lift_m() const { return largest_lift_m_; }
+    [[nodiscard]] const PoleLifts& poles() const { return poles_; }
+
+private:
+    /// 2:1 balance forces at most two more chunks a level.
+    static constexpr std::uint32_t kMaxGroup = 4 * kMaxLevels;
+    struct Child {
+        ChunkKey key;
+        const ChunkEntry* entry;
+        bool is_visible;
+    };
+    struct Group {
+        NodeIndex members[kMaxGroup];
+        std::uint32_t count = 0;
+        Child children[kMaxGroup * 4];
+        std::uint32_t first_child[kMaxGroup + 1]{};
+    };
+
+    [[nodiscard]] bool add_roots();
+    void refine();
+    [[nodiscard]] LodStop try_split(NodeIndex node);
+    [[nodiscard]] LodStop gather(NodeIndex node);
+    [[nodiscard]] bool force_neighbours_of(NodeIndex node);
+    [[nodiscard]] LodStop gather_children(std::uint32_t member);
+    [[nodiscard]] LodStop exceeded_by_group() const;
+    void split_group();
+    void add(const Child& child, NodeIndex parent);
+    void push(NodeIndex node, double error_px);
+    [[nodiscard]] NodeIndex pop();
+    [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;
+    [[nodiscard]] bool queue_causes_of_lifted_errors();
+
+    [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
+    [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;
+    [[nodiscard]] double milliseconds(std::int64_t triangles, std::int64_t chunks) const;
+    [[nodiscard]] LodStop exceeded(std::int64_t triangles, std::int64_t chunks) const;
+
+    ChunkCatalogue& catalogue_;
+    const View& view_;
+    const LodSettings& settings_;
+    SelectionKind kind_;
+    LodTree& tree_;
+    base::Span<NodeIndex> heap_;
+    double reach_m_ = 0;
+    Priority priority_ = Priority::error;
+    std::size_t queued_ = 0;
+    std::int64_t triangles_ = 0, chunks_ = 0;
+    LodStop stop_ = LodStop::met;
+    float largest_lift_m_ = 0;
+    PoleLifts poles_;
+    Group group_;
+};
+
+/// Error of a leaf as it is drawn, lifted or not.
+[[nodiscard]] double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m);
+
+}  // namespace tedavis::terrain

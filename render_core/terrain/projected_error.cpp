@@ -1,0 +1,88 @@
+#include "render_core/terrain/projected_error.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <limits>
+
+namespace tedavis::terrain {
+namespace {
+
+struct Box {
+    glm::dvec3 centre;   ///< relative to the eye
+    glm::dvec3 axis[3];  ///< north, east, down
+    double half[3];
+};
+
+glm::dvec3 centre_of(const ChunkEntry& entry) { return {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]}; }
+
+/// Sides grown by `grow` times their half lengths, stretched upwards by lift_m.
+Box box_of(const ChunkEntry& entry, const View& view, double grow, double lift_m) {
+    Box box;
+    box.centre = centre_of(entry) - view.eye;
+    for (int a = 0; a < 3; ++a) {
+        box.axis[a] = glm::dvec3(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
+        box.half[a] = double{entry.half_extent_m[a]} * (a < 2 ? 1.0 + grow : 1.0);
+    }
+    box.centre -= box.axis[2] * (0.5 * lift_m);
+    box.half[2] += 0.5 * lift_m;
+    return box;
+}
+
+double reach_along(const Box& box, const glm::dvec3& direction) {
+    double reach = 0;
+    for (int a = 0; a < 3; ++a) reach += box.half[a] * std::abs(glm::dot(box.axis[a], direction));
+    return reach;
+}
+
+double distance_to(const Box& box) {
+    double squared = 0;
+    for (int a = 0; a < 3; ++a) {
+        const double outside = std::abs(glm::dot(box.centre, box.axis[a])) - box.half[a];
+        if (outside > 0) squared += outside * outside;
+    }
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
+    const Box box = box_of(entry, view, 0, lift_m);
+    const double depth = glm::dot(box.centre, view.forward);
+    if (depth + reach_along(box, view.forward) < view.near_m) return true;
+    const double tangents[2] = {view.half_width_tangent(), view.half_height_tangent()};
+    const glm::dvec3 sides[2] = {view.right, view.down};
+    for (int a = 0; a < 2; ++a) {
+        for (const double sign : {-1.0, 1.0}) {
+            const glm::dvec3 inward = view.forward * tangents[a] + sides[a] * sign;
+            if (glm::dot(box.centre, inward) + reach_along(box, inward) < 0) return true;
+        }
+    }
+    return false;
+}
+
+double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double grow, double lift_m) {
+    if (error_m == 0) return 0;
+    const Box box = box_of(entry, view, grow, lift_m);
+    const double tx = view.half_width_tangent(), ty = view.half_height_tangent();
+    const double corner = 1.0 + tx * tx + ty * ty;
+    // Nothing is drawn nearer than the near plane. fmax and fmin pass over a NaN.
+    const double by_distance = error_m * view.focal_px * corner / std::fmax(distance_to(box), view.near_m);
+    // A tighter bound where the whole box lies well ahead: its least depth.
+    const double depth = glm::dot(box.centre, view.forward) - reach_along(box, view.forward);
+    const double by_depth = depth > view.near_m ? error_m * view.focal_px * std::sqrt(corner) / depth : by_distance;
+    const double error_px = std::fmin(by_distance, by_depth);
+    return std::isnan(error_px) ? std::numeric_limits<double>::infinity() : error_px;
+}
+
+double projected_error_px(const ChunkEntry& entry, const View& view) {
+    return error_in_box_px(entry, view, double{entry.bound_m}, 1.0, 0);
+}
+
+float distance_m(const ChunkEntry& entry, const View& view) {
+    return static_cast<float>(glm::length(centre_of(entry) - view.eye));
+}
+
+double box_distance_m(const ChunkEntry& entry, const View& view) { return distance_to(box_of(entry, view, 0, 0)); }
+
+}  // namespace tedavis::terrain
