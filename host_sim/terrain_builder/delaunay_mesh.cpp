@@ -63,16 +63,19 @@ std::uint32_t DelaunayMesh::hull_triangle(std::uint32_t from, std::uint32_t to) 
 
 std::uint32_t DelaunayMesh::locate(MeshPost post, std::uint32_t start) const {
     // In a Delaunay triangulation a walk over sides that see the post ends (Edelsbrunner, Combinatorica 10(3), 1990).
-    std::uint32_t at = start;
+    std::uint32_t at = start, on_side = kNone;
     for (int k = 0; k < 3;) {
-        if (turn(corner(at, k), corner(at, next(k)), post) >= 0) {
-            ++k;
-        } else {
+        const std::int64_t side = turn(corner(at, k), corner(at, next(k)), post);
+        if (side < 0) {
             at = triangles_[at].beyond[k];
+            on_side = kNone;
             k = 0;
+            continue;
         }
+        if (side == 0) on_side = triangles_[at].beyond[k];
+        ++k;
     }
-    return at;
+    return std::min(at, on_side);
 }
 
 std::uint32_t DelaunayMesh::insert(MeshPost post, std::uint32_t triangle) {

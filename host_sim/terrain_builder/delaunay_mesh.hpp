@@ -42,7 +42,8 @@ public:
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
     [[nodiscard]] MeshPost corner(std::uint32_t triangle, int k) const { return vertices_[triangles_[triangle].corner[k]]; }
 
-    /// A triangle that holds the post, inside or on a side, found by walking from `start`. The post lies in the rectangle.
+    /// The triangle that holds the post; of the two beside a side, that with the lower number. Found by walking from `start`;
+    /// the post lies in the rectangle.
     [[nodiscard]] std::uint32_t locate(MeshPost post, std::uint32_t start) const;
 
     /// Makes a vertex of a post that lies in `triangle`, on none of its corners and not on the rectangle's sides. star() then
