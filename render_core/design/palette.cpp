@@ -69,7 +69,7 @@ Palette alpine_palette() noexcept {
     };
     Palette palette;
     palette.name = "alpine";
-    palette.title = "TERRAIN";
+    palette.title = "ELEVATION";
     for (const ColorStop& stop : kStops) {
         const bool added = palette.stops.try_push_back(stop);
         TEDAVIS_CHECK(added);

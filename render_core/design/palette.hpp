@@ -1,7 +1,7 @@
 /// Named colours for values of the terrain: one file of configs/palettes/ each.
 ///
 ///     name = "alpine"
-///     title = "TERRAIN"          over the legend, upper case, at most 11 characters
+///     title = "ELEVATION"          over the legend, upper case, at most 11 characters
 ///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle
 ///     unit = "m"                 of the values: "m", "deg" or "1"
 ///     order = "lightness"        what tells more from less: "lightness" or "hue"

@@ -8,7 +8,7 @@
 /// | sky view             | c/255                                 | 0..1        | 1/255                                |
 /// | curvature            | s·|s|; ridges positive                | -1..1       | 6e-5 at 0, 0.016 at 1                |
 /// | light                | 1.25·c/255                            | 0..1.25     | 0.0049                               |
-/// | openness, both       | (1 + s)·π/2                           | 0.7°..180°  | 0.71°                                |
+/// | openness, both       | (1 + s·|s|)·π/2                       | 0..180°     | 0.006° at 90°, 0.33° at 85°, 1° at 45° |
 /// | local relief         | 1000 m·s·|s|                          | ±1000 m     | 0.06 m at 0, 5 m at 100 m            |
 /// | aperture east, north | s                                     | -1..1       | 1/127                                |
 /// | aperture radius      | its cosine = c/255                    | 0..90°      | 0.22° at 90°, 0.45° at 60°           |
@@ -79,10 +79,10 @@ inline constexpr float kLargestRelief_m = 1000;
 
 [[nodiscard]] inline std::uint8_t encode_openness(float openness_rad) {
     constexpr float kRight = static_cast<float>(base::kPi / 2);
-    return encode_signed((openness_rad - kRight) / kRight);
+    return encode_signed_root((openness_rad - kRight) / kRight);
 }
 [[nodiscard]] inline float decode_openness_rad(std::uint8_t code) {
-    return (1 + decode_signed(code)) * static_cast<float>(base::kPi / 2);
+    return (1 + decode_signed_root(code)) * static_cast<float>(base::kPi / 2);
 }
 [[nodiscard]] inline std::uint8_t encode_light(float light) { return encode_unit(light / kBrightestLight); }
 [[nodiscard]] inline float decode_light(std::uint8_t code) { return decode_unit(code) * kBrightestLight; }

@@ -37,10 +37,10 @@ struct KnownColor {
 constexpr int kColorTolerance = 14;
 constexpr KnownColor kColors[] = {
     {"sky_high_left", 130, 70, {91, 139, 200}},     {"sky_high_right", 430, 70, {89, 137, 199}},
-    {"sky_middle", 130, 150, {117, 162, 213}},      {"sky_low", 420, 200, {133, 176, 221}},
-    {"haze_at_horizon", 130, 275, {181, 187, 217}}, {"terrain_far_left", 130, 320, {44, 100, 58}},
+    {"sky_middle", 183, 135, {117, 162, 213}},      {"sky_low", 420, 200, {133, 176, 221}},
+    {"haze_at_horizon", 190, 275, {181, 187, 217}}, {"terrain_far_left", 190, 340, {44, 100, 58}},
     {"terrain_far_right", 420, 320, {46, 105, 60}}, {"terrain_middle", 200, 320, {44, 101, 58}},
-    {"terrain_near_left", 140, 390, {55, 89, 64}},  {"terrain_near_right", 380, 390, {42, 103, 57}},
+    {"terrain_near_left", 190, 385, {55, 89, 64}},  {"terrain_near_right", 380, 390, {42, 103, 57}},
 };
 
 /// Rows in which the terrain begins, cast from the elevation raster (tests/target/self_test/test_known_picture.cpp).
@@ -48,7 +48,7 @@ struct KnownSkyline {
     std::uint32_t x, y;
 };
 constexpr int kSkylineTolerance_px = 2;
-constexpr KnownSkyline kSkyline[] = {{120, 286}, {180, 285}, {240, 283}, {280, 282}, {380, 281}, {420, 279}, {440, 280}};
+constexpr KnownSkyline kSkyline[] = {{180, 285}, {210, 284}, {240, 283}, {280, 282}, {380, 281}, {420, 279}, {440, 280}};
 
 using Belongs = bool (*)(Rgb);
 bool is_white(Rgb c) { return c.r > 200 && c.g > 200 && c.b > 200; }

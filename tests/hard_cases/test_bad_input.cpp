@@ -65,6 +65,7 @@ const std::vector<Slot>& slots() {
         {"replay_config", {"replay", "--config", "@IN", "-o", "@OUT/run"}, "replay.toml", "design.toml", true},
         {"check_design", {"check", "@IN"}, "design.toml", "terrain.tdb", true},
         {"check_device", {"check", "@IN"}, "device.toml", "terrain.tdb", true},
+        {"check_palette", {"check", "@IN"}, "palette.toml", "terrain.tdb", true},
         {"check_bus", {"check", "@IN"}, "bus.toml", "terrain.tdb", true},
         {"check_panel", {"check", "@IN"}, "panel.toml", "terrain.tdb", true},
         {"check_scenario", {"check", "@IN"}, "scenario.toml", "terrain.tdb", true},

@@ -90,7 +90,7 @@ TEST_P(EveryNumber, OfTheShippedFilesIsBounded) {
     EXPECT_GT(tried, 20u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configs, EveryNumber, ::testing::Values("designs", "devices", "buses", "switches", "scenarios"),
+INSTANTIATE_TEST_SUITE_P(Configs, EveryNumber, ::testing::Values("designs", "palettes", "devices", "buses", "switches", "scenarios"),
                          [](const auto& place) { return std::string(place.param); });
 
 TEST(BadValues, InFlights) {

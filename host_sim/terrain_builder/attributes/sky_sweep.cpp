@@ -62,9 +62,10 @@ Lanes total(const Lanes (&parts)[kHorizonDirections]) {
 
 /// In one direction.
 struct SkySweep::Found {
-    Lanes horizon;       ///< tangent, not below 0
-    Lanes limit;         ///< tangent: the horizon, or the tangent plane where that is higher
-    Lanes above, below;  ///< largest and least tangent within the reach; beyond any height where there is no post
+    Lanes horizon;  ///< tangent, not below 0
+    Lanes limit;    ///< tangent: the horizon, or the tangent plane where that is higher
+    Lanes above,
+        below;  ///< largest and least tangent within the reach over a plane Earth; beyond any height where there is no post
     Lanes bounce;
 };
 
@@ -113,19 +114,21 @@ SkySweep::Found SkySweep::look(std::size_t k, std::size_t at, std::size_t column
     const RowDirection& direction = directions_[k];
     const Lanes height_m = load(&planes_.high[at_post][at]);
     Strips strips(load(&gradients_.east[at]), load(&gradients_.north[at]), direction, load(&direct_[at_post][at]));
-    Lanes above = all(kNoHorizon), below = all(kNoHeight_m);
+    Lanes above = all(kNoHorizon), below = all(kNoHeight_m), near = all(0.0f);
     for (std::size_t s = 1; s <= kHorizonReach; ++s) {
         const SamplePlace place = places_[k][s];
         const std::size_t sample = at + static_cast<std::size_t>(place.offset);
-        const Lanes high = (load(&planes_.high[place.plane][sample]) - height_m) * direction.per_m[s] - direction.drop[s];
-        const Lanes low = (load(&planes_.low[place.plane][sample]) - height_m) * direction.per_m[s] - direction.drop[s];
+        const Lanes high = (load(&planes_.high[place.plane][sample]) - height_m) * direction.per_m[s];
+        const Lanes low = (load(&planes_.low[place.plane][sample]) - height_m) * direction.per_m[s];
         above = larger(above, high);
         below = smaller(below, low);
-        strips.see(high, load(&direct_[place.plane][sample]));
+        const Lanes seen = high - direction.drop[s];
+        near = larger(near, seen);
+        strips.see(seen, load(&direct_[place.plane][sample]));
         if (Strips::end_at(s)) strips.end();
     }
     const Lanes far = far_.tangent(static_cast<int>(k), column, height_m);
-    const Lanes horizon = larger(larger(above, far), all(0.0f)), limit = larger(horizon, strips.highest);
+    const Lanes horizon = larger(near, far), limit = larger(horizon, strips.highest);
     strips.see(limit, all(level_light_));
     strips.end();
     return {horizon, limit, above, below, strips.bounce};

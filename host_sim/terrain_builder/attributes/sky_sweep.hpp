@@ -23,11 +23,12 @@ struct SkyLanes {
 ///   (n_h · u)(H - sin H cos H): Dozier and Frew, "Rapid Calculation of Terrain Parameters for Radiation Modeling", IEEE
 ///   Trans. Geosci. Remote Sensing 28(5), 1990. Level open ground has exactly 1, an open plane of slope s (1 + cos s)/2.
 /// - the aperture is the direction of the mean of all unit vectors to the visible sky and the cap round it that has as much
-///   solid angle, whose radius' cosine is the mean of cos H: Oat and Sander, "Ambient Aperture Lighting", SIGGRAPH courses,
-///   2006. Where the mean direction vanishes the normal stands for it.
+///   solid angle, whose radius' cosine is the mean of cos H: Oat and Sander, "Ambient Aperture Lighting", I3D 2007. Where the
+///   mean direction vanishes the normal stands for it.
 /// - openness is the mean zenith (above) or nadir (below) angle within kHorizonReach posts: Yokoyama, Shirasawa, Pike,
 ///   "Visualizing Topography by Openness", PE&RS 68(3), 2002; Doneus, "Openness as Visualization Technique", Remote Sensing
-///   5, 2013. Directions without any post do not count.
+///   5, 2013. The Earth counts as plane here, so that level ground has 90° at every scale. Directions without any post do
+///   not count.
 /// - bounce gathers, strip by strip of elevation in each direction, the direct light on the post that bounds the strip,
 ///   weighted as the sky is above. Ground beyond the reach, and below the horizontal, is lit as level open ground.
 class SkySweep {

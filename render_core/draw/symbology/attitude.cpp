@@ -39,8 +39,9 @@ float roll_radius(const Layout& layout) {
     const Point center = layout.screen.center();
     const float up = center.y - box.y - 1.6f * layout.text_px;
     const float down = box.bottom() - center.y;  // where the sky pointer stands in inverted flight
-    // The arc reaches 60 degrees to either side: sin 60 = 0.87.
-    const float aside = (std::fmin(center.x - box.x, box.right() - center.x) - layout.text_px) / 0.87f;
+    // The arc with its marks reaches 60 degrees to either side, sin 60 = 0.87; the sky pointer goes all the way around.
+    const float room = std::fmin(center.x - box.x, box.right() - center.x);
+    const float aside = std::fmin((room - layout.text_px) / 0.87f, room);
     return std::fmin(std::fmin(up, down), aside);
 }
 

@@ -16,6 +16,7 @@ constexpr float kGap = 0.3f;
 constexpr float kTopBar = 2.6f;
 constexpr float kPhaseWidth = 13.5f;
 constexpr float kAirspeedWidth = 5.2f;
+constexpr float kLegendWidth = 5.0f;  // what the two columns on the right take more than the one on the left
 constexpr float kAltitudeWidth = 6.0f;
 constexpr float kVerticalSpeedWidth = 4.2f;
 constexpr float kBottomRow = 3.0f;
@@ -48,7 +49,8 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi) noexce
     layout.airspeed = {margin, top, kAirspeedWidth * t, tall};
     layout.vertical_speed = {w - margin - kVerticalSpeedWidth * t, top, kVerticalSpeedWidth * t, tall};
     layout.altitude = {layout.vertical_speed.x - gap - kAltitudeWidth * t, top, kAltitudeWidth * t, tall};
-    layout.attitude = {layout.airspeed.right() + gap, top, layout.altitude.x - gap - layout.airspeed.right() - gap, tall};
+    layout.legend = {layout.airspeed.right() + gap, top, kLegendWidth * t, tall};
+    layout.attitude = {layout.legend.right() + gap, top, layout.altitude.x - gap - layout.legend.right() - gap, tall};
 
     layout.ground_height = {margin, bottom_row, kAirspeedWidth * t, kBottomRow * t};
     layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};

@@ -19,6 +19,7 @@ struct Layout {
     Rect phase;           ///< top left
     Rect notices;         ///< top right: warnings and cautions
     Rect airspeed;        ///< left tape
+    Rect legend;          ///< right of the airspeed: what the colours mean; 5 x at least 19 texts
     Rect attitude;        ///< around the middle of the screen; ladder, roll scale, flight path
     Rect altitude;        ///< right tape
     Rect vertical_speed;  ///< right of it
@@ -29,7 +30,7 @@ struct Layout {
 };
 static_assert(std::is_trivially_copyable_v<Layout>);
 
-inline constexpr std::size_t kLayoutBoxCount = 10;
+inline constexpr std::size_t kLayoutBoxCount = 11;
 struct LayoutBox {
     const char* name;
     Rect Layout::*box;
@@ -39,6 +40,7 @@ inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
     {"phase", &Layout::phase},
     {"notices", &Layout::notices},
     {"airspeed", &Layout::airspeed},
+    {"legend", &Layout::legend},
     {"attitude", &Layout::attitude},
     {"altitude", &Layout::altitude},
     {"vertical_speed", &Layout::vertical_speed},

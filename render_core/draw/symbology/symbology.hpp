@@ -27,6 +27,8 @@ void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);
 void build_phase(const Painter& painter, const SymbologyInput& input);
+/// Titles, numbers and samples of every colour with a meaning that the picture has; nothing in a recovery picture.
+void build_legend(const Painter& painter, const SymbologyInput& input);
 void build_notices(const Painter& painter, const SymbologyInput& input);
 
 }  // namespace tedavis::draw

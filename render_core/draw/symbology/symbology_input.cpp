@@ -14,6 +14,18 @@ double shown_value(const flight::AircraftState& state, const display::DisplayDec
     return source == Signal::count_ ? 0 : state[source].value_or(0);
 }
 
+LegendInput make_legend_input(const display::DisplayDecisions& decisions, const design::DesignSettings& design) {
+    LegendInput legend;
+    legend.tint = decisions.show_terrain;
+    legend.bands = decisions.show_terrain && decisions.show_warning_colors;
+    legend.palette = design.terrain.palette;
+    legend.sea = design.terrain.sea;
+    legend.unknown = design.terrain.unknown;
+    legend.warning_bands = design.warning_bands;
+    legend.unit = design.symbology.legend_unit;
+    return legend;
+}
+
 }  // namespace
 
 double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
@@ -33,6 +45,7 @@ SymbologyInput make_symbology_input(const flight::AircraftState& state, const di
     input.sky = design.sky.zenith;
     input.ground = design.sky.ground;
     input.phase = phase;
+    input.legend = make_legend_input(decisions, design);
     input.view_heading_rad = view_heading_rad(state, decisions);
     input.pitch_rad = state[Signal::pitch].value_or(0);
     input.roll_rad = state[Signal::roll].value_or(0);

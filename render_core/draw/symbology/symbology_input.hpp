@@ -11,6 +11,17 @@
 
 namespace tedavis::draw {
 
+/// What the colours of the picture mean. Nothing is coloured by what is not `tint` or `bands`.
+struct LegendInput {
+    bool tint = false;   ///< the ground by `palette`, sea and missing data by their colours
+    bool bands = false;  ///< warning colours over it
+    design::Palette palette;
+    double lowest = 0, highest = 0;  ///< values on the terrain, in the palette's unit; equal: the palette's own ends
+    design::Color sea, unknown;
+    design::WarningBands warning_bands;
+    design::HeightUnit unit = design::HeightUnit::feet;
+};
+
 struct SymbologyInput {
     display::DisplayDecisions decisions;
     design::SymbologySettings shown;
@@ -26,6 +37,7 @@ struct SymbologyInput {
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
     double ground_height_m = 0;
+    LegendInput legend;
     double velocity_north_mps = 0, velocity_east_mps = 0, velocity_up_mps = 0;
 };
 static_assert(std::is_trivially_copyable_v<SymbologyInput>);

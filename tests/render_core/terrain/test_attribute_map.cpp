@@ -31,7 +31,8 @@ TEST(AttributeMap, ValuesComeBackWithinHalfTheStatedStep) {
         const float step = 2 * std::sqrt(size) / 127 + 1.0f / (127 * 127);
         EXPECT_NEAR(decode_signed_root(encode_signed_root(value)), value, 0.5f * step + 1e-6f);
         EXPECT_NEAR(decode_relief_m(encode_relief(1000 * value)), 1000 * value, 500 * step + 1e-3f);
-        EXPECT_NEAR(decode_openness_rad(encode_openness(1.5708f * (1 + value))), 1.5708f * (1 + value), 0.7088 / 2 * 0.01746);
+        EXPECT_NEAR(decode_openness_rad(encode_openness(1.5708f * (1 + value))), 1.5708f * (1 + value),
+                    1.5708f * 0.5f * step + 1e-6f);
         EXPECT_NEAR(decode_unit(encode_unit(size)), size, 0.5 / 255 + 1e-6);
         EXPECT_NEAR(decode_light(encode_light(1.25f * size)), 1.25f * size, 0.0025);
         const float horizon_step = 2 * std::sqrt(size) / 255 + 1.0f / (255 * 255);

@@ -107,7 +107,7 @@ TEST(FarHorizons, WithoutALevelAboveNothingIsSeen) {
 TEST(FarHorizons, APyramidSeesAWallAtAnyDistance) {
     HeightSquare ground{256, std::vector<double>(256 * 256, 50.0), 30};
     for (int j = 0; j < 256; ++j)
-        for (int i = 200; i < 232; ++i) ground.height_m[static_cast<std::size_t>(j * 256 + i)] = 2050;
+        for (int i = 200; i < 232; ++i) ground.height_m[index_of(i, j, 256)] = 2050;
     const FarHorizons far = ground.halved().far_horizons();
     for (const int column : {3, 20, 40, 66, 80, 91}) {  // of the level above; a post there lies at 2 column + 0.5
         const double distance_m = 30 * (200 - (2 * column + 0.5)), truth = 2000 / distance_m - distance_m / 2 / 6371000;

@@ -149,7 +149,7 @@ TEST(SurfaceShape, SlopeAndHillshadeOfTheShippedTerrainAreGdals) {
     double worst_slope = 0, worst_shade = 0, steepest = 0;
     for (int j = 1; j + 1 < rows; ++j) {
         for (int i = 1; i + 1 < columns; ++i) {
-            const std::size_t at = planes.at(i, j), pixel = static_cast<std::size_t>(j * columns + i);
+            const std::size_t at = planes.at(i, j), pixel = index_of(i, j, columns);
             const NormalLanes n = normal_of(load(&gradients.east[at]), load(&gradients.north[at]));
             const double slope_deg = base::degrees(std::acos(std::min(1.0, static_cast<double>(n.up[0]))));
             const double lambert = std::cos(kElevation) * (std::sin(kAzimuth) * n.east[0] + std::cos(kAzimuth) * n.north[0]) +

@@ -40,6 +40,15 @@ TEST(Layout, TheViewsMiddleLiesInsideTheAttitudeWithRoomForThePitch) {
     }
 }
 
+TEST(Layout, TheLegendHasTheRoomThatItCountsOn) {
+    for (const Screen& screen : kScreens)
+        for (double dpi : {60.0, 96.0, 160.0, 300.0}) {
+            const Layout layout = make_layout(screen.width, screen.height, dpi);
+            EXPECT_GE(layout.legend.width, 4.99f * layout.text_px);
+            EXPECT_GE(layout.legend.height, 19 * layout.text_px) << screen.width << "x" << screen.height << " " << dpi;
+        }
+}
+
 TEST(Layout, TextGrowsWithTheScreenAndWithTheDensityOfThePanel) {
     EXPECT_NEAR(make_layout(1920, 1440, 96).text_px / make_layout(640, 480, 96).text_px, 3, 0.01);
     EXPECT_GT(make_layout(1920, 1080, 400).text_px, make_layout(1920, 1080, 96).text_px);

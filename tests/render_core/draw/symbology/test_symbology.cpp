@@ -84,7 +84,7 @@ bool same(const std::vector<QuadVertex>& a, const std::vector<QuadVertex>& b) {
 TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
     for (const Screen& screen : kScreens)
         for (double pitch : {-85.0, -25.0, 0.0, 12.0, 60.0, 90.0})
-            for (double roll : {-180.0, -65.0, 0.0, 30.0, 90.0})
+            for (double roll : {-180.0, -90.0, -65.0, 0.0, 30.0, 90.0})
                 for (ElementShow show : kShows) {
                     SymbologyInput input = scene_input(scene_state(3, pitch, roll), screen.width, screen.height);
                     const Layout layout = make_layout(screen.width, screen.height, 96);
@@ -330,7 +330,7 @@ TEST(Symbology, NothingIsRefusedOverManyStatesAndHostileValues) {
 
 TEST(Symbology, ADesignSwitchesPiecesOffButNeverTheNotices) {
     SymbologyInput input = scene_input(scene_state(10, 0, 0), 640, 480);
-    input.shown = {false, false, false, false, false, false, false, false, false};
+    input.shown = {false, false, false, false, false, false, false, false, false, false, design::HeightUnit::feet};
     BatchStore store;
     build_symbology(store.batch, input, make_layout(640, 480, 96));
     EXPECT_EQ(text_of(store.batch), "GENERATEDFLIGHT\xB7NOTFORNAVIGATION");

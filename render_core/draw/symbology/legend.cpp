@@ -1,0 +1,200 @@
+// What the colours mean: above, the values of the palette with samples of sea and missing data; below, the warning bands with the
+// heights relative to the own ship at which they begin. Stacked at the foot of its box; the layout gives it room on every
+// screen, for the bar of values gives way to the bands.
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using design::Color;
+
+// In texts.
+constexpr float kTitle = 1.2f;
+constexpr float kPad = 0.55f;  // half a number stands beyond the ends of a scale
+constexpr float kSample = 1.0f;
+constexpr float kBand = 1.0f;
+constexpr float kTallestBar = 7;
+constexpr float kInset = 0.3f;
+constexpr float kSampleWidth = 1.2f;
+constexpr float kNumberSize = 0.75f;
+constexpr float kNumberPitch = 1.0f;  // numbers on the bar stand at least so far apart
+
+constexpr int kBarSlices = 32;
+constexpr int kBandSlices = 5;
+constexpr int kMaxNumbers = 16;
+
+/// The values of the bar, as they are written.
+struct Scale {
+    double low = 0, high = 0;  ///< in the palette's unit
+    double factor = 1;         ///< written number of one of it
+    std::string_view unit;
+};
+
+double written_metre(design::HeightUnit unit) { return unit == design::HeightUnit::feet ? 1 / base::kMetresPerFoot : 1; }
+std::string_view unit_text(design::HeightUnit unit) { return unit == design::HeightUnit::feet ? "FT" : "M"; }
+
+Scale scale_of(const LegendInput& legend) {
+    const auto& stops = legend.palette.stops;
+    Scale scale{legend.lowest, legend.highest, 1, ""};
+    if (!(scale.high > scale.low)) scale = {stops[0].value, stops.back().value, 1, ""};
+    switch (legend.palette.unit) {
+        case design::PaletteUnit::metres:
+            scale.factor = written_metre(legend.unit);
+            scale.unit = unit_text(legend.unit);
+            break;
+        case design::PaletteUnit::degrees:
+            scale.factor = base::degrees(1);
+            scale.unit = "DEG";
+            break;
+        case design::PaletteUnit::one: break;
+    }
+    return scale;
+}
+
+/// The least of 1, 2, 5, 10, 20, ... that is not below `least`.
+double round_step(double least) {
+    double step = std::pow(10, std::floor(std::log10(std::max(least, 1.0))));
+    for (const double times : {2.0, 2.5, 2.0}) {
+        if (step >= least) break;
+        step *= times;
+    }
+    return step;
+}
+
+ShortText signed_number(double value) {
+    ShortText text(std::lround(value) > 0 ? "+" : "");
+    text.append(whole_number(value).view());
+    return text;
+}
+
+/// Pieces of the legend from the top of its plate down.
+class LegendBuilder {
+public:
+    LegendBuilder(const Painter& painter, const LegendInput& legend)
+        : painter_(painter), legend_(legend), scale_(scale_of(legend)), t_(painter.text_px()) {}
+
+    void build() {
+        const Rect& box = painter_.layout().legend;
+        const float fixed = tint_height(0) + bands_height();
+        const float bar = std::min(kTallestBar * t_, box.height - fixed);
+        const float height = tint_height(bar) + bands_height();
+        plate_ = {box.x, box.bottom() - height, box.width, height};
+        y_ = plate_.y;
+        painter_.batch().box(plate_, kTapeGround);
+        build_tint(bar);
+        if (legend_.bands) build_bands();
+    }
+
+private:
+    [[nodiscard]] float tint_height(float bar) const { return (kTitle + 2 * kPad + 2 * kSample + kInset) * t_ + bar; }
+    [[nodiscard]] float bands_height() const {
+        if (!legend_.bands) return 0;
+        return (kTitle + 2 * kPad + kBand * static_cast<float>(legend_.warning_bands.size())) * t_;
+    }
+    [[nodiscard]] Rect sample(float y, float height) const { return {plate_.x + kInset * t_, y, kSampleWidth * t_, height}; }
+
+    void title(std::string_view name, std::string_view unit) {
+        const Rect row{plate_.x, y_, plate_.width, kTitle * t_};
+        base::FixedString<31> text(name);
+        if (!unit.empty()) text.append(" ");
+        text.append(unit);
+        painter_.batch().box(row, kReadoutGround);
+        painter_.fitted_text(text.view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        y_ += row.height;
+    }
+
+    /// Text right of a sample, its middle at `y`.
+    void note(std::string_view text, float y) const {
+        const float left = sample(0, 0).right() + 0.15f * t_;
+        painter_.fitted_text(text, {left, y - 0.5f * t_, plate_.right() - left, t_}, TextAnchor::left, kNumberSize, kScaleColor);
+    }
+
+    void build_tint(float bar_height) {
+        title(legend_.palette.title.view(), scale_.unit);
+        y_ += kPad * t_;
+        const Rect bar = sample(y_, bar_height);
+        build_bar(bar);
+        build_numbers(bar);
+        y_ = bar.bottom() + kPad * t_;
+        build_sample("SEA", legend_.sea);
+        build_sample("NO DATA", legend_.unknown);
+        y_ += kInset * t_;
+    }
+
+    /// Each slice reaches down to the foot, so that no seam shows between two.
+    void build_bar(const Rect& bar) const {
+        for (int n = 0; n < kBarSlices; ++n) {
+            const double share = 1 - (n + 0.5) / kBarSlices;
+            const float top = bar.y + bar.height * static_cast<float>(n) / kBarSlices;
+            painter_.batch().box({bar.x, top, bar.width, bar.bottom() - top},
+                                 color_of_value(legend_.palette, scale_.low + (scale_.high - scale_.low) * share));
+        }
+        painter_.batch().frame(bar, painter_.stroke_px(), kScaleColor);
+    }
+
+    void build_numbers(const Rect& bar) const {
+        const double low = scale_.low * scale_.factor, high = scale_.high * scale_.factor;
+        const double step = round_step((high - low) * static_cast<double>(kNumberPitch * t_ / bar.height));
+        constexpr double kRounding = 1e-6;  // of a step: an end that is a round number is written
+        const double first = std::ceil(low / step - kRounding);
+        for (int n = 0; n < kMaxNumbers && (first + n) * step <= high + kRounding * step; ++n) {
+            const double value = (first + n) * step;
+            const float y = bar.bottom() - bar.height * static_cast<float>((value - low) / (high - low));
+            painter_.batch().box({bar.right() - 0.4f * t_, y - painter_.stroke_px() / 2, 0.4f * t_, painter_.stroke_px()},
+                                 kScaleColor);
+            note(whole_number(value).view(), y);
+        }
+    }
+
+    void build_sample(std::string_view name, Color color) {
+        const Rect at = sample(y_ + 0.1f * t_, (kSample - 0.2f) * t_);
+        painter_.batch().box(at, color);
+        painter_.batch().frame(at, painter_.stroke_px(), kScaleColor);
+        note(name, at.center().y);
+        y_ += kSample * t_;
+    }
+
+    void build_bands() {
+        title("RELATIVE", unit_text(legend_.unit));
+        y_ += kPad * t_;
+        const Rect whole = sample(y_, kBand * t_ * static_cast<float>(legend_.warning_bands.size()));
+        for (const design::WarningBand& band : legend_.warning_bands) {
+            build_band(sample(y_, whole.bottom() - y_), band);
+            y_ += kBand * t_;
+            painter_.batch().box({whole.x, y_ - painter_.stroke_px() / 2, whole.width, painter_.stroke_px()}, kScaleColor);
+            note(signed_number(band.lower_m * written_metre(legend_.unit)).view(), y_);
+        }
+        painter_.batch().frame(whole, painter_.stroke_px(), kScaleColor);
+        y_ += kPad * t_;
+    }
+
+    /// As it is displayed over the terrain's colours, from the lowest on the left to the highest.
+    void build_band(const Rect& at, const design::WarningBand& band) const {
+        for (int n = 0; n < kBandSlices; ++n) {
+            const double value = scale_.low + (scale_.high - scale_.low) * n / (kBandSlices - 1);
+            const float left = at.x + at.width * static_cast<float>(n) / kBandSlices;
+            painter_.batch().box({left, at.y, at.right() - left, at.height},
+                                 blended(color_of_value(legend_.palette, value), band.color, band.strength));
+        }
+    }
+
+    const Painter& painter_;
+    const LegendInput& legend_;
+    Scale scale_;
+    float t_;
+    Rect plate_;
+    float y_ = 0;
+};
+
+}  // namespace
+
+void build_legend(const Painter& painter, const SymbologyInput& input) {
+    if (!input.legend.tint || input.decisions.unusual_attitude) return;
+    LegendBuilder(painter, input.legend).build();
+}
+
+}  // namespace tedavis::draw
