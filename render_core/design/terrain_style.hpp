@@ -28,6 +28,12 @@ enum class TerrainTexture : std::uint8_t {
 inline constexpr std::size_t kTerrainTextures = 8;
 extern const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames;
 
+/// Its colours stand for values of the palette, and need a legend.
+[[nodiscard]] constexpr bool colors_by_palette(TerrainTexture texture) noexcept {
+    return texture == TerrainTexture::hypsometric || texture == TerrainTexture::slope ||
+           texture == TerrainTexture::local_relief || texture == TerrainTexture::openness;
+}
+
 enum class TerrainShade : std::uint8_t {
     none,
     lambert,    ///< one light (Yoeli 1967)

@@ -351,8 +351,12 @@ void Display::draw_sky() {
 void Display::draw_symbology() {
     draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design,
                                                                 settings_.width_px, settings_.height_px, aircraft_msl_m_);
-    symbology.legend.lowest = static_cast<double>(database_.header().min_height_m);
-    symbology.legend.highest = static_cast<double>(database_.header().max_height_m);
+    const design::TerrainSettings& terrain = settings_.design.terrain;
+    if (!design::colors_by_palette(terrain.style.texture)) symbology.legend.tint = false;
+    if (terrain_.is_started() && terrain.palette.kind == design::PaletteKind::hypsometric) {
+        symbology.legend.lowest = static_cast<double>(terrain_.database().header().min_height_m);
+        symbology.legend.highest = static_cast<double>(terrain_.database().header().max_height_m);
+    }
     draw::build_symbology(quad_drawer_.batch(), symbology, layout_);
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
