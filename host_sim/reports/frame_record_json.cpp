@@ -83,6 +83,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["signals"] = signals_json(record);
     json["flags"] = flags_json(record);
     json["terrain"] = {{"tau_px", record.terrain.tau_px},
+                       {"tau_reached_px", record.terrain.tau_reached_px},
+                       {"limit", text(record.terrain.limit.view())},
                        {"worst_error_px", record.terrain.worst_error_px},
                        {"worst_chunk", text(record.terrain.worst_chunk.view())},
                        {"triangles", record.terrain.triangles},

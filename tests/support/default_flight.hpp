@@ -76,10 +76,13 @@ private:
 class HeadlessDisplay {
 public:
     HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
-                    base::ByteSource* terrain) {
+                    base::ByteSource* terrain)
+        : HeadlessDisplay(backend, device, width, height, terrain, shipped_design("default")) {}
+    HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
+                    base::ByteSource* terrain, const design::DesignSettings& design) {
         display::DisplaySettings settings;
         settings.device = shipped_device(device);
-        settings.design = shipped_design("default");
+        settings.design = design;
         settings.width_px = width;
         settings.height_px = height;
         settings.generated_flight = true;
@@ -91,7 +94,12 @@ public:
         if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
         reservation_ = std::move(
             platform::reserve_memory(display::Display::bytes_needed(settings.device), platform::Residency::lazy).value());
-        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
+        display::TerrainInput input;
+        if (terrain != nullptr) {
+            reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
+            input = {terrain, reader_.get(), terrain::ArrivalMode::exact};
+        }
+        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, input);
         if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
     }
     ~HeadlessDisplay() {
@@ -107,6 +115,7 @@ public:
 private:
     std::unique_ptr<base::Surface> surface_;
     platform::MemoryReservation reservation_;
+    std::unique_ptr<base::AsyncReader> reader_;
     display::Display display_;
 };
 

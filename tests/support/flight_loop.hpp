@@ -46,7 +46,7 @@ public:
         return can_.health() == bus::SourceHealth::running;
     }
     /// What a live reload of the design does.
-    void reload_design() { display_.display().set_design(design_); }
+    [[nodiscard]] bool reload_design() { return display_.display().set_design(design_); }
     [[nodiscard]] const Seen& seen() const { return seen_; }
     [[nodiscard]] const bus::LogPosition& position() const { return can_.position(); }
 

@@ -15,6 +15,7 @@ namespace tedavis::test_support {
 /// All that is not terrain is pure blue, and the terrain has none.
 inline design::DesignSettings skyline_design() {
     design::DesignSettings design = shipped_design("default");
+    design.terrain.style.sketch.silhouettes = 0;
     const design::Color blue{0, 0, 255};
     design.sky.zenith = design.sky.horizon = design.sky.ground = design.sky.ground_horizon = design.sky.haze = blue;
     design.terrain.unknown = blue;
@@ -31,8 +32,9 @@ public:
         : width_(headless.surface().width()), height_(headless.surface().height()), rgba_(std::size_t{width_} * height_ * 4) {
         display::Display& display = headless.display();
         display.clear_free_view();
-        display.update(state, {}, now);
+        display.approach(state, {}, now);
         display.set_free_view(display.view());
+        display.settle(state, {}, now);
         display.update(state, {}, now);
         display.draw(headless.surface());
         record_ = display.record();
