@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -13,12 +12,13 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/number_list.hpp"
+#include "host_sim/terrain_builder/file_posts.hpp"
 #include "host_sim/terrain_builder/fractal_terrain.hpp"
-#include "host_sim/terrain_builder/tdb_image.hpp"
+#include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
+#include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/user_error.hpp"
-#include "platform/files/memory_byte_source.hpp"
-#include "render_core/terrain/terrain_database.hpp"
+#include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -68,28 +68,45 @@ RasterOptions raster_options(const TerrainBuildOptions& options) {
     return raster;
 }
 
-void report_progress(const char* what, std::uint64_t done, std::uint64_t total, const InterruptGuard& interrupt,
-                     Console& console) {
+void report_progress(std::string_view what, std::uint64_t done, std::uint64_t total, const InterruptGuard& interrupt,
+                     Console& console, const char* left_behind) {
     console.progress(what, done, total);
-    if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    if (interrupt.requested()) throw Interrupted(std::string("interrupted; ") + left_behind);
 }
 
 BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console) {
     BuildOptions build;
     build.le90_m = options.accuracy_m;
-    build.progress = [&](std::uint64_t done, std::uint64_t total) {
-        report_progress("terrain", done, total, interrupt, console);
+    build.progress = [&](std::string_view stage, std::uint64_t done, std::uint64_t total) {
+        report_progress(stage, done, total, interrupt, console, "nothing was written");
     };
     return build;
 }
 
-Raster load(const TerrainBuildOptions& options, const RasterOptions& choice, Console& console) {
-    Raster raster = load_rasters(options.rasters, choice);
-    for (const std::string& note : raster.notes) console.note("note: " + note);
-    return raster;
+/// Sentences about the rasters go to the user once.
+PostReaderFactory readers(const TerrainBuildOptions& options, Console& console) {
+    const RasterOptions choice = raster_options(options);
+    const FilePosts first(options.rasters, choice);
+    for (const std::string& note : first.notes()) console.note("note: " + note);
+    return [files = options.rasters, choice] { return std::make_unique<FilePosts>(files, choice); };
 }
 
-Json describe(const terrain::FileHeader& h) {
+double south_deg(const terrain::Lattice& lattice) { return base::degrees(lattice.latitude_rad(lattice.rows() - 1)); }
+
+Json describe_levels(const std::vector<LevelSummary>& levels) {
+    Json json = Json::array();
+    for (const LevelSummary& level : levels)
+        json.push_back({{"chunks", level.chunks},
+                        {"vertices", level.vertices},
+                        {"triangles", level.triangles},
+                        {"bytes", level.payload_bytes},
+                        {"worst_error_m", level.worst_error_m},
+                        {"worst_bound_m", level.worst_bound_m}});
+    return json;
+}
+
+Json describe(const OpenDatabase& open) {
+    const terrain::FileHeader& h = open.database().header();
     Json json;
     json["source"] = h.source;
     json["columns"] = h.columns;
@@ -97,7 +114,7 @@ Json describe(const terrain::FileHeader& h) {
     json["west_deg"] = h.west_deg;
     json["north_deg"] = h.north_deg;
     json["east_deg"] = h.west_deg + h.step_lon_deg * (h.columns - 1);
-    json["south_deg"] = h.north_deg - h.step_lat_deg * (h.rows - 1);
+    json["south_deg"] = south_deg(open.database().lattice());
     json["min_height_m"] = h.min_height_m;
     json["max_height_m"] = h.max_height_m;
     json["void_posts"] = h.void_posts;
@@ -107,13 +124,16 @@ Json describe(const terrain::FileHeader& h) {
     json["chunks"] = h.chunk_count;
     json["bytes"] = h.file_bytes;
     json["tolerance_m"] = std::vector<float>(h.tolerance_m, h.tolerance_m + h.levels);
+    json["by_level"] = describe_levels(summarise_levels(open));
     return json;
 }
 
-std::string describe_in_words(const terrain::FileHeader& h, const std::string& name) {
+std::string describe_in_words(const OpenDatabase& open, const std::string& name) {
+    const terrain::FileHeader& h = open.database().header();
+    const terrain::Lattice& lattice = open.database().lattice();
     std::ostringstream text;
     text << name << ": " << h.columns << " x " << h.rows << " posts from " << h.source << "\n"
-         << "  " << h.north_deg - h.step_lat_deg * (h.rows - 1) << " .. " << h.north_deg << " N, " << h.west_deg << " .. "
+         << "  " << south_deg(lattice) << " .. " << base::degrees(lattice.latitude_rad(0)) << " N, " << h.west_deg << " .. "
          << h.west_deg + h.step_lon_deg * (h.columns - 1) << " E, heights " << h.min_height_m << " .. " << h.max_height_m
          << " m above MSL (EGM96)\n"
          << "  " << h.void_posts << " void posts, " << h.chunk_count << " chunks on " << h.levels << " levels, " << h.file_bytes
@@ -121,92 +141,44 @@ std::string describe_in_words(const terrain::FileHeader& h, const std::string& n
     return text.str();
 }
 
-/// A right checksum does not make a number of a NaN.
-bool holds_numbers(const std::vector<std::uint8_t>& payload, const terrain::ChunkEntry& entry) {
-    const std::size_t posts_at = entry.vertex_count * sizeof(terrain::ChunkVertex),
-                      posts = entry.level == 0 ? std::size_t{terrain::kChunkPosts} * terrain::kChunkPosts : 0;
-    bool numbers = true;
-    for (std::size_t n = 0; n < entry.vertex_count; ++n) {
-        terrain::ChunkVertex v;
-        std::memcpy(&v, payload.data() + n * sizeof v, sizeof v);
-        numbers = numbers && std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.height_m);
-    }
-    for (std::size_t n = 0; n < posts; ++n) {
-        float height_m;
-        std::memcpy(&height_m, payload.data() + posts_at + n * sizeof height_m, sizeof height_m);
-        numbers = numbers && std::isfinite(height_m);
-    }
-    return numbers;
-}
-
-terrain::FileHeader verified_header(const std::vector<std::uint8_t>& image, const std::string& name) {
-    platform::MemoryByteSource bytes({image.data(), image.size()});
-    std::vector<std::uint8_t> memory(image.size() + (1 << 16));
-    base::Arena arena(memory.data(), memory.size());
-    auto opened = terrain::TerrainDatabase::open(bytes, arena);
-    const auto refuse = [&](const terrain::TdbFailure& failure) {
-        throw UserError(name + ": " + to_string(failure.error) + " at offset " + std::to_string(failure.offset) +
-                        "; build it again with 'terrain build'");
-    };
-    if (!opened.ok()) refuse(opened.error());
-    std::vector<std::uint8_t> payload(terrain::kMaxChunkVertices * sizeof(terrain::ChunkVertex) + terrain::kLeafPostBytes);
-    for (terrain::ChunkIndex chunk = 0; chunk < opened.value().chunk_count(); ++chunk) {
-        const terrain::TdbFailure failure = opened.value().read_chunk(chunk, {payload.data(), payload.size()});
-        if (failure.error != terrain::TdbError::none) refuse(failure);
-        if (!holds_numbers(payload, opened.value().entry(chunk)))
-            refuse({terrain::TdbError::chunk_damaged, opened.value().entry(chunk).offset});
-    }
-    return opened.value().header();
-}
-
 }  // namespace
 
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
-    const RasterOptions raster = raster_options(options);
+    const PostReaderFactory open = readers(options, console);
     require_other_file(options.output, options.rasters);
-    BuildOptions build = build_options(options, interrupt, console);
-    Raster posts = load(options, raster, console);
-    build.vertical_datum = posts.vertical_datum;
-    AtomicFile file(options.output);
-    const std::vector<std::uint8_t> image = make_tdb(make_model(std::move(posts), build), build);
+    build_terrain(open, options.output, build_options(options, interrupt, console));
     console.progress_done();
-    const terrain::FileHeader header = verified_header(image, options.output);
-    file.stream().write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
-    file.commit();
-    console.result(describe_in_words(header, options.output), json_text(describe(header)));
+    const OpenDatabase built(options.output);
+    console.result(describe_in_words(built, options.output), json_text(describe(built)));
     return 0;
 }
 
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
-    const std::vector<std::uint8_t> image = read_bytes(options.database);
-    const RasterOptions raster = raster_options(options.build);
-    BuildOptions build = build_options(options.build, interrupt, console);
-    Raster posts = load(options.build, raster, console);
-    build.vertical_datum = posts.vertical_datum;
-    const TerrainCheck check = check_tdb(image, options.database, make_model(std::move(posts), build), build);
+    const PostReaderFactory open = readers(options.build, console);
+    const TerrainCheck check = check_terrain(options.database, open, build_options(options.build, interrupt, console));
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;
-    json["violations"] = check.violations.size();
+    json["violations"] = check.violations;
     json["worst_excess_m"] = check.worst_excess_m;
     json["violating_chunks"] = Json::array();
     std::ostringstream text;
-    text << options.database << ": " << check.chunks << " chunks, " << check.violations.size() << " violations";
-    for (const ChunkViolation& violation : check.violations) {
+    text << options.database << ": " << check.chunks << " chunks, " << check.violations << " violations";
+    for (const ChunkViolation& violation : check.first) {
         json["violating_chunks"].push_back(
             {{"chunk", violation.chunk}, {"reason", violation.reason}, {"excess_m", violation.excess_m}});
         if (json["violating_chunks"].size() <= 10)
             text << "\n  chunk " << violation.chunk << ": " << violation.reason << " (" << violation.excess_m << " m)";
     }
     console.result(text.str(), json_text(json));
-    return check.violations.empty() ? 0 : 1;
+    return check.violations == 0 ? 0 : 1;
 }
 
 int run_terrain_info(const TerrainInfoOptions& options, Console& console) {
-    const terrain::FileHeader header = verified_header(read_bytes(options.database), options.database);
-    console.result(describe_in_words(header, options.database), json_text(describe(header)));
+    const OpenDatabase open(options.database);
+    console.result(describe_in_words(open, options.database), json_text(describe(open)));
     return 0;
 }
 
@@ -217,7 +189,7 @@ int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) 
     const InterruptGuard interrupt;
     AtomicFile file(options.output);
     const FractalTerrain terrain = make_fractal_terrain(options.size, options.seed, [&](std::uint64_t done, std::uint64_t total) {
-        report_progress("fractal terrain", done, total, interrupt, console);
+        report_progress("fractal terrain", done, total, interrupt, console, "nothing was written");
     });
     file.stream() << fractal_geotiff(terrain);
     file.commit();

@@ -4,10 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
+#include <memory>
 
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/terrain_builder/part_store.hpp"
+#include "host_sim/terrain_builder/terrain_build.hpp"
+#include "host_sim/terrain_builder/verify_database.hpp"
+#include "host_sim/terrain_builder/work_file.hpp"
 #include "host_sim/user_error.hpp"
-#include "render_core/base/hash.hpp"
-#include "render_core/terrain/chunk_mesh.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,160 +23,212 @@ std::string chunk_name(const ChunkEntry& e) {
     return std::to_string(e.level) + "/" + std::to_string(e.i) + "/" + std::to_string(e.j);
 }
 
-struct Image {
-    FileHeader header{};
-    std::vector<ChunkEntry> entries;
-};
+using Bytes = std::vector<std::uint8_t>;
 
-Image parse(const std::vector<std::uint8_t>& bytes, const std::string& name) {
-    Image image;
-    if (bytes.size() < sizeof image.header)
-        throw UserError(name + ": not a terrain database; give a file that 'terrain build' wrote");
-    std::memcpy(&image.header, bytes.data(), sizeof image.header);
-    if (std::memcmp(image.header.magic, kTdbMagic, sizeof kTdbMagic) != 0 || image.header.version != kTdbVersion)
-        throw UserError(name + ": not a terrain database of this version; build it again with 'terrain build'");
-    const bool sound_header = base::crc32(&image.header, offsetof(FileHeader, header_crc)) == image.header.header_crc;
-    if (sound_header && image.header.file_bytes != bytes.size())
-        throw UserError(name + ": offset " + std::to_string(bytes.size()) + ": the file ends here, but its header says " +
-                        std::to_string(image.header.file_bytes) + " bytes; get a whole copy");
-    const std::uint64_t end = sizeof image.header + std::uint64_t{image.header.chunk_count} * sizeof(ChunkEntry);
-    if (image.header.chunk_count == 0 || end > bytes.size())
-        throw UserError(name + ": offset " + std::to_string(bytes.size()) +
-                        ": the file ends inside its directory; get a whole copy");
-    image.entries.resize(image.header.chunk_count);
-    std::memcpy(image.entries.data(), bytes.data() + sizeof image.header, image.entries.size() * sizeof(ChunkEntry));
-    return image;
+template <class T>
+T value_at(const Bytes& bytes, std::size_t index) {
+    T value;
+    std::memcpy(&value, bytes.data() + index * sizeof value, sizeof value);
+    return value;
 }
 
-void require_same_lattice(const Image& image, const Raster& raster, const std::string& name) {
-    const FileHeader& h = image.header;
-    const bool same = h.columns == raster.columns && h.rows == raster.rows && std::abs(h.west_deg - raster.west_deg) < 1e-9 &&
-                      std::abs(h.north_deg - raster.north_deg) < 1e-9 && std::abs(h.step_lon_deg - raster.step_lon_deg) < 1e-12;
-    if (!same)
-        throw UserError(name + ": was not built from these rasters (other posts); name the rasters and options of its build");
+/// Of positions and heights; values that are no numbers count as a height that no raster has.
+double largest_difference_m(const Bytes& stated, const Bytes& expected, std::size_t vertices) {
+    double largest = 0;
+    const auto include = [&largest](double difference_m) {
+        largest = std::max(largest, std::isfinite(difference_m) ? std::abs(difference_m) : kHighestHeight_m);
+    };
+    for (std::size_t n = 0; n < vertices; ++n) {
+        const auto a = value_at<ChunkVertex>(stated, n), b = value_at<ChunkVertex>(expected, n);
+        include(double{a.height_m} - b.height_m);
+        include(std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z));
+    }
+    return largest;
 }
 
-double distance_m(const ChunkVertex& a, const ChunkVertex& b) {
-    return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
-}
-
-/// One chunk of the file against the same chunk made anew.
+/// One chunk of the file against the same chunk made anew. An empty reason: nothing is wrong.
 class ChunkComparison {
 public:
-    ChunkComparison(const std::vector<std::uint8_t>& file, const std::vector<std::uint8_t>& fresh, const ChunkEntry& stated,
-                    const ChunkEntry& expected)
-        : file_(file), fresh_(fresh), stated_(stated), expected_(expected) {}
+    ChunkComparison(const WorkFile& file, const OpenDatabase& fresh, const ChunkEntry& stated, const ChunkEntry& expected)
+        : file_(file), fresh_(fresh), stated_(stated), expected_(expected), name_(chunk_name(expected)) {}
 
-    /// An empty reason when nothing is wrong.
     [[nodiscard]] ChunkViolation run() const {
-        const std::string name = chunk_name(expected_);
-        if (stated_.offset > file_.size() || stated_.bytes > file_.size() - stated_.offset)
-            return {name, "lies beyond the end of the file", 0};
-        if (base::crc32(file_.data() + stated_.offset, stated_.bytes) != stated_.crc)
-            return {name, "checksum does not match its bytes", 0};
-        if (stated_.bytes != expected_.bytes) return {name, "has other vertices than the rasters give", 0};
-        if (std::memcmp(file_.data() + stated_.offset, fresh_.data() + expected_.offset, stated_.bytes) != 0)
-            return {name, "differs from the rasters", largest_difference_m()};
-        const double excess_m = std::max(
-            {expected_.above_m - stated_.above_m, expected_.below_m - stated_.below_m, expected_.bound_m - stated_.bound_m});
-        if (excess_m > 0) return {name, "its mesh is farther from the true surface than it states", excess_m};
-        if (!same_description()) return {name, "its entry in the directory differs from the rasters", 0};
-        return {name, "", 0};
+        if (stated_.vertex_count == 0) return {name_, "is missing", 0};
+        Bytes payload;
+        if (const char* fault = read(stated_.payload, payload); *fault != 0) return {name_, fault, 0};
+        if (stated_.payload.bytes != expected_.payload.bytes) return {name_, "has other vertices than the rasters give", 0};
+        const Bytes expected = fresh_.read_part(expected_.payload);
+        if (payload != expected)
+            return {name_, "differs from the rasters", largest_difference_m(payload, expected, expected_.vertex_count)};
+        const double excess_m = largest_excess_m();
+        if (excess_m > 0) return {name_, "its mesh is farther from the true surface than it states", excess_m};
+        return same_description() ? attributes()
+                                  : ChunkViolation{name_, "its entry in the directory differs from the rasters", 0};
     }
 
 private:
+    const char* read(const PartPlace& place, Bytes& bytes) const {
+        const std::uint64_t size = file_.size();
+        if (place.offset > size || place.bytes > size - place.offset) return "lies beyond the end of the file";
+        bytes.resize(place.bytes);
+        file_.read(place.offset, bytes.data(), bytes.size());
+        return checksum(bytes.data(), bytes.size()) == place.crc ? "" : "checksum does not match its bytes";
+    }
+    [[nodiscard]] double largest_excess_m() const {
+        return std::max({expected_.above_m - stated_.above_m, expected_.below_m - stated_.below_m,
+                         expected_.strip_above_m - stated_.strip_above_m, expected_.strip_below_m - stated_.strip_below_m,
+                         expected_.bound_m - stated_.bound_m});
+    }
     /// Everything of the entry but where its bytes lie.
     [[nodiscard]] bool same_description() const {
         ChunkEntry a = stated_, b = expected_;
-        a.offset = b.offset = 0;
+        for (ChunkEntry* e : {&a, &b}) e->payload = e->attributes = e->drape = {};
         return std::memcmp(&a, &b, sizeof a) == 0;  // the bytes count. NOLINT(bugprone-suspicious-memory-comparison)
     }
-
-    template <class T>
-    [[nodiscard]] T read(const std::vector<std::uint8_t>& bytes, const ChunkEntry& entry, std::size_t offset) const {
-        T value;
-        std::memcpy(&value, bytes.data() + entry.offset + offset, sizeof value);
-        return value;
+    [[nodiscard]] ChunkViolation attributes() const {
+        Bytes bytes;
+        if (const char* fault = read(stated_.attributes, bytes); *fault != 0) return {name_ + " attributes", fault, 0};
+        if (bytes != fresh_.read_part(expected_.attributes)) return {name_ + " attributes", "differ from the rasters", 0};
+        return {name_, "", 0};
     }
 
-    /// Of positions and heights; values that are no numbers count as the largest height there is.
-    [[nodiscard]] double largest_difference_m() const {
-        double largest = 0;
-        const auto include = [&largest](double difference_m) {
-            largest = std::max(largest, std::isfinite(difference_m) ? std::abs(difference_m) : kHighestHeight_m);
-        };
-        for (std::size_t n = 0; n < expected_.vertex_count; ++n) {
-            const auto a = read<ChunkVertex>(file_, stated_, n * sizeof(ChunkVertex)),
-                       b = read<ChunkVertex>(fresh_, expected_, n * sizeof(ChunkVertex));
-            include(double{a.height_m} - b.height_m);
-            include(distance_m(a, b));
-        }
-        if (expected_.level != 0) return largest;
-        for (std::size_t n = 0; n < std::size_t{kChunkPosts} * kChunkPosts; ++n) {
-            const std::size_t offset = expected_.bytes - kLeafPostBytes + n * sizeof(float);
-            include(double{read<float>(file_, stated_, offset)} - read<float>(fresh_, expected_, offset));
-        }
-        return largest;
-    }
-
-    const std::vector<std::uint8_t>& file_;
-    const std::vector<std::uint8_t>& fresh_;
+    const WorkFile& file_;
+    const OpenDatabase& fresh_;
     const ChunkEntry& stated_;
     const ChunkEntry& expected_;
+    const std::string name_;
 };
 
-/// Places and names are the file's own; everything else follows from the rasters.
+/// The file as bytes, before anything of it is believed.
+struct StatedFile {
+    WorkFile file;
+    FileHeader header{};
+    std::vector<std::uint64_t> table;
+
+    explicit StatedFile(const std::string& path) : file(WorkFile::existing(path)) {
+        if (file.size() < sizeof header)
+            throw UserError(path + ": not a terrain database; give a file that 'terrain build' wrote");
+        file.read(0, &header, sizeof header);
+        if (std::memcmp(header.magic, kTdbMagic, sizeof kTdbMagic) != 0 || header.version != kTdbVersion)
+            throw UserError(path + ": not a terrain database of this version; build it again with 'terrain build'");
+        if (sound_header() && header.file_bytes != file.size())
+            throw UserError(path + ": offset " + std::to_string(file.size()) + ": the file ends here, but its header says " +
+                            std::to_string(header.file_bytes) + " bytes; get a whole copy");
+        const std::uint64_t end = header.page_table_offset + std::uint64_t{header.page_count} * sizeof(std::uint64_t);
+        if (header.page_count == 0 || header.page_table_offset > file.size() || end > file.size())
+            throw UserError(path + ": offset " + std::to_string(file.size()) +
+                            ": the file ends inside its directory; get a whole copy");
+        table.resize(header.page_count);
+        file.read(header.page_table_offset, table.data(), table.size() * sizeof(std::uint64_t));
+    }
+    [[nodiscard]] bool sound_header() const { return checksum(&header, offsetof(FileHeader, header_crc)) == header.header_crc; }
+    [[nodiscard]] bool sound_table() const {
+        return checksum(table.data(), table.size() * sizeof(std::uint64_t)) == header.page_table_crc;
+    }
+    /// Of zeros where there is none.
+    void read_page(std::uint32_t n, DirectoryPage& page) const {
+        page = DirectoryPage{};
+        const std::uint64_t size = file.size();
+        if (table[n] != 0 && table[n] <= size && sizeof page <= size - table[n]) file.read(table[n], &page, sizeof page);
+    }
+};
+
+/// Places, names and what the user said of the sources are the file's own; everything else follows from the rasters.
 bool same_header(FileHeader stated, FileHeader expected) {
     for (FileHeader* h : {&stated, &expected}) {
-        h->le90_m = 0;
-        h->directory_crc = h->header_crc = 0;
+        h->page_table_crc = h->header_crc = 0;
         std::memset(h->source, 0, sizeof h->source);
         std::memset(h->vertical_datum, 0, sizeof h->vertical_datum);
     }
     return std::memcmp(&stated, &expected, sizeof stated) == 0;  // the bytes count. NOLINT(bugprone-suspicious-memory-comparison)
 }
 
-bool same_undulation(const std::vector<std::uint8_t>& file, const FileHeader& stated, const std::vector<std::uint8_t>& fresh,
-                     const FileHeader& expected) {
-    const std::size_t bytes = std::size_t{expected.undulation_columns} * expected.undulation_rows * sizeof(float);
-    if (stated.undulation_offset > file.size() || bytes > file.size() - stated.undulation_offset) return false;
-    return std::memcmp(file.data() + stated.undulation_offset, fresh.data() + expected.undulation_offset, bytes) == 0;
+class Comparison {
+public:
+    Comparison(const StatedFile& stated, const OpenDatabase& fresh) : stated_(stated), fresh_(fresh) {}
+
+    TerrainCheck run() {
+        check_frame();
+        const auto page = std::make_unique<DirectoryPage>(), expected = std::make_unique<DirectoryPage>();
+        for (std::uint32_t n = 0; n < stated_.header.page_count; ++n) {
+            stated_.read_page(n, *page);
+            fresh_.read_page(n, *expected);
+            constexpr std::size_t kStart = offsetof(DirectoryPage, level);
+            expect(checksum(&page->level, sizeof *page - kStart) == page->crc, "directory page " + std::to_string(n),
+                   "checksum does not match its bytes");
+            for (std::uint32_t e = 0; e < kPageChunks * kPageChunks; ++e) compare(page->entries[e], expected->entries[e]);
+        }
+        return std::move(check_);
+    }
+
+private:
+    void add(const ChunkViolation& violation) {
+        ++check_.violations;
+        check_.worst_excess_m = std::max(check_.worst_excess_m, violation.excess_m);
+        if (check_.first.size() < kMostReported) check_.first.push_back(violation);
+    }
+    void expect(bool holds, const std::string& part, const char* reason) {
+        if (!holds) add({part, reason, 0});
+    }
+
+    void check_frame() {
+        const FileHeader &h = stated_.header, &f = fresh_.database().header();
+        expect(stated_.sound_header(), "header", "checksum does not match its bytes");
+        expect(stated_.sound_table(), "page table", "checksum does not match its bytes");
+        expect(same_header(h, f), "header", "differs from the rasters");
+        const PartPlace expected{f.undulation_offset, f.undulation_columns * f.undulation_rows * 4, f.undulation_crc};
+        Bytes grid(expected.bytes);
+        const bool inside = h.undulation_offset <= h.file_bytes && grid.size() <= h.file_bytes - h.undulation_offset;
+        if (inside) stated_.file.read(h.undulation_offset, grid.data(), grid.size());
+        expect(inside && grid == fresh_.read_part(expected), "geoid undulation", "differs from EGM96");
+    }
+
+    void compare(const ChunkEntry& stated, const ChunkEntry& expected) {
+        if (expected.vertex_count == 0) {
+            expect(stated.vertex_count == 0, chunk_name(stated), "is no chunk of this terrain");
+            return;
+        }
+        ++check_.chunks;
+        const ChunkViolation violation = ChunkComparison(stated_.file, fresh_, stated, expected).run();
+        if (!violation.reason.empty()) add(violation);
+    }
+
+    const StatedFile& stated_;
+    const OpenDatabase& fresh_;
+    TerrainCheck check_;
+};
+
+void require_same_lattice(const FileHeader& h, const PostReaderFactory& open, const BuildOptions& options,
+                          const std::string& name) {
+    const FileHeader f = make_build_plan(open()->grid(), options).header;
+    const bool same = h.columns == f.columns && h.rows == f.rows && std::abs(h.west_deg - f.west_deg) < 1e-9 &&
+                      std::abs(h.north_deg - f.north_deg) < 1e-9 && std::abs(h.step_lon_deg - f.step_lon_deg) < 1e-12;
+    if (!same)
+        throw UserError(name + ": was not built from these rasters (other posts); name the rasters and options of its build");
 }
 
-void check_frame(const std::vector<std::uint8_t>& file, const Image& image, const std::vector<std::uint8_t>& fresh_file,
-                 const Image& fresh, std::vector<ChunkViolation>& violations) {
-    const auto add = [&violations](bool holds, const char* part, const char* reason) {
-        if (!holds) violations.push_back({part, reason, 0});
-    };
-    const FileHeader& h = image.header;
-    add(base::crc32(&h, offsetof(FileHeader, header_crc)) == h.header_crc, "header", "checksum does not match its bytes");
-    add(base::crc32(image.entries.data(), image.entries.size() * sizeof(ChunkEntry)) == h.directory_crc, "directory",
-        "checksum does not match its bytes");
-    add(same_header(h, fresh.header), "header", "differs from the rasters");
-    add(same_undulation(file, h, fresh_file, fresh.header), "geoid undulation", "differs from EGM96");
-}
+/// Removes the folder in any case.
+struct CheckFolder {
+    std::string path;
+
+    explicit CheckFolder(std::string folder) : path(std::move(folder)) { make_folder(path); }
+    ~CheckFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    CheckFolder(const CheckFolder&) = delete;
+    CheckFolder& operator=(const CheckFolder&) = delete;
+};
 
 }  // namespace
 
-TerrainCheck check_tdb(const std::vector<std::uint8_t>& bytes, const std::string& name, const TerrainModel& model,
-                       const BuildOptions& options) {
-    const Image image = parse(bytes, name);
-    require_same_lattice(image, model.raster, name);
-    const std::vector<std::uint8_t> fresh_bytes = make_tdb(model, options);
-    const Image fresh = parse(fresh_bytes, "recomputed database");
-    if (fresh.entries.size() != image.entries.size())
-        throw UserError(name + ": has " + std::to_string(image.entries.size()) + " chunks where its rasters give " +
-                        std::to_string(fresh.entries.size()) + "; build it again");
-    TerrainCheck check;
-    check.chunks = fresh.entries.size();
-    check_frame(bytes, image, fresh_bytes, fresh, check.violations);
-    for (std::size_t n = 0; n < fresh.entries.size(); ++n) {
-        const ChunkViolation violation = ChunkComparison(bytes, fresh_bytes, image.entries[n], fresh.entries[n]).run();
-        if (violation.reason.empty()) continue;
-        check.violations.push_back(violation);
-        check.worst_excess_m = std::max(check.worst_excess_m, violation.excess_m);
-    }
-    return check;
+TerrainCheck check_terrain(const std::string& database, const PostReaderFactory& open, const BuildOptions& options) {
+    const StatedFile stated(database);
+    require_same_lattice(stated.header, open, options, database);
+    const CheckFolder folder(database + ".check");
+    const std::string fresh_path = folder.path + "/fresh.tdb";
+    build_terrain(open, fresh_path, options);
+    return Comparison(stated, OpenDatabase(fresh_path)).run();
 }
 
 }  // namespace tedavis::host_sim

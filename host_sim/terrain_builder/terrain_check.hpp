@@ -1,11 +1,11 @@
-/// Proof of a database against its rasters: every chunk is recomputed from the rasters and compared.
+/// Proof of a database against its rasters: every part is made anew from the rasters and compared.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "host_sim/terrain_builder/tdb_image.hpp"
+#include "host_sim/terrain_builder/build_plan.hpp"
 
 namespace tedavis::host_sim {
 
@@ -18,14 +18,16 @@ struct ChunkViolation {
 
 struct TerrainCheck {
     std::uint64_t chunks = 0;
+    std::uint64_t violations = 0;
     double worst_excess_m = 0;
-    std::vector<ChunkViolation> violations;
+    std::vector<ChunkViolation> first;  ///< in the file's order, kMostReported at most
 };
+inline constexpr std::size_t kMostReported = 1000;
 
-/// `image` is the whole file. Finds damaged checksums, posts or vertices that differ from the rasters (also where the
-/// checksums were rewritten to match) and meshes whose exhaustive error exceeds what the database states.
-/// Throws UserError when the file is no database or was not built from a raster of this lattice.
-[[nodiscard]] TerrainCheck check_tdb(const std::vector<std::uint8_t>& image, const std::string& name, const TerrainModel& model,
-                                     const BuildOptions& options);
+/// Finds damaged checksums, vertices, classes, triangles and attributes that differ from the rasters (also where checksums were
+/// rewritten to match), and errors that are larger than stated. Streams; work files lie in the folder `<database>.check`, as
+/// large as a build's, and are removed. Throws UserError when the file is no database or was not built from posts of this
+/// lattice.
+[[nodiscard]] TerrainCheck check_terrain(const std::string& database, const PostReaderFactory& open, const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

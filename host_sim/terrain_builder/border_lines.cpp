@@ -1,0 +1,157 @@
+#include "host_sim/terrain_builder/border_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/terrain_builder/nested_polyline.hpp"
+#include "host_sim/terrain_builder/ordered_tasks.hpp"
+#include "host_sim/terrain_builder/surface_heights.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using namespace terrain;
+
+constexpr std::uint32_t kPiece = kChunkCells << (kMaxLevels - 2);  // posts of a line that are treated alone
+constexpr std::uint32_t kLinesOfTask = 32;
+constexpr std::uint32_t kRowsAtOnce = 256;
+constexpr double kSmallestRadius_m = 6335000, kLargestRadius_m = 6400000;
+
+std::uint32_t parts(std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; }
+
+}  // namespace
+
+std::uint32_t LineGrid::post_of(std::uint32_t line) const { return std::min(line * kChunkCells, posts - 1); }
+
+std::uint32_t LineGrid::top_level(std::uint32_t post) const {
+    if (post == 0 || post == posts - 1) return top;
+    std::uint32_t level = 0;
+    while (level < top && post % (kChunkCells << (level + 1)) == 0) ++level;
+    return level;
+}
+
+BorderLines::BorderLines(const BuildPlan& plan, const std::string& folder)
+    : plan_(plan),
+      row_lines_{plan.header.rows, plan.levels() - 1},
+      column_lines_{plan.header.columns, plan.levels() - 1},
+      rows_(folder + "/rows"),
+      columns_(folder + "/columns") {
+    rows_.resize(std::uint64_t{row_lines_.count()} * plan.header.columns);
+    columns_.resize(std::uint64_t{column_lines_.count()} * plan.header.rows);
+}
+
+std::uint32_t BorderLines::row_pieces() const {
+    return parts(plan_.header.columns - 1, kPiece) * parts(row_lines_.count(), kLinesOfTask);
+}
+std::uint32_t BorderLines::column_pieces() const {
+    return parts(plan_.header.rows - 1, kPiece) * parts(column_lines_.count(), kLinesOfTask);
+}
+
+void BorderLines::build(const PostsFile& posts, base::Workers& workers,
+                        const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+    const std::uint32_t rows = row_pieces(), total = rows + column_pieces();
+    run_in_order(
+        workers, 0, total,
+        [&](std::uint32_t task) {
+            task < rows ? build_rows(posts, task) : build_columns(posts, task - rows);
+            return true;
+        },
+        [&](std::uint32_t task, bool) { progress(task + 1, total); });
+}
+
+void BorderLines::build_rows(const PostsFile& posts, std::uint32_t piece) {
+    const std::uint32_t across = parts(plan_.header.columns - 1, kPiece);
+    const std::uint32_t first = piece / across * kLinesOfTask, end = std::min(first + kLinesOfTask, row_lines_.count());
+    for (std::uint32_t line = first; line < end; ++line) {
+        LatticeWindow window;
+        window.i0 = piece % across * kPiece;
+        window.j0 = row_lines_.post_of(line);
+        window.columns = std::min<std::uint32_t>(kPiece + 1, plan_.header.columns - static_cast<std::uint32_t>(window.i0));
+        window.rows = 1;
+        posts.read(window);
+        add_undulation(plan_, window);
+        keep_row(window, line);
+    }
+}
+
+/// The smaller one of the chunks on both sides.
+double BorderLines::row_tolerance_m(std::uint32_t level, std::uint32_t j) const {
+    const std::uint32_t last = plan_.lattice.grid_rows(level) - 1, below = j / (kChunkCells << level);
+    const std::uint32_t above = below == 0 || j % (kChunkCells << level) != 0 ? below : below - 1;
+    return std::min(plan_.tolerance_m(level, std::min(above, last)), plan_.tolerance_m(level, std::min(below, last)));
+}
+
+void BorderLines::keep_row(const LatticeWindow& window, std::uint32_t line) {
+    const auto j = static_cast<std::uint32_t>(window.j0);
+    LinePiece piece;
+    piece.first = static_cast<std::uint32_t>(window.i0);
+    piece.surface_m = {window.surface_m.data(), window.surface_m.size()};
+    piece.post_class = {window.post_class.data(), window.post_class.size()};
+    piece.top_level = row_lines_.top_level(j);
+    piece.tolerance_m = [this, j](std::uint32_t level, std::uint32_t) { return row_tolerance_m(level, j); };
+    const double cell_m = base::radians(plan_.header.step_lon_deg) * kLargestRadius_m * std::cos(plan_.lattice.latitude_rad(j));
+    piece.sagitta_m = cell_m * cell_m / (8 * kSmallestRadius_m);
+    const std::vector<std::uint8_t> levels = keep_levels(piece);
+    rows_.write(std::uint64_t{line} * plan_.header.columns + piece.first, levels.data(), levels.size());
+}
+
+void BorderLines::build_columns(const PostsFile& posts, std::uint32_t piece) {
+    const std::uint32_t across = parts(column_lines_.count(), kLinesOfTask);
+    const std::uint32_t first_line = piece % across * kLinesOfTask,
+                        lines = std::min(kLinesOfTask, column_lines_.count() - first_line);
+    const std::uint32_t first = piece / across * kPiece, rows = std::min(kPiece + 1, plan_.header.rows - first);
+    std::vector<std::vector<float>> surfaces(lines);
+    std::vector<std::vector<PostClass>> classes(lines);
+    for (std::uint32_t row = 0; row < rows; row += kRowsAtOnce) {
+        LatticeWindow window;
+        window.i0 = column_lines_.post_of(first_line);
+        window.j0 = first + row;
+        window.columns = column_lines_.post_of(first_line + lines - 1) - static_cast<std::uint32_t>(window.i0) + 1;
+        window.rows = std::min(kRowsAtOnce, rows - row);
+        posts.read(window);
+        add_undulation(plan_, window);
+        for (std::uint32_t line = 0; line < lines; ++line)
+            for (std::uint32_t j = 0; j < window.rows; ++j) {
+                const std::size_t n = window.at(column_lines_.post_of(first_line + line), window.j0 + j);
+                surfaces[line].push_back(window.surface_m[n]);
+                classes[line].push_back(window.post_class[n]);
+            }
+    }
+    for (std::uint32_t line = 0; line < lines; ++line) keep_column(surfaces[line], classes[line], first_line + line, first);
+}
+
+void BorderLines::keep_column(const std::vector<float>& surface_m, const std::vector<PostClass>& classes, std::uint32_t line,
+                              std::uint32_t first) {
+    LinePiece piece;
+    piece.first = first;
+    piece.surface_m = {surface_m.data(), surface_m.size()};
+    piece.post_class = {classes.data(), classes.size()};
+    piece.top_level = column_lines_.top_level(column_lines_.post_of(line));
+    piece.tolerance_m = [this](std::uint32_t level, std::uint32_t post) {
+        return plan_.tolerance_m(level, post / (kChunkCells << level));
+    };
+    const double cell_m = base::radians(plan_.header.step_lat_deg) * kLargestRadius_m;
+    piece.sagitta_m = cell_m * cell_m / (8 * kSmallestRadius_m);
+    const std::vector<std::uint8_t> levels = keep_levels(piece);
+    columns_.write(std::uint64_t{line} * plan_.header.rows + first, levels.data(), levels.size());
+}
+
+std::vector<std::uint8_t> BorderLines::along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const {
+    std::vector<std::uint8_t> levels(count);
+    rows_.read(std::uint64_t{row_lines_.line_at(j)} * plan_.header.columns + i, levels.data(), count);
+    return levels;
+}
+
+std::vector<std::uint8_t> BorderLines::along_column(std::uint32_t i, std::uint32_t j, std::uint32_t count) const {
+    std::vector<std::uint8_t> levels(count);
+    columns_.read(std::uint64_t{column_lines_.line_at(i)} * plan_.header.rows + j, levels.data(), count);
+    return levels;
+}
+
+void BorderLines::sync() {
+    rows_.sync();
+    columns_.sync();
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,144 @@
+#include "host_sim/terrain_builder/build_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "host_sim/user_error.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using namespace terrain;
+
+constexpr double kLargestRadius_m = 6400000;  // above any radius of curvature of the ellipsoid
+constexpr double kFinestQuantum_m = 1.0 / 1024;
+constexpr double kReachOfHeights_m = 5000;                           // half the range of heights that a raster may hold
+constexpr double kPartOfStep = 1e-3;                                 // places that agree this well are the same
+constexpr double kFirstTolerance = 1.0 / 8, kToleranceGrowth = 2.5;  // of a cell's side at level 1; from level to level
+
+/// Round the Earth the last column meets the first: one is appended where the source has no column for it.
+void close_round_the_earth(BuildPlan& plan) {
+    FileHeader& h = plan.header;
+    const PostGrid& g = plan.source;
+    const auto turns_once = [&g](double cells) { return std::abs(cells * g.step_lon_deg - 360) < kPartOfStep * g.step_lon_deg; };
+    h.columns = plan.source_columns = g.columns;
+    h.step_lon_deg = g.step_lon_deg;
+    if (turns_once(g.columns)) {
+        h.columns = g.columns + 1;
+    } else if (turns_once(g.columns - 1.0)) {
+        plan.source_columns = g.columns - 1;
+    } else {
+        return;
+    }
+    h.lattice_flags |= kLatticeClosed;
+    h.step_lon_deg = 360.0 / (h.columns - 1);
+}
+
+/// A row at a pole is one point; a closed lattice that ends less than a step before the pole gets such a row.
+void place_poles(BuildPlan& plan) {
+    FileHeader& h = plan.header;
+    const PostGrid& g = plan.source;
+    h.rows = g.rows;
+    h.north_deg = g.north_deg;
+    h.step_lat_deg = g.step_lat_deg;
+    const double edge_deg = kPartOfStep * g.step_lat_deg;
+    const auto add = [&](double gap_deg, std::uint32_t flag) {
+        if (gap_deg < -edge_deg) throw UserError(g.source + ": reaches beyond a pole; give it other coordinates");
+        const bool at_pole = gap_deg <= edge_deg;
+        if (!at_pole && ((h.lattice_flags & kLatticeClosed) == 0 || gap_deg > g.step_lat_deg + edge_deg)) return;
+        h.lattice_flags |= flag;
+        if (flag == kLatticeNorthPole) (at_pole ? h.north_deg -= g.step_lat_deg : plan.first_source_row = 1);
+        if (!at_pole) ++h.rows;
+    };
+    add(90 - g.north_deg, kLatticeNorthPole);
+    add(g.north_deg - g.step_lat_deg * (g.rows - 1) + 90, kLatticeSouthPole);
+}
+
+std::uint32_t levels_for(const FileHeader& h) {
+    std::uint32_t levels = 1;
+    const std::uint32_t cells = std::max(h.columns, h.rows) - 1;
+    while (levels < kMaxLevels && (kChunkCells << (levels - 1)) < cells) ++levels;
+    return levels;
+}
+
+/// Of the row nearest to the equator.
+double largest_cosine(const Lattice& lattice) {
+    const double north = lattice.latitude_rad(0), south = lattice.latitude_rad(lattice.rows() - 1);
+    return north > 0 && south < 0 ? 1.0 : std::max(std::cos(north), std::cos(south));
+}
+
+void choose_tolerances(BuildPlan& plan) {
+    FileHeader& h = plan.header;
+    const double north_m = base::radians(h.step_lat_deg) * kLargestRadius_m;
+    const double east_m = base::radians(h.step_lon_deg) * kLargestRadius_m * largest_cosine(plan.lattice);
+    plan.cell_m = std::max(north_m, east_m);
+    double tolerance_m = kFirstTolerance * std::sqrt(north_m * east_m);
+    for (std::uint32_t level = 1; level < h.levels; ++level, tolerance_m *= kToleranceGrowth)
+        h.tolerance_m[level] = static_cast<float>(tolerance_m);
+}
+
+void name_sources(BuildPlan& plan, const BuildOptions& options) {
+    FileHeader& h = plan.header;
+    std::memcpy(h.magic, kTdbMagic, sizeof kTdbMagic);
+    h.version = kTdbVersion;
+    h.header_bytes = sizeof h;
+    h.le90_m = static_cast<float>(options.le90_m);
+    std::strncpy(h.source, plan.source.source.c_str(), sizeof h.source - 1);
+    const bool egm96 = plan.source.vertical_datum == VerticalDatum::egm96;
+    std::strncpy(h.vertical_datum, egm96 ? "egm96" : "ellipsoid", sizeof h.vertical_datum - 1);
+}
+
+void cut_geoid(BuildPlan& plan) {
+    FileHeader& h = plan.header;
+    const double north_deg = base::degrees(plan.lattice.latitude_rad(0)),
+                 south_deg = base::degrees(plan.lattice.latitude_rad(h.rows - 1));
+    const double east_deg = h.west_deg + h.step_lon_deg * (h.columns - 1);
+    plan.undulation = UndulationGrid::covering(h.west_deg, south_deg, east_deg, north_deg, GeoidEgm96::installed());
+    h.undulation_west_deg = plan.undulation.west_deg;
+    h.undulation_north_deg = plan.undulation.north_deg;
+    h.undulation_step_deg = kUndulationStep_deg;
+    h.undulation_columns = plan.undulation.columns;
+    h.undulation_rows = plan.undulation.rows;
+}
+
+std::uint32_t units_across(std::uint32_t posts) { return (posts - 1 + kUnitCells - 1) / kUnitCells; }
+
+}  // namespace
+
+std::uint32_t BuildPlan::unit_columns() const { return units_across(header.columns); }
+std::uint32_t BuildPlan::unit_rows() const { return units_across(header.rows); }
+
+double BuildPlan::tolerance_m(std::uint32_t level, std::uint32_t chunk_row) const {
+    const PostRange posts = lattice.posts_of({level, 0, chunk_row});
+    const double north = lattice.latitude_rad(posts.j0), south = lattice.latitude_rad(posts.j1);
+    const double mean_cosine = (std::sin(north) - std::sin(south)) / (north - south);
+    return header.tolerance_m[level] * std::sqrt(std::min(1.0, mean_cosine / largest_cosine(lattice)));
+}
+
+double BuildPlan::quantum_m(std::uint32_t level) const {
+    // No vertex lies further from its chunk's centre than half the diagonal and the heights beside it, nor than the Earth.
+    const double side_m = cell_m * (kChunkCells << level);
+    const double reach_m = std::min(kReachOfHeights_m + 0.75 * side_m, 2 * kLargestRadius_m);
+    return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(reach_m / 16777216.0))));
+}
+
+BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options) {
+    if (grid.columns < 2 || grid.rows < 2)
+        throw UserError(grid.source + ": has " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+                        " posts; a terrain needs two by two or more");
+    BuildPlan plan;
+    plan.source = grid;
+    name_sources(plan, options);
+    plan.header.west_deg = grid.west_deg;
+    close_round_the_earth(plan);
+    place_poles(plan);
+    plan.header.levels = levels_for(plan.header);
+    plan.lattice = Lattice(plan.header);
+    choose_tolerances(plan);
+    cut_geoid(plan);
+    return plan;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,54 @@
+/// What is known of a database before its posts are read: lattice, levels, tolerances, vertex grid, and the units of work.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "host_sim/terrain_builder/post_reader.hpp"
+#include "host_sim/terrain_builder/undulation_grid.hpp"
+#include "render_core/terrain/lattice.hpp"
+
+namespace tedavis::host_sim {
+
+struct BuildOptions {
+    double le90_m = 0;          ///< vertical accuracy of the sources; 0 unknown
+    std::uint32_t threads = 0;  ///< 0: as many as the machine has and the memory allows
+    /// Called with a stage's name, its work done and its total; may throw to stop.
+    std::function<void(std::string_view, std::uint64_t, std::uint64_t)> progress;
+};
+
+/// A unit is the domain of one chunk of this level: what one thread works on, with its posts in memory.
+inline constexpr std::uint32_t kUnitLevel = 5;
+inline constexpr std::uint32_t kUnitCells = terrain::kChunkCells << kUnitLevel;
+
+struct BuildPlan {
+    terrain::FileHeader header{};  ///< without counts, heights, places and checksums
+    terrain::Lattice lattice;
+    PostGrid source;
+    std::uint32_t source_columns = 0;    ///< of the source that are taken; a closing column of its own is not
+    std::uint32_t first_source_row = 0;  ///< the lattice's row that is the source's first
+    UndulationGrid undulation;
+    double cell_m = 0;  ///< larger side of the largest cell
+
+    [[nodiscard]] std::uint32_t levels() const { return header.levels; }
+    [[nodiscard]] std::uint32_t unit_columns() const;
+    [[nodiscard]] std::uint32_t unit_rows() const;
+    [[nodiscard]] std::uint32_t unit_count() const { return unit_columns() * unit_rows(); }
+    [[nodiscard]] bool has_north_pole() const { return (header.lattice_flags & terrain::kLatticeNorthPole) != 0; }
+    [[nodiscard]] bool has_south_pole() const { return (header.lattice_flags & terrain::kLatticeSouthPole) != 0; }
+    [[nodiscard]] bool is_pole_row(std::uint32_t j) const {
+        return (j == 0 && has_north_pole()) || (j == header.rows - 1 && has_south_pole());
+    }
+
+    /// The error that meshes of a level aim at in a row of chunks: the level's, less where meridians run together.
+    [[nodiscard]] double tolerance_m(std::uint32_t level, std::uint32_t chunk_row) const;
+    /// The grid that positions of vertices are rounded to: a power of two, so that every chunk can hold a shared vertex
+    /// exactly in a float.
+    [[nodiscard]] double quantum_m(std::uint32_t level) const;
+};
+
+/// Throws UserError where the grid cannot be a lattice.
+[[nodiscard]] BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,105 @@
+#include "host_sim/terrain_builder/chunk_builder.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "host_sim/terrain_builder/curvature_bound.hpp"
+#include "render_core/terrain/regular_chunk.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using namespace terrain;
+
+bool touches_passing_border(const ChunkDraft& draft, const std::uint16_t* corners) {
+    return std::any_of(corners, corners + 3, [&](std::uint16_t n) {
+        return n < draft.entry.border_count && !draft.vertices[n].stays_beside_coarser();
+    });
+}
+
+std::uint16_t count_strips(const ChunkDraft& draft, const std::vector<std::uint16_t>& triangles) {
+    std::uint16_t strips = 0;
+    for (std::size_t n = 0; n < triangles.size(); n += 3)
+        strips = static_cast<std::uint16_t>(strips + (touches_passing_border(draft, &triangles[n]) ? 1 : 0));
+    return strips;
+}
+
+/// The triangles that a regular chunk has without storing them.
+std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
+    std::vector<std::uint16_t> triangles;
+    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
+        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i)
+            for (const auto& [di, dj] : {std::pair{0u, 0u}, {0u, 1u}, {1u, 0u}, {1u, 0u}, {0u, 1u}, {1u, 1u}})
+                triangles.push_back(static_cast<std::uint16_t>(grid.index_of(i + di, j + dj)));
+    return triangles;
+}
+
+/// What the triangulation asks to know about the curved Earth.
+struct CurvatureOfChunk {
+    const BuildPlan& plan;
+    std::uint32_t first_row;
+    double slope;
+
+    static double sagitta_m(const void* context, std::uint32_t posts_east, std::uint32_t posts_south, std::uint32_t row) {
+        const auto& chunk = *static_cast<const CurvatureOfChunk*>(context);
+        const std::uint32_t j = chunk.first_row + row;
+        const CurvatureBound bound = curvature_bound(chunk.plan.lattice, posts_east, j, j + posts_south, 0);
+        return bound.down_m + chunk.slope * bound.shift_m;
+    }
+};
+
+}  // namespace
+
+ChunkDraft make_regular_chunk(const BuildPlan& plan, const BorderLines& lines, std::uint32_t i, std::uint32_t j,
+                              const LatticeWindow& window, const PostPlaces& places) {
+    const ChunkKey key{0, i, j};
+    const PostRange posts = plan.lattice.posts_of(key);
+    const RegularGrid grid{posts.i1 - posts.i0 + 1, posts.j1 - posts.j0 + 1};
+    ChunkAssembly assembly(plan, key);
+    assembly.reserve(grid.vertex_count());
+    for (const BorderPost& post : chunk_border(plan, lines, key)) assembly.add_border(post, window, places);
+    for (std::uint32_t row = posts.j0 + 1; row < posts.j1; ++row)
+        for (std::uint32_t column = posts.i0 + 1; column < posts.i1; ++column) assembly.add_inner(column, row, window, places);
+    ChunkDraft draft = assembly.finish();
+    draft.entry.flags |= kChunkRegular;
+    draft.entry.triangle_count = static_cast<std::uint16_t>(grid.triangle_count());
+    draft.entry.strip_count = count_strips(draft, regular_triangles(grid));
+    return draft;
+}
+
+Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const ChunkKey& key, std::vector<TinPost> border_posts,
+                      std::vector<TinPost> candidates) {
+    const PostRange posts = plan.lattice.posts_of(key);
+    const CurvatureOfChunk curvature{plan, posts.j0, slopes.steepest(posts, 0)};
+    TinInput input;
+    input.last_i = posts.i1 - posts.i0;
+    input.last_j = posts.j1 - posts.j0;
+    input.border = std::move(border_posts);
+    input.candidates = std::move(candidates);
+    input.tolerance_m = plan.tolerance_m(key.level, key.j);
+    input.max_vertices = kMaxChunkVertices;
+    input.curvature_m = &CurvatureOfChunk::sagitta_m;
+    input.context = &curvature;
+    return make_chunk_tin(input);
+}
+
+void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles) {
+    for (const bool wanted : {true, false})
+        for (std::size_t n = 0; n < triangles.size(); n += 3)
+            if (touches_passing_border(draft, &triangles[n]) == wanted)
+                draft.triangles.insert(draft.triangles.end(), &triangles[n], &triangles[n] + 3);
+    draft.entry.triangle_count = static_cast<std::uint16_t>(triangles.size() / 3);
+    draft.entry.strip_count = count_strips(draft, triangles);
+}
+
+std::vector<std::uint8_t> payload_of(const ChunkDraft& draft) {
+    const std::size_t vertex_bytes = draft.vertices.size() * sizeof(ChunkVertex),
+                      index_bytes = draft.triangles.size() * sizeof(std::uint16_t);
+    std::vector<std::uint8_t> bytes(vertex_bytes + index_bytes);
+    std::memcpy(bytes.data(), draft.vertices.data(), vertex_bytes);
+    if (index_bytes > 0) std::memcpy(bytes.data() + vertex_bytes, draft.triangles.data(), index_bytes);
+    return bytes;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,45 @@
+/// The first stage of a build: every post of the sources, once, into the posts file; closing column and pole rows made.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/posts_file.hpp"
+#include "render_core/base/ports/workers.hpp"
+
+namespace tedavis::host_sim {
+
+struct PostStatistics {
+    float min_height_m = std::numeric_limits<float>::max();  ///< of valid posts
+    float max_height_m = std::numeric_limits<float>::lowest();
+    std::uint64_t valid_posts = 0, void_posts = 0;
+
+    void include(const PostStatistics& other);
+    void include(base::Span<const float> heights_m, base::Span<const terrain::PostClass> classes);
+};
+
+/// The source cut into blocks, band by band: what one task reads.
+class ImportBlocks {
+public:
+    explicit ImportBlocks(const BuildPlan& plan);
+
+    struct Block {
+        std::uint32_t i, j, columns, rows;  ///< of the source
+    };
+    [[nodiscard]] std::uint32_t count() const { return across_ * down_; }
+    [[nodiscard]] Block at(std::uint32_t index) const;
+
+private:
+    std::uint32_t columns_, rows_, block_rows_, across_, down_;
+};
+
+/// Blocks from `first` on; `commit` gets each block's statistics in order, and may throw to stop.
+void import_posts(const BuildPlan& plan, const PostReaderFactory& open, PostsFile& posts, base::Workers& workers,
+                  std::uint32_t first, const std::function<void(std::uint32_t, const PostStatistics&)>& commit);
+
+/// A pole row has one height: the mean of the valid posts of the row beside it, or of its own where the source has it.
+void make_pole_rows(const BuildPlan& plan, PostsFile& posts);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,92 @@
+#include "host_sim/terrain_builder/slope_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/terrain_builder/ordered_tasks.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using namespace terrain;
+
+constexpr double kSmallestRadius_m = 6335000;  // below any radius of curvature of the ellipsoid
+constexpr double kGeoidSlope = 5e-4;           // of the undulation that surfaces have on top of heights; EGM96's steepest is less
+
+struct LargestSteps {
+    float east_m = 0, south_m = 0;  // between valid neighbours
+};
+
+LargestSteps largest_steps(const LatticeWindow& w, const PostRange& posts) {
+    LargestSteps steps;
+    for (std::int64_t j = posts.j0; j <= posts.j1; ++j)
+        for (std::int64_t i = posts.i0; i <= posts.i1; ++i) {
+            const std::size_t n = w.at(i, j);
+            if (w.post_class[n] > PostClass::sea) continue;
+            if (i < posts.i1 && w.post_class[n + 1] <= PostClass::sea)
+                steps.east_m = std::max(steps.east_m, std::abs(w.height_m[n + 1] - w.height_m[n]));
+            if (j < posts.j1 && w.post_class[n + w.columns] <= PostClass::sea)
+                steps.south_m = std::max(steps.south_m, std::abs(w.height_m[n + w.columns] - w.height_m[n]));
+        }
+    return steps;
+}
+
+/// Cells are nowhere smaller than taken here.
+float slope_of(const BuildPlan& plan, const LatticeWindow& window, const PostRange& posts) {
+    const LargestSteps steps = largest_steps(window, posts);
+    // At a pole itself there is no east; the first ring says how far its posts are apart.
+    const auto cosine = [&](std::uint32_t j) {
+        const std::uint32_t row = plan.is_pole_row(j) ? (j == 0 ? 1 : j - 1) : j;
+        return std::cos(plan.lattice.latitude_rad(row));
+    };
+    const double east_m =
+        base::radians(plan.header.step_lon_deg) * kSmallestRadius_m * std::min(cosine(posts.j0), cosine(posts.j1));
+    double north_m = kSmallestRadius_m * base::radians(plan.header.step_lat_deg);
+    for (const std::uint32_t j : {posts.j0, posts.j1 - 1})
+        north_m = std::min(north_m, kSmallestRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1)));
+    return static_cast<float>(std::hypot(steps.east_m / east_m, steps.south_m / north_m) + kGeoidSlope);
+}
+
+}  // namespace
+
+SlopeMap::SlopeMap(const BuildPlan& plan, const PostsFile& posts, base::Workers& workers,
+                   const std::function<void(std::uint32_t)>& unit_done)
+    : columns_(plan.lattice.grid_columns(0)),
+      rows_(plan.lattice.grid_rows(0)),
+      closed_(plan.lattice.is_closed()),
+      slope_(std::size_t{columns_} * rows_) {
+    const auto measure = [&](std::uint32_t unit) {
+        const std::uint32_t u = unit % plan.unit_columns(), v = unit / plan.unit_columns();
+        LatticeWindow window;
+        window.i0 = u * kUnitCells;
+        window.j0 = v * kUnitCells;
+        window.columns = std::min(kUnitCells + 1, plan.header.columns - u * kUnitCells);
+        window.rows = std::min(kUnitCells + 1, plan.header.rows - v * kUnitCells);
+        posts.read(window);
+        constexpr std::uint32_t kSide = kUnitCells / kChunkCells;
+        for (std::uint32_t j = v * kSide; j < std::min((v + 1) * kSide, rows_); ++j)
+            for (std::uint32_t i = u * kSide; i < std::min((u + 1) * kSide, columns_); ++i)
+                slope_[std::size_t{j} * columns_ + i] = slope_of(plan, window, plan.lattice.posts_of({0, i, j}));
+        return true;
+    };
+    run_in_order(workers, 0, plan.unit_count(), measure, [&](std::uint32_t unit, bool) { unit_done(unit); });
+}
+
+double SlopeMap::steepest(const PostRange& posts, std::uint32_t margin_posts) const {
+    const auto margin = static_cast<std::int64_t>((margin_posts + kChunkCells - 1) / kChunkCells);
+    const std::int64_t first_j = std::max<std::int64_t>(posts.j0 / kChunkCells - margin, 0),
+                       last_j = std::min<std::int64_t>((posts.j1 - 1) / kChunkCells + margin, rows_ - 1);
+    std::int64_t first_i = posts.i0 / kChunkCells - margin, last_i = (posts.i1 - 1) / kChunkCells + margin;
+    if (last_i - first_i >= columns_) first_i = 0, last_i = columns_ - 1;
+    float steepest = 0;
+    for (std::int64_t j = first_j; j <= last_j; ++j)
+        for (std::int64_t i = first_i; i <= last_i; ++i) {
+            const bool inside = i >= 0 && i < columns_;
+            if (!inside && !closed_) continue;
+            steepest = std::max(steepest, slope_[static_cast<std::size_t>(j * columns_ + (i + columns_) % columns_)]);
+        }
+    return steepest;
+}
+
+}  // namespace tedavis::host_sim
