@@ -98,22 +98,18 @@ private:
         return has_cell(i, j) || has_cell(i - 1, j) || has_cell(i, j - 1) || has_cell(i - 1, j - 1);
     }
 
-    /// Most triangles lie inside the window and have no void near: none of their places needs a closer look.
+    /// Most triangles lie inside the window, and none of the cells round them has a void corner: then all of it counts.
     void look_for_voids() {
         const auto [a, b, c] = corners_;
         const std::int32_t west = std::min({a.i, b.i, c.i}), east = std::max({a.i, b.i, c.i});
         const std::int32_t north = std::min({a.j, b.j, c.j}), south = std::max({a.j, b.j, c.j});
         whole_ = west >= 0 && north >= 0 && east < columns_ && south < rows_;
-        for (std::int32_t j = std::max(north - 1, 0); whole_ && j <= std::min(south + 1, rows_ - 1); ++j)
-            whole_ = !has_void(j, {west - 1, east + 1});
-    }
-
-    [[nodiscard]] bool has_void(std::int32_t j, Range range) const {
-        const std::int32_t first = std::max(range.first, 0), last = std::min(range.last, columns_ - 1);
-        const PostClass* begin = posts_.post_class + at(first, j);
-        const auto bytes = static_cast<std::size_t>(last - first + 1);
-        return std::memchr(begin, static_cast<int>(PostClass::void_), bytes) != nullptr ||
-               std::memchr(begin, static_cast<int>(PostClass::outside), bytes) != nullptr;
+        for (std::int32_t j = north; whole_ && j <= south; ++j) {
+            const PostClass* begin = posts_.post_class + at(west, j);
+            const auto bytes = static_cast<std::size_t>(east - west + 1);
+            whole_ = std::memchr(begin, static_cast<int>(PostClass::void_), bytes) == nullptr &&
+                     std::memchr(begin, static_cast<int>(PostClass::outside), bytes) == nullptr;
+        }
     }
 
     void include(double difference, Place place) {
@@ -206,7 +202,7 @@ private:
     const PostWindowView& posts_;
     const std::int32_t columns_, rows_;
     const Corner (&corners_)[3];
-    bool whole_ = false;  // inside the window and without voids
+    bool whole_ = false;  // inside the window, no void in the rectangle round it
     Extreme highest_, lowest_;
 };
 

@@ -10,10 +10,10 @@
 
 #include "host_sim/command_line.hpp"
 #include "host_sim/input_file.hpp"
-#include "host_sim/terrain_builder/tdb_image.hpp"
 #include "render_core/base/hash.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/terrain_image.hpp"
 
 namespace tedavis::tests {
 namespace {
@@ -90,7 +90,8 @@ TEST_P(EveryNumber, OfTheShippedFilesIsBounded) {
     EXPECT_GT(tried, 20u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configs, EveryNumber, ::testing::Values("designs", "palettes", "devices", "buses", "switches", "scenarios"),
+INSTANTIATE_TEST_SUITE_P(Configs, EveryNumber,
+                         ::testing::Values("designs", "palettes", "devices", "buses", "switches", "scenarios"),
                          [](const auto& place) { return std::string(place.param); });
 
 TEST(BadValues, InFlights) {
@@ -138,18 +139,20 @@ using terrain::FileHeader;
 /// A database whose header or first chunk entry was changed and signed anew.
 template <class Change>
 std::string forged_tdb(const test_support::TemporaryFolder& place, Change change) {
-    static const std::vector<std::uint8_t> sound =
-        host_sim::make_tdb(host_sim::make_model(test_support::make_rough_raster(70, 66), {}), {});
+    static const host_sim::Raster raster = test_support::make_rough_raster(70, 66);
+    static const std::vector<std::uint8_t> sound = test_support::build_image(raster);
     std::vector<std::uint8_t> bytes = sound;
     FileHeader h;
     std::memcpy(&h, bytes.data(), sizeof h);
-    std::vector<ChunkEntry> entries(h.chunk_count);
-    std::memcpy(entries.data(), bytes.data() + sizeof h, entries.size() * sizeof(ChunkEntry));
-    change(h, entries.front());
-    h.directory_crc = base::crc32(entries.data(), entries.size() * sizeof(ChunkEntry));
+    std::uint64_t first_page;
+    std::memcpy(&first_page, bytes.data() + h.page_table_offset, sizeof first_page);
+    terrain::DirectoryPage page;
+    std::memcpy(&page, bytes.data() + first_page, sizeof page);
+    change(h, page.entries[0]);
+    page.crc = base::crc32(&page.level, sizeof page - offsetof(terrain::DirectoryPage, level));
     h.header_crc = base::crc32(&h, offsetof(FileHeader, header_crc));
     std::memcpy(bytes.data(), &h, sizeof h);
-    std::memcpy(bytes.data() + sizeof h, entries.data(), entries.size() * sizeof(ChunkEntry));
+    std::memcpy(bytes.data() + first_page, &page, sizeof page);
     return place.write("forged.tdb", std::string(bytes.begin(), bytes.end()));
 }
 
@@ -182,12 +185,15 @@ TEST(BadValues, InHeadersOfTerrainDatabases) {
     }
     refuses("tolerance", [&](FileHeader& h, ChunkEntry&) { h.tolerance_m[1] = std::nanf(""); });
     for (std::uint32_t FileHeader::*value :
-         {&FileHeader::columns, &FileHeader::rows, &FileHeader::levels, &FileHeader::chunk_count, &FileHeader::undulation_columns,
+         {&FileHeader::columns, &FileHeader::rows, &FileHeader::levels, &FileHeader::page_count, &FileHeader::undulation_columns,
           &FileHeader::undulation_rows}) {
         for (const std::uint32_t count : {0u, 1u, 0xFFFFFFFFu})
             refuses("count", [&](FileHeader& h, ChunkEntry&) { h.*value = count; });
     }
-    refuses("largest chunk", [&](FileHeader& h, ChunkEntry&) { h.max_chunk_vertices = 0xFFFFFFFFu; });
+    for (const std::uint64_t chunks : {std::uint64_t{0}, std::uint64_t{1} << 40})
+        refuses("chunks", [&](FileHeader& h, ChunkEntry&) { h.chunk_count = chunks; });
+    refuses("page table", [&](FileHeader& h, ChunkEntry&) { h.page_table_offset = std::uint64_t{1} << 40; });
+    refuses("lattice flags", [&](FileHeader& h, ChunkEntry&) { h.lattice_flags = 0xFF; });
     for (const std::uint64_t offset : {std::uint64_t{0xFFFFFFFFFFFFFFFFu}, std::uint64_t{1} << 40})
         refuses("geoid offset", [&](FileHeader& h, ChunkEntry&) { h.undulation_offset = offset; });
     refuses("size", [&](FileHeader& h, ChunkEntry&) { h.file_bytes += 1; });
@@ -210,9 +216,12 @@ TEST(BadValues, InChunkEntriesOfTerrainDatabases) {
     refuses("extent", [&](FileHeader&, ChunkEntry& e) { e.half_extent_m[2] = nan; });
     refuses("level", [&](FileHeader&, ChunkEntry& e) { e.level = 9; });
     refuses("place", [&](FileHeader&, ChunkEntry& e) { e.i = 7; });
-    refuses("vertices", [&](FileHeader&, ChunkEntry& e) { e.vertex_count = 0xFFFFFFFFu; });
-    refuses("offset", [&](FileHeader&, ChunkEntry& e) { e.offset = ~std::uint64_t{0}; });
-    refuses("bytes", [&](FileHeader&, ChunkEntry& e) { e.bytes += 4; });
+    refuses("strip above", [&](FileHeader&, ChunkEntry& e) { e.strip_above_m = nan; });
+    refuses("children", [&](FileHeader&, ChunkEntry& e) { e.children = 15; });
+    refuses("flags", [&](FileHeader&, ChunkEntry& e) { e.flags = 0; });
+    refuses("vertices", [&](FileHeader&, ChunkEntry& e) { e.vertex_count = 0xFFFF; });
+    refuses("offset", [&](FileHeader&, ChunkEntry& e) { e.payload.offset = ~std::uint64_t{0}; });
+    refuses("bytes", [&](FileHeader&, ChunkEntry& e) { e.payload.bytes += 4; });
 }
 
 }  // namespace

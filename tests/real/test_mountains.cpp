@@ -9,6 +9,7 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "tests/support/skyline.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/terrain_image.hpp"
 
 namespace tedavis {
 namespace {
@@ -109,7 +110,7 @@ TEST(Mountains, OfAFlightOverDavosLieWhereGeodesyPutsThem) {
 
     const host_sim::Raster raster =
         host_sim::load_rasters({data + "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif"}, {});
-    const std::vector<std::uint8_t> image = host_sim::make_tdb(host_sim::make_model(raster, {}), {});
+    const std::vector<std::uint8_t> image = test_support::build_image(raster);
     test_support::MemoryBytes terrain(image);
     test_support::HeadlessDisplay headless("egl", "desktop", 1024, 768, &terrain);
     headless.display().set_design(test_support::skyline_design());

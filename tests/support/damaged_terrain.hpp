@@ -2,22 +2,35 @@
 #pragma once
 
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::test_support {
 
-/// Turns one bit of the payload of every chunk of the database in `image`.
-inline void damage_payloads(std::string& image) {
+/// Calls action(entry, page's offset in the file) for every chunk of the database in `image`.
+template <class Image, class Action>
+void for_entries(Image& image, Action action) {
     terrain::FileHeader header;
     std::memcpy(&header, image.data(), sizeof header);
-    for (std::uint32_t n = 0; n < header.chunk_count; ++n) {
-        terrain::ChunkEntry entry;
-        std::memcpy(&entry, image.data() + sizeof header + n * sizeof entry, sizeof entry);
-        char& byte = image.at(static_cast<std::size_t>(entry.offset) + entry.bytes / 2);
-        byte = static_cast<char>(byte ^ 4);
+    const auto page = std::make_unique<terrain::DirectoryPage>();
+    for (std::uint32_t n = 0; n < header.page_count; ++n) {
+        std::uint64_t offset;
+        std::memcpy(&offset, image.data() + header.page_table_offset + n * sizeof offset, sizeof offset);
+        if (offset == 0) continue;
+        std::memcpy(page.get(), image.data() + offset, sizeof *page);
+        for (const terrain::ChunkEntry& entry : page->entries)
+            if (entry.vertex_count != 0) action(entry, offset);
     }
+}
+
+/// Turns one bit of the payload of every chunk of the database in `image`.
+inline void damage_payloads(std::string& image) {
+    for_entries(image, [&image](const terrain::ChunkEntry& entry, std::uint64_t) {
+        char& byte = image.at(static_cast<std::size_t>(entry.payload.offset) + entry.payload.bytes / 2);
+        byte = static_cast<char>(byte ^ 4);
+    });
 }
 
 }  // namespace tedavis::test_support

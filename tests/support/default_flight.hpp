@@ -10,12 +10,12 @@
 #include "host_sim/flight_log/flight_log_writer.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
 #include "host_sim/scenario/scenario_switches.hpp"
-#include "host_sim/terrain_builder/tdb_image.hpp"
 #include "platform/reservation/memory_reservation.hpp"
 #include "platform/surface_factory.hpp"
 #include "render_core/display/display.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/memory_bytes.hpp"
+#include "tests/support/terrain_image.hpp"
 
 namespace tedavis::test_support {
 
@@ -68,7 +68,7 @@ private:
         const std::string raster = std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif";
         host_sim::BuildOptions options;
         options.le90_m = 16;
-        return host_sim::make_tdb(host_sim::make_model(host_sim::load_rasters({raster}, {}), options), options);
+        return build_image_of_file(raster, options);
     }
 };
 

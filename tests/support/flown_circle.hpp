@@ -7,10 +7,10 @@
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/flight_log/flight_log_writer.hpp"
-#include "host_sim/terrain_builder/tdb_image.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/terrain_image.hpp"
 
 namespace tedavis::test_support {
 
@@ -48,9 +48,8 @@ struct FlownFiles {
     FlownFiles() {
         std::ofstream stream(log, std::ios::binary);
         host_sim::write_flight_log(FlownCircle(), {}, stream, [](double) { return true; });
-        const auto image = host_sim::make_tdb(host_sim::make_model(make_rough_raster(193, 193), {}), {});
-        std::ofstream(terrain, std::ios::binary)
-            .write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
+        const host_sim::Raster raster = make_rough_raster(193, 193);
+        host_sim::build_terrain(posts_of(raster), terrain, {});
     }
 
     /// 320 x 240, frames at 0, 0.5 .. of the flight, hashes only.

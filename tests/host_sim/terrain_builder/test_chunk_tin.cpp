@@ -235,6 +235,10 @@ TEST(ChunkTin, TrianglesOverVoidsHaveAVoidVertex) {
     std::size_t void_vertices = 0;
     for (const TinPost& v : tin.vertices) void_vertices += v.post_class == PostClass::void_ ? 1 : 0;
     EXPECT_LT(void_vertices, 700u) << "not all of the 1632 voids";
+    TinInput shuffled = input;
+    std::mt19937 random(8);
+    std::shuffle(shuffled.candidates.begin(), shuffled.candidates.end(), random);
+    EXPECT_TRUE(same_tin(tin, make_chunk_tin(shuffled)));
     input.max_vertices = 140;
     EXPECT_GT(hidden_voids(input, make_chunk_tin(input)), 0u) << "a control: the capacity does not reach";
 }
@@ -249,6 +253,17 @@ TEST(ChunkTin, AVoidEverywhereIsNoReasonToRefine) {
     EXPECT_EQ(tin.vertices[4].j, 11);
     for (TinPost& post : input.border) post.post_class = PostClass::void_;
     EXPECT_EQ(make_chunk_tin(input).vertices.size(), 4u);
+}
+
+TEST(ChunkTin, OfTwoVoidsEquallyNearTheNorthernOneIsTaken) {
+    TinInput input = input_of(32, 32, 32, [](double, double) { return 0; });
+    const TinPost north{12, 10, 0, PostClass::void_}, south{10, 12, 0, PostClass::void_};
+    for (const auto& candidates : {std::vector<TinPost>{north, south}, std::vector<TinPost>{south, north}}) {
+        input.candidates = candidates;
+        const Tin tin = make_chunk_tin(input);
+        ASSERT_EQ(tin.vertices.size(), 5u);
+        EXPECT_TRUE(same_post(tin.vertices[4], north));
+    }
 }
 
 double sagitta_m(const void* radius_m, std::uint32_t posts_east, std::uint32_t posts_south, std::uint32_t) {
@@ -290,12 +305,17 @@ TEST(ChunkTin, CurvatureAddsToWhatLiesBelowOnly) {
     EXPECT_GT(count(-3.5), 0u);
 }
 
-/// The fractal ground as the true surface.
+/// The true surface of a chunk.
 struct Truth {
-    std::vector<PostClass> classes = std::vector<PostClass>(129 * 129, PostClass::land);
+    std::uint32_t posts;  // a side
+    std::vector<float> surface_m;
+    std::vector<PostClass> classes;
+
+    explicit Truth(std::uint32_t side, std::vector<float> heights)
+        : posts(side), surface_m(std::move(heights)), classes(surface_m.size(), PostClass::land) {}
 
     [[nodiscard]] PlacedError error(const TinPost& a, const TinPost& b, const TinPost& c) const {
-        const PostWindowView view{0, 0, 129, 129, fractal().height_m.data(), classes.data()};
+        const PostWindowView view{0, 0, posts, posts, surface_m.data(), classes.data()};
         return placed_triangle_error(view, {a.i, a.j, a.height_m}, {b.i, b.j, b.height_m}, {c.i, c.j, c.height_m});
     }
     [[nodiscard]] double worst_m(const Tin& tin) const {
@@ -310,8 +330,8 @@ struct Truth {
 };
 
 TEST(ChunkTin, MissesBetweenPostsAreMended) {
-    const Truth truth;
-    for (const double tolerance_m : {8.0, 3.0, 1.0}) {
+    const Truth truth(129, fractal().height_m);
+    for (const double tolerance_m : {20.0, 6.0, 2.0}) {
         TinInput input = fractal_input(tolerance_m, 1);
         const Tin without = make_chunk_tin(input);
         EXPECT_GT(truth.worst_m(without), 1.05 * tolerance_m) << "a control: near at posts is not near everywhere";
@@ -328,9 +348,38 @@ TEST(ChunkTin, MissesBetweenPostsAreMended) {
     }
 }
 
+TEST(ChunkTin, MissesAreMendedWhereverTheGroundIsRough) {
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        std::mt19937 random(seed);
+        std::vector<float> heights;
+        for (int n = 0; n < 41 * 41; ++n) heights.push_back(static_cast<float>(random() % 100 * (random() % 8 == 0 ? 10 : 1)));
+        const Truth truth(41, heights);
+        TinInput input = input_of(40, 40, 1, [&](std::uint32_t i, std::uint32_t j) { return heights[j * 41 + i]; });
+        input.tolerance_m = input.miss_tolerance_m = 5.0 * seed;
+        input.miss = Truth::miss;
+        input.context = &truth;
+        ASSERT_LE(truth.worst_m(make_chunk_tin(input)), input.miss_tolerance_m) << seed;
+    }
+}
+
+TEST(ChunkTin, AMissIsFollowedUntilNoCandidateIsLeft) {
+    // The triangle at the north-west corner misses, and no candidate is near enough to change it.
+    TinInput input = input_of(8, 8, 1, [](double, double) { return 0; });
+    input.candidates = {{5, 5, 0, PostClass::land}, {6, 6, 0, PostClass::land}};
+    input.miss_tolerance_m = 1;
+    input.miss = [](const void*, const TinPost& a, const TinPost& b, const TinPost& c) {
+        const bool at_corner = a.i + a.j == 0 || b.i + b.j == 0 || c.i + c.j == 0;
+        return TinMiss{at_corner ? 2.0 : 1.0, 0, 0};
+    };
+    const Tin tin = make_chunk_tin(input);
+    expect_sound(input, tin);
+    ASSERT_EQ(tin.vertices.size(), input.border.size() + 2);
+    EXPECT_EQ(tin.vertices[input.border.size()].i, 5) << "the nearest first";
+}
+
 TEST(ChunkTin, MissesAwayFromAllCandidatesAreMendedWithTheNearest) {
     // Candidates are those of a coarser mesh; the truth has all posts.
-    const Truth truth;
+    const Truth truth(129, fractal().height_m);
     TinInput input = fractal_input(6, 2);
     const Tin finer = make_chunk_tin(fractal_input(3, 2));
     input.candidates.assign(finer.vertices.begin() + static_cast<std::ptrdiff_t>(input.border.size()), finer.vertices.end());

@@ -209,14 +209,14 @@ TEST(SurfaceError, CellsWithVoidCornersDoNotCount) {
         for (std::int64_t i = 3; i < 17; ++i) posts.post_class[posts.at(i, j)] = PostClass::void_;
     for (std::size_t n = 0; n < posts.post_class.size(); ++n)
         if (posts.post_class[n] == PostClass::void_) posts.surface_m[n] = 1e6f;
-    RandomTriangles triangles{std::mt19937(7), posts};
-    const auto on_ground = [&] {
-        MeshCorner c = triangles.corner();
-        c.surface_m = std::fmod(c.surface_m, 100);
-        return c;
+    const auto on_ground = [&](std::int64_t west, std::int64_t north, std::uint32_t reach) {
+        const std::int64_t i = west + random() % reach, j = north + random() % reach;
+        return MeshCorner{i, j, static_cast<double>(random() % 100)};
     };
-    for (int n = 0; n < 300; ++n) {
-        const MeshCorner a = on_ground(), b = on_ground(), c = on_ground();
+    for (int n = 0; n < 2000; ++n) {
+        const std::uint32_t reach = n < 200 ? 21 : 4;
+        const std::int64_t west = random() % (22 - reach), north = random() % (22 - reach);
+        const MeshCorner a = on_ground(west, north, reach), b = on_ground(west, north, reach), c = on_ground(west, north, reach);
         if (has_no_area(a, b, c)) continue;
         const SignedError measured = triangle_error(posts.view(), a, b, c), expected = overlay_error(posts, a, b, c);
         ASSERT_NEAR(measured.above_m, expected.above_m, 1e-9) << n;
