@@ -120,7 +120,8 @@ std::uint32_t LodSelector::wanted(base::Span<WantedChunk> out) {
     // Children come after their parents, so that backwards every need has come up when it is passed on.
     for (NodeIndex n = count; n-- > 0;) {
         LodNode& node = tree_.node(n);
-        if (node.is_leaf && node.is_visible) node.priority = std::max(node.priority, shown_without(n));
+        // A visible chunk may have hidden children only; its parent's split needs it all the same.
+        if (node.is_visible) node.priority = std::max(node.priority, shown_without(n));
         if (node.priority == kNotNeeded) continue;
         heap_[needed++] = n;
         if (node.parent == kNoNode) continue;
