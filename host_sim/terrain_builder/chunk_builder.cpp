@@ -35,17 +35,26 @@ std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
     return triangles;
 }
 
-/// What the triangulation asks to know about the curved Earth.
-struct CurvatureOfChunk {
+/// What the triangulation asks to know about the true surface and the curved Earth.
+struct GroundOfChunk {
     const BuildPlan& plan;
-    std::uint32_t first_row;
+    PostRange posts;
     double slope;
+    PostWindowView surface;
 
     static double sagitta_m(const void* context, std::uint32_t posts_east, std::uint32_t posts_south, std::uint32_t row) {
-        const auto& chunk = *static_cast<const CurvatureOfChunk*>(context);
-        const std::uint32_t j = chunk.first_row + row;
+        const auto& chunk = *static_cast<const GroundOfChunk*>(context);
+        const std::uint32_t j = chunk.posts.j0 + row;
         const CurvatureBound bound = curvature_bound(chunk.plan.lattice, posts_east, j, j + posts_south, 0);
         return bound.down_m + chunk.slope * bound.shift_m;
+    }
+    static TinMiss miss(const void* context, const TinPost& a, const TinPost& b, const TinPost& c) {
+        const auto& chunk = *static_cast<const GroundOfChunk*>(context);
+        const auto corner = [&chunk](const TinPost& post) {
+            return MeshCorner{std::int64_t{chunk.posts.i0} + post.i, std::int64_t{chunk.posts.j0} + post.j, post.height_m};
+        };
+        const PlacedError placed = placed_triangle_error(chunk.surface, corner(a), corner(b), corner(c));
+        return {placed.error.largest_m(), placed.i - chunk.posts.i0, placed.j - chunk.posts.j0};
     }
 };
 
@@ -69,9 +78,9 @@ ChunkDraft make_regular_chunk(const BuildPlan& plan, const BorderLines& lines, s
 }
 
 Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const ChunkKey& key, std::vector<TinPost> border_posts,
-                      std::vector<TinPost> candidates) {
+                      std::vector<TinPost> candidates, const LatticeWindow* surface) {
     const PostRange posts = plan.lattice.posts_of(key);
-    const CurvatureOfChunk curvature{plan, posts.j0, slopes.steepest(posts, 0)};
+    const GroundOfChunk ground{plan, posts, slopes.steepest(posts, 0), surface != nullptr ? surface->view() : PostWindowView{}};
     TinInput input;
     input.last_i = posts.i1 - posts.i0;
     input.last_j = posts.j1 - posts.j0;
@@ -79,8 +88,10 @@ Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const Chunk
     input.candidates = std::move(candidates);
     input.tolerance_m = plan.tolerance_m(key.level, key.j);
     input.max_vertices = kMaxChunkVertices;
-    input.curvature_m = &CurvatureOfChunk::sagitta_m;
-    input.context = &curvature;
+    input.curvature_m = &GroundOfChunk::sagitta_m;
+    if (surface != nullptr) input.miss = &GroundOfChunk::miss;
+    input.miss_tolerance_m = input.tolerance_m;
+    input.context = &ground;
     return make_chunk_tin(input);
 }
 

@@ -15,9 +15,11 @@ namespace tedavis::host_sim {
                                             const LatticeWindow& window, const PostPlaces& places);
 
 /// The triangulation of a chunk of level 1 or above. `border_posts` are those of chunk_border() with heights and classes;
-/// `candidates` and the result are relative to the chunk's corner.
+/// `candidates` and the result are relative to the chunk's corner. With `surface`, a window of all its posts, the mesh is held to
+/// the tolerance between posts as well.
 [[nodiscard]] Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const terrain::ChunkKey& key,
-                                    std::vector<TinPost> border_posts, std::vector<TinPost> candidates);
+                                    std::vector<TinPost> border_posts, std::vector<TinPost> candidates,
+                                    const LatticeWindow* surface);
 
 /// Puts the triangles that touch a border vertex which does not always stay first; sets their counts.
 void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles);

@@ -102,7 +102,7 @@ IrregularChunk build_coarse_chunk(const ChunkSources& s, const EntriesFile& entr
     std::vector<TinPost> border_posts;
     for (const BorderPost& post : border)
         border_posts.push_back(tin_post(posts, Neighbourhood(s, post.i, post.j), post.i, post.j));
-    const Tin tin = triangulate_chunk(s.plan, s.slopes, key, std::move(border_posts), candidates(s, entries, key, posts));
+    const Tin tin = triangulate_chunk(s.plan, s.slopes, key, std::move(border_posts), candidates(s, entries, key, posts), nullptr);
     ChunkAssembly assembly(s.plan, key);
     for (std::size_t n = 0; n < tin.vertices.size(); ++n) {
         const std::uint32_t i = posts.i0 + tin.vertices[n].i, j = posts.j0 + tin.vertices[n].j;

@@ -78,7 +78,7 @@ private:
         const std::vector<BorderPost> border = chunk_border(s_.plan, s_.lines, key);
         std::vector<TinPost> border_posts;
         for (const BorderPost& post : border) border_posts.push_back(tin_post(posts, post.i, post.j));
-        const Tin tin = triangulate_chunk(s_.plan, s_.slopes, key, std::move(border_posts), candidates(key, posts));
+        const Tin tin = triangulate_chunk(s_.plan, s_.slopes, key, std::move(border_posts), candidates(key, posts), &window_);
         ChunkAssembly assembly(s_.plan, key);
         assembly.reserve(tin.vertices.size());
         for (std::size_t n = 0; n < tin.vertices.size(); ++n) {
