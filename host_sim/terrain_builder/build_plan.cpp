@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host_sim/terrain_builder/attributes/attribute_tile.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 
@@ -85,6 +86,8 @@ void name_sources(BuildPlan& plan, const BuildOptions& options) {
     h.version = kTdbVersion;
     h.header_bytes = sizeof h;
     h.le90_m = static_cast<float>(options.le90_m);
+    h.light_azimuth_deg = static_cast<float>(base::degrees(FixedLight().azimuth_rad));
+    h.light_elevation_deg = static_cast<float>(base::degrees(FixedLight().elevation_rad));
     std::strncpy(h.source, plan.source.source.c_str(), sizeof h.source - 1);
     const bool egm96 = plan.source.vertical_datum == VerticalDatum::egm96;
     std::strncpy(h.vertical_datum, egm96 ? "egm96" : "ellipsoid", sizeof h.vertical_datum - 1);

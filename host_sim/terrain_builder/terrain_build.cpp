@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/terrain_builder/attribute_baker.hpp"
 #include "host_sim/terrain_builder/coarse_chunks.hpp"
 #include "host_sim/terrain_builder/directory_writer.hpp"
 #include "host_sim/terrain_builder/height_pyramid.hpp"
 #include "host_sim/terrain_builder/import_posts.hpp"
 #include "host_sim/terrain_builder/ordered_tasks.hpp"
+#include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/threads/thread_workers.hpp"
 
@@ -48,7 +50,7 @@ public:
           options_(options),
           folder_(output + ".part"),
           plan_(make_build_plan(open()->grid(), options)),
-          layout_(plan_, false),
+          layout_(plan_, true),
           workers_(make_workers(options.threads)) {
         make_folder(folder_);
     }
@@ -56,7 +58,10 @@ public:
     void run(const std::string& output) {
         PostsFile posts(folder_ + "/posts", plan_.header.columns, plan_.header.rows, plan_.lattice.is_closed());
         import(posts);
-        if (statistics_.void_posts > 0) fill(posts);
+        HeightPyramid pyramid(folder_, posts, plan_.lattice.is_closed());
+        pyramid.build(*workers_, [this](std::uint64_t done, std::uint64_t total) { progress("pyramid", done, total); });
+        if (statistics_.void_posts > 0)
+            pyramid.fill_voids(*workers_, [this](std::uint64_t done, std::uint64_t total) { progress("voids", done, total); });
         BorderLines lines(plan_, folder_);
         lines.build(posts, *workers_, [this](std::uint64_t done, std::uint64_t total) { progress("borders", done, total); });
         const SlopeMap slopes(plan_, posts, *workers_,
@@ -69,8 +74,11 @@ public:
         build_units(sources, entries);
         build_coarse(sources, entries);
         measure_coarse(sources, entries);
+        bake(sources, entries, pyramid);
         finish(entries, database);
         database.sync();
+        verify_database(OpenDatabase(folder_ + "/database"),
+                        [this](std::uint64_t done, std::uint64_t total) { progress("verification", done, total); });
         if (std::rename((folder_ + "/database").c_str(), output.c_str()) != 0)
             throw UserError(output + ": cannot be put in its place; check the folder");
         std::filesystem::remove_all(folder_);
@@ -90,12 +98,6 @@ private:
         if (statistics_.valid_posts == 0)
             throw UserError(plan_.source.source + ": no post has a height; check the file or its void value");
         make_pole_rows(plan_, posts);
-    }
-
-    void fill(PostsFile& posts) {
-        HeightPyramid pyramid(folder_, posts, plan_.lattice.is_closed());
-        pyramid.build(*workers_, [this](std::uint64_t done, std::uint64_t total) { progress("pyramid", done, total); });
-        pyramid.fill_voids(*workers_, [this](std::uint64_t done, std::uint64_t total) { progress("voids", done, total); });
     }
 
     void append(const ChunkSources& sources, EntriesFile& entries, IrregularChunk&& chunk) {
@@ -144,6 +146,20 @@ private:
             errors.state(entry);
             entries.write(entry);
         }
+    }
+
+    void bake(const ChunkSources& sources, EntriesFile& entries, HeightPyramid& pyramid) {
+        AttributeBaker baker(plan_, layout_, pyramid, sources.store);
+        run_in_order(
+            *workers_, 0, baker.task_count(), [&](std::uint32_t task) { return baker.run(task); },
+            [&](std::uint32_t task, const std::vector<BakedPage>& pages) {
+                for (const BakedPage& page : pages) {
+                    ChunkEntry entry = entries.read(page.chunk);
+                    entry.attributes = page.place;
+                    entries.write(entry);
+                }
+                progress("attributes", task + 1, baker.task_count());
+            });
     }
 
     void finish(EntriesFile& entries, WorkFile& database) {

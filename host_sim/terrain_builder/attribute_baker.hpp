@@ -1,0 +1,75 @@
+/// The attribute stage of a build: pages of all chunks of level 1 and above, tile by tile, coarse before fine.
+///
+/// A page of level k shows posts of pyramid level k-1. What a tile sees beyond its apron comes from the tile of the level
+/// above that holds it, which sees the same way: tiles are visited down the pyramid, and each worker keeps the far horizons
+/// of the tiles above the one at hand.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "host_sim/terrain_builder/attributes/attribute_maps.hpp"
+#include "host_sim/terrain_builder/height_pyramid.hpp"
+#include "host_sim/terrain_builder/part_store.hpp"
+#include "host_sim/terrain_builder/tdb_layout.hpp"
+
+namespace tedavis::host_sim {
+
+/// Tile (u, v) of a pyramid level begins at post (128 u, 128 v): pages of two by two chunks.
+struct TileKey {
+    std::uint32_t level = 0, u = 0, v = 0;
+};
+inline constexpr std::uint32_t kTilePosts = 128;
+
+struct BakedPage {
+    terrain::ChunkKey chunk;
+    terrain::PartPlace place;
+};
+
+class AttributeBaker {
+public:
+    AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, HeightPyramid& pyramid, PartStore& store);
+
+    /// Tasks are independent of each other; together they make every page once.
+    [[nodiscard]] std::uint32_t task_count() const { return static_cast<std::uint32_t>(tasks_.size()); }
+    /// Puts the pages into the store. Any thread.
+    [[nodiscard]] std::vector<BakedPage> run(std::uint32_t task);
+
+private:
+    struct Task {
+        TileKey tile;
+        bool with_tiles_below;
+    };
+    /// Far horizons of one tile a level.
+    struct Sight {
+        struct Level {
+            TileKey tile;
+            FarHorizons far;
+            bool known = false;
+        };
+        std::vector<Level> levels;
+    };
+
+    [[nodiscard]] std::uint32_t tiles_across(std::uint32_t level) const;
+    [[nodiscard]] std::uint32_t tiles_down(std::uint32_t level) const;
+    void list_tasks();
+    [[nodiscard]] AttributeTile load(const TileKey& tile, std::vector<terrain::PostClass>& classes) const;
+    [[nodiscard]] FarView view_above(const TileKey& tile, Sight& sight) const;
+    void bake(const TileKey& tile, bool with_tiles_below, Sight& sight, std::vector<BakedPage>& pages);
+    void put_pages(const TileKey& tile, const AttributeMaps& maps, std::vector<BakedPage>& pages);
+    [[nodiscard]] std::unique_ptr<Sight> take_sight();
+
+    const BuildPlan& plan_;
+    const TdbLayout& layout_;
+    HeightPyramid& pyramid_;
+    PartStore& store_;
+    std::vector<Task> tasks_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Sight>> idle_;
+};
+
+}  // namespace tedavis::host_sim
