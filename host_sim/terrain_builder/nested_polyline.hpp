@@ -15,7 +15,7 @@
 namespace tedavis::host_sim {
 
 /// Borders keep closer than their level's meshes, which add errors of their own.
-inline constexpr double kBorderTolerance = 0.3;
+inline constexpr double kBorderTolerance = 0.12;
 /// Between two corners of the level below; with four sides of two halves each a third of a chunk's vertices at most.
 inline constexpr std::uint32_t kMostBorderInsertions = 127;
 

@@ -319,7 +319,8 @@ void Display::draw(base::Surface& surface) {
 void Display::draw_scene() {
     gl_->Clear(GL_DEPTH_BUFFER_BIT);
     if (!decisions_.show_terrain) return draw_sky();
-    const draw::DepthPlan depth = draw::plan_depth(view_.near_m, view_.far_m);
+    const double far_m = std::fmin(std::fmax(terrain_.farthest_depth_m(view_), 2 * view_.near_m), view_.far_m);
+    const draw::DepthPlan depth = draw::plan_depth(view_.near_m, far_m);
     const draw::TerrainDrawInput input = terrain_input();
     for (std::size_t n = 0; n < depth.count; ++n) {
         if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);

@@ -1,6 +1,9 @@
 #include "render_core/display/terrain_scene.hpp"
 
+#include <cmath>
 #include <limits>
+
+#include "render_core/draw/terrain_uniforms.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -106,6 +109,13 @@ bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) { re
 void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
                         draw::TerrainDrawResult& result) {
     drawer_.draw(gl, selected(), input, range, result);
+}
+
+double TerrainScene::farthest_depth_m(const terrain::View& view) const {
+    double farthest = 0;
+    for (const terrain::SelectedChunk& chunk : selected())
+        farthest = std::fmax(farthest, draw::depths_of(*chunk.entry, view, draw::greatest_lift_m(chunk.lift)).far_m);
+    return farthest;
 }
 
 terrain::DrawnPoint TerrainScene::drawn_point(double latitude_rad, double longitude_rad) {

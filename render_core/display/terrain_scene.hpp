@@ -55,6 +55,9 @@ public:
     [[nodiscard]] bool prepare(gl::Gl& gl, const draw::TerrainDrawInput& input);
     void draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& result);
 
+    /// Depth of the farthest point that is drawn; 0 when nothing is.
+    [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
+
     /// The drawn surface at a place, for what stands on the ground; after prepare().
     [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }

@@ -38,7 +38,8 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
 }
 
-/// Depths of a chunk's box along the view.
+}  // namespace
+
 DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m) {
     const glm::dvec3 centre(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]);
     double reach = lift_m;
@@ -49,6 +50,8 @@ DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view
     const double depth = glm::dot(centre - view.eye, view.forward);
     return {depth - reach, depth + reach};
 }
+
+namespace {
 
 /// From the light's azimuth at a chunk to its baked horizons.
 double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {

@@ -34,6 +34,9 @@ struct TerrainDrawResult {
     std::uint32_t draws = 0;
 };
 
+/// Least and greatest depth of a chunk's box along the view, lifted or not.
+[[nodiscard]] DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m);
+
 class TerrainDrawer {
 public:
     static constexpr std::size_t kBandVariants = 3;  ///< programs for no, few and all warning bands

@@ -13,9 +13,15 @@ float larger(float a, float b) { return a > b ? a : b; }
 
 }  // namespace
 
-double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m) {
+double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges) {
+    float error_m = larger(entry.above_m, entry.below_m);
+    if (coarser_edges != 0) error_m = larger(error_m, larger(entry.strip_above_m, entry.strip_below_m));
+    return error_in_box_px(entry, view, double{error_m}, 0);
+}
+
+double lifted_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m) {
     const float above_m = coarser_edges != 0 ? larger(entry.above_m, entry.strip_above_m) : entry.above_m;
-    return error_in_box_px(entry, view, double{above_m} + double{lift_m}, 0, double{lift_m});
+    return error_in_box_px(entry, view, double{above_m} + double{lift_m}, double{lift_m});
 }
 
 bool LodRefinement::run(Priority priority, double reach_m) {
@@ -29,7 +35,7 @@ bool LodRefinement::run(Priority priority, double reach_m) {
     if (!add_roots()) return false;
     do {
         refine();
-    } while (stop_ == LodStop::met && settings_.conservative_up && queue_causes_of_lifted_errors());
+    } while (stop_ == LodStop::met && (settings_.conservative_up ? queue_causes_of_lifted_errors() : queue_causes_of_strips()));
     if (settings_.conservative_up) poles_ = pole_lifts(tree_);
     return true;
 }
@@ -165,10 +171,10 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
     if (!(node.error_px <= settings_.tau_px)) push(n, node.error_px);
 }
 
-/// Lifted chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
+/// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
 double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
-    return settings_.conservative_up ? drawn_error_px(entry, view_, kEdgeNorth, own_lift_m(entry))
-                                     : projected_error_px(entry, view_);
+    return settings_.conservative_up ? lifted_error_px(entry, view_, kEdgeNorth, own_lift_m(entry))
+                                     : drawn_error_px(entry, view_, 0);
 }
 
 double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {
@@ -202,6 +208,24 @@ bool LodRefinement::comes_after(NodeIndex a, NodeIndex b) const {
     return first.priority != second.priority ? first.priority < second.priority : second.key < first.key;
 }
 
+/// Leaves whose strips beside coarser neighbours exceed tau: those neighbours are to be split.
+bool LodRefinement::queue_causes_of_strips() {
+    for (NodeIndex n = 0; n < tree_.size(); ++n) {
+        const LodNode& node = tree_.node(n);
+        if (!node.is_leaf || !node.is_visible) continue;
+        const std::uint8_t coarser_edges = tree_.coarser_edges(node.key);
+        if (coarser_edges == 0) continue;
+        const double error_px = drawn_error_px(*node.entry, view_, coarser_edges);
+        if (error_px <= settings_.tau_px) continue;
+        for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
+            if ((coarser_edges & side) == 0) continue;
+            const NodeIndex cause = tree_.find(catalogue_.lattice().neighbour(node.key, side).parent());
+            if (cause != kNoNode && !tree_.node(cause).is_tried && !tree_.node(cause).is_queued) push(cause, error_px);
+        }
+    }
+    return queued_ > 0;
+}
+
 /// Errors of leaves with all that their neighbours raise. Where one exceeds tau, the leaf that raises most is to be split.
 bool LodRefinement::queue_causes_of_lifted_errors() {
     poles_ = pole_lifts(tree_);
@@ -209,7 +233,7 @@ bool LodRefinement::queue_causes_of_lifted_errors() {
         LodNode& node = tree_.node(n);
         if (!node.is_leaf || !node.is_visible) continue;
         const LiftSource largest = lift_of_leaf(tree_, n, poles_).largest;
-        const double error_px = drawn_error_px(*node.entry, view_, tree_.coarser_edges(node.key), largest.lift_m);
+        const double error_px = lifted_error_px(*node.entry, view_, tree_.coarser_edges(node.key), largest.lift_m);
         if (error_px <= settings_.tau_px) continue;
         LodNode& cause = tree_.node(largest.leaf);
         if (cause.is_tried || cause.is_queued) continue;

@@ -54,6 +54,7 @@ private:
     void push(NodeIndex node, double error_px);
     [[nodiscard]] NodeIndex pop();
     [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;
+    [[nodiscard]] bool queue_causes_of_strips();
     [[nodiscard]] bool queue_causes_of_lifted_errors();
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
@@ -77,7 +78,8 @@ private:
     Group group_;
 };
 
-/// Error of a leaf as it is drawn, lifted or not.
-[[nodiscard]] double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m);
+/// Error of a leaf as it is drawn, with its strips where neighbours are coarser; and lifted.
+[[nodiscard]] double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges);
+[[nodiscard]] double lifted_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m);
 
 }  // namespace tedavis::terrain

@@ -91,11 +91,11 @@ void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, con
         chunk.slot = slot;
         chunk.coarser_edges = tree_.coarser_edges(node.key);
         chunk.distance_m = distance_m(*node.entry, view);
-        double error_px = node.error_px;
+        double error_px = drawn_error_px(*node.entry, view, chunk.coarser_edges);
         NodeIndex cause = n;
         if (settings.conservative_up) {
             const LiftedLeaf lifted = lift_of_leaf(tree_, n, refinement.poles());
-            error_px = drawn_error_px(*node.entry, view, chunk.coarser_edges, lifted.largest.lift_m);
+            error_px = lifted_error_px(*node.entry, view, chunk.coarser_edges, lifted.largest.lift_m);
             chunk.lift = lifted.lift;
             if (node.error_px <= settings.tau_px) cause = lifted.largest.leaf;
         }

@@ -8,6 +8,8 @@
 namespace tedavis::terrain {
 namespace {
 
+constexpr double kLeastRadius_m = 6335000;  // below the least radius of curvature of WGS84
+
 struct Box {
     glm::dvec3 centre;   ///< relative to the eye
     glm::dvec3 axis[3];  ///< north, east, down
@@ -16,13 +18,13 @@ struct Box {
 
 glm::dvec3 centre_of(const ChunkEntry& entry) { return {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]}; }
 
-/// Sides grown by `grow` times their half lengths, stretched upwards by lift_m.
-Box box_of(const ChunkEntry& entry, const View& view, double grow, double lift_m) {
+/// Stretched upwards by lift_m.
+Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     Box box;
     box.centre = centre_of(entry) - view.eye;
     for (int a = 0; a < 3; ++a) {
         box.axis[a] = glm::dvec3(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
-        box.half[a] = double{entry.half_extent_m[a]} * (a < 2 ? 1.0 + grow : 1.0);
+        box.half[a] = double{entry.half_extent_m[a]};
     }
     box.centre -= box.axis[2] * (0.5 * lift_m);
     box.half[2] += 0.5 * lift_m;
@@ -47,7 +49,7 @@ double distance_to(const Box& box) {
 }  // namespace
 
 bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
-    const Box box = box_of(entry, view, 0, lift_m);
+    const Box box = box_of(entry, view, lift_m);
     const double depth = glm::dot(box.centre, view.forward);
     if (depth + reach_along(box, view.forward) < view.near_m) return true;
     const double tangents[2] = {view.half_width_tangent(), view.half_height_tangent()};
@@ -61,28 +63,29 @@ bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
     return false;
 }
 
-double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double grow, double lift_m) {
+double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m) {
     if (error_m == 0) return 0;
-    const Box box = box_of(entry, view, grow, lift_m);
+    const Box box = box_of(entry, view, lift_m);
     const double tx = view.half_width_tangent(), ty = view.half_height_tangent();
-    const double corner = 1.0 + tx * tx + ty * ty;
-    // Nothing is drawn nearer than the near plane. fmax and fmin pass over a NaN.
-    const double by_distance = error_m * view.focal_px * corner / std::fmax(distance_to(box), view.near_m);
-    // A tighter bound where the whole box lies well ahead: its least depth.
-    const double depth = glm::dot(box.centre, view.forward) - reach_along(box, view.forward);
-    const double by_depth = depth > view.near_m ? error_m * view.focal_px * std::sqrt(corner) / depth : by_distance;
-    const double error_px = std::fmin(by_distance, by_depth);
+    const double off_axis = std::sqrt(tx * tx + ty * ty);
+    // The vertical at any place of the box, as parts along and across the view.
+    const double turn = (box.half[0] + box.half[1]) / kLeastRadius_m;
+    const double at_centre = std::abs(glm::dot(box.axis[2], view.forward));
+    const double along = std::fmin(at_centre + turn, 1.0), least_along = std::fmax(at_centre - turn, 0.0);
+    const double across = std::sqrt(std::fmax(1 - least_along * least_along, 0.0));
+    // The drawn point is in the picture and the true one no farther from it than the error; nothing is drawn nearer than the
+    // near plane. fmax and fmin pass over a NaN.
+    const double by_box = glm::dot(box.centre, view.forward) - reach_along(box, view.forward);
+    const double by_distance = distance_to(box) / std::sqrt(1 + off_axis * off_axis) - error_m * along;
+    const double depth = std::fmax(std::fmax(by_box, by_distance), view.near_m);
+    const double error_px = error_m * view.focal_px * (across + off_axis * along) / depth;
     return std::isnan(error_px) ? std::numeric_limits<double>::infinity() : error_px;
-}
-
-double projected_error_px(const ChunkEntry& entry, const View& view) {
-    return error_in_box_px(entry, view, double{entry.bound_m}, 1.0, 0);
 }
 
 float distance_m(const ChunkEntry& entry, const View& view) {
     return static_cast<float>(glm::length(centre_of(entry) - view.eye));
 }
 
-double box_distance_m(const ChunkEntry& entry, const View& view) { return distance_to(box_of(entry, view, 0, 0)); }
+double box_distance_m(const ChunkEntry& entry, const View& view) { return distance_to(box_of(entry, view, 0)); }
 
 }  // namespace tedavis::terrain

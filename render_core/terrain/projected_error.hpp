@@ -1,7 +1,8 @@
 /// How many pixels an error of a chunk can be in a view, and whether a chunk can be in the view at all.
 ///
-/// A displacement e at view depth z and off-axis tangent rho moves the projected point by at most
-/// e * focal * sqrt(1 + rho^2) / z = e * focal * (1 + rho^2) / distance pixels. Boxes are ECEF; pure functions; any thread.
+/// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies
+/// e * focal * |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth
+/// (difference of the two projections). Boxes are ECEF; pure functions; any thread.
 #pragma once
 
 #include "render_core/terrain/tdb_format.hpp"
@@ -12,13 +13,9 @@ namespace tedavis::terrain {
 /// True when no point of the chunk's box, stretched upwards by `lift_m`, can be in the view. Never true for a visible one.
 [[nodiscard]] bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m = 0);
 
-/// Largest number of pixels that a displacement of `error_m` can be anywhere in the chunk's box, its sides grown by `grow` times
-/// their half lengths and upwards by `lift_m`. Exactly 0 for no error; never NaN: what cannot be bounded is infinite.
-[[nodiscard]] double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double grow, double lift_m);
-
-/// Of an unlifted chunk: `bound_m` also bounds the strips that finer neighbours coarsen towards it; those lie within half a
-/// chunk of it, so its box is grown by that much.
-[[nodiscard]] double projected_error_px(const ChunkEntry& entry, const View& view);
+/// Largest number of pixels that a vertical error of `error_m` can be anywhere in the picture and in the chunk's box, stretched
+/// upwards by `lift_m`. Exactly 0 for no error; never NaN: what cannot be bounded is infinite.
+[[nodiscard]] double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m);
 
 /// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);

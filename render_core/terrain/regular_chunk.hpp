@@ -23,7 +23,8 @@ struct RegularGrid {
     }
 };
 
-/// The grid of a regular chunk over `cells_i` x `cells_j` cells of the lattice: every 2^level-th post and the last column and row.
+/// The grid of a regular chunk over `cells_i` x `cells_j` cells of the lattice: every 2^level-th post and the last column and
+/// row.
 [[nodiscard]] constexpr RegularGrid regular_grid(std::uint32_t cells_i, std::uint32_t cells_j, std::uint32_t level) {
     const std::uint32_t spacing = 1u << level;
     return {(cells_i + spacing - 1) / spacing + 1, (cells_j + spacing - 1) / spacing + 1};
