@@ -33,7 +33,7 @@ public:
 private:
     /// From one corner to the next.
     void refine(std::uint32_t level, std::uint32_t from, std::uint32_t to) {
-        const double tolerance_m = kBorderTolerance * line_.tolerance_m(level, line_.first + from);
+        const double tolerance_m = border_tolerance(level) * line_.tolerance_m(level, line_.first + from);
         std::priority_queue<Side> sides;
         std::uint32_t inserted = 0, begin = from;
         keep(from, level);

@@ -30,7 +30,7 @@ inline constexpr char kTdbMagic[8] = {'T', 'E', 'D', 'A', 'V', 'T', 'D', 'B'};
 inline constexpr std::uint32_t kTdbVersion = 2;
 inline constexpr std::uint32_t kChunkCells = 32;
 inline constexpr std::uint32_t kMaxLevels = 11;  ///< a chunk's border then has 2^15 cells, which 16-bit coordinates hold
-inline constexpr std::uint32_t kMaxChunkVertices = 3072;
+inline constexpr std::uint32_t kMaxChunkVertices = 4096;
 inline constexpr std::uint32_t kMaxChunkTriangles = 2 * kMaxChunkVertices;
 inline constexpr std::uint32_t kPageChunks = 8;  ///< entries along the side of a directory page
 
