@@ -19,6 +19,7 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/scenario.hpp"
+#include "host_sim/commands/sheet.hpp"
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/console.hpp"
@@ -43,6 +44,7 @@ struct CommandLine {
     TerrainFractalOptions terrain_fractal;
     ReplayOptions replay;
     ShotOptions shot;
+    SheetOptions sheet;
     DiffOptions diff;
     CheckOptions check;
     std::string replay_config;
@@ -99,7 +101,7 @@ PictureSize size_from(const std::string& text) {
     return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
 }
 
-ShotPose pose_from(const std::string& text) {
+AircraftPose pose_from(const std::string& text) {
     constexpr double kLimits[] = {90, 360, 100'000, 360, 90, 180};
     const std::vector<double> n = parse_number_list(text, ',');
     bool sane = n.size() == std::size(kLimits);
@@ -114,10 +116,10 @@ std::string phase_from(const std::string& name) {
     return name;
 }
 
-void add_picture_options(CLI::App* command, PictureOptions& picture) {
+/// What every command that draws has.
+void add_surface_options(CLI::App* command, PictureOptions& picture) {
     static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
     command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
-    command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
     command->add_option_function<std::string>(
         "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
@@ -125,6 +127,11 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
         ->add_option_function<std::string>(
             "--gl", [&picture](const std::string& word) { picture.gl = choice_from("--gl", word, kGl); }, "egl or osmesa")
         ->default_str("egl");
+}
+
+void add_picture_options(CLI::App* command, PictureOptions& picture) {
+    add_surface_options(command, picture);
+    command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
 }
 
@@ -213,6 +220,18 @@ void add_shot(CLI::App& app, CommandLine& line) {
         "flight phase, as if a switch stated it; default: none is stated");
     command->add_option("-o", o.output, "the picture to write (.png)")->required();
     add_picture_options(command, o.picture);
+}
+
+void add_sheet(CLI::App& app, CommandLine& line) {
+    SheetOptions& o = line.sheet;
+    CLI::App* command = add_command(app, line, "sheet", "contact sheet: one labelled picture a technique",
+                                    [&o](Console& console) { return run_sheet(o, console); });
+    command->add_option("SHEET", o.sheet, "sheet file or shipped name, such as terrain-styles")->required();
+    command->add_option("-o", o.output, "folder to write to")->required();
+    command->add_option_function<std::string>(
+        "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
+        "lat,lon,alt_m,heading,pitch,roll; default: the sheet's");
+    add_surface_options(command, o.picture);
 }
 
 /// What --config says, with what may stand beside it on the command line.
@@ -308,6 +327,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     add_scenario(app, line);
     add_terrain(app, line);
     add_shot(app, line);
+    add_sheet(app, line);
     add_replay(app, line);
     add_comparisons(app, line);
     if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {

@@ -4,7 +4,13 @@ namespace tedavis::host_sim {
 
 void Console::result(std::string_view text, std::string_view json) {
     progress_done();
-    write_line(*results_, json_ ? json : text);
+    if (results_ != nullptr) write_line(*results_, json_ ? json : text);
+}
+
+Console Console::without_result() const {
+    Console same = *this;
+    same.results_ = nullptr;
+    return same;
 }
 
 void Console::note(std::string_view sentence) {

@@ -22,12 +22,15 @@ public:
     /// Ends the progress line, so that what follows starts on its own.
     void progress_done();
 
+    /// Says what this one says, but for the result: for a command that is a part of another one.
+    [[nodiscard]] Console without_result() const;
+
     [[nodiscard]] bool json() const { return json_; }
 
 private:
     void write_line(std::ostream& stream, std::string_view text);
 
-    std::ostream* results_;
+    std::ostream* results_;  ///< null: the result is not said
     std::ostream* notes_;
     bool json_;
     bool live_;

@@ -76,6 +76,14 @@ RgbaPicture read_png(const std::string& path) {
     return picture;
 }
 
+RgbaPicture upright(const RgbaView& view) {
+    RgbaPicture picture{view.width, view.height, {}};
+    picture.pixels.reserve(std::size_t{view.width} * view.height * 4);
+    for (std::uint32_t y = 0; y < view.height; ++y)
+        picture.pixels.insert(picture.pixels.end(), view.row(y), view.row(y) + std::size_t{view.width} * 4);
+    return picture;
+}
+
 RgbaPicture shrunk(const RgbaView& view, std::uint32_t max_width) {
     const std::uint32_t factor = std::max<std::uint32_t>(1, (view.width + max_width - 1) / max_width);
     RgbaPicture small{(view.width + factor - 1) / factor, (view.height + factor - 1) / factor, {}};

@@ -25,6 +25,8 @@ struct RgbaView {
         return pixels + place * width * 4;
     }
 };
+/// A copy, top row first.
+[[nodiscard]] RgbaPicture upright(const RgbaView& view);
 [[nodiscard]] inline RgbaView view_of(const RgbaPicture& picture) {
     return {picture.pixels.data(), picture.width, picture.height, false};
 }

@@ -13,8 +13,9 @@ namespace {
 std::string shipped_names(const std::string& folder) {
     std::vector<std::string> names;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+        if (entry.path().extension() == ".toml")
+            names.push_back(std::filesystem::relative(entry.path(), folder, error).replace_extension().string());
     }
     std::sort(names.begin(), names.end());
     std::string list;
@@ -31,10 +32,12 @@ std::string shipped_root() {
 
 std::string resolve_config(const std::string& name_or_path, const std::string& folder) {
     const bool bare = name_or_path.find_first_of("./") == std::string::npos;
+    const bool short_name = name_or_path.find('.') == std::string::npos && name_or_path.rfind('/', 0) != 0;
     const std::string shipped_folder = shipped_root() + "/configs/" + folder;
     const std::string shipped = shipped_folder + "/" + name_or_path + ".toml";
     if (bare && std::filesystem::is_regular_file(shipped)) return shipped;
     if (std::filesystem::is_regular_file(name_or_path)) return name_or_path;
+    if (short_name && std::filesystem::is_regular_file(shipped)) return shipped;
     throw UserError(name_or_path + ": no such file and no shipped one of " + folder +
                     "; shipped are: " + shipped_names(shipped_folder));
 }

@@ -8,7 +8,8 @@ namespace tedavis::host_sim {
 /// The folder that holds `configs/`: $TEDAVIS_ROOT, else the place the program was built from. No trailing slash.
 [[nodiscard]] std::string shipped_root();
 /// A path for what the user wrote: an existing path as it is; a bare name (no slash, no dot) as
-/// `<root>/configs/<folder>/<name>.toml`. Throws UserError naming the shipped choices when neither exists.
+/// `<root>/configs/<folder>/<name>.toml`; a name with slashes but without dots ("styles/lambert") as a path first, then
+/// likewise. Throws UserError naming the shipped choices when neither exists.
 [[nodiscard]] std::string resolve_config(const std::string& name_or_path, const std::string& folder);
 
 }  // namespace tedavis::host_sim

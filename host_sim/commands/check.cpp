@@ -12,6 +12,7 @@
 #include "bus/switches/switch_config.hpp"
 #include "bus/switches/switch_log_source.hpp"
 #include "host_sim/commands/replay_config.hpp"
+#include "host_sim/commands/sheet_plan.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
@@ -87,6 +88,12 @@ std::string check_scenario(const std::string& path) {
 std::string check_replay_config(const std::string& path) {
     (void)load_replay_config(path);
     return "replay options";
+}
+
+std::string check_sheet(const std::string& path) {
+    const SheetPlan plan = parse_sheet_plan(read_file(path), path);
+    require_designs(plan, path);
+    return "a contact sheet of " + std::to_string(plan.picture_count()) + " pictures";
 }
 
 std::string check_log(const std::string& path) {
@@ -179,19 +186,21 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 7> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 8> kConfigKinds = {{{"designs", "[view]", check_design},
                                                      {"palettes", "[[stop]]", check_palette},
                                                      {"devices", "[[budget]]", check_device},
                                                      {"buses", "[dialect]", check_bus},
                                                      {"switches", "[[pattern]]", check_switches},
                                                      {"scenarios", "[[leg]]", check_scenario},
+                                                     {"sheets", "[[group.picture]]", check_sheet},
                                                      {"replays", "[picture]", check_replay_config}}};
 
 /// By the folder it lies in; elsewhere by what only its kind holds.
 FileChecker config_checker(const std::string& path) {
-    const std::string folder = std::filesystem::absolute(path).parent_path().filename().string();
+    const std::filesystem::path place = std::filesystem::absolute(path).parent_path();
+    const std::string folder = place.filename().string(), outer_folder = place.parent_path().filename().string();
     for (const FolderKind& kind : kConfigKinds) {
-        if (folder == kind.folder) return kind.check;
+        if (folder == kind.folder || (outer_folder == kind.folder && place.filename() != "configs")) return kind.check;
     }
     const std::string text = read_file(path);
     if (folder == "boards" || text.find("[can]") != std::string::npos)
@@ -202,8 +211,8 @@ FileChecker config_checker(const std::string& path) {
     }
     throw UserError(
         path +
-        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches "
-        "or scenarios");
+        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches, "
+        "scenarios or sheets");
 }
 
 std::string check_file(const std::string& path) {

@@ -25,6 +25,7 @@ struct PictureOptions {
     std::optional<PictureSize> size;  ///< nothing: the device's
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's
+    bool symbology = true;            ///< without it nothing is drawn over the terrain but the legend of its colours
 };
 
 struct ReplayOptions {

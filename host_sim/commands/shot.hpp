@@ -5,17 +5,12 @@
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/replay/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
 
-/// As the user writes it: degrees, metres above mean sea level.
-struct ShotPose {
-    double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
-    double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
-};
-
 struct ShotOptions {
-    ShotPose pose;
+    AircraftPose pose;
     std::string phase;  ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
     std::string output;  ///< X.png; the record goes beside it as X.json; without an extension the same

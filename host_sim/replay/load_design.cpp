@@ -5,6 +5,22 @@
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
+namespace {
+
+design::SymbologySettings only_legend(const design::SymbologySettings& wanted) {
+    design::SymbologySettings shown;
+    for (bool design::SymbologySettings::*part :
+         {&design::SymbologySettings::attitude, &design::SymbologySettings::heading, &design::SymbologySettings::airspeed,
+          &design::SymbologySettings::altitude, &design::SymbologySettings::vertical_speed,
+          &design::SymbologySettings::flight_path, &design::SymbologySettings::baro_setting,
+          &design::SymbologySettings::ground_height, &design::SymbologySettings::phase})
+        shown.*part = false;
+    shown.legend = wanted.legend;
+    shown.legend_unit = wanted.legend_unit;
+    return shown;
+}
+
+}  // namespace
 
 std::string design_path(const PictureOptions& options) { return resolve_config(options.design, "designs"); }
 
@@ -19,6 +35,7 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
+    if (!options.symbology) design.value().symbology = only_legend(design.value().symbology);
     return design.value();
 }
 

@@ -66,10 +66,10 @@ TEST(Shot, EqualPosesGiveEqualPictures) {
     }
     options.pose.longitude_deg += 360;
     EXPECT_NEAR(taken(options).at("own_ship").at("lon_deg"), 9.68, 1e-9);
-    for (double ShotPose::*part : {&ShotPose::latitude_deg, &ShotPose::altitude_msl_m, &ShotPose::heading_deg,
-                                   &ShotPose::pitch_deg, &ShotPose::roll_deg}) {
+    for (double AircraftPose::*part : {&AircraftPose::latitude_deg, &AircraftPose::altitude_msl_m, &AircraftPose::heading_deg,
+                                       &AircraftPose::pitch_deg, &AircraftPose::roll_deg}) {
         ShotOptions other = shot();
-        other.pose.*part += 0.01 * (part == &ShotPose::altitude_msl_m ? 1000 : 10);
+        other.pose.*part += 0.01 * (part == &AircraftPose::altitude_msl_m ? 1000 : 10);
         EXPECT_NE(taken(other).at("hash"), first.at("hash"));
     }
 }

@@ -1,0 +1,122 @@
+#include "host_sim/commands/sheet.hpp"
+
+#include <filesystem>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/sheet_plan.hpp"
+#include "host_sim/commands/terrain.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/new_folder.hpp"
+#include "host_sim/replay/posed_frame.hpp"
+#include "host_sim/reports/contact_sheet.hpp"
+#include "host_sim/reports/sheet_page.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+/// What a command draws a sheet with.
+struct SheetJob {
+    std::string path;  ///< of the sheet's file
+    SheetPlan plan;
+    PictureOptions picture;
+    AircraftPose pose;
+};
+
+PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture) {
+    PictureOptions options = job.picture;
+    options.design = picture.design;
+    return options;
+}
+
+/// Every design is read before the first picture is drawn.
+SheetJob read_job(const SheetOptions& options) {
+    SheetJob job;
+    job.path = resolve_config(options.sheet, "sheets");
+    job.plan = parse_sheet_plan(read_file(job.path), job.path);
+    job.picture = options.picture;
+    if (!job.picture.size) job.picture.size = job.plan.size;
+    job.picture.symbology = job.plan.symbology;
+    job.pose = options.pose.value_or(job.plan.pose);
+    require_designs(job.plan, job.path);
+    return job;
+}
+
+/// The sheet's own raster, built as `terrain build` does.
+void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
+    TerrainBuildOptions build;
+    build.rasters = {shipped_root() + "/configs/data/" + job.plan.terrain};
+    build.output = folder + "/" + std::filesystem::path(job.plan.terrain).stem().string() + ".tdb";
+    Console only_notes = console.without_result();
+    (void)run_terrain_build(build, only_notes);
+    job.picture.terrain = build.output;
+}
+
+/// Draws one picture into `drawn`; a sentence where a part of the terrain failed.
+std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned, DrawnSheet::Picture& drawn, std::string& gl) {
+    DisplaySession session(options_of(job, planned), false);
+    drawn.title = planned.title;
+    drawn.design = planned.design;
+    drawn.file = planned.file;
+    drawn.result = posed_frame(session, job.pose, {});
+    drawn.pixels = upright(session.pixels());
+    gl = session.gl_description();
+    return session.terrain_fault();
+}
+
+/// `fault`: the first sentence about failed terrain.
+DrawnSheet draw_sheet(const SheetJob& job, Console& console, std::string& fault) {
+    const InterruptGuard interrupt;
+    DrawnSheet sheet;
+    sheet.title = job.plan.title;
+    sheet.device = job.picture.device;
+    sheet.pose = job.pose;
+    sheet.columns = job.plan.columns;
+    std::size_t done = 0;
+    for (const SheetPlan::Group& group : job.plan.groups) {
+        sheet.groups.push_back({group.title, {}});
+        for (const SheetPlan::Picture& picture : group.pictures) {
+            const std::string failed = draw_picture(job, picture, sheet.groups.back().pictures.emplace_back(), sheet.gl);
+            if (fault.empty()) fault = failed;
+            console.progress("pictures", ++done, job.plan.picture_count());
+            if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+        }
+    }
+    console.progress_done();
+    return sheet;
+}
+
+void write_sheet(const DrawnSheet& sheet, const std::string& output) {
+    NewFolder folder(output);
+    for (const DrawnSheet::Group& group : sheet.groups)
+        for (const DrawnSheet::Picture& picture : group.pictures) write_png(output + "/" + picture.file, view_of(picture.pixels));
+    write_png(output + "/" + kSheetPictureName, view_of(draw_contact_sheet(sheet)));
+    write_file_atomically(output + "/" + kSheetPageName, sheet_page(sheet));
+    write_file_atomically(output + "/" + kSheetJsonName, sheet_json(sheet) + "\n");
+    folder.keep();
+}
+
+}  // namespace
+
+int run_sheet(const SheetOptions& options, Console& console) {
+    SheetJob job = read_job(options);
+    const std::string terrain = options.picture.terrain.empty() ? job.plan.terrain : options.picture.terrain;
+    const TemporaryFolder temporary;
+    if (options.picture.terrain.empty()) build_terrain(job, temporary.path(), console);
+    std::string fault;
+    DrawnSheet sheet = draw_sheet(job, console, fault);
+    sheet.name = options.sheet;
+    sheet.terrain = terrain;
+    write_sheet(sheet, options.output);
+    console.result(options.output + ": " + std::to_string(job.plan.picture_count()) + " pictures of " + terrain +
+                       ", all of them on " + kSheetPictureName + " and " + kSheetPageName,
+                   sheet_json(sheet));
+    if (fault.empty()) return 0;
+    console.note("note: " + fault);
+    return kFaultyInputExitCode;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,25 @@
+/// `tedavis sheet NAME`: contact sheets, one labelled picture a technique, all of the same view.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/replay/posed_aircraft.hpp"
+
+namespace tedavis::host_sim {
+
+struct SheetOptions {
+    std::string sheet;   ///< shipped name of configs/sheets, or a path
+    std::string output;  ///< folder
+    /// Its design is each picture's own. Without terrain, the sheet's raster is built into a database of its own first.
+    PictureOptions picture;
+    std::optional<AircraftPose> pose;  ///< nothing: the sheet's
+};
+
+/// Leaves each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them fails. Returns the
+/// exit code, 2 also where a part of the terrain failed; throws UserError and Interrupted.
+[[nodiscard]] int run_sheet(const SheetOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

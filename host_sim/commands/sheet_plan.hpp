@@ -1,0 +1,39 @@
+/// What is on a contact sheet (`configs/sheets/*.toml`): one view, and the pictures of it in groups.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/replay/posed_aircraft.hpp"
+
+namespace tedavis::host_sim {
+
+struct SheetPlan {
+    struct Picture {
+        std::string title;
+        std::string design;  ///< shipped name or path
+        std::string file;    ///< "lambert.png", from the last part of the design's name
+    };
+    struct Group {
+        std::string title;
+        std::vector<Picture> pictures;
+    };
+    std::string title;
+    std::uint32_t columns = 0;
+    std::string terrain;     ///< raster in configs/data that the sheet shows unless a database is given
+    PictureSize size;        ///< of each picture, unless --size says another
+    bool symbology = false;  ///< with what the designs draw over the terrain; the legend stays without it
+    AircraftPose pose;
+    std::vector<Group> groups;
+
+    [[nodiscard]] std::size_t picture_count() const;
+};
+
+/// `file_name` is how messages call the file. Throws UserError with its line.
+[[nodiscard]] SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name);
+/// Reads every design of the plan; throws UserError that names the sheet's file, the picture and the fault.
+void require_designs(const SheetPlan& plan, const std::string& file_name);
+
+}  // namespace tedavis::host_sim

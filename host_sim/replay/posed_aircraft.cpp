@@ -1,0 +1,34 @@
+#include "host_sim/replay/posed_aircraft.hpp"
+
+#include "host_sim/replay/geoid_below.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+
+using base::radians;
+using flight::Signal;
+
+flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display) {
+    flight::AircraftState state;
+    flight::OwnShipEstimate& own = state.own_ship;
+    own.position.latitude_rad = radians(pose.latitude_deg);
+    own.position.longitude_rad = earth::wrap_longitude(radians(pose.longitude_deg));
+    GeoidBelow geoid(display.terrain_database());
+    own.position.height =
+        earth::to_ellipsoid({pose.altitude_msl_m}, geoid.at(own.position.latitude_rad, own.position.longitude_rad));
+    own.at = kPosedTime;
+    own.state = base::SignalState::valid;
+    own.height_is_geometric = true;
+    const auto set = [&state](Signal signal, double value) { state[signal] = {value, kPosedTime}; };
+    set(Signal::latitude, own.position.latitude_rad);
+    set(Signal::longitude, own.position.longitude_rad);
+    set(Signal::ellipsoid_height, own.position.height.m);
+    set(Signal::true_altitude, pose.altitude_msl_m);
+    set(Signal::true_heading, earth::wrap_heading(radians(pose.heading_deg)));
+    set(Signal::pitch, radians(pose.pitch_deg));
+    set(Signal::roll, radians(pose.roll_deg));
+    state[Signal::height_above_terrain] = display.height_above_terrain(own, kPosedTime);
+    return state;
+}
+
+}  // namespace tedavis::host_sim

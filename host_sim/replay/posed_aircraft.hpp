@@ -1,0 +1,21 @@
+/// An aircraft that stands still in the air where the user puts it, for single pictures.
+#pragma once
+
+#include "render_core/display/display.hpp"
+
+namespace tedavis::host_sim {
+
+/// As the user writes it: degrees, metres above mean sea level.
+struct AircraftPose {
+    double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
+    double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
+};
+
+/// Of every single picture.
+inline constexpr base::Time kPosedTime{0};
+
+/// Everything about it is known and fresh at kPosedTime. The geoid and the height above the ground come from the display's
+/// terrain; throws UserError where it has none and the EGM96 grid is not installed.
+[[nodiscard]] flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display);
+
+}  // namespace tedavis::host_sim

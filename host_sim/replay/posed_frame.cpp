@@ -1,0 +1,27 @@
+#include "host_sim/replay/posed_frame.hpp"
+
+#include "platform/clock/monotonic_clock.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+double milliseconds_since(base::Time start) { return (platform::monotonic_now() - start).to_seconds() * 1000; }
+
+}  // namespace
+
+FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const flight::PhaseStatus& phase) {
+    FrameResult result;
+    const base::Time start = platform::monotonic_now();
+    const flight::AircraftState state = posed_aircraft(pose, session.display());
+    session.display().settle(state, phase, kPosedTime);
+    session.display().update(state, phase, kPosedTime);
+    result.timing.plan_ms = milliseconds_since(start);
+    session.draw();
+    result.timing.total_ms = milliseconds_since(start);
+    result.timing.draw_ms = result.timing.total_ms - result.timing.plan_ms;
+    result.record = session.display().record();
+    result.hash = session.frame_hash();
+    return result;
+}
+
+}  // namespace tedavis::host_sim

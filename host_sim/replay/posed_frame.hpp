@@ -1,0 +1,13 @@
+/// One picture from a given pose, with all the terrain that it asks for.
+#pragma once
+
+#include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/reports/frame_record_json.hpp"
+
+namespace tedavis::host_sim {
+
+/// Settles, plans and draws; the pixels stay in the session.
+[[nodiscard]] FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const flight::PhaseStatus& phase);
+
+}  // namespace tedavis::host_sim

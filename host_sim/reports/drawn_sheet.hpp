@@ -1,0 +1,37 @@
+/// The pictures of one contact sheet with what was recorded of each: what the sheet's picture, page and JSON are made from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/png_file.hpp"
+#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/reports/frame_record_json.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr char kSheetPictureName[] = "sheet.png";
+inline constexpr char kSheetPageName[] = "index.html";
+inline constexpr char kSheetJsonName[] = "sheet.json";
+
+struct DrawnSheet {
+    struct Picture {
+        std::string title, design;
+        std::string file;  ///< name in the sheet's folder
+        FrameResult result;
+        RgbaPicture pixels;
+    };
+    struct Group {
+        std::string title;
+        std::vector<Picture> pictures;
+    };
+    std::string name, title;
+    std::string terrain;  ///< the raster or database that was shown
+    std::string device;
+    std::string gl;  ///< what drew it
+    AircraftPose pose;
+    std::uint32_t columns = 1;
+    std::vector<Group> groups;
+};
+
+}  // namespace tedavis::host_sim

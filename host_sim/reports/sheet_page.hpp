@@ -1,0 +1,16 @@
+/// `index.html` and `sheet.json` of a contact sheet.
+#pragma once
+
+#include <string>
+
+#include "host_sim/reports/drawn_sheet.hpp"
+
+namespace tedavis::host_sim {
+
+/// One page that needs nothing but itself: pictures as data URIs, no scripts, no network; readable on a phone and printable.
+[[nodiscard]] std::string sheet_page(const DrawnSheet& sheet);
+/// Keys that scripts may rely on: `pictures` [{`group`, `title`, `design`, `file`, `hash`, `triangles`, `flags`, `effects`}],
+/// the last two as in `frames.jsonl`.
+[[nodiscard]] std::string sheet_json(const DrawnSheet& sheet);
+
+}  // namespace tedavis::host_sim
