@@ -35,7 +35,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_THAT(run({"--version"}).results, HasSubstr("tedavis "));
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command : {"convert", "scenario", "terrain", "shot", "diff", "check"})
+    for (const char* command : {"convert", "scenario", "terrain", "shot", "sheet", "diff", "check"})
         EXPECT_THAT(help.results, HasSubstr(command));
     EXPECT_EQ(run({"convert", "--help"}).code, 0);
     EXPECT_THAT(run({"terrain", "build", "--help"}).results, HasSubstr("--vertical-datum"));
@@ -54,6 +54,11 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
                                                {"check"},
                                                {"convert", "a", "-o", "b", "--nonsense"},
                                                {"convert", "a", "-o", "b", "--qnh", "high"},
+                                               {"sheet", "-o", "a"},
+                                               {"sheet", "terrain-styles"},
+                                               {"sheet", "no-such", "-o", "a"},
+                                               {"sheet", "terrain-styles", "-o", "a", "--pose", "1,2,3"},
+                                               {"sheet", "terrain-styles", "-o", "a", "--design", "cruise"},
                                                {"shot", "-o", "a.png"},
                                                {"shot", "-o", "a.png", "--pose", "1,2,3"},
                                                {"shot", "-o", "a.png", "--pose", "nan,2,3,4,5,6"},

@@ -17,6 +17,17 @@ TEST(Console, ChoosesTextOrJson) {
     EXPECT_EQ(notes.str(), "");
 }
 
+TEST(Console, APartOfACommandKeepsItsResultToItself) {
+    std::ostringstream results, notes;
+    const Console console(results, notes, true, true);
+    Console part = console.without_result();
+    part.result("text", "{}");
+    part.note("a note");
+    part.progress("terrain", 1, 2);
+    EXPECT_EQ(results.str(), "");
+    EXPECT_EQ(notes.str(), "a note\n\rterrain 50 %");
+}
+
 TEST(Console, DrawsProgressOnATerminalOnly) {
     std::ostringstream results, notes;
     Console quiet(results, notes, false, false);

@@ -26,7 +26,10 @@ TEST(ShippedFiles, TheEnvironmentNamesAnotherRoot) {
     std::filesystem::create_directories(folder.file("configs/designs"));
     folder.write("configs/designs/mine.toml", "");
     EXPECT_EQ(resolve_config("mine", "designs"), folder.path() + "/configs/designs/mine.toml");
-    test_support::expect_user_error([] { (void)resolve_config("cruise", "designs"); }, "shipped are: mine");
+    std::filesystem::create_directories(folder.file("configs/designs/styles"));
+    folder.write("configs/designs/styles/plain.toml", "");
+    EXPECT_EQ(resolve_config("styles/plain", "designs"), folder.path() + "/configs/designs/styles/plain.toml");
+    test_support::expect_user_error([] { (void)resolve_config("cruise", "designs"); }, "shipped are: mine, styles/plain");
     test_support::expect_user_error([] { (void)resolve_config("x", "devices"); }, "none in");
 }
 
@@ -34,6 +37,10 @@ TEST(ShippedFiles, PathsStayAsTheyAre) {
     const test_support::TemporaryFolder folder;
     const std::string path = folder.write("own.toml", "");
     EXPECT_EQ(resolve_config(path, "designs"), path);
+    const std::string bare = folder.write("styles", "");
+    EXPECT_EQ(resolve_config(bare, "designs"), bare);
+    for (const char* name : {"", "/", "/styles/lambert", "styles/../styles/lambert"})
+        test_support::expect_user_error([&] { (void)resolve_config(name, "designs"); }, "no such file");
     test_support::expect_user_error([&] { (void)resolve_config(folder.file("none.toml"), "designs"); }, "no such file");
 }
 

@@ -43,7 +43,8 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
                                         {"devices/es3-mid.toml", "a device"},
                                         {"buses/canaerospace.toml", "a bus"},
                                         {"switches/one_hot.toml", "a switch panel"},
-                                        {"scenarios/default.toml", "a scenario of 14 legs"}}) {
+                                        {"scenarios/default.toml", "a scenario of 14 legs"},
+                                        {"sheets/terrain-styles.toml", "a contact sheet of "}}) {
         const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
         EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
     }

@@ -27,6 +27,20 @@ TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
     EXPECT_EQ(load_design(options).terrain.tau_px, 7);
 }
 
+TEST(LoadDesign, WithoutSymbologyTheLegendStays) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.design = folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend_unit = \"m\"\n");
+    options.symbology = false;
+    const design::SymbologySettings shown = load_design(options).symbology;
+    EXPECT_FALSE(shown.attitude || shown.heading || shown.airspeed || shown.altitude || shown.vertical_speed ||
+                 shown.flight_path || shown.baro_setting || shown.ground_height || shown.phase);
+    EXPECT_TRUE(shown.legend);
+    EXPECT_EQ(shown.legend_unit, design::HeightUnit::metres);
+    folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend = false\n");
+    EXPECT_FALSE(load_design(options).symbology.legend) << "where the design has one";
+}
+
 TEST(LoadDesign, NamesPalettesAndTellsWhatItRead) {
     const test_support::TemporaryFolder folder;
     PictureOptions options;

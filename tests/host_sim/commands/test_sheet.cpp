@@ -1,0 +1,125 @@
+#include "host_sim/commands/sheet.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "host_sim/png_file.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/damaged_terrain.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::CommandRun;
+using ::testing::HasSubstr;
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+std::string sheet_of(const std::string& second_design) {
+    return "title = 'Two ways'\ncolumns = 2\nterrain = 'jacksboro_srtm3.tif'\nwidth_px = 160\nheight_px = 120\n"
+           "[pose]\nlatitude_deg = 47.03\nlongitude_deg = 9.68\naltitude_msl_m = 2500\nheading_deg = 40\npitch_deg = -6\n"
+           "[[group]]\ntitle = 'Shade'\n[[group.picture]]\ntitle = 'One light'\ndesign = 'styles/lambert'\n"
+           "[[group]]\ntitle = 'Texture'\n[[group.picture]]\ntitle = 'Heights'\ndesign = '" +
+           second_design + "'\n";
+}
+
+SheetOptions options(const std::string& output) {
+    SheetOptions o;
+    o.sheet = files().folder.write("two.toml", sheet_of("styles/hypsometric_tints"));
+    o.output = files().folder.file(output);
+    o.picture.terrain = files().terrain;
+    return o;
+}
+
+CommandRun run(const SheetOptions& o, bool json = false) {
+    return test_support::run_command([&](Console& console) { return run_sheet(o, console); }, json);
+}
+
+void refused(const SheetOptions& o, const std::string& words) {
+    test_support::expect_user_error([&] { (void)run(o); }, words);
+    EXPECT_FALSE(std::filesystem::exists(o.output)) << "nothing half written";
+}
+
+TEST(SheetCommand, LeavesPicturesSheetPageAndRecords) {
+    const SheetOptions o = options("whole/inner");
+    const CommandRun told = run(o, true);
+    EXPECT_EQ(told.code, 0);
+    EXPECT_EQ(told.notes, "");
+    const auto json = told.json();
+    EXPECT_EQ(nlohmann::json::parse(files().folder.read("whole/inner/sheet.json")), json);
+    EXPECT_EQ(json.at("terrain"), files().terrain);
+    ASSERT_EQ(json.at("pictures").size(), 2u);
+    EXPECT_NE(json.at("pictures").at(0).at("hash"), json.at("pictures").at(1).at("hash"));
+    for (const auto& picture : json.at("pictures")) {
+        EXPECT_GT(picture.at("triangles"), 100);
+        EXPECT_EQ(read_png(o.output + "/" + picture.at("file").get<std::string>()).width, 160u);
+    }
+    const RgbaPicture sheet = read_png(o.output + "/sheet.png");
+    EXPECT_GT(sheet.width, 2 * 160u);
+    EXPECT_GT(sheet.height, 2 * 120u) << "a row for each group";
+    EXPECT_THAT(files().folder.read("whole/inner/index.html"), HasSubstr("One light"));
+    EXPECT_THAT(run(o).results, HasSubstr("2 pictures of " + files().terrain));
+}
+
+TEST(SheetCommand, SizeAndPoseReplaceTheSheetsOwn) {
+    SheetOptions o = options("own");
+    const auto first = run(o, true).json();
+    EXPECT_EQ(run(o, true).json(), first) << "equal input, equal pictures";
+    o.picture.size = PictureSize{96, 64};
+    o.pose = AircraftPose{47.04, 9.68, 2600, 90, -8, 0};
+    const auto other = run(o, true).json();
+    EXPECT_EQ(read_png(o.output + "/lambert.png").width, 96u);
+    EXPECT_EQ(other.at("pose").at("heading_deg"), 90);
+    o.pose->heading_deg = 95;
+    EXPECT_NE(run(o, true).json().at("pictures").at(0).at("hash"), other.at("pictures").at(0).at("hash"));
+}
+
+TEST(SheetCommand, WithoutTerrainTheDefaultIsBuilt) {
+    SheetOptions o = options("default");
+    o.picture.terrain.clear();
+    o.pose = AircraftPose{36.55, -84.2, 1200, 320, -8, 0};
+    const CommandRun told = run(o, true);
+    EXPECT_EQ(told.code, 0) << told.notes;
+    EXPECT_EQ(told.json().at("terrain"), "jacksboro_srtm3.tif");
+    EXPECT_GT(told.json().at("pictures").at(0).at("triangles"), 100);
+    for (const auto& entry : std::filesystem::directory_iterator(o.output))
+        EXPECT_NE(entry.path().extension(), ".tdb") << "the database was only a step";
+}
+
+TEST(SheetCommand, WrongInputLeavesNothing) {
+    SheetOptions o = options("none");
+    o.sheet = "no-such-sheet";
+    refused(o, "no-such-sheet: no such file and no shipped one of sheets; shipped are: terrain-styles");
+    o.sheet = files().folder.write("missing.toml", sheet_of("styles/woods"));
+    refused(o, "missing.toml: picture 'Heights': styles/woods: no such file");
+    o = options("none");
+    o.picture.terrain = files().folder.file("none.tdb");
+    refused(o, "none.tdb");
+    o = options("none");
+    o.picture.device = "toaster";
+    refused(o, "toaster");
+    o = options("flight.log/none");
+    refused(o, "flight.log");
+}
+
+TEST(SheetCommand, DamagedTerrainLeavesTheSheetAndEndsWithTwo) {
+    std::string image = files().folder.read("terrain.tdb");
+    test_support::damage_payloads(image);
+    SheetOptions o = options("damaged");
+    o.picture.terrain = files().folder.write("damaged.tdb", image);
+    const CommandRun told = run(o, true);
+    EXPECT_EQ(told.code, 2);
+    EXPECT_THAT(told.notes, HasSubstr("damaged.tdb: a part of it cannot be used"));
+    EXPECT_THAT(told.json().at("pictures").at(0).at("flags").dump(), HasSubstr("terrain.failed"));
+    EXPECT_TRUE(std::filesystem::exists(o.output + "/sheet.png"));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
