@@ -34,6 +34,8 @@ TEST(PngFile, TurnsGlRowsRound) {
     for (std::size_t y = 0; y < 3; ++y) std::copy_n(&picture.pixels[y * 8], 8, &turned.pixels[(2 - y) * 8]);
     EXPECT_EQ(encode_png({turned.pixels.data(), 2, 3, true}), encode_png(view_of(picture)));
     EXPECT_NE(encode_png(view_of(turned)), encode_png(view_of(picture)));
+    EXPECT_EQ(upright({turned.pixels.data(), 2, 3, true}).pixels, picture.pixels);
+    EXPECT_EQ(upright(view_of(picture)).pixels, picture.pixels);
 }
 
 TEST(PngFile, RefusesDamage) {
