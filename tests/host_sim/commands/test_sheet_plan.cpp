@@ -53,7 +53,7 @@ TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {
     refused(good + picture("B", "other/a"), "s.toml:19: ");
     refused(good + picture("B", "other/a"), "'a.png', whose name is taken");
     refused(good + picture("B", "sheet"), "'sheet.png', whose name is taken");
-    refused(good + picture("", "b"), "title");
+    refused(good + picture("", "b"), "s.toml:18: ");
     refused(good + picture(std::string(61, 'x'), "b"), "1 to 60 characters");
     refused(good + "[[group.picture]]\ntitle = 'B'\n", "design");
     std::string off_the_earth = good;

@@ -35,6 +35,8 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
     EXPECT_EQ(json["own_ship"]["state"], "valid");
     EXPECT_EQ(json["signals"].size(), flight::kSignalCount);
     EXPECT_EQ(json["terrain"], Json({{"tau_px", 1},
+                                     {"tau_reached_px", 1.5},
+                                     {"limit", "triangles"},
                                      {"worst_error_px", 0.75},
                                      {"worst_chunk", "2/3/4"},
                                      {"triangles", 12345},
