@@ -25,9 +25,13 @@ void for_entries(Image& image, Action action) {
     }
 }
 
-/// Turns one bit of the payload of every chunk of the database in `image`.
+/// Turns one bit of the payload of every chunk of the database in `image` below its coarsest level, which a display reads
+/// before it starts.
 inline void damage_payloads(std::string& image) {
-    for_entries(image, [&image](const terrain::ChunkEntry& entry, std::uint64_t) {
+    terrain::FileHeader header;
+    std::memcpy(&header, image.data(), sizeof header);
+    for_entries(image, [&](const terrain::ChunkEntry& entry, std::uint64_t) {
+        if (entry.level + 1u == header.levels) return;
         char& byte = image.at(static_cast<std::size_t>(entry.payload.offset) + entry.payload.bytes / 2);
         byte = static_cast<char>(byte ^ 4);
     });
