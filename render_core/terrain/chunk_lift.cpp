@@ -9,7 +9,7 @@ enum Edge : std::uint32_t { kNorth, kEast, kSouth, kWest };
 
 Edge opposite(Edge edge) { return static_cast<Edge>((edge + 2u) % 4u); }
 
-LiftSource own_source(const LodTree& tree, NodeIndex leaf) { return {own_lift_m(*tree.node(leaf).entry), leaf}; }
+LiftSource own_source(const LodTree& tree, NodeIndex leaf) { return {tree.node(leaf).lift_m, leaf}; }
 
 /// The leaves beyond an edge: over the cells at its two ends. With levels one apart at most these are all.
 struct Beyond {
@@ -61,13 +61,16 @@ bool touches_south_pole(const LodTree& tree, const ChunkKey& key) {
 
 }  // namespace
 
-float own_lift_m(const ChunkEntry& entry) { return entry.below_m > entry.strip_below_m ? entry.below_m : entry.strip_below_m; }
+float own_lift_m(const ChunkEntry& entry, std::uint8_t coarser_edges) {
+    return coarser_edges == 0 || entry.below_m > entry.strip_below_m ? entry.below_m : entry.strip_below_m;
+}
 
-PoleLifts pole_lifts(const LodTree& tree) {
+PoleLifts lift_leaves(LodTree& tree) {
     PoleLifts poles;
     for (NodeIndex n = 0; n < tree.size(); ++n) {
-        const LodNode& node = tree.node(n);
+        LodNode& node = tree.node(n);
         if (!node.is_leaf) continue;
+        node.lift_m = own_lift_m(*node.entry, tree.coarser_edges(node.key));
         if (touches_north_pole(tree, node.key)) poles.north.include(own_source(tree, n));
         if (touches_south_pole(tree, node.key)) poles.south.include(own_source(tree, n));
     }

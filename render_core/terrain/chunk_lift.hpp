@@ -1,8 +1,9 @@
 /// How far the vertices of a chunk are raised so that the drawn surface is nowhere below the true one, alike in all chunks that
 /// share a vertex.
 ///
-/// A chunk's own lift is max(below_m, strip_below_m). A border takes the largest of all leaves along the longer of the edges that
-/// meet there, a corner the largest of the leaves round it, a pole the largest of all leaves that touch it. Pure; any thread.
+/// A chunk's own lift is below_m, and strip_below_m where that is more and a neighbour is coarser. A border takes the largest of
+/// all leaves along the longer of the edges that meet there, a corner the largest of the leaves round it, a pole the largest of
+/// all leaves that touch it. Pure; any thread.
 #pragma once
 
 #include "render_core/terrain/lod_tree.hpp"
@@ -35,8 +36,9 @@ struct LiftedLeaf {
     LiftSource largest;  ///< of own, edges and corners
 };
 
-[[nodiscard]] float own_lift_m(const ChunkEntry& entry);
-[[nodiscard]] PoleLifts pole_lifts(const LodTree& tree);
+[[nodiscard]] float own_lift_m(const ChunkEntry& entry, std::uint8_t coarser_edges);
+/// Gives every leaf its own lift; what follows needs it. Returns those of the poles.
+[[nodiscard]] PoleLifts lift_leaves(LodTree& tree);
 [[nodiscard]] LiftedLeaf lift_of_leaf(const LodTree& tree, NodeIndex leaf, const PoleLifts& poles);
 
 }  // namespace tedavis::terrain

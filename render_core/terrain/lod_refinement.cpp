@@ -35,8 +35,8 @@ bool LodRefinement::run(Priority priority, double reach_m) {
     if (!add_roots()) return false;
     do {
         refine();
-    } while (stop_ == LodStop::met && (settings_.conservative_up ? queue_causes_of_lifted_errors() : queue_causes_of_strips()));
-    if (settings_.conservative_up) poles_ = pole_lifts(tree_);
+    } while (stop_ == LodStop::met && queue_causes_of_errors());
+    if (settings_.conservative_up) poles_ = lift_leaves(tree_);
     return true;
 }
 
@@ -162,7 +162,7 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
     const NodeIndex n = tree_.add(child.key, child.entry, parent);
     LodNode& node = tree_.node(n);
     node.is_visible = child.is_visible;
-    largest_lift_m_ = larger(largest_lift_m_, own_lift_m(*child.entry));
+    largest_lift_m_ = larger(largest_lift_m_, larger(child.entry->below_m, child.entry->strip_below_m));
     if (!child.is_visible) return;
     triangles_ += child.entry->triangle_count;
     ++chunks_;
@@ -173,8 +173,7 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
 double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
-    return settings_.conservative_up ? lifted_error_px(entry, view_, kEdgeNorth, own_lift_m(entry))
-                                     : drawn_error_px(entry, view_, 0);
+    return settings_.conservative_up ? lifted_error_px(entry, view_, 0, entry.below_m) : drawn_error_px(entry, view_, 0);
 }
 
 double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {
@@ -208,38 +207,57 @@ bool LodRefinement::comes_after(NodeIndex a, NodeIndex b) const {
     return first.priority != second.priority ? first.priority < second.priority : second.key < first.key;
 }
 
-/// Leaves whose strips beside coarser neighbours exceed tau: those neighbours are to be split.
-bool LodRefinement::queue_causes_of_strips() {
-    for (NodeIndex n = 0; n < tree_.size(); ++n) {
-        const LodNode& node = tree_.node(n);
-        if (!node.is_leaf || !node.is_visible) continue;
-        const std::uint8_t coarser_edges = tree_.coarser_edges(node.key);
-        if (coarser_edges == 0) continue;
-        const double error_px = drawn_error_px(*node.entry, view_, coarser_edges);
-        if (error_px <= settings_.tau_px) continue;
-        for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
-            if ((coarser_edges & side) == 0) continue;
-            const NodeIndex cause = tree_.find(catalogue_.lattice().neighbour(node.key, side).parent());
-            if (cause != kNoNode && !tree_.node(cause).is_tried && !tree_.node(cause).is_queued) push(cause, error_px);
-        }
-    }
+/// What neighbours do to a leaf, strips beside coarser ones and lifts, is known when all is chosen. Where it takes an error over
+/// tau, its cause is to be split.
+bool LodRefinement::queue_causes_of_errors() {
+    if (settings_.conservative_up) poles_ = lift_leaves(tree_);
+    for (NodeIndex n = 0; n < tree_.size(); ++n)
+        if (tree_.node(n).is_leaf && tree_.node(n).is_visible) queue_cause_of_error(n);
     return queued_ > 0;
 }
 
-/// Errors of leaves with all that their neighbours raise. Where one exceeds tau, the leaf that raises most is to be split.
-bool LodRefinement::queue_causes_of_lifted_errors() {
-    poles_ = pole_lifts(tree_);
-    for (NodeIndex n = 0; n < tree_.size(); ++n) {
-        LodNode& node = tree_.node(n);
-        if (!node.is_leaf || !node.is_visible) continue;
-        const LiftSource largest = lift_of_leaf(tree_, n, poles_).largest;
-        const double error_px = lifted_error_px(*node.entry, view_, tree_.coarser_edges(node.key), largest.lift_m);
-        if (error_px <= settings_.tau_px) continue;
-        LodNode& cause = tree_.node(largest.leaf);
-        if (cause.is_tried || cause.is_queued) continue;
-        push(largest.leaf, error_px);
+/// A neighbour that raises the leaf's border, because of its own strips or its mesh; or the leaf's strips.
+void LodRefinement::queue_cause_of_error(NodeIndex leaf) {
+    const LodNode& node = tree_.node(leaf);
+    const std::uint8_t coarser_edges = tree_.coarser_edges(node.key);
+    const LiftSource raised_by = settings_.conservative_up ? lift_of_leaf(tree_, leaf, poles_).largest : LiftSource{0, leaf};
+    const double error_px = settings_.conservative_up ? lifted_error_px(*node.entry, view_, coarser_edges, raised_by.lift_m)
+                                                      : drawn_error_px(*node.entry, view_, coarser_edges);
+    if (error_px <= settings_.tau_px) return;
+    const bool raised = raised_by.leaf != leaf;
+    if (raised && (queue_coarser_neighbours(raised_by.leaf, error_px) || queue(raised_by.leaf, error_px))) return;
+    (void)queue_coarser_neighbours(leaf, error_px);
+}
+
+bool LodRefinement::queue_coarser_neighbours(NodeIndex leaf, double error_px) {
+    const ChunkKey& key = tree_.node(leaf).key;
+    const std::uint8_t coarser = tree_.coarser_edges(key);
+    bool any = false;
+    for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest})
+        if ((coarser & side) != 0) any = queue(tree_.coarser_beyond(key, side), error_px) || any;
+    return any;
+}
+
+LodStop LodRefinement::reason_for(NodeIndex leaf, NodeIndex raised_by) const {
+    for (const NodeIndex cause : {leaf, raised_by}) {
+        if (tree_.node(cause).blocked != static_cast<std::uint8_t>(LodStop::met))
+            return static_cast<LodStop>(tree_.node(cause).blocked);
+        const ChunkKey& key = tree_.node(cause).key;
+        const std::uint8_t coarser = tree_.coarser_edges(key);
+        for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
+            const NodeIndex beside = (coarser & side) != 0 ? tree_.coarser_beyond(key, side) : kNoNode;
+            if (beside != kNoNode && tree_.node(beside).blocked != static_cast<std::uint8_t>(LodStop::met))
+                return static_cast<LodStop>(tree_.node(beside).blocked);
+        }
     }
-    return queued_ > 0;
+    return stop_ == LodStop::met ? LodStop::at_data_limit : stop_;
+}
+
+/// True when the leaf waits for its split now.
+bool LodRefinement::queue(NodeIndex leaf, double error_px) {
+    if (leaf == kNoNode || tree_.node(leaf).is_tried) return false;
+    if (!tree_.node(leaf).is_queued) push(leaf, error_px);
+    return true;
 }
 
 }  // namespace tedavis::terrain

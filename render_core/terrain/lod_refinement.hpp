@@ -19,11 +19,13 @@ public:
     /// fit; `stop()` says what they exceed.
     [[nodiscard]] bool run(Priority priority, double reach_m);
 
+    /// Why the error of a leaf is what it is: it, the leaf that raises it or a coarser neighbour of them could not be split.
+    [[nodiscard]] LodStop reason_for(NodeIndex leaf, NodeIndex raised_by) const;
     /// The budget that ended the refinement before its end; `met` when none did.
     [[nodiscard]] LodStop stop() const { return stop_; }
     [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(triangles_); }
     [[nodiscard]] double milliseconds() const { return milliseconds(triangles_, chunks_); }
-    /// Largest own lift of any chunk that was looked at.
+    /// Largest own lift of any chunk that was looked at, whichever its neighbours.
     [[nodiscard]] float largest_lift_m() const { return largest_lift_m_; }
     [[nodiscard]] const PoleLifts& poles() const { return poles_; }
 
@@ -54,8 +56,10 @@ private:
     void push(NodeIndex node, double error_px);
     [[nodiscard]] NodeIndex pop();
     [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;
-    [[nodiscard]] bool queue_causes_of_strips();
-    [[nodiscard]] bool queue_causes_of_lifted_errors();
+    [[nodiscard]] bool queue_causes_of_errors();
+    void queue_cause_of_error(NodeIndex leaf);
+    [[nodiscard]] bool queue_coarser_neighbours(NodeIndex leaf, double error_px);
+    [[nodiscard]] bool queue(NodeIndex leaf, double error_px);
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
     [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;

@@ -92,24 +92,20 @@ void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, con
         chunk.coarser_edges = tree_.coarser_edges(node.key);
         chunk.distance_m = distance_m(*node.entry, view);
         double error_px = drawn_error_px(*node.entry, view, chunk.coarser_edges);
-        NodeIndex cause = n;
+        NodeIndex raised_by = n;
         if (settings.conservative_up) {
             const LiftedLeaf lifted = lift_of_leaf(tree_, n, refinement.poles());
             error_px = lifted_error_px(*node.entry, view, chunk.coarser_edges, lifted.largest.lift_m);
             chunk.lift = lifted.lift;
-            if (node.error_px <= settings.tau_px) cause = lifted.largest.leaf;
+            raised_by = lifted.largest.leaf;
         }
         chunk.error_px = static_cast<float>(error_px);
         selected[result.chunks++] = chunk;
         if (result.chunks > 1 && error_px <= result.worst_error_px) continue;
         result.worst_error_px = error_px;
         result.worst_chunk = node.key;
-        result.reason = static_cast<LodStop>(tree_.node(cause).blocked);
+        result.reason = error_px <= settings.tau_px ? LodStop::met : refinement.reason_for(n, raised_by);
     }
-    if (result.worst_error_px <= settings.tau_px)
-        result.reason = LodStop::met;
-    else if (result.reason == LodStop::met)
-        result.reason = refinement.stop();
     result.tau_reached_px = std::max(settings.tau_px, result.worst_error_px);
 }
 

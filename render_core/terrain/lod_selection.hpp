@@ -7,10 +7,11 @@
 ///             forbid tau, refinement starts again with error times visibility in that order, and stops at the first split that
 ///             does not fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
-///             chunk's lift max(below_m, strip_below_m); on borders and corners by the largest of all chunks that share them, so
-///             that shared vertices agree. The chunks at a pole share its vertex.
-/// Result      depends on view, settings, entries and availability only. Without `conservative_up` a smaller tau never gives a
-///             coarser chunk, budgets apart.
+///             chunk's own lift; on borders and corners by the largest of all chunks that share them, so that shared vertices
+///             agree (chunk_lift.hpp).
+/// Neighbours  what they do to a chunk (strips beside coarser ones, lifts) is judged when all is chosen; where it takes an error
+///             over tau, they are split as well.
+/// Result      depends on view, settings, entries and availability only.
 /// Memory      from an arena at start(). Thread  one.
 #pragma once
 
@@ -83,8 +84,9 @@ public:
     [[nodiscard]] LodResult select(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
                                    base::Span<SelectedChunk> selected);
 
-    /// What the last selection needs in memory: its chunks in view and all their ancestors, most urgent first: by the error that
-    /// is shown without it, ancestors before their descendants. Returns how many; what does not fit is left out at the end.
+    /// What the last selection needs in memory: its chunks in view, and all through which it came to them. Most urgent first: by
+    /// the error that is shown without it, ancestors before their descendants. Returns how many; what does not fit is left out at
+    /// the end.
     [[nodiscard]] std::uint32_t wanted(base::Span<WantedChunk> out);
 
     [[nodiscard]] const base::ResourceUse& use() const { return tree_.use(); }  ///< nodes

@@ -43,6 +43,10 @@ std::uint8_t LodTree::coarser_edges(const ChunkKey& key) const {
     return edges;
 }
 
+NodeIndex LodTree::coarser_beyond(const ChunkKey& key, EdgeBit side) const {
+    return find(lattice_->neighbour(key, side).parent());
+}
+
 NodeIndex LodTree::leaf_over_cell(std::int64_t i, std::int64_t j) const {
     const std::int64_t cells_i = std::int64_t{lattice_->columns()} - 1, cells_j = std::int64_t{lattice_->rows()} - 1;
     if (lattice_->is_closed()) i = (i % cells_i + cells_i) % cells_i;

@@ -18,6 +18,7 @@ struct LodNode {
     const ChunkEntry* entry;
     double error_px;  ///< of its mesh; 0 out of view
     double priority;  ///< the selection's
+    float lift_m;     ///< of a leaf by itself (chunk_lift.hpp)
     bool is_leaf;
     bool is_visible;
     bool is_tried;         ///< a split was tried: it has happened or will not
@@ -41,6 +42,8 @@ public:
 
     /// Sides of a leaf beyond which the leaves are coarser.
     [[nodiscard]] std::uint8_t coarser_edges(const ChunkKey& key) const;
+    /// The coarser leaf beyond such a side.
+    [[nodiscard]] NodeIndex coarser_beyond(const ChunkKey& key, EdgeBit side) const;
     /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice.
     [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j) const;
 

@@ -74,9 +74,10 @@ double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m
     const double along = std::fmin(at_centre + turn, 1.0), least_along = std::fmax(at_centre - turn, 0.0);
     const double across = std::sqrt(std::fmax(1 - least_along * least_along, 0.0));
     // The drawn point is in the picture and the true one no farther from it than the error; nothing is drawn nearer than the
-    // near plane. fmax and fmin pass over a NaN.
+    // near plane.
     const double by_box = glm::dot(box.centre, view.forward) - reach_along(box, view.forward);
     const double by_distance = distance_to(box) / std::sqrt(1 + off_axis * off_axis) - error_m * along;
+    if (std::isnan(by_box) || std::isnan(by_distance)) return std::numeric_limits<double>::infinity();
     const double depth = std::fmax(std::fmax(by_box, by_distance), view.near_m);
     const double error_px = error_m * view.focal_px * (across + off_axis * along) / depth;
     return std::isnan(error_px) ? std::numeric_limits<double>::infinity() : error_px;

@@ -2,236 +2,428 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <random>
+#include <map>
+#include <set>
 
-#include "render_core/base/units.hpp"
-#include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_database.hpp"
+#include "render_core/terrain/projected_error.hpp"
+#include "tests/support/drawn_mesh_check.hpp"
+#include "tests/support/resident_tdb.hpp"
+#include "tests/support/selection.hpp"
+#include "tests/support/terrain_views.hpp"
 
 namespace tedavis::terrain {
 namespace {
 
-using base::radians;
-using test_support::BuiltDatabase;
-using test_support::BuiltMesh;
+using test_support::project;
+using test_support::ResidentTdb;
+using test_support::Selection;
+using test_support::some_views;
+using test_support::TdbSpec;
+using test_support::view_from;
+using test_support::WrittenTdb;
 
-constexpr std::uint32_t kColumns = 257, kRows = 225;
-
-const host_sim::Raster& raster() {
-    static const host_sim::Raster made = test_support::make_rough_raster(kColumns, kRows);
-    return made;
-}
-const BuiltDatabase& built() {
-    static const BuiltDatabase database(raster());
-    return database;
+double rough_height(double i, double j) {
+    return 1200 + 500 * std::sin(i * 0.021) * std::cos(j * 0.017) + 30 * std::sin(i * 0.13 + j * 0.11) +
+           0.6 * std::sin(i * 1.9) * std::cos(j * 2.3);
 }
 
-glm::dvec3 post_position(std::int64_t i, std::int64_t j) {
-    const host_sim::Raster& r = raster();
-    const double latitude = radians(r.north_deg - static_cast<double>(j) * r.step_lat_deg),
-                 longitude = radians(r.west_deg + static_cast<double>(i) * r.step_lon_deg);
-    const double height = double{r.height_m[r.at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))]};
-    return earth::to_ecef({latitude, longitude, {height + built().database.undulation(latitude, longitude).m}});
+const WrittenTdb& region() {
+    static const WrittenTdb tdb([] {
+        TdbSpec spec;
+        spec.columns = 417;
+        spec.rows = 353;
+        spec.step_lon_deg = spec.step_lat_deg = 1 / 3600.0;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) { return rough_height(i, j); };
+        return spec;
+    }());
+    return tdb;
 }
 
-View view_from(double i, double j, double above_m, double heading_deg, double pitch_deg, double roll_deg = 0) {
-    const host_sim::Raster& r = raster();
-    const double latitude = radians(r.north_deg - j * r.step_lat_deg), longitude = radians(r.west_deg + i * r.step_lon_deg);
-    const glm::dmat3 body = earth::body_axes(latitude, longitude, radians(heading_deg), radians(pitch_deg), radians(roll_deg));
-    View view;
-    view.eye =
-        post_position(std::lround(i), std::lround(j)) + glm::normalize(post_position(std::lround(i), std::lround(j))) * above_m;
-    view.forward = body[0];
-    view.right = body[1];
-    view.down = body[2];
-    view.width = 1024;
-    view.height = 768;
-    view.focal_px = 512 / std::tan(radians(30));
-    view.near_m = 5;
-    return view;
+/// Coarse posts, so that high mountains: the error is in what lies between them.
+const WrittenTdb& world() {
+    static const WrittenTdb tdb([] {
+        TdbSpec spec = test_support::whole_earth(321, 161);
+        spec.levels = 3;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) { return 3000 + 2500 * std::sin(i * 0.7) * std::cos(j * 0.9); };
+        return spec;
+    }());
+    return tdb;
 }
 
-struct Pixel {
-    double x = 0, y = 0;
-    bool visible = false;
-};
-Pixel project(const View& view, const glm::dvec3& point) {
-    const glm::dvec3 d = point - view.eye;
-    const double depth = glm::dot(d, view.forward);
-    if (depth < view.near_m) return {};
-    const double x = 0.5 * view.width + view.focal_px * glm::dot(d, view.right) / depth,
-                 y = 0.5 * view.height + view.focal_px * glm::dot(d, view.down) / depth;
-    return {x, y, x >= 0 && y >= 0 && x <= view.width && y <= view.height};
+std::vector<View> views_of(const WrittenTdb& tdb, int count, unsigned seed = 7) {
+    return some_views(tdb, count, seed, tdb.lattice().is_closed() ? 400 : 1);
 }
 
-struct Selection {
-    std::vector<std::uint8_t> states = std::vector<std::uint8_t>(built().database.chunk_count());
-    std::vector<ChunkIndex> work = std::vector<ChunkIndex>(4096);
-    std::vector<SelectedChunk> chunks = std::vector<SelectedChunk>(512);
-    LodResult result;
-
-    explicit Selection(const View& view, LodSettings settings = {1, 250000, 512}) {
-        result = select_chunks(built().database, view, settings, {states.data(), states.size()}, {work.data(), work.size()},
-                               {chunks.data(), chunks.size()});
-        chunks.resize(result.chunks);
-    }
-};
-
-std::vector<View> some_views() {
-    std::vector<View> views;
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> unit(0, 1);
-    for (int n = 0; n < 12; ++n)
-        views.push_back(view_from(10 + unit(random) * (kColumns - 20), 10 + unit(random) * (kRows - 20),
-                                  20 + 3000 * unit(random) * unit(random), 360 * unit(random), -40 * unit(random) + 5,
-                                  60 * unit(random) - 30));
-    views.push_back(view_from(128, 100, 15000, 0, -90));
-    return views;
-}
-
-TEST(LodSelection, EveryVisiblePostIsCoveredByExactlyOneChunk) {
-    int visible = 0;
-    for (const View& view : some_views()) {
-        const Selection selection(view);
-        ASSERT_TRUE(selection.result.within_budget);
-        for (std::int64_t j = 0; j < kRows - 1; j += 5)
-            for (std::int64_t i = 0; i < kColumns - 1; i += 5) {
-                if (!project(view, post_position(i, j)).visible) continue;
-                ++visible;
-                int covering = 0;
-                for (const SelectedChunk& s : selection.chunks) {
-                    const ChunkEntry& e = built().database.entry(s.chunk);
-                    covering += (i >> e.level) / kChunkCells == e.i && (j >> e.level) / kChunkCells == e.j ? 1 : 0;
-                }
-                EXPECT_EQ(covering, 1) << "post " << i << ", " << j;
+void expect_covered_once(const WrittenTdb& tdb, const View& view, const Selection& selection, std::uint32_t stride) {
+    for (std::uint32_t j = 1; j + 2 < tdb.lattice().rows(); j += stride)
+        for (std::uint32_t i = 0; i + 1 < tdb.lattice().columns(); i += stride) {
+            if (!project(view, tdb.position(i, j)).visible) continue;
+            int covering = 0;
+            for (const SelectedChunk& chunk : selection.chunks) {
+                const PostRange posts = tdb.lattice().posts_of(chunk.key);
+                covering += i >= posts.i0 && i < posts.i1 && j >= posts.j0 && j < posts.j1 ? 1 : 0;
             }
-    }
-    EXPECT_GT(visible, 1000);
+            ASSERT_EQ(covering, 1) << "post " << i << ", " << j;
+        }
 }
 
-TEST(LodSelection, NeighboursDifferByOneLevelAndTheCoarserEdgesAreMarked) {
-    for (const View& view : some_views()) {
-        const Selection selection(view);
-        for (const SelectedChunk& a : selection.chunks)
-            for (const SelectedChunk& b : selection.chunks) {
-                const ChunkEntry &fine = built().database.entry(a.chunk), &coarse = built().database.entry(b.chunk);
-                if (fine.level >= coarse.level) continue;
-                const std::uint32_t up = coarse.level - fine.level;
-                const std::int64_t beside[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-                for (int edge = 0; edge < 4; ++edge) {
-                    const std::int64_t i = std::int64_t{fine.i} + beside[edge][0], j = std::int64_t{fine.j} + beside[edge][1];
-                    if (i < 0 || j < 0 || (i >> up) != coarse.i || (j >> up) != coarse.j) continue;
-                    EXPECT_EQ(up, 1u);
-                    EXPECT_NE(a.coarser_edges & (1 << edge), 0);
-                }
+void expect_balanced(const WrittenTdb& tdb, const Selection& selection) {
+    std::set<std::uint64_t> chosen;
+    for (const SelectedChunk& chunk : selection.chunks) chosen.insert(chunk.key.packed());
+    for (const SelectedChunk& chunk : selection.chunks)
+        for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
+            ChunkKey beside = tdb.lattice().neighbour(chunk.key, side);
+            if (beside == kNoChunk) {
+                EXPECT_EQ(chunk.coarser_edges & side, 0);
+                continue;
             }
+            EXPECT_EQ(chosen.count(beside.packed()) != 0 && (chunk.coarser_edges & side) != 0, false);
+            for (std::uint32_t up = 1; beside.level + 1 < tdb.lattice().levels(); ++up) {
+                beside = beside.parent();
+                if (chosen.count(beside.packed()) == 0) continue;
+                EXPECT_EQ(up, 1u) << "levels differ by more than one";
+                EXPECT_NE(chunk.coarser_edges & side, 0);
+            }
+        }
+}
+
+TEST(LodSelection, EveryVisiblePlaceIsCoveredOnceByChunksOneLevelApart) {
+    for (const WrittenTdb* tdb : {&region(), &world()}) {
+        ResidentTdb catalogue(*tdb);
+        Selection selection;
+        for (const View& view : views_of(*tdb, 10)) {
+            ASSERT_TRUE(selection.select(catalogue, view, {}).within_budget);
+            expect_covered_once(*tdb, view, selection, 3);
+            expect_balanced(*tdb, selection);
+        }
     }
 }
 
-/// Largest distance in pixels between a true post in view and the drawn mesh at its place.
-double drawn_error_px(const View& view, const SelectedChunk& selected) {
-    const BuiltMesh mesh(built(), selected.chunk, selected.coarser_edges);
-    const ChunkEntry& e = built().database.entry(selected.chunk);
-    const auto position = [&](std::uint16_t n) {
-        const ChunkVertex& v = mesh.vertices[n];
-        return glm::dvec3(e.centre_m[0] + v.x, e.centre_m[1] + v.y, e.centre_m[2] + v.z);
-    };
+/// The largest distance in pixels between a true post in view and the drawn one.
+double drawn_error_px(const WrittenTdb& tdb, const View& view, const Selection& selection) {
     double worst = 0;
-    for (std::size_t n = 0; n < mesh.indices.size(); n += 3) {
-        const auto a = mesh.at(mesh.indices[n]), b = mesh.at(mesh.indices[n + 1]), c = mesh.at(mesh.indices[n + 2]);
-        const double area =
-            static_cast<double>((b.first - a.first) * (c.second - a.second) - (c.first - a.first) * (b.second - a.second));
-        for (std::int64_t j = std::min({a.second, b.second, c.second}); j <= std::max({a.second, b.second, c.second}); ++j)
-            for (std::int64_t i = std::min({a.first, b.first, c.first}); i <= std::max({a.first, b.first, c.first}); ++i) {
-                if (i >= kColumns || j >= kRows) continue;
-                const double v = static_cast<double>((i - a.first) * (c.second - a.second) -
-                                                     (c.first - a.first) * (j - a.second)) /
-                                 area,
-                             w = static_cast<double>((b.first - a.first) * (j - a.second) -
-                                                     (i - a.first) * (b.second - a.second)) /
-                                 area;
-                if (v < 0 || w < 0 || v + w > 1) continue;
-                const glm::dvec3 drawn = position(mesh.indices[n]) * (1 - v - w) + position(mesh.indices[n + 1]) * v +
-                                         position(mesh.indices[n + 2]) * w;
-                const Pixel p = project(view, post_position(i, j)), q = project(view, drawn);
-                if (p.visible && q.visible) worst = std::fmax(worst, std::hypot(p.x - q.x, p.y - q.y));
-            }
-    }
+    for (const SelectedChunk& chunk : selection.chunks)
+        test_support::visit_drawn_posts(tdb, chunk, 2, [&](std::uint32_t i, std::uint32_t j, const glm::dvec3& drawn) {
+            const auto a = project(view, tdb.position(i, j)), b = project(view, drawn);
+            if (a.visible && b.visible) worst = std::max(worst, std::hypot(a.x - b.x, a.y - b.y));
+        });
     return worst;
 }
 
-TEST(LodSelection, TheMeshesStayWithinTheErrorThatIsStatedForThem) {
-    double worst_ratio = 0;
-    std::size_t coarse = 0;
-    for (const View& view : some_views())
-        for (const double tau : {1.0, 8.0}) {
-            const Selection selection(view, {tau, 250000, 512});
-            double worst = 0;
-            for (const SelectedChunk& s : selection.chunks) {
-                if (built().database.entry(s.chunk).level == 0) continue;
-                ++coarse;
-                const double error = drawn_error_px(view, s);
-                EXPECT_LE(error, double{s.error_px}) << "chunk " << s.chunk << " at tau " << tau;
-                worst_ratio = std::fmax(worst_ratio, error / double{s.error_px});
-                worst = std::fmax(worst, error);
+TEST(LodSelection, NoDrawnPostIsFurtherFromItsTrueOneThanReported) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    double tightest = 0;
+    for (const double tau : {0.5, 2.0, 8.0})
+        for (const View& view : views_of(region(), 6)) {
+            LodSettings settings;
+            settings.tau_px = tau;
+            const LodResult& result = selection.select(catalogue, view, settings);
+            EXPECT_EQ(result.reason, LodStop::met);
+            EXPECT_LE(result.worst_error_px, tau);
+            EXPECT_EQ(result.tau_reached_px, tau);
+            const double drawn_px = drawn_error_px(region(), view, selection);
+            EXPECT_LE(drawn_px, result.worst_error_px * (1 + 1e-6) + 1e-3);
+            tightest = std::max(tightest, drawn_px / tau);
+        }
+    EXPECT_GT(tightest, 0.05) << "errors that never come near their bound prove little";
+}
+
+TEST(LodSelection, EyesInsideBoxesAndFarOutAreNumbers) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    for (const double above_m : {0.0, 0.5, 30.0, 400000.0})
+        for (const double pitch_deg : {-90.0, -45.0, 0.0, 45.0, 90.0}) {
+            const View view = view_from(region(), 100, 100, above_m, 77, pitch_deg);
+            const LodResult& result = selection.select(catalogue, view, {});
+            EXPECT_TRUE(result.within_budget);
+            EXPECT_TRUE(std::isfinite(result.worst_error_px));
+            EXPECT_TRUE(result.worst_error_px <= 1 || result.reason == LodStop::at_data_limit);
+        }
+}
+
+TEST(LodSelection, ASmallerTauNeverGivesACoarserChunk) {
+    for (const WrittenTdb* tdb : {&region(), &world()}) {
+        ResidentTdb catalogue(*tdb);
+        Selection selection;
+        for (const View& view : views_of(*tdb, 5)) {
+            std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> level;
+            for (double tau = 64; tau > 0.2; tau /= 1.7) {
+                LodSettings settings;
+                settings.tau_px = tau;
+                (void)selection.select(catalogue, view, settings);
+                for (const SelectedChunk& chunk : selection.chunks) {
+                    const PostRange posts = tdb->lattice().posts_of(chunk.key);
+                    for (std::uint32_t j = posts.j0; j < posts.j1; j += 32)
+                        for (std::uint32_t i = posts.i0; i < posts.i1; i += 32) {
+                            const auto known = level.insert({{i, j}, chunk.key.level}).first;
+                            EXPECT_LE(chunk.key.level, known->second);
+                            known->second = chunk.key.level;
+                        }
+                }
             }
-            EXPECT_LE(worst, selection.result.worst_error_px);
-            EXPECT_LE(selection.result.worst_error_px, tau) << "the eye is far enough for level 0 to be within tau";
         }
-    EXPECT_GT(coarse, 20u);
-    EXPECT_GT(worst_ratio, 0.1) << "control: the bound must not be idle";
-}
-
-TEST(LodSelection, BudgetsRaiseTauAndAreNeverExceeded) {
-    const View view = view_from(20, 110, 300, 90, -10);
-    const Selection free(view, {0.25, 1000000, 512});
-    ASSERT_TRUE(free.result.within_budget);
-    EXPECT_EQ(free.result.tau_reached_px, 0.25);
-    double last_tau = 0.25;
-    for (const std::uint32_t triangles : {60000u, 30000u, 15000u, 9000u}) {
-        const Selection tight(view, {0.25, triangles, 512});
-        ASSERT_TRUE(tight.result.within_budget);
-        EXPECT_LE(tight.result.triangles, triangles);
-        EXPECT_GE(tight.result.tau_reached_px, last_tau);
-        last_tau = tight.result.tau_reached_px;
-    }
-    EXPECT_GT(last_tau, 0.25);
-    EXPECT_LE(Selection(view, {0.25, 1000000, 6}).result.chunks, 6u);
-    EXPECT_FALSE(Selection(view, {0.25, 100, 512}).result.within_budget) << "the coarsest mesh does not fit";
-}
-
-TEST(LodSelection, NearestFirstAndTheSameEveryTime) {
-    for (const View& view : some_views()) {
-        const Selection first(view), second(view);
-        ASSERT_EQ(first.chunks.size(), second.chunks.size());
-        for (std::size_t n = 0; n < first.chunks.size(); ++n) EXPECT_EQ(first.chunks[n].chunk, second.chunks[n].chunk);
-        for (std::size_t n = 1; n < first.chunks.size(); ++n)
-            EXPECT_LE(first.chunks[n - 1].distance_m, first.chunks[n].distance_m);
     }
 }
 
-TEST(LodSelection, NoVisibleChunkIsCalledOutside) {
-    int outside = 0;
-    for (const View& view : some_views())
-        for (ChunkIndex chunk = 0; chunk < built().database.chunk_count(); ++chunk) {
-            const ChunkEntry& e = built().database.entry(chunk);
-            if (!is_outside_view(e, view)) continue;
-            ++outside;
-            const std::int64_t side = std::int64_t{kChunkCells} << e.level;
-            for (std::int64_t j = e.j * side; j <= std::min<std::int64_t>((e.j + 1) * side, kRows - 1); j += 3)
-                for (std::int64_t i = e.i * side; i <= std::min<std::int64_t>((e.i + 1) * side, kColumns - 1); i += 3)
-                    EXPECT_FALSE(project(view, post_position(i, j)).visible);
-        }
-    EXPECT_GT(outside, 100);
+TEST(LodSelection, IsAFunctionOfTheViewAlone) {
+    ResidentTdb catalogue(region());
+    const View view = views_of(region(), 3)[2];
+    Selection fresh, used;
+    for (const View& other : views_of(region(), 5, 99)) (void)used.select(catalogue, other, {});
+    (void)fresh.select(catalogue, view, {});
+    (void)used.select(catalogue, view, {});
+    EXPECT_EQ(fresh.keys(), used.keys());
+    EXPECT_EQ(fresh.result.worst_chunk, used.result.worst_chunk);
 }
 
-TEST(LodSelection, ABrokenViewIsNotTakenForAnEmptyOne) {
-    View view = view_from(100, 100, 300, 0, 0);
-    view.eye.x = std::nan("");
-    const Selection selection(view, {1, 250000, 512});
-    EXPECT_TRUE(!selection.result.within_budget || selection.result.chunks > 0);
+TEST(LodSelection, TurnedRoundTheEarthItIsTheSame) {
+    // Heights of period 32 columns: turning by a whole number of chunks of every level is no change.
+    const WrittenTdb tdb([] {
+        TdbSpec spec = test_support::whole_earth(257, 129);
+        spec.levels = 3;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) {
+            return 3000 + 2500 * std::sin((i % 128) * base::kPi / 64) * std::cos(j * 0.9);
+        };
+        return spec;
+    }());
+    ResidentTdb catalogue(tdb);
+    Selection here, there;
+    for (const double heading : {0.0, 90.0, 200.0}) {
+        (void)here.select(catalogue, view_from(tdb, 100, 40, 20000, heading, -20), {});
+        (void)there.select(catalogue, view_from(tdb, 228, 40, 20000, heading, -20), {});
+        std::multiset<std::uint64_t> turned, expected;
+        for (const ChunkKey& key : here.keys()) {
+            const std::uint32_t across = tdb.lattice().grid_columns(key.level);
+            turned.insert(ChunkKey{key.level, (key.i + across / 2) % across, key.j}.packed());
+        }
+        for (const ChunkKey& key : there.keys()) expected.insert(key.packed());
+        EXPECT_EQ(turned, expected);
+    }
+}
+
+TEST(LodSelection, BudgetsAreNeverExceededAndSayWhatTheyCost) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    int tried = 0;
+    for (const View& view : views_of(region(), 8)) {
+        LodSettings settings;
+        settings.tau_px = 0.5;
+        settings.cost = {50, 20};
+        const LodResult ideal = selection.select(catalogue, view, settings);
+        const auto expect_within = [&](LodStop reason) {
+            const LodResult& result = selection.result;
+            ASSERT_TRUE(result.within_budget);
+            std::uint32_t triangles = 0;
+            for (const SelectedChunk& chunk : selection.chunks) triangles += chunk.entry->triangle_count;
+            EXPECT_EQ(triangles, result.triangles);
+            EXPECT_EQ(selection.chunks.size(), result.chunks);
+            EXPECT_EQ(result.reason, reason);
+            EXPECT_GT(result.worst_error_px, 0.5);
+            EXPECT_EQ(result.tau_reached_px, result.worst_error_px);
+            expect_covered_once(region(), view, selection, 7);
+            expect_balanced(region(), selection);
+        };
+        if (ideal.chunks < 12) continue;
+        ++tried;
+        for (const double share : {0.3, 0.7}) {
+            LodSettings few = settings;
+            few.max_triangles = static_cast<std::uint32_t>(share * ideal.triangles);
+            (void)selection.select(catalogue, view, few);
+            EXPECT_LE(selection.result.triangles, few.max_triangles);
+            expect_within(LodStop::triangles);
+            few = settings;
+            few.max_chunks = static_cast<std::uint32_t>(share * ideal.chunks);
+            (void)selection.select(catalogue, view, few);
+            EXPECT_LE(selection.result.chunks, few.max_chunks);
+            expect_within(LodStop::chunks);
+            few = settings;
+            few.max_ms = share * ideal.predicted_ms;
+            (void)selection.select(catalogue, view, few);
+            EXPECT_LE(selection.result.predicted_ms, few.max_ms);
+            EXPECT_NEAR(selection.result.predicted_ms, 50e-6 * selection.result.triangles + 20e-3 * selection.result.chunks,
+                        1e-9);
+            expect_within(LodStop::milliseconds);
+        }
+    }
+    EXPECT_GE(tried, 4);
+}
+
+TEST(LodSelection, RootsThatDoNotFitAreNotDrawn) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    LodSettings settings;
+    settings.max_triangles = 100;
+    EXPECT_FALSE(selection.select(catalogue, view_from(region(), 200, 200, 500, 0, -10), settings).within_budget);
+    EXPECT_EQ(selection.result.chunks, 0u);
+    EXPECT_EQ(selection.result.reason, LodStop::triangles);
+}
+
+TEST(LodSelection, FewSlotsAndFewNodesAreBudgetsToo) {
+    ResidentTdb catalogue(region());
+    Selection few_slots(4000, 9), few_nodes(40);
+    const View view = view_from(region(), 200, 300, 500, 0, -10);
+    EXPECT_EQ(few_slots.select(catalogue, view, {}).reason, LodStop::chunks);
+    EXPECT_LE(few_slots.result.chunks, 9u);
+    EXPECT_EQ(few_nodes.select(catalogue, view, {}).reason, LodStop::nodes);
+    EXPECT_TRUE(few_nodes.result.within_budget);
+    expect_covered_once(region(), view, few_nodes, 7);
+}
+
+/// Over many views: a single one may be worse by the last split that fits.
+TEST(LodSelection, UnderABudgetTheErrorStaysWhereItIsSeenLeast) {
+    ResidentTdb catalogue(region());
+    Selection clear, hazy;
+    const double haze_per_m = 1 / 1500.0;
+    double seen_clear = 0, seen_hazy = 0, worst_clear = 0, worst_hazy = 0;  // logarithms
+    for (const View& view : some_views(region(), 12, 7, 3))
+        for (const double share : {0.2, 0.4, 0.6, 0.8}) {
+            LodSettings settings;
+            settings.tau_px = 0.3;
+            settings.max_triangles = static_cast<std::uint32_t>(clear.select(catalogue, view, settings).triangles * share);
+            if (clear.result.chunks < 12) continue;
+            ASSERT_TRUE(clear.select(catalogue, view, settings).within_budget);
+            settings.haze_per_m = haze_per_m;
+            ASSERT_LE(hazy.select(catalogue, view, settings).triangles, settings.max_triangles);
+            const auto seen_error_px = [&](const Selection& selection) {
+                double worst = 0;
+                for (const SelectedChunk& chunk : selection.chunks)
+                    worst = std::max(worst, double{chunk.error_px} *
+                                                std::max(0.05, std::exp(-box_distance_m(*chunk.entry, view) * haze_per_m)));
+                return worst;
+            };
+            seen_clear += std::log(seen_error_px(clear));
+            seen_hazy += std::log(seen_error_px(hazy));
+            worst_clear += std::log(clear.result.worst_error_px);
+            worst_hazy += std::log(hazy.result.worst_error_px);
+        }
+    EXPECT_LT(seen_hazy, seen_clear - 1);
+    EXPECT_GT(worst_hazy, worst_clear) << "at the cost of error in the haze";
+}
+
+TEST(LodSelection, WhatHasNotArrivedIsDrawnCoarserWithoutAHole) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    for (const View& view : views_of(region(), 6)) {
+        LodSettings settings;
+        settings.tau_px = 0.5;
+        (void)selection.select(catalogue, view, settings);
+        const std::vector<WantedChunk> wanted = selection.wanted();
+        const std::vector<ChunkKey> ideal = selection.keys();
+        std::set<std::uint64_t> here;
+        catalogue.is_available = [&](const ChunkKey& key) { return here.count(key.packed()) != 0; };
+        double last_px = 1e300;
+        // In the order of the list: roots first, and the picture only ever gets better.
+        for (std::size_t count = 1; count <= wanted.size(); ++count) {
+            here.insert(wanted[count - 1].key.packed());
+            if (count % 5 != 1 && count != wanted.size()) continue;
+            (void)selection.select(catalogue, view, settings, SelectionKind::drawn);
+            for (const SelectedChunk& chunk : selection.chunks) ASSERT_NE(chunk.slot, kNoSlot);
+            expect_covered_once(region(), view, selection, 11);
+            expect_balanced(region(), selection);
+            EXPECT_LE(selection.result.worst_error_px, last_px * (1 + 1e-12));
+            last_px = selection.result.worst_error_px;
+            EXPECT_EQ(selection.result.reason, last_px <= 0.5 ? LodStop::met : LodStop::not_arrived);
+        }
+        EXPECT_EQ(selection.keys(), ideal) << "with all that was wanted the ideal is drawn";
+        catalogue.is_available = nullptr;
+    }
+}
+
+TEST(LodSelection, WantedAreTheDrawnAndTheirAncestorsAncestorsFirst) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    for (const View& view : views_of(region(), 6)) {
+        (void)selection.select(catalogue, view, {});
+        const std::vector<WantedChunk> wanted = selection.wanted();
+        std::set<std::uint64_t> listed, expected;
+        for (const WantedChunk& chunk : wanted) {
+            EXPECT_TRUE(chunk.key.level + 1 == region().lattice().levels() || listed.count(chunk.key.parent().packed()) != 0)
+                << "an ancestor comes before its descendants";
+            EXPECT_EQ(key_of(*chunk.entry), chunk.key);
+            EXPECT_TRUE(listed.insert(chunk.key.packed()).second) << "once";
+        }
+        for (ChunkKey key : selection.keys())
+            for (; key.level < region().lattice().levels(); key = key.parent()) expected.insert(key.packed());
+        EXPECT_TRUE(std::includes(listed.begin(), listed.end(), expected.begin(), expected.end()));
+        for (const WantedChunk& chunk : wanted)
+            EXPECT_TRUE(expected.count(chunk.key.packed()) != 0 || !is_outside_view(*chunk.entry, view));
+        const std::vector<WantedChunk> few = selection.wanted(5);
+        ASSERT_EQ(few.size(), std::min<std::size_t>(5, wanted.size()));
+        for (std::size_t n = 0; n < few.size(); ++n) EXPECT_EQ(few[n].key, wanted[n].key);
+    }
+}
+
+TEST(LodSelection, MissingDirectoryPagesHoldTheRefinementUp) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    catalogue.is_missing = [](const ChunkKey& key) { return key.level == 0 && key.i >= 4; };
+    const View view = view_from(region(), 200, 310, 300, 0, -3);
+    LodSettings settings;
+    settings.tau_px = 0.2;
+    (void)selection.select(catalogue, view, settings);
+    EXPECT_EQ(selection.result.reason, LodStop::not_arrived);
+    EXPECT_GT(selection.result.tau_reached_px, 0.2);
+    expect_covered_once(region(), view, selection, 7);
+    for (const ChunkKey& key : selection.keys()) EXPECT_FALSE(catalogue.is_missing(key));
+}
+
+TEST(LodSelection, CoarseSourcesEndTheRefinementAtTheirData) {
+    // The eastern half is exact at level 1; its neighbours of level 0 are as far as the data go.
+    const WrittenTdb tdb([] {
+        TdbSpec spec;
+        spec.columns = spec.rows = 257;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) { return rough_height(i, j); };
+        spec.is_exact = [](const ChunkKey& key) { return key.level == 1 && key.i >= 2; };
+        return spec;
+    }());
+    ResidentTdb catalogue(tdb);
+    Selection selection;
+    LodSettings settings;
+    settings.tau_px = 1e-3;
+    const View view = view_from(tdb, 150, 250, 800, 0, -15);
+    (void)selection.select(catalogue, view, settings);
+    expect_covered_once(tdb, view, selection, 5);
+    expect_balanced(tdb, selection);
+    for (const SelectedChunk& chunk : selection.chunks) EXPECT_EQ(chunk.entry->children, 0);
+    EXPECT_EQ(selection.result.reason, LodStop::at_data_limit) << "strips beside the coarser half remain";
+    EXPECT_LE(drawn_error_px(tdb, view, selection), selection.result.worst_error_px);
+}
+
+TEST(LodSelection, RaisedSurfacesAreNowhereBelowTheTrueOneAndWithinTau) {
+    for (const WrittenTdb* tdb : {&region(), &world()}) {
+        ResidentTdb catalogue(*tdb);
+        Selection selection;
+        double largest_lift_m = 0;
+        for (const View& view : views_of(*tdb, 5)) {
+            LodSettings settings;
+            settings.tau_px = 3;
+            settings.conservative_up = true;
+            const LodResult& result = selection.select(catalogue, view, settings);
+            ASSERT_TRUE(result.within_budget);
+            EXPECT_LE(result.worst_error_px, 3);
+            expect_covered_once(*tdb, view, selection, 5);
+            expect_balanced(*tdb, selection);
+            for (const SelectedChunk& chunk : selection.chunks) {
+                largest_lift_m = std::max(largest_lift_m, double{chunk.lift.own_m});
+                test_support::visit_drawn_posts(*tdb, chunk, 3, [&](std::uint32_t i, std::uint32_t j, const glm::dvec3& drawn) {
+                    const glm::dvec3 up = glm::normalize(tdb->lattice().position(i, j, 1000) - tdb->lattice().position(i, j, 0));
+                    const double above_m = glm::dot(drawn - tdb->position(i, j), up);
+                    ASSERT_GE(above_m, -1e-3 * std::max(1.0, double{chunk.lift.own_m}));
+                });
+            }
+            EXPECT_LE(drawn_error_px(*tdb, view, selection), result.worst_error_px * (1 + 1e-6) + 1e-3);
+        }
+        EXPECT_GT(largest_lift_m, 0.5) << "nothing was raised";
+    }
+}
+
+TEST(LodSelection, ReasonsHaveNames) {
+    EXPECT_STREQ(to_string(LodStop::met), "met");
+    EXPECT_STREQ(to_string(LodStop::not_arrived), "not_arrived");
+    EXPECT_STREQ(to_string(LodStop::at_data_limit), "at_data_limit");
 }
 
 }  // namespace

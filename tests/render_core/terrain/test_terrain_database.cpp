@@ -3,129 +3,233 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstring>
+#include <functional>
 
-#include "host_sim/geoid_egm96.hpp"
-#include "render_core/base/hash.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/built_database.hpp"
+#include "tests/support/tdb_writer.hpp"
 
 namespace tedavis::terrain {
 namespace {
 
 using base::radians;
-using test_support::BuiltDatabase;
+using test_support::MemoryBytes;
+using test_support::TdbSpec;
+using test_support::WrittenTdb;
 
+TdbSpec small_spec() {
+    TdbSpec spec;
+    spec.columns = 70;
+    spec.rows = 66;
+    spec.height_m = [](std::uint32_t i, std::uint32_t j) { return 500 + 3.0 * i + std::sin(j) * 40; };
+    spec.attributes = true;
+    return spec;
+}
+
+/// Opens, reads every page, every payload and every attribute page.
 TdbFailure first_failure(const std::vector<std::uint8_t>& image) {
-    std::vector<std::uint8_t> memory(1 << 22), payload(1 << 20);
-    test_support::MemoryBytes bytes(image);
+    std::vector<std::uint8_t> memory(1 << 18), part(kMaxPayloadBytes);
+    MemoryBytes bytes(image);
     base::Arena arena(memory.data(), memory.size());
     auto opened = TerrainDatabase::open(bytes, arena);
     if (!opened.ok()) return opened.error();
-    for (ChunkIndex chunk = 0; chunk < opened.value().chunk_count(); ++chunk) {
-        const TdbFailure failure = opened.value().read_chunk(chunk, {payload.data(), payload.size()});
-        if (failure.error != TdbError::none) return failure;
+    const TerrainDatabase& database = opened.value();
+    auto page = std::make_unique<DirectoryPage>();
+    for (std::uint32_t index = 0; index < database.lattice().page_count(); ++index) {
+        if (!database.has_page(index)) continue;
+        if (const TdbFailure failure = database.read_page(index, *page); failure.error != TdbError::none) return failure;
+        for (const ChunkEntry& entry : page->entries)
+            for (const PartPlace& place : {entry.payload, entry.attributes}) {
+                if (entry.vertex_count == 0 || place.bytes == 0) continue;
+                const TdbFailure failure = database.read_part(place, {part.data(), part.size()});
+                if (failure.error != TdbError::none) return failure;
+            }
     }
     return {};
 }
 
-TEST(TerrainDatabase, EveryFlippedBitIsFound) {
-    const BuiltDatabase built(test_support::make_rough_raster(70, 66));
-    ASSERT_EQ(first_failure(built.image).error, TdbError::none);
-    for (std::size_t position = 0; position < built.image.size(); position += 97) {
-        std::vector<std::uint8_t> damaged = built.image;
-        damaged[position] ^= static_cast<std::uint8_t>(1u << (position % 8));
+TEST(TerrainDatabase, HoldsWhatWasWritten) {
+    WrittenTdb written(small_spec());
+    EXPECT_EQ(first_failure(written.bytes).error, TdbError::none);
+    const TerrainDatabase& database = written.database();
+    EXPECT_EQ(database.levels(), 3u);
+    EXPECT_EQ(database.root_count(), 1u);
+    EXPECT_EQ(database.header().columns, 70u);
+    EXPECT_EQ(database.lattice().grid_columns(0), 3u);
+}
+
+TEST(TerrainDatabase, EveryFlippedBitOfAPartIsFoundWhenItIsRead) {
+    const WrittenTdb written(small_spec());
+    // Bytes between the parts carry nothing: pages are aligned.
+    std::vector<bool> carries(written.bytes.size());
+    const auto mark = [&](std::uint64_t offset, std::size_t count) {
+        std::fill_n(carries.begin() + static_cast<std::ptrdiff_t>(offset), count, true);
+    };
+    const FileHeader& h = written.database().header();
+    mark(0, sizeof h);
+    mark(h.undulation_offset, std::size_t{h.undulation_columns} * h.undulation_rows * sizeof(float));
+    mark(h.page_table_offset, h.page_count * sizeof(std::uint64_t));
+    for (std::uint32_t index = 0; index < h.page_count; ++index)
+        mark(written.database().page_offset(index), sizeof(DirectoryPage));
+    for (const ChunkKey& key : written.keys())
+        for (const PartPlace& place : {written.entry(key).payload, written.entry(key).attributes})
+            mark(place.offset, place.bytes);
+    std::vector<std::uint8_t> damaged = written.bytes;
+    for (std::size_t position = 0; position < damaged.size(); position += position < sizeof h ? 5 : 1013) {
+        if (!carries[position]) continue;
+        const auto bit = static_cast<std::uint8_t>(1u << (position % 8));
+        damaged[position] ^= bit;
         EXPECT_NE(first_failure(damaged).error, TdbError::none) << "bit at byte " << position;
+        damaged[position] ^= bit;
     }
 }
 
 TEST(TerrainDatabase, TruncatedForeignAndEmptyFilesAreToldApart) {
-    const BuiltDatabase built(test_support::make_rough_raster(70, 66));
-    std::vector<std::uint8_t> cut(built.image.begin(), built.image.end() - 1);
+    const WrittenTdb written(small_spec());
+    std::vector<std::uint8_t> cut(written.bytes.begin(), written.bytes.end() - 1);
     EXPECT_EQ(first_failure(cut).error, TdbError::truncated);
+    EXPECT_EQ(first_failure(cut).offset, cut.size());
     EXPECT_EQ(first_failure({}).error, TdbError::not_a_tdb);
     EXPECT_EQ(first_failure(std::vector<std::uint8_t>(1000, 'x')).error, TdbError::not_a_tdb);
-    std::vector<std::uint8_t> newer = built.image;
-    newer[8] = 99;
+    std::vector<std::uint8_t> newer = written.bytes;
+    newer[8] = 1;
     EXPECT_EQ(first_failure(newer).error, TdbError::wrong_version);
+    EXPECT_EQ(first_failure(newer).offset, 8u);
 }
 
-/// The image with a changed header and first entry, signed anew so that no checksum tells.
-template <class Change>
-std::vector<std::uint8_t> forged(std::vector<std::uint8_t> image, Change change) {
-    FileHeader h;
-    std::memcpy(&h, image.data(), sizeof h);
-    std::vector<ChunkEntry> entries(h.chunk_count);
-    std::memcpy(entries.data(), image.data() + sizeof h, entries.size() * sizeof(ChunkEntry));
-    change(h, entries.front());
-    h.directory_crc = base::crc32(entries.data(), entries.size() * sizeof(ChunkEntry));
-    h.header_crc = base::crc32(&h, offsetof(FileHeader, header_crc));
-    std::memcpy(image.data(), &h, sizeof h);
-    std::memcpy(image.data() + sizeof h, entries.data(), entries.size() * sizeof(ChunkEntry));
-    return image;
-}
-
-TEST(TerrainDatabase, ValuesThatCannotBeAreRefusedUnderARightChecksum) {
-    const BuiltDatabase built(test_support::make_rough_raster(70, 66));
-    const auto failure = [&](auto change) { return first_failure(forged(built.image, change)).error; };
+TEST(TerrainDatabase, HeadersThatCannotBeAreRefusedUnderARightChecksum) {
+    WrittenTdb written(small_spec());
+    const std::vector<std::uint8_t> sound = written.bytes;
+    const auto error = [&](const std::function<void(FileHeader&)>& change) {
+        written.bytes = sound;
+        change(written.header());
+        written.sign_header();
+        return first_failure(written.bytes).error;
+    };
     const float nan = std::nanf("");
-    EXPECT_EQ(failure([](FileHeader&, ChunkEntry&) {}), TdbError::none);
-    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { h.undulation_west_deg = nan; }), TdbError::header_damaged);
-    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { h.tolerance_m[1] = nan; }), TdbError::header_damaged);
-    EXPECT_EQ(failure([&](FileHeader& h, ChunkEntry&) { std::memset(h.source, 'x', sizeof h.source); }),
-              TdbError::header_damaged);
-    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.above_m = nan; }), TdbError::directory_damaged);
-    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.centre_m[2] = nan; }), TdbError::directory_damaged);
-    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.half_extent_m[0] = -1; }), TdbError::directory_damaged);
-    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { e.level = 9; }), TdbError::directory_damaged);
-    EXPECT_EQ(failure([&](FileHeader&, ChunkEntry& e) { ++e.i; }), TdbError::directory_damaged) << "another chunk's place";
+    const std::function<void(FileHeader&)> changes[] = {
+        [&](FileHeader& h) { h.undulation_west_deg = nan; },
+        [&](FileHeader& h) { h.tolerance_m[1] = nan; },
+        [&](FileHeader& h) { h.north_deg = nan; },
+        [&](FileHeader& h) { h.step_lon_deg = nan; },
+        [](FileHeader& h) { h.step_lon_deg = 0; },
+        [](FileHeader& h) { h.north_deg = -89.99; },
+        [](FileHeader& h) { h.columns = 1u << 31; },
+        [](FileHeader& h) { h.rows = 1; },
+        [](FileHeader& h) { h.levels = 0; },
+        [](FileHeader& h) { h.levels = kMaxLevels + 1; },
+        [](FileHeader& h) { h.lattice_flags = kLatticeClosed; },
+        [](FileHeader& h) { h.lattice_flags = 8; },
+        [](FileHeader& h) { h.page_count += 1; },
+        [](FileHeader& h) { h.chunk_count = 1000; },
+        [](FileHeader& h) { h.undulation_offset = h.file_bytes - 8; },
+        [](FileHeader& h) { h.page_table_offset = ~0ull; },
+        [](FileHeader& h) { h.max_height_m = -1; },
+        [](FileHeader& h) { std::memset(h.source, 'x', sizeof h.source); },
+    };
+    EXPECT_EQ(error([](FileHeader&) {}), TdbError::none);
+    int n = 0;
+    for (const auto& change : changes) {
+        EXPECT_EQ(error(change), TdbError::header_damaged) << "change " << n;
+        ++n;
+    }
+}
+
+TEST(TerrainDatabase, PolarAndClosedHeadersMustFitTheEarth) {
+    TdbSpec spec = test_support::whole_earth(65, 33);
+    spec.height_m = [](std::uint32_t, std::uint32_t) { return 0.0; };
+    WrittenTdb written(spec);
+    EXPECT_EQ(first_failure(written.bytes).error, TdbError::none);
+    const std::vector<std::uint8_t> sound = written.bytes;
+    const auto error = [&](const std::function<void(FileHeader&)>& change) {
+        written.bytes = sound;
+        change(written.header());
+        written.sign_header();
+        return first_failure(written.bytes).error;
+    };
+    EXPECT_EQ(error([](FileHeader& h) { h.step_lon_deg *= 0.9; }), TdbError::header_damaged);
+    EXPECT_EQ(error([](FileHeader& h) { h.north_deg = 90; }), TdbError::header_damaged);
+    EXPECT_EQ(error([](FileHeader& h) { h.step_lat_deg *= 1.1; }), TdbError::header_damaged);
+}
+
+TEST(TerrainDatabase, EntriesThatCannotBeAreRefusedUnderARightChecksum) {
+    WrittenTdb written(small_spec());
+    const std::vector<std::uint8_t> sound = written.bytes;
+    const auto error = [&](const ChunkKey& key, const std::function<void(ChunkEntry&)>& change) {
+        written.bytes = sound;
+        change(written.entry_in_file(key));
+        written.sign_page(key);
+        return first_failure(written.bytes).error;
+    };
+    const float nan = std::nanf("");
+    const std::function<void(ChunkEntry&)> changes[] = {
+        [&](ChunkEntry& e) { e.above_m = nan; },
+        [&](ChunkEntry& e) { e.strip_below_m = nan; },
+        [&](ChunkEntry& e) { e.centre_m[2] = std::nan(""); },
+        [&](ChunkEntry& e) { e.axes[4] = nan; },
+        [](ChunkEntry& e) { e.half_extent_m[0] = -1; },
+        [](ChunkEntry& e) { e.bound_m = 0.5f * e.above_m; },
+        [](ChunkEntry& e) { e.max_height_m = e.min_height_m - 1; },
+        [](ChunkEntry& e) { e.level = 9; },
+        [](ChunkEntry& e) { ++e.i; },
+        [](ChunkEntry& e) { e.vertex_count = kMaxChunkVertices + 1; },
+        [](ChunkEntry& e) { ++e.vertex_count; },
+        [](ChunkEntry& e) { e.border_count = static_cast<std::uint16_t>(e.vertex_count + 1); },
+        [](ChunkEntry& e) { ++e.triangle_count; },
+        [](ChunkEntry& e) { e.strip_count = static_cast<std::uint16_t>(e.triangle_count + 1); },
+        [](ChunkEntry& e) { e.payload.bytes -= 2; },
+        [](ChunkEntry& e) { e.payload.offset = ~0ull - 10; },
+        [](ChunkEntry& e) { e.payload.offset = 0; },
+        [](ChunkEntry& e) { e.attributes.bytes = 12; },
+        [](ChunkEntry& e) {
+            e.drape = {1000, 300, 0};
+        },
+        [](ChunkEntry& e) { e.flags |= 0x80; },
+        [](ChunkEntry& e) { e.flags ^= kChunkRegular; },
+        [](ChunkEntry& e) { e.children ^= 1; },
+    };
+    const ChunkKey fine{0, 0, 0}, coarse{1, 0, 0};
+    EXPECT_EQ(error(fine, [](ChunkEntry&) {}), TdbError::none);
+    for (const ChunkKey& key : {fine, coarse}) {
+        int n = 0;
+        for (const auto& change : changes) {
+            EXPECT_EQ(error(key, change), TdbError::directory_damaged) << "level " << key.level << ", change " << n;
+            ++n;
+        }
+    }
+    EXPECT_EQ(error({1, 1, 1}, [](ChunkEntry& e) { e.children = 15; }), TdbError::directory_damaged)
+        << "children beyond the lattice";
+}
+
+TEST(TerrainDatabase, APageAtAnotherPagesPlaceIsRefused) {
+    TdbSpec spec = small_spec();
+    spec.columns = 300;
+    spec.rows = 40;
+    WrittenTdb written(spec);
+    std::swap(written.page({0, 0, 0}), written.page({0, 8, 0}));
+    EXPECT_EQ(first_failure(written.bytes).error, TdbError::directory_damaged);
 }
 
 TEST(TerrainDatabase, ASmallArenaIsRefusedNotOverrun) {
-    const BuiltDatabase built(test_support::make_rough_raster(70, 66));
+    WrittenTdb written(small_spec());
     std::vector<std::uint8_t> memory(500);
-    test_support::MemoryBytes bytes(built.image);
     base::Arena arena(memory.data(), memory.size());
-    const auto opened = TerrainDatabase::open(bytes, arena);
+    const auto opened = TerrainDatabase::open(written.source(), arena);
     ASSERT_FALSE(opened.ok());
     EXPECT_EQ(opened.error().error, TdbError::too_large);
 }
 
-TEST(TerrainDatabase, ParentsAndChildrenAgree) {
-    const BuiltDatabase built(test_support::make_rough_raster(200, 150));
-    const TerrainDatabase& db = built.database;
-    for (ChunkIndex chunk = 0; chunk < db.chunk_count(); ++chunk) {
-        EXPECT_EQ(db.at(db.entry(chunk).level, db.entry(chunk).i, db.entry(chunk).j), chunk);
-        for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
-            const ChunkIndex child = db.child(chunk, quadrant);
-            if (child != kNoChunk) {
-                EXPECT_EQ(db.parent(child), chunk);
-            }
-        }
-    }
-    EXPECT_EQ(db.at(0, -1, 0), kNoChunk);
-    EXPECT_EQ(db.at(db.levels(), 0, 0), kNoChunk);
+TEST(TerrainDatabase, UndulationIsBilinearAndClampedAtThePoles) {
+    WrittenTdb written(small_spec());
+    for (double latitude = -90; latitude <= 90; latitude += 7.3)
+        for (double longitude : {-180.0, -3.2, 179.99})
+            EXPECT_NEAR(written.database().undulation(radians(latitude), radians(longitude)).m,
+                        WrittenTdb::undulation_m(radians(latitude)), 1e-5);
 }
 
-TEST(TerrainDatabase, UndulationIsThatOfTheWorldGrid) {
-    const BuiltDatabase built(test_support::make_rough_raster(600, 500));
-    const host_sim::GeoidEgm96 world = host_sim::GeoidEgm96::installed();
-    for (double latitude = 46.72; latitude < 47.1; latitude += 0.07)
-        for (double longitude = 9.61; longitude < 10.09; longitude += 0.06)
-            EXPECT_NEAR(built.database.undulation(radians(latitude), radians(longitude)).m,
-                        world.undulation(radians(latitude), radians(longitude)).m, 1e-4);
-}
-
-TEST(TerrainDatabase, LatticePointsAcrossTheAntimeridian) {
-    const BuiltDatabase built(test_support::make_raster(
-        101, 81, [](std::uint32_t, std::uint32_t) { return 10.0f; }, 179.96, 20.0));
-    const auto west = built.database.lattice_point(radians(19.99), radians(179.97));
-    const auto east = built.database.lattice_point(radians(19.99), radians(-179.97));
-    EXPECT_TRUE(west.inside);
-    EXPECT_TRUE(east.inside);
-    EXPECT_NEAR(east.i - west.i, 0.06 * 1200, 1e-6);
-    EXPECT_FALSE(built.database.lattice_point(radians(19.99), radians(-179.8)).inside);
+TEST(TerrainDatabase, EveryErrorHasWords) {
+    for (int n = 0; n <= static_cast<int>(TdbError::too_many_roots); ++n)
+        EXPECT_STRNE(to_string(static_cast<TdbError>(n)), "is unknown");
 }
 
 }  // namespace

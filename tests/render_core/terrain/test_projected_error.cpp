@@ -1,0 +1,124 @@
+#include "render_core/terrain/projected_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/terrain_views.hpp"
+
+namespace tedavis::terrain {
+namespace {
+
+using test_support::project;
+using test_support::TdbSpec;
+using test_support::WrittenTdb;
+
+const WrittenTdb& rough() {
+    static const WrittenTdb tdb([] {
+        TdbSpec spec;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) {
+            return 1500 + 400 * std::sin(i * 0.09) * std::cos(j * 0.07) + 60 * std::sin(i * 1.3 + j * 2.1);
+        };
+        return spec;
+    }());
+    return tdb;
+}
+
+glm::dvec3 in_box(const ChunkEntry& e, double north, double east, double down) {
+    glm::dvec3 point(e.centre_m[0], e.centre_m[1], e.centre_m[2]);
+    const double along[3] = {north, east, down};
+    for (int a = 0; a < 3; ++a)
+        point += glm::dvec3(e.axes[3 * a], e.axes[3 * a + 1], e.axes[3 * a + 2]) * (along[a] * double{e.half_extent_m[a]});
+    return point;
+}
+
+TEST(ProjectedError, AChunkWithAVisiblePointIsNeverOutside) {
+    int visible = 0, outside = 0;
+    for (const View& view : test_support::some_views(rough(), 60))
+        for (const ChunkKey& key : rough().keys()) {
+            const ChunkEntry& entry = rough().entry(key);
+            bool sees = false;
+            for (double n = -1; n <= 1; n += 0.25)
+                for (double e = -1; e <= 1; e += 0.25)
+                    for (double d = -1; d <= 1; d += 0.5) sees = sees || project(view, in_box(entry, n, e, d)).visible;
+            visible += sees ? 1 : 0;
+            EXPECT_FALSE(sees && is_outside_view(entry, view));
+            outside += is_outside_view(entry, view) ? 1 : 0;
+        }
+    EXPECT_GT(visible, 100);
+    EXPECT_GT(outside, 100) << "a test that never rejects proves nothing";
+}
+
+TEST(ProjectedError, StretchingUpwardsBringsIntoViewWhatLiesBelowIt) {
+    View view = test_support::view_from(rough(), 64, 127, 3000, 0, 20);
+    const ChunkEntry& entry = rough().entry({0, 2, 0});
+    EXPECT_TRUE(is_outside_view(entry, view));
+    EXPECT_FALSE(is_outside_view(entry, view, 9000));
+}
+
+/// Raises and lowers points inside the box by the error and looks how far they move in the picture.
+TEST(ProjectedError, NoPointOfTheBoxMovesFurtherInThePicture) {
+    const double error_m = 3;
+    double tightest = 1e9;
+    std::vector<View> views = test_support::some_views(rough(), 40);
+    views.push_back(test_support::view_from(rough(), 64, 64, 2500, 0, -90));
+    for (const View& view : views)
+        for (const ChunkKey& key : rough().keys()) {
+            const ChunkEntry& entry = rough().entry(key);
+            const double bound_px = error_in_box_px(entry, view, error_m, 0);
+            for (double n = -0.96; n <= 1; n += 0.24)
+                for (double e = -0.96; e <= 1; e += 0.24)
+                    for (const double above_m : {-error_m, error_m}) {
+                        const glm::dvec3 point = in_box(entry, n, e, 0);
+                        const earth::Geodetic place = earth::from_ecef(point);
+                        const glm::dvec3 drawn =
+                            point - earth::north_east_down(place.latitude_rad, place.longitude_rad)[2] * above_m;
+                        const auto a = project(view, point), b = project(view, drawn);
+                        if (!b.visible || glm::dot(point - view.eye, view.forward) < view.near_m) continue;
+                        const double moved_px = std::hypot(a.x - b.x, a.y - b.y);
+                        EXPECT_LE(moved_px, bound_px * (1 + 1e-9));
+                        if (moved_px > 0) tightest = std::min(tightest, bound_px / moved_px);
+                    }
+        }
+    EXPECT_LT(tightest, 1.3) << "the bound is of some use";
+}
+
+TEST(ProjectedError, NoErrorIsExactlyNoPixel) {
+    const ChunkEntry& entry = rough().entry({1, 0, 0});
+    View view = test_support::view_from(rough(), 20, 20, 0, 0, 0);
+    EXPECT_EQ(error_in_box_px(entry, view, 0, 0), 0);
+    view.eye.x = std::nan("");
+    EXPECT_EQ(error_in_box_px(entry, view, 0, 0), 0);
+}
+
+TEST(ProjectedError, IsFiniteInsideTheBoxAndRefinesWhereTheViewIsNoNumber) {
+    const ChunkEntry& entry = rough().entry({1, 0, 0});
+    View view = test_support::view_from(rough(), 20, 20, 1, 0, 0);
+    EXPECT_TRUE(std::isfinite(error_in_box_px(entry, view, 2, 0)));
+    EXPECT_GT(error_in_box_px(entry, view, 2, 0), 100);
+    view.eye.x = std::nan("");
+    EXPECT_FALSE(error_in_box_px(entry, view, 2, 0) <= 1e3);
+    EXPECT_FALSE(is_outside_view(entry, view));
+    view = test_support::view_from(rough(), 20, 20, 1, 0, 0);
+    view.focal_px = std::nan("");
+    EXPECT_FALSE(error_in_box_px(entry, view, 2, 0) <= 1e3);
+}
+
+TEST(ProjectedError, FallsWithDistanceAndGrowsWithTheLift) {
+    const ChunkEntry& entry = rough().entry({0, 2, 2});
+    const View view = test_support::view_from(rough(), 64, 128, 500, 0, -10);
+    double last_px = 1e300;
+    for (double back_m = 0; back_m < 20000; back_m += 500) {
+        View further = view;
+        further.eye -= view.forward * back_m;
+        const double error_px = error_in_box_px(entry, further, 1, 0);
+        EXPECT_LE(error_px, last_px);
+        EXPECT_GE(error_in_box_px(entry, further, 1, 50), error_px * (1 - 1e-12));
+        EXPECT_GT(error_in_box_px(entry, further, 2, 0), error_px);
+        last_px = error_px;
+    }
+    EXPECT_LT(box_distance_m(entry, view), double{distance_m(entry, view)});
+}
+
+}  // namespace
+}  // namespace tedavis::terrain
