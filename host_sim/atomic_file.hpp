@@ -17,6 +17,9 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
+    /// Where the bytes wait, for libraries that write files by name: they write it whole instead of the stream, and close it
+    /// before `seal` or `commit`.
+    [[nodiscard]] const std::string& part_path() const { return part_; }
     /// Ends the writing. Throws UserError when not every byte reached the disk.
     void seal();
     /// Seals and puts the file in its place. Throws UserError where that is impossible; then nothing appears. Several files

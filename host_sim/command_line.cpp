@@ -200,10 +200,13 @@ void add_terrain(CLI::App& app, CommandLine& line) {
                                  [&i](Console& console) { return run_terrain_info(i, console); });
     info->add_option("DATABASE", i.database, "database (.tdb)")->required();
     TerrainFractalOptions& f = line.terrain_fractal;
-    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain of any size",
+    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain, a square of any size",
                                     [&f](Console& console) { return run_terrain_fractal(f, console); });
     fractal->add_option("--size", f.size, "posts a side")->check(from_zero())->capture_default_str();
     fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->check(from_zero())->capture_default_str();
+    fractal->add_option("--type", f.numbers, "float32, or int16: whole metres in half the space")
+        ->check(CLI::IsMember({"float32", "int16"}))
+        ->capture_default_str();
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
 }
 

@@ -1,8 +1,10 @@
 /// How a command speaks: its result on stdout (text, or JSON with --json), notes and progress on stderr.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 namespace tedavis::host_sim {
@@ -17,7 +19,8 @@ public:
     void result(std::string_view text, std::string_view json);
     /// One sentence beside the result.
     void note(std::string_view sentence);
-    /// Redraws one line in place, at most once a whole percent; silent where stderr is no terminal.
+    /// Redraws one line in place, with the time left once it can be told: on every new percent, and once a second; silent
+    /// where stderr is no terminal. Another `what` is another piece of work.
     void progress(std::string_view what, std::uint64_t done, std::uint64_t total);
     /// Ends the progress line, so that what follows starts on its own.
     void progress_done();
@@ -35,6 +38,9 @@ private:
     bool json_;
     bool live_;
     int shown_percent_ = -1;
+    std::string shown_what_;
+    std::size_t shown_length_ = 0;
+    std::chrono::steady_clock::time_point begun_, drawn_;
 };
 
 }  // namespace tedavis::host_sim

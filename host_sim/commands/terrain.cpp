@@ -13,7 +13,7 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/number_list.hpp"
 #include "host_sim/terrain_builder/file_posts.hpp"
-#include "host_sim/terrain_builder/fractal_terrain.hpp"
+#include "host_sim/terrain_builder/fractal_geotiff.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
@@ -186,13 +186,15 @@ int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) 
     if (options.size < kFewestFractalPosts || options.size > kMostFractalPosts)
         throw UserError("--size " + std::to_string(options.size) + ": must be from " + std::to_string(kFewestFractalPosts) +
                         " to " + std::to_string(kMostFractalPosts) + " posts");
+    if (options.numbers != "float32" && options.numbers != "int16")
+        throw UserError("--type " + options.numbers + ": unknown; choose float32 or int16");
     const InterruptGuard interrupt;
-    AtomicFile file(options.output);
-    const FractalTerrain terrain = make_fractal_terrain(options.size, options.seed, [&](std::uint64_t done, std::uint64_t total) {
-        report_progress("fractal terrain", done, total, interrupt, console, "nothing was written");
-    });
-    file.stream() << fractal_geotiff(terrain);
-    file.commit();
+    write_fractal_geotiff(options.output, options.size, options.seed,
+                          options.numbers == "int16" ? FractalNumbers::int16 : FractalNumbers::float32,
+                          [&](std::uint64_t done, std::uint64_t total) {
+                              report_progress("fractal terrain", done, total, interrupt, console, "nothing was written");
+                          });
+    console.progress_done();
     const Json json = {{"file", options.output}, {"size", options.size}, {"seed", options.seed}};
     console.result(options.output + ": generated terrain, " + std::to_string(options.size) + " posts a side, seed " +
                        std::to_string(options.seed),

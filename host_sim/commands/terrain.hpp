@@ -34,6 +34,7 @@ struct TerrainFractalOptions {
     std::uint32_t size = 1025;  ///< posts a side
     std::uint64_t seed = 1;
     std::string output;
+    std::string numbers = "float32";  ///< or "int16"
 };
 
 /// Each returns the exit code and throws UserError for bad input.

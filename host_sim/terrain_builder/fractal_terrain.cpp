@@ -1,147 +1,124 @@
 #include "host_sim/terrain_builder/fractal_terrain.hpp"
 
-#include <cpl_vsi.h>
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
-
 #include <algorithm>
-#include <memory>
-#include <random>
+#include <cmath>
 
-#include "host_sim/quiet_gdal.hpp"
-#include "host_sim/user_error.hpp"
+#include "render_core/base/check.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-constexpr float kCell_m = 30;              // about a second of arc
-constexpr float kSteepness = 0.075f;       // of the first displacement, over the side
-constexpr float kRoughness = 0.5f;         // displacement of a step over that of the step before
-constexpr float kEdgeDisplacement = 0.7f;  // midpoints of edges lie sqrt(2) closer to their neighbours than centres do
-constexpr float kHighest_m = 4000;
+constexpr float kMeanLand_m = 1100, kHighest_m = 4000, kBendFrom_m = 3000;
+constexpr float kSlope = 4.4f;                         // amplitude over wavelength in posts, in metres
+constexpr float kContinent_m = 2800;                   // of octaves that are too long to be mountains
+constexpr int kFirstRidged = 7, kFirstContinent = 10;  // log2 of the wavelength in posts
 
-/// A lattice of 2^n + 1 posts a side, refined step by step.
-class Refinement {
-public:
-    Refinement(std::uint32_t cells, std::uint64_t seed)
-        : cells_(cells), posts_(cells + 1), height_m_(std::size_t{posts_} * posts_, 0.0f), random_(seed) {}
-
-    void run(const FractalProgress& progress) {
-        float amplitude_m = kSteepness * kCell_m * static_cast<float>(cells_);
-        for (std::uint32_t step = cells_; step > 1; step /= 2, amplitude_m *= kRoughness) {
-            displace_centres(step, amplitude_m);
-            displace_edges(step, amplitude_m * kEdgeDisplacement);
-            if (progress) progress(cells_ / step, cells_);
-        }
-    }
-    [[nodiscard]] float at(std::uint32_t i, std::uint32_t j) const { return height_m_[std::size_t{j} * posts_ + i]; }
-
-private:
-    float& post(std::uint32_t i, std::uint32_t j) { return height_m_[std::size_t{j} * posts_ + i]; }
-
-    /// From -amplitude to amplitude, of the engine's own bits: library distributions differ between implementations.
-    float jitter(float amplitude_m) { return amplitude_m * (static_cast<float>(random_() >> 40) / 8388608.0f - 1.0f); }
-
-    void displace_centres(std::uint32_t step, float amplitude_m) {
-        const std::uint32_t half = step / 2;
-        for (std::uint32_t j = half; j < posts_; j += step) {
-            for (std::uint32_t i = half; i < posts_; i += step) {
-                const float corners =
-                    post(i - half, j - half) + post(i + half, j - half) + post(i - half, j + half) + post(i + half, j + half);
-                post(i, j) = 0.25f * corners + jitter(amplitude_m);
-            }
-        }
-    }
-
-    void displace_edges(std::uint32_t step, float amplitude_m) {
-        const std::uint32_t half = step / 2;
-        for (std::uint32_t j = 0; j < posts_; j += half) {
-            for (std::uint32_t i = (j / half) % 2 == 0 ? half : 0; i < posts_; i += step) {
-                post(i, j) = mean_of_neighbours(i, j, half) + jitter(amplitude_m);
-            }
-        }
-    }
-
-    /// Of those inside: three on the border, else four.
-    [[nodiscard]] float mean_of_neighbours(std::uint32_t i, std::uint32_t j, std::uint32_t distance) {
-        float sum = 0;
-        int count = 0;
-        const auto add = [&](bool inside, std::uint32_t a, std::uint32_t b) {
-            if (!inside) return;
-            sum += post(a, b);
-            ++count;
-        };
-        add(i >= distance, i - distance, j);
-        add(i + distance < posts_, i + distance, j);
-        add(j >= distance, i, j - distance);
-        add(j + distance < posts_, i, j + distance);
-        return sum / static_cast<float>(count);
-    }
-
-    std::uint32_t cells_, posts_;
-    std::vector<float> height_m_;
-    std::mt19937_64 random_;
+/// Pythagorean triples: turns by rational angles.
+struct Turn {
+    std::int64_t cosine, sine, hypotenuse;
 };
+constexpr std::array<Turn, 4> kTurns = {{{12, 5, 13}, {4, 3, 5}, {24, 7, 25}, {20, 21, 29}}};
 
-/// The lowest post becomes 0; what is higher than the highest is made lower in proportion.
-void settle(std::vector<float>& height_m) {
-    const auto [lowest, highest] = std::minmax_element(height_m.begin(), height_m.end());
-    const float base_m = *lowest, scale = std::min(1.0f, kHighest_m / std::max(1.0f, *highest - base_m));
-    for (float& h : height_m) h = (h - base_m) * scale;
+/// Steele, Lea, Flood 2014: the finishing steps of SplitMix64.
+std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
 }
 
-using Dataset = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
+struct Gradient {
+    float u, v;  ///< from -1 to 1
+};
 
-bool write_raster(const FractalTerrain& terrain, const std::string& path) {
-    const int posts = static_cast<int>(terrain.posts);
-    Dataset file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(path.c_str(), posts, posts, 1, GDT_Float32, nullptr));
-    if (file == nullptr) return false;
-    // Posts are the centres of pixels.
-    double transform[6] = {kFractalWest_deg - 0.5 * kFractalStep_deg,
-                           kFractalStep_deg,
-                           0,
-                           kFractalNorth_deg + 0.5 * kFractalStep_deg,
-                           0,
-                           -kFractalStep_deg};
-    file->SetGeoTransform(transform);
-    OGRSpatialReference wgs84;
-    wgs84.importFromEPSG(4326);
-    file->SetSpatialRef(&wgs84);
-    const bool written =
-        file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, posts, posts, const_cast<float*>(terrain.height_m.data()), posts, posts,
-                                         GDT_Float32, 0, 0) == CE_None;
-    file.reset();
-    return written && CPLGetLastErrorType() < CE_Failure;
+Gradient gradient(std::uint64_t key, std::int64_t cell_u, std::int64_t cell_v) {
+    constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15u;
+    const std::uint64_t place = static_cast<std::uint64_t>(cell_u) << 32 ^ (static_cast<std::uint64_t>(cell_v) & 0xFFFFFFFFu);
+    const std::uint64_t bits = mixed(key + place * kGolden);
+    constexpr float kUnit = 1.0f / 8388608.0f;  // 2^-23
+    return {static_cast<float>(bits >> 40) * kUnit - 1.0f, static_cast<float>(bits >> 16 & 0xFFFFFFu) * kUnit - 1.0f};
+}
+
+/// Gradients at the corners of a cell.
+struct Cell {
+    Gradient a, b, c, d;
+
+    Cell(std::uint64_t key, std::int64_t u, std::int64_t v)
+        : a(gradient(key, u, v)), b(gradient(key, u + 1, v)), c(gradient(key, u, v + 1)), d(gradient(key, u + 1, v + 1)) {}
+
+    /// Perlin 2002, with u and v from 0 to 1 across the cell; about -0.9 to 0.9.
+    [[nodiscard]] float noise(float u, float v) const {
+        const float fade_u = u * u * u * (u * (u * 6 - 15) + 10), fade_v = v * v * v * (v * (v * 6 - 15) + 10);
+        const float at_a = a.u * u + a.v * v, at_b = b.u * (u - 1) + b.v * v, at_c = c.u * u + c.v * (v - 1),
+                    at_d = d.u * (u - 1) + d.v * (v - 1);
+        const float north = at_a + fade_u * (at_b - at_a), south = at_c + fade_u * (at_d - at_c);
+        return north + fade_v * (south - north);
+    }
+};
+
+/// Crests where the noise changes its sign; the mean is about zero.
+float folded(float noise) {
+    const float crest = 1 - 1.25f * std::abs(noise);
+    return crest * crest - 0.55f;
+}
+
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+/// Summits bend gently towards the highest height; the sea is flat.
+float settled(float height_m) {
+    if (height_m <= 0) return 0;
+    if (height_m <= kBendFrom_m) return height_m;
+    const float above = (height_m - kBendFrom_m) / (kHighest_m - kBendFrom_m);
+    return kBendFrom_m + (kHighest_m - kBendFrom_m) * (above / (1 + above));
 }
 
 }  // namespace
 
-FractalTerrain make_fractal_terrain(std::uint32_t posts, std::uint64_t seed, const FractalProgress& progress) {
-    std::uint32_t cells = 2;
-    while (cells + 1 < posts) cells *= 2;
-    Refinement refinement(cells, seed);
-    refinement.run(progress);
-    FractalTerrain terrain;
-    terrain.posts = posts;
-    terrain.height_m.reserve(std::size_t{posts} * posts);
-    for (std::uint32_t j = 0; j < posts; ++j)
-        for (std::uint32_t i = 0; i < posts; ++i) terrain.height_m.push_back(refinement.at(i, j));
-    settle(terrain.height_m);
-    return terrain;
+FractalTerrain::FractalTerrain(std::uint64_t seed) {
+    for (int n = 0; n < kOctaves; ++n) {
+        // Wavelengths of 2 to 512 posts, then two of continents: 2048 and 8192.
+        const int power = n < 9 ? n + 1 : 2 * n - 7;
+        const Turn& turn = kTurns[static_cast<std::size_t>(n) % kTurns.size()];
+        const std::uint64_t key = mixed(mixed(seed) + static_cast<std::uint64_t>(power));
+        const bool continent = power >= kFirstContinent;
+        const std::int64_t side = turn.hypotenuse << power;
+        octaves_[static_cast<std::size_t>(n)] = {turn.cosine,
+                                                 turn.sine,
+                                                 side,
+                                                 static_cast<std::int64_t>(mixed(key + 1) % static_cast<std::uint64_t>(side)),
+                                                 static_cast<std::int64_t>(mixed(key + 2) % static_cast<std::uint64_t>(side)),
+                                                 key,
+                                                 continent ? kContinent_m : kSlope * static_cast<float>(1 << power),
+                                                 power >= kFirstRidged && !continent};
+    }
 }
 
-std::string fractal_geotiff(const FractalTerrain& terrain) {
-    GDALAllRegister();
-    const QuietGdal quiet;
-    const std::string path = "/vsimem/fractal_terrain.tif";
-    const bool written = write_raster(terrain, path);
-    vsi_l_offset bytes = 0;
-    const GByte* const data = VSIGetMemFileBuffer(path.c_str(), &bytes, FALSE);
-    std::string image;
-    if (written && data != nullptr) image.assign(reinterpret_cast<const char*>(data), static_cast<std::size_t>(bytes));
-    VSIUnlink(path.c_str());
-    if (image.empty()) throw UserError("terrain fractal: the raster does not fit the memory; give a smaller --size");
-    return image;
+void FractalTerrain::add_octave(const Octave& o, std::int32_t i, std::int32_t j, base::Span<float> row) const {
+    const std::int64_t u = o.cosine * i - o.sine * j + o.offset_u, v = o.sine * i + o.cosine * j + o.offset_v;
+    std::int64_t cell_u = floor_divide(u, o.side), cell_v = floor_divide(v, o.side);
+    std::int64_t in_u = u - cell_u * o.side, in_v = v - cell_v * o.side;
+    Cell cell(o.key, cell_u, cell_v);
+    const float scale = 1.0f / static_cast<float>(o.side);
+    for (float& height_m : row) {
+        const float noise = cell.noise(static_cast<float>(in_u) * scale, static_cast<float>(in_v) * scale);
+        height_m += o.amplitude_m * (o.ridged ? folded(noise) : noise);
+        in_u += o.cosine;
+        in_v += o.sine;
+        if (in_u < o.side && in_v < o.side) continue;
+        if (in_u >= o.side) in_u -= o.side, ++cell_u;
+        if (in_v >= o.side) in_v -= o.side, ++cell_v;
+        cell = Cell(o.key, cell_u, cell_v);
+    }
+}
+
+void FractalTerrain::read(std::int32_t i, std::int32_t j, std::uint32_t columns, std::uint32_t rows,
+                          base::Span<float> heights_m) const {
+    TEDAVIS_CHECK(heights_m.size() == std::size_t{columns} * rows);
+    for (std::uint32_t b = 0; b < rows; ++b) {
+        const base::Span<float> row = heights_m.subspan(std::size_t{b} * columns, columns);
+        std::fill(row.begin(), row.end(), kMeanLand_m);
+        for (const Octave& octave : octaves_) add_octave(octave, i, j + static_cast<std::int32_t>(b), row);
+        for (float& height_m : row) height_m = settled(height_m);
+    }
 }
 
 }  // namespace tedavis::host_sim

@@ -1,33 +1,42 @@
-/// Generated terrain of any size: a fractional Brownian surface by midpoint displacement on a square lattice (Fournier,
-/// Fussell, Carpenter, "Computer Rendering of Stochastic Models", CACM 25(6), 1982; the diamond-square form).
+/// Generated terrain without end: a fractional Brownian surface with ridges, as a sum of gradient noise octaves.
+///
+/// Each octave is gradient noise on a square lattice (Perlin, "Improving Noise", SIGGRAPH 2002) whose amplitude is
+/// proportional to its wavelength; the coarse ones are folded to ridges (Musgrave in Ebert et al., "Texturing and Modeling",
+/// 3rd ed., 2003, chapter 16). Lattice nodes get their gradients from a counter-based hash of seed, octave and place
+/// (Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011; the mixing function is that of Steele, Lea and
+/// Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014). Lattices of neighbouring octaves are turned against
+/// each other by rational angles, so that their nodes do not coincide and every place is exact in integers.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
+
+#include "render_core/base/span.hpp"
 
 namespace tedavis::host_sim {
 
-inline constexpr std::uint32_t kFewestFractalPosts = 3, kMostFractalPosts = 16385;
-/// The raster's north-west post and its step: a place in the Alps, one second of arc.
-inline constexpr double kFractalWest_deg = 10.0, kFractalNorth_deg = 47.0, kFractalStep_deg = 1.0 / 3600;
+/// Heights in metres, 0 to 4000; what would be lower is sea and exactly 0. A post is about 30 m wide. The height at a place
+/// depends on nothing but the seed and the place: equal bits from every window, on every machine.
+class FractalTerrain {
+public:
+    explicit FractalTerrain(std::uint64_t seed);
 
-/// A square of posts, row 0 in the north, heights in metres from 0 up, at most 4000.
-struct FractalTerrain {
-    std::uint32_t posts = 0;  ///< a side
-    std::vector<float> height_m;
+    /// Posts i..i+columns-1, j..j+rows-1, row by row into `heights_m`, which holds columns times rows. Any thread.
+    void read(std::int32_t i, std::int32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m) const;
 
-    [[nodiscard]] float at(std::uint32_t i, std::uint32_t j) const { return height_m[std::size_t{j} * posts + i]; }
+private:
+    struct Octave {
+        std::int64_t cosine, sine, side;  ///< of the turned lattice: a step along a row, and a cell, in units of the hypotenuse
+        std::int64_t offset_u, offset_v;
+        std::uint64_t key;
+        float amplitude_m;
+        bool ridged;
+    };
+    static constexpr int kOctaves = 11;
+
+    void add_octave(const Octave& octave, std::int32_t i, std::int32_t j, base::Span<float> row) const;
+
+    std::array<Octave, kOctaves> octaves_;
 };
-
-/// Called with work done and total; may throw to stop.
-using FractalProgress = std::function<void(std::uint64_t, std::uint64_t)>;
-
-/// `posts` a side, kFewestFractalPosts..kMostFractalPosts. Equal arguments give equal bits on every machine.
-[[nodiscard]] FractalTerrain make_fractal_terrain(std::uint32_t posts, std::uint64_t seed, const FractalProgress& progress = {});
-
-/// The bytes of a GeoTIFF (Float32, EPSG:4326) of the terrain. Throws UserError where the memory does not suffice.
-[[nodiscard]] std::string fractal_geotiff(const FractalTerrain& terrain);
 
 }  // namespace tedavis::host_sim

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "host_sim/terrain_builder/attributes/attribute_maps.hpp"
-#include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/attribute_terrain.hpp"
+#include "tests/support/fractal_square.hpp"
 
 namespace {
 
@@ -34,13 +34,13 @@ double best_seconds(Work work) {
     return best;
 }
 
-AttributeTile tile_of(const FractalTerrain& terrain, int side, double cell_m) {
+AttributeTile tile_of(const test_support::FractalSquare& terrain, int side, double cell_m) {
     return test_support::make_tile(side, side, 0.7 * cell_m, cell_m, [&](int i, int j) {
         return terrain.at(static_cast<std::uint32_t>(i + kAttributeApron), static_cast<std::uint32_t>(j + kAttributeApron));
     });
 }
 
-BenchResult measure(const FractalTerrain& terrain, int side, bool level_below_follows) {
+BenchResult measure(const test_support::FractalSquare& terrain, int side, bool level_below_follows) {
     const AttributeTile above = tile_of(terrain, side / 2, 60), tile = tile_of(terrain, side, 30);
     const FarHorizons far = make_far_horizons(HeightPlanes(above), {});
     bool whole = false;
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "bench_attribute_maps: unknown argument '%s'; only --json is known\n", argv[1]);
         return 2;
     }
-    const FractalTerrain terrain = make_fractal_terrain(512 + 2 * kAttributeApron, 1);
+    const test_support::FractalSquare terrain = test_support::fractal_square(512 + 2 * kAttributeApron, 1);
     std::vector<BenchResult> lines;
     for (const int side : {128, 256, 512})
         for (const bool level_below_follows : {false, true}) lines.push_back(measure(terrain, side, level_below_follows));

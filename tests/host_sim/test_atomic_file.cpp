@@ -20,6 +20,15 @@ TEST(AtomicFile, AppearsOnCommitOnly) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, TakesWhatALibraryWroteToItsPart) {
+    const test_support::TemporaryFolder folder;
+    AtomicFile file(folder.file("a"));
+    std::ofstream(file.part_path()) << "by name";
+    file.commit();
+    EXPECT_EQ(folder.read("a"), "by name");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(AtomicFile, LeavesWhatWasThereWhenAbandoned) {
     const test_support::TemporaryFolder folder;
     folder.write("a", "before");

@@ -41,6 +41,15 @@ TEST(Console, DrawsProgressOnATerminalOnly) {
     EXPECT_EQ(notes.str(), "\rwork 50 %\ndone\n");
 }
 
+TEST(Console, AnotherPieceOfWorkBeginsAnew) {
+    std::ostringstream results, notes;
+    Console live(results, notes, false, true);
+    live.progress("longer work", 1, 2);
+    live.progress("work", 1, 2);
+    live.progress_done();
+    EXPECT_EQ(notes.str(), "\rlonger work 50 %\rwork 50 %       \n") << "spaces cover the longer line";
+}
+
 TEST(Console, SurvivesATotalOfZero) {
     std::ostringstream results, notes;
     Console live(results, notes, false, true);

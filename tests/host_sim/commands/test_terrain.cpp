@@ -147,22 +147,32 @@ TEST_F(TerrainCommand, InfoNamesTheOffsetOfDamage) {
 }
 
 TEST_F(TerrainCommand, FractalTerrainIsARasterThatBuilds) {
-    const TerrainFractalOptions options{100, 7, place_.file("f.tif")};
+    TerrainFractalOptions options;
+    options.size = 100;
+    options.seed = 7;
+    options.output = place_.file("f.tif");
     const CommandRun made = run_command([&](Console& console) { return run_terrain_fractal(options, console); }, true);
     EXPECT_EQ(made.code, 0);
     EXPECT_EQ(made.json()["size"], 100);
     EXPECT_EQ(made.json()["seed"], 7);
     EXPECT_EQ(load_rasters({options.output}, {}).columns, 100u);
-    for (const std::uint32_t size : {2u, 20000u}) {
+    for (const std::uint32_t size : {2u, 200000u}) {
         expect_user_error(
             [&] {
                 (void)run_command([&](Console& console) {
-                    return run_terrain_fractal({size, 1, place_.file("x.tif")}, console);
+                    return run_terrain_fractal({size, 1, place_.file("x.tif"), "int16"}, console);
                 });
             },
             "--size");
     }
     EXPECT_FALSE(std::filesystem::exists(place_.file("x.tif")));
+    expect_user_error(
+        [&] {
+            (void)run_command([&](Console& console) {
+                return run_terrain_fractal({100, 1, place_.file("x.tif"), "bits"}, console);
+            });
+        },
+        "--type bits: unknown; choose float32 or int16");
 }
 
 TEST_F(TerrainCommand, NotesOfTheRasterReachTheUser) {

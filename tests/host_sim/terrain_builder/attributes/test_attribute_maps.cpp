@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "tests/support/attribute_terrain.hpp"
+#include "tests/support/fractal_square.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,8 +18,8 @@ using terrain::PostClass;
 using test_support::make_tile;
 using test_support::post_of;
 
-const FractalTerrain& fractal() {
-    static const FractalTerrain terrain = make_fractal_terrain(161, 5);
+const test_support::FractalSquare& fractal() {
+    static const test_support::FractalSquare terrain = test_support::fractal_square(161, 5);
     return terrain;
 }
 
