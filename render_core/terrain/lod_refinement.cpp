@@ -35,7 +35,7 @@ bool LodRefinement::run(Priority priority, double reach_m) {
     if (!add_roots()) return false;
     do {
         refine();
-    } while (stop_ == LodStop::met && queue_causes_of_errors());
+    } while (queue_causes_of_errors());
     if (settings_.conservative_up) poles_ = lift_leaves(tree_);
     return true;
 }
@@ -58,7 +58,7 @@ bool LodRefinement::add_roots() {
     return stop_ == LodStop::met;
 }
 
-/// Splits the worst first. What cannot be split for its own reasons is left; a budget ends it all.
+/// Splits the worst first. What cannot be split is left, and what is less urgent may still fit.
 void LodRefinement::refine() {
     while (queued_ > 0) {
         const NodeIndex n = pop();
@@ -68,8 +68,7 @@ void LodRefinement::refine() {
         node.is_tried = true;
         node.blocked = static_cast<std::uint8_t>(reason);
         if (reason == LodStop::met || reason == LodStop::not_arrived || reason == LodStop::at_data_limit) continue;
-        stop_ = reason;
-        return;
+        if (stop_ == LodStop::met) stop_ = reason;
     }
 }
 
