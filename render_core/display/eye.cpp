@@ -23,8 +23,6 @@ constexpr double kNearPlaneOfHeight = 0.02;
 // float, on which the seams between chunks rely.
 constexpr double kMapDistanceOfRange = 1000;
 constexpr double kFarthestMapEye_m = 15'000'000;
-// On the map an error of height e moves a contour or a tint by e / slope: so those on slopes from 15 % stay within tau.
-constexpr double kMapTauShare = 0.15;
 
 // Shares of the way in which the eye turns and in which it rises.
 constexpr double kTurned = 0.6;
@@ -107,7 +105,7 @@ void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design)
     else
         set_map_planes(eye.view, input.msl_m + climb_m, drop_at_corner_m(input, design));
     eye.haze_per_m *= (1 - rise) / growth;
-    eye.tau_share = geometric(1, kMapTauShare, rise);
+    eye.height_weight = rise;
 }
 
 }  // namespace

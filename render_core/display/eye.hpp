@@ -31,8 +31,8 @@ struct EyeInput {
 
 struct Eye {
     terrain::View view;
-    double haze_per_m = 0;  ///< 1 / distance at which haze hides 1 - 1/e; 0 for none, as on the map
-    double tau_share = 1;   ///< of the design's pixel error, that meshes are selected for
+    double haze_per_m = 0;     ///< 1 / distance at which haze hides 1 - 1/e; 0 for none, as on the map
+    double height_weight = 0;  ///< how much errors of height count where they displace nothing; 1 on the map
 };
 static_assert(std::is_trivially_copyable_v<Eye>);
 

@@ -23,12 +23,13 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
 
 terrain::LodSettings lod_settings(const effects::DeviceSettings& device, const design::DesignSettings& design, const Eye& eye) {
     terrain::LodSettings lod;
-    lod.tau_px = design.terrain.tau_px * eye.tau_share;
+    lod.tau_px = design.terrain.tau_px;
     lod.max_triangles = device.triangle_budget;
     lod.max_chunks = device.max_chunk_slots * 2 / 3;  // the others hold ancestors
     if (device.terrain_ms > 0) lod.max_ms = device.terrain_ms;
     lod.cost = {device.ns_per_triangle, device.us_per_chunk};
     lod.haze_per_m = eye.haze_per_m;
+    lod.height_weight = eye.height_weight;
     lod.conservative_up = design.terrain.conservative_up;
     return lod;
 }

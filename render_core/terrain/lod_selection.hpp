@@ -27,6 +27,9 @@
 
 namespace tedavis::terrain {
 
+/// Cells, of two triangles, are not made finer on the screen for the sake of heights alone.
+inline constexpr double kFinestCell_px = 3;
+
 /// Predicted time of the terrain pass: measured on the device.
 struct CostModel {
     double ns_per_triangle = 0;
@@ -41,6 +44,9 @@ struct LodSettings {
     CostModel cost;
     double haze_per_m = 0;
     bool conservative_up = false;
+    /// 0..1: how much an error of height counts as such, in pixels of its length, down to kFinestCell_px: where colours and lines
+    /// show heights though their errors do not displace the picture, as on a map. No part of the worst error.
+    double height_weight = 0;
 };
 
 struct SelectedChunk {
