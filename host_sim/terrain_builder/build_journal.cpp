@@ -25,8 +25,7 @@ std::uint32_t crc_of(const StoredRecord& record) { return checksum(&record, offs
 
 StoredRecord stored(const BuildRecord& record) {
     const PostStatistics& s = record.statistics;
-    StoredRecord out{record.stage,  record.next,  record.end, s.min_height_m, s.max_height_m,
-                     s.valid_posts, s.void_posts, 0,          0};
+    StoredRecord out{record.stage, record.next, record.end, s.min_height_m, s.max_height_m, s.valid_posts, s.void_posts, 0, 0};
     out.crc = crc_of(out);
     return out;
 }

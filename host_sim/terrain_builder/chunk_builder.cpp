@@ -35,8 +35,9 @@ std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
     return triangles;
 }
 
-// Of the tolerance: where sides cross folds of the surface. Tighter costs more triangles than its smaller errors save.
-constexpr double kMissTolerance = 1.5;
+// Of the tolerance. Where all posts are candidates, what may be missed between them: tighter costs triangles. Where candidates
+// are vertices of finer meshes, other posts are between them too. Without posts at hand, candidates leave room for the others.
+constexpr double kMissOfPosts = 1.25, kMissOfVertices = 1.0, kUnseenPosts = 0.8;
 constexpr double kLoosen = 1.25;
 constexpr int kMostAttempts = 6;
 
@@ -64,10 +65,10 @@ struct GroundOfChunk {
 };
 
 /// A mesh that ends at its capacity is far off wherever it had not come to yet; a looser tolerance spreads its vertices.
-Tin within_capacity(TinInput& input, double tolerance_m) {
+Tin within_capacity(TinInput& input, double tolerance_m, double miss_of_tolerance) {
     for (int attempt = 1;; ++attempt) {
         input.tolerance_m = tolerance_m;
-        input.miss_tolerance_m = kMissTolerance * tolerance_m;
+        input.miss_tolerance_m = miss_of_tolerance * tolerance_m;
         Tin tin = make_chunk_tin(input);
         if (tin.vertices.size() < input.max_vertices || attempt == kMostAttempts) return tin;
         tolerance_m = kLoosen * std::max(tolerance_m, tin.candidate_error_m);
@@ -106,7 +107,9 @@ Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const Chunk
     input.curvature_m = &GroundOfChunk::sagitta_m;
     if (surface != nullptr) input.miss = &GroundOfChunk::miss;
     input.context = &ground;
-    return within_capacity(input, plan.tolerance_m(key.level, key.j));
+    const double tolerance_m = plan.tolerance_m(key.level, key.j);
+    if (surface == nullptr) return within_capacity(input, kUnseenPosts * tolerance_m, 1);
+    return within_capacity(input, tolerance_m, key.level <= kLevelsBelow ? kMissOfPosts : kMissOfVertices);
 }
 
 void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles) {
