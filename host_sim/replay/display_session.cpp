@@ -97,7 +97,7 @@ std::string DisplaySession::gl_description() {
 void DisplaySession::draw() {
     display_->draw(*surface_);
     for (const display::Name& flag : display_->record().flags)
-        terrain_failed_ = terrain_failed_ || flag.view() == "terrain.failed";
+        terrain_faulty_ = terrain_faulty_ || flag.view() == "terrain.failing" || flag.view() == "terrain.failed";
     if (!gl::read_pixels(display_->gl(), width(), height(), {pixels_.data(), pixels_.size()}))
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
 }
@@ -107,8 +107,9 @@ void DisplaySession::present() {
 }
 
 std::string DisplaySession::terrain_fault() const {
-    if (!terrain_failed_) return {};
-    return terrain_name_ + ": a part of it cannot be used, so the terrain was taken off the display; 'tedavis check " +
+    if (!terrain_faulty_) return {};
+    return terrain_name_ +
+           ": a part of it cannot be used, so the terrain there is coarser or taken off the display; 'tedavis check " +
            terrain_name_ + "' finds the place, 'tedavis terrain build' makes it anew";
 }
 

@@ -43,7 +43,7 @@ public:
     void present();
     [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
     [[nodiscard]] std::uint64_t frame_hash() const;
-    /// A sentence once the display has given its terrain up for the rest of the run (flag "terrain.failed"); empty before.
+    /// A sentence once a part of the database could not be used (flags "terrain.failing", "terrain.failed"); empty before.
     [[nodiscard]] std::string terrain_fault() const;
 
 private:
@@ -59,7 +59,7 @@ private:
     std::unique_ptr<display::Display> display_;
     std::vector<std::uint8_t> pixels_;
     std::string terrain_name_;
-    bool terrain_failed_ = false;
+    bool terrain_faulty_ = false;
 };
 
 }  // namespace tedavis::host_sim

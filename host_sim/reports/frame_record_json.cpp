@@ -82,6 +82,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["own_ship"] = own_ship_json(record);
     json["signals"] = signals_json(record);
     json["flags"] = flags_json(record);
+    json["view"] = {{"mode", text(design::kViewModeNames[static_cast<std::size_t>(record.view.mode)])},
+                    {"transition", record.view.transition}};
     json["terrain"] = {{"tau_px", record.terrain.tau_px},
                        {"tau_reached_px", record.terrain.tau_reached_px},
                        {"limit", text(record.terrain.limit.view())},

@@ -35,6 +35,12 @@ std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
     return triangles;
 }
 
+// Of the tolerance. Where all posts are candidates, what may be missed between them: tighter costs triangles. Where candidates
+// are vertices of finer meshes, other posts are between them too. Without posts at hand, candidates leave room for the others.
+constexpr double kMissOfPosts = 1.25, kMissOfVertices = 1.0, kUnseenPosts = 0.8;
+constexpr double kLoosen = 1.25;
+constexpr int kMostAttempts = 6;
+
 /// What the triangulation asks to know about the true surface and the curved Earth.
 struct GroundOfChunk {
     const BuildPlan& plan;
@@ -57,6 +63,17 @@ struct GroundOfChunk {
         return {placed.error.largest_m(), placed.i - chunk.posts.i0, placed.j - chunk.posts.j0};
     }
 };
+
+/// A mesh that ends at its capacity is far off wherever it had not come to yet; a looser tolerance spreads its vertices.
+Tin within_capacity(TinInput& input, double tolerance_m, double miss_of_tolerance) {
+    for (int attempt = 1;; ++attempt) {
+        input.tolerance_m = tolerance_m;
+        input.miss_tolerance_m = miss_of_tolerance * tolerance_m;
+        Tin tin = make_chunk_tin(input);
+        if (tin.vertices.size() < input.max_vertices || attempt == kMostAttempts) return tin;
+        tolerance_m = kLoosen * std::max(tolerance_m, tin.candidate_error_m);
+    }
+}
 
 }  // namespace
 
@@ -86,13 +103,13 @@ Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const Chunk
     input.last_j = posts.j1 - posts.j0;
     input.border = std::move(border_posts);
     input.candidates = std::move(candidates);
-    input.tolerance_m = plan.tolerance_m(key.level, key.j);
     input.max_vertices = kMaxChunkVertices;
     input.curvature_m = &GroundOfChunk::sagitta_m;
     if (surface != nullptr) input.miss = &GroundOfChunk::miss;
-    input.miss_tolerance_m = input.tolerance_m;
     input.context = &ground;
-    return make_chunk_tin(input);
+    const double tolerance_m = plan.tolerance_m(key.level, key.j);
+    if (surface == nullptr) return within_capacity(input, kUnseenPosts * tolerance_m, 1);
+    return within_capacity(input, tolerance_m, key.level <= kLevelsBelow ? kMissOfPosts : kMissOfVertices);
 }
 
 void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles) {

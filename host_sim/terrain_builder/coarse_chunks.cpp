@@ -14,8 +14,6 @@ namespace {
 
 using namespace terrain;
 
-constexpr std::uint32_t kLevelsBelow = 3;  // as fine_unit.cpp has it
-
 /// A chunk as it was put into the store.
 ChunkDraft load_draft(const ChunkSources& s, const ChunkEntry& entry) {
     std::vector<std::uint8_t> bytes(entry.payload.bytes);
@@ -102,7 +100,8 @@ IrregularChunk build_coarse_chunk(const ChunkSources& s, const EntriesFile& entr
     std::vector<TinPost> border_posts;
     for (const BorderPost& post : border)
         border_posts.push_back(tin_post(posts, Neighbourhood(s, post.i, post.j), post.i, post.j));
-    const Tin tin = triangulate_chunk(s.plan, s.slopes, key, std::move(border_posts), candidates(s, entries, key, posts), nullptr);
+    const Tin tin =
+        triangulate_chunk(s.plan, s.slopes, key, std::move(border_posts), candidates(s, entries, key, posts), nullptr);
     ChunkAssembly assembly(s.plan, key);
     for (std::size_t n = 0; n < tin.vertices.size(); ++n) {
         const std::uint32_t i = posts.i0 + tin.vertices[n].i, j = posts.j0 + tin.vertices[n].j;

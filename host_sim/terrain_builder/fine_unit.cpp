@@ -15,10 +15,6 @@ namespace {
 
 using namespace terrain;
 
-// Meshes up to this level are made from all posts, those above from the vertices of so many levels below: their tolerance
-// is 16 times as fine.
-constexpr std::uint32_t kLevelsBelow = 3;
-
 LatticeWindow read_unit(const ChunkSources& s, std::uint32_t unit) {
     const std::int64_t i = std::int64_t{unit % s.plan.unit_columns()} * kUnitCells,
                        j = std::int64_t{unit / s.plan.unit_columns()} * kUnitCells;

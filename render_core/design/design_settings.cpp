@@ -16,6 +16,11 @@ void read_angle(ConfigSection& section, std::string_view key, double low_deg, do
 }
 
 void read_view(ConfigSection section, ViewSettings& view) {
+    view.mode = static_cast<ViewMode>(section.choice("mode", kViewModeNames, static_cast<std::size_t>(view.mode)));
+    view.map_orientation = static_cast<MapOrientation>(
+        section.choice("map_orientation", kMapOrientationNames, static_cast<std::size_t>(view.map_orientation)));
+    view.map_range_m = section.number("map_range_m", 500, 500'000, view.map_range_m);
+    view.transition_s = section.number("transition_s", 0.5, 2, view.transition_s);
     read_angle(section, "horizontal_field_of_view_deg", 10, 120, view.horizontal_field_of_view_rad);
     double eye_m[3] = {view.eye_forward_m, view.eye_right_m, view.eye_down_m};
     section.numbers("eye_forward_right_down_m", -100, 100, eye_m);
@@ -111,6 +116,7 @@ void read_limits(ConfigSection degradation, ConfigSection attitude, DesignSettin
 
 void read_symbology(ConfigSection section, SymbologySettings& shown) {
     shown.attitude = section.boolean("attitude", shown.attitude);
+    shown.map = section.boolean("map", shown.map);
     shown.heading = section.boolean("heading", shown.heading);
     shown.airspeed = section.boolean("airspeed", shown.airspeed);
     shown.altitude = section.boolean("altitude", shown.altitude);

@@ -4,6 +4,7 @@
 /// except `name`: what is absent has the value that stands here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
@@ -19,7 +20,19 @@
 
 namespace tedavis::design {
 
+/// What the terrain is seen as: from the own ship, or from far above as a map.
+enum class ViewMode : std::uint8_t { perspective, map };
+inline constexpr std::array<std::string_view, 2> kViewModeNames{"3d", "map"};
+
+/// What stands at the top of the map; track_up falls back to the heading, then to north.
+enum class MapOrientation : std::uint8_t { north_up, track_up };
+inline constexpr std::array<std::string_view, 2> kMapOrientationNames{"north_up", "track_up"};
+
 struct ViewSettings {
+    ViewMode mode = ViewMode::perspective;
+    MapOrientation map_orientation = MapOrientation::north_up;
+    double map_range_m = 20'000;                                ///< (500 .. 500,000) from the own ship to the nearest edge
+    double transition_s = 1;                                    ///< (0.5 .. 2) in which the eye travels to another mode
     double horizontal_field_of_view_rad = base::radians(60);    ///< (10 .. 120 degrees), over the whole width
     double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0;  ///< eye in body axes from the reference point of the own ship
     double dpi = 96;  ///< pixels an inch of the panel; text never gets smaller than legible on it
@@ -62,6 +75,7 @@ enum class HeightUnit : std::uint8_t { feet, metres };
 /// What the design shows; the failure policy decides whether it can be shown.
 struct SymbologySettings {
     bool attitude = true;
+    bool map = true;  ///< own ship, range ring and north arrow
     bool heading = true;
     bool airspeed = true;
     bool altitude = true;

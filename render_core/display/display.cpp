@@ -13,19 +13,7 @@ namespace {
 
 using flight::Signal;
 
-constexpr design::Color kNoAttitude{0x24, 0x26, 0x2A};
-constexpr double kFar_m = 400000;
-constexpr double kNearestPlane_m = 1;
-constexpr double kFarthestNearPlane_m = 50;
-constexpr double kNearPlaneOfHeight = 0.02;
-
-/// The visible horizon's distance over a sphere, with room for mountains behind it.
-double far_plane_m(double height_m) {
-    constexpr double kHighestSummit_m = 9000;
-    constexpr double kRadius_m = 6371000;
-    const double eye = std::sqrt(2 * kRadius_m * std::fmax(height_m, 1.0));
-    return std::fmin(kFar_m, eye + std::sqrt(2 * kRadius_m * kHighestSummit_m));
-}
+constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
 
 /// "hypsometric_lambert", with "_sketch" where lines are drawn.
 Name style_name(const design::TerrainStyle& style) {
@@ -157,10 +145,21 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
-    decisions_ = decide_display(state, now, conditions_, settings_.design);
+    transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);
+    decide(now);
     begin_record(now);
     plan_view();
     plan_terrain();
+}
+
+void Display::decide(base::Time now) {
+    conditions_.is_map = is_map();
+    decisions_ = decide_display(state_, now, conditions_, settings_.design);
+    // On the way between 3D and the map what holds for 3D holds; without terrain there is no way to be seen.
+    if (!transition_.is_under_way() || decisions_.show_terrain) return;
+    transition_.arrive();
+    conditions_.is_map = is_map();
+    decisions_ = decide_display(state_, now, conditions_, settings_.design);
 }
 
 void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
@@ -197,6 +196,8 @@ void Display::begin_record(base::Time now) {
     record_.heading_rad = draw::view_heading_rad(state_, decisions_);
     record_.pitch_rad = state_[Signal::pitch].value_or(0);
     record_.roll_rad = state_[Signal::roll].value_or(0);
+    record_.view.mode = settings_.design.view.mode;
+    record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
     for (const auto& name : decisions_.flags) flag(name.view());
 }
@@ -213,22 +214,20 @@ void Display::plan_view() {
     const double undulation = undulation_m(place);
     aircraft_msl_m_ = place.height.m - (state_.own_ship.height_is_geometric ? undulation : 0);
     record_.altitude_msl_m = aircraft_msl_m_;
-    const glm::dmat3 body =
-        earth::body_axes(place.latitude_rad, place.longitude_rad, record_.heading_rad, record_.pitch_rad, record_.roll_rad);
-    const design::ViewSettings& eye = settings_.design.view;
-    view_.forward = body[0];
-    view_.right = body[1];
-    view_.down = body[2];
-    view_.eye = earth::to_ecef({place.latitude_rad, place.longitude_rad, {aircraft_msl_m_ + undulation}}) +
-                body * glm::dvec3(eye.eye_forward_m, eye.eye_right_m, eye.eye_down_m);
-    view_.width = settings_.width_px;
-    view_.height = settings_.height_px;
-    view_.focal_px = 0.5 * settings_.width_px / std::tan(0.5 * eye.horizontal_field_of_view_rad);
-    const double above = state_[Signal::height_above_terrain].value_or(aircraft_msl_m_);
-    view_.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * above, kNearestPlane_m), kFarthestNearPlane_m);
-    view_.far_m = far_plane_m(aircraft_msl_m_);
-    if (free_view_active_) view_ = free_view_;
-    const earth::Geodetic eye_place = earth::from_ecef(view_.eye);
+    EyeInput input;
+    input.own_ship = {place.latitude_rad, place.longitude_rad, {aircraft_msl_m_ + undulation}};
+    input.msl_m = aircraft_msl_m_;
+    input.above_ground_m = state_[Signal::height_above_terrain].value_or(aircraft_msl_m_);
+    input.heading_rad = record_.heading_rad;
+    input.pitch_rad = record_.pitch_rad;
+    input.roll_rad = record_.roll_rad;
+    input.map_up_rad = draw::map_up_rad(state_, decisions_);
+    input.map_share = free_view_active_ ? 0 : transition_.map_share();
+    input.width_px = settings_.width_px;
+    input.height_px = settings_.height_px;
+    eye_ = make_eye(input, settings_.design.view, settings_.design.sky.haze_distance_m);
+    if (free_view_active_) eye_.view = free_view_;
+    const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
     eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
 }
 
@@ -239,7 +238,7 @@ double Display::undulation_m(const earth::Geodetic& place) const {
 void Display::plan_terrain() {
     record_.terrain.tau_px = settings_.design.terrain.tau_px;
     if (!decisions_.show_terrain) return;
-    const TerrainPlan plan = terrain_.plan(view_, settings_.design);
+    const TerrainPlan plan = terrain_.plan(eye_, settings_.design);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
         return;
@@ -290,8 +289,10 @@ void Display::note_silhouettes() {
     EffectRecord effect;
     effect.name = Name("silhouettes");
     effect.state = silhouettes_replaced_ ? EffectState::replaced : EffectState::run;
-    if (!decisions_.show_terrain) effect.state = EffectState::skipped;
-    effect.reason.append(silhouettes_replaced_ ? "the device has no 24-bit depth off screen" : "asked for by the design");
+    if (!decisions_.show_terrain || !(silhouettes_replaced_ || has_silhouettes())) effect.state = EffectState::skipped;
+    effect.reason.append(silhouettes_replaced_ ? "the device has no 24-bit depth off screen"
+                         : has_silhouettes()   ? "asked for by the design"
+                                               : "from above nothing hides anything");
     if (silhouettes_replaced_) effect.replaced_by = Name("ridges");
     static_cast<void>(record_.effects.try_push_back(effect));
 }
@@ -305,7 +306,7 @@ void Display::draw(base::Surface& surface) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
     }
-    const bool outlined = decisions_.show_terrain && outline_.is_started();
+    const bool outlined = decisions_.show_terrain && outline_.is_started() && has_silhouettes();
     if (outlined) outline_.begin(gl_);
     draw_scene();
     const design::SketchSettings& sketch = settings_.design.terrain.style.sketch;
@@ -319,8 +320,9 @@ void Display::draw(base::Surface& surface) {
 void Display::draw_scene() {
     gl_->Clear(GL_DEPTH_BUFFER_BIT);
     if (!decisions_.show_terrain) return draw_sky();
-    const double far_m = std::fmin(std::fmax(terrain_.farthest_depth_m(view_), 2 * view_.near_m), view_.far_m);
-    const draw::DepthPlan depth = draw::plan_depth(view_.near_m, far_m);
+    const terrain::View& view = eye_.view;
+    const double far_m = std::fmin(std::fmax(terrain_.farthest_depth_m(view), 2 * view.near_m), view.far_m);
+    const draw::DepthPlan depth = draw::plan_depth(view.near_m, far_m);
     const draw::TerrainDrawInput input = terrain_input();
     for (std::size_t n = 0; n < depth.count; ++n) {
         if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);
@@ -335,16 +337,17 @@ void Display::draw_scene() {
 
 void Display::draw_sky() {
     draw::SkyInput sky;
-    sky.view = draw::make_view_frame(view_);
+    sky.view = draw::make_view_frame(eye_.view);
     sky.colors = settings_.design.sky;
     if (decisions_.show_terrain) {
         // What no terrain covers below the horizon is not known to be ground.
         sky.dip_rad = draw::horizon_dip_rad(eye_msl_m_);
         sky.colors.ground = settings_.design.terrain.unknown;
-        sky.colors.ground_horizon = settings_.design.sky.haze;
+        sky.colors.ground_horizon =
+            design::blended(settings_.design.terrain.unknown, settings_.design.sky.haze, 1 - transition_.map_share());
     } else if (!decisions_.plain_horizon && !free_view_active_) {
         // Without attitude any horizon would be a wrong one.
-        sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNoAttitude;
+        sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNothingKnown;
     }
     sky_drawer_.draw(gl_, sky);
 }
@@ -358,13 +361,19 @@ void Display::draw_symbology() {
         symbology.legend.lowest = static_cast<double>(terrain_.database().header().min_height_m);
         symbology.legend.highest = static_cast<double>(terrain_.database().header().max_height_m);
     }
+    symbology.over = transition_.is_under_way() ? draw::SymbolGround::moving
+                     : conditions_.is_map       ? draw::SymbolGround::map
+                                                : draw::SymbolGround::perspective;
+    symbology.map = {draw::map_up_rad(state_, decisions_),
+                     map_scale_px_per_m(settings_.design.view, settings_.width_px, settings_.height_px)};
     draw::build_symbology(quad_drawer_.batch(), symbology, layout_);
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 
 draw::TerrainDrawInput Display::terrain_input() const {
     draw::TerrainDrawInput input;
-    input.view = view_;
+    input.view = eye_.view;
+    input.haze_per_m = eye_.haze_per_m;
     const earth::Geodetic& place = record_.own_ship.position;
     const glm::dmat3 axes = earth::north_east_down(place.latitude_rad, place.longitude_rad);
     const design::ShadeSettings& shade = settings_.design.terrain.style.shade;

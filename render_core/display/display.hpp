@@ -10,9 +10,11 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/view_transition.hpp"
 #include "render_core/draw/outline_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -52,8 +54,9 @@ public:
     void draw(base::Surface& surface);
     void stop();
 
-    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update(). False, and nothing
-    /// changes, when its terrain needs techniques that the display was not started with.
+    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update(), from which the eye
+    /// travels to another mode of view. False, and nothing changes, when its terrain needs techniques that the display was not
+    /// started with.
     [[nodiscard]] bool set_design(const design::DesignSettings& design);
     /// Replaces the own ship's eye with another one until cleared: the simulator's free camera.
     void set_free_view(const terrain::View& view);
@@ -65,7 +68,7 @@ public:
     [[nodiscard]] const FrameRecord& record() const { return record_; }
     [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
     [[nodiscard]] gl::Gl& gl() { return gl_; }
-    [[nodiscard]] const terrain::View& view() const { return view_; }
+    [[nodiscard]] const terrain::View& view() const { return eye_.view; }
     [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const {
         return terrain_.is_started() ? &terrain_.database() : nullptr;
     }
@@ -85,6 +88,8 @@ private:
     [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
+    void decide(base::Time now);
+    [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
@@ -93,6 +98,7 @@ private:
     void decide_again();
     void note_effects();
     void note_silhouettes();
+    [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void flag(std::string_view name);
     void record_terrain(const TerrainPlan& plan);
@@ -117,7 +123,8 @@ private:
     flight::AircraftState state_;  ///< of the planned frame
     DisplayConditions conditions_;
     DisplayDecisions decisions_;
-    terrain::View view_;
+    ViewTransition transition_;
+    Eye eye_;
     terrain::View free_view_;
     bool free_view_active_ = false;
     double aircraft_msl_m_ = 0;

@@ -22,6 +22,8 @@ enum class Element : std::uint8_t {
     baro_setting,
     ground_height,
     flight_path,
+    position,  ///< of the own ship on the map
+    map_up,    ///< what the map is turned to, by the source: true_track, the view's heading in its place, or count_ for north
     count_
 };
 inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::count_);
@@ -49,7 +51,7 @@ struct DisplayDecisions {
     bool show_terrain = false;
     bool show_warning_colors = false;
     bool terrain_degraded = false;  ///< shown, but its position or height is not to be trusted
-    bool plain_horizon = false;     ///< blue over brown by attitude, without terrain
+    bool plain_horizon = false;     ///< blue over brown by attitude, without terrain; never on the map
     bool unusual_attitude = false;  ///< recovery picture: chevrons, decluttered
     /// Signal that turns the view: true_heading, magnetic_heading (plus variation), true_track or count_ (none: the view
     /// faces north and no terrain is drawn).

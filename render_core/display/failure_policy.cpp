@@ -101,6 +101,7 @@ public:
         for (const SourceChain* chain : kChains) apply(*chain);
         decide_attitude();
         decide_heading();
+        decide_map();
         decide_element(Element::airspeed, kAirspeed);
         decide_element(Element::altitude, kAltitude);
         decide_element(Element::vertical_speed, kVerticalSpeed);
@@ -120,6 +121,9 @@ private:
     [[nodiscard]] bool valid(Signal signal) const { return state_of(signal) == SignalState::valid; }
     [[nodiscard]] bool turns_view(Signal heading) const {
         return valid(heading) && (heading != Signal::magnetic_heading || valid(Signal::magnetic_variation));
+    }
+    [[nodiscard]] static bool aims_view(SignalGroup group) {
+        return group == SignalGroup::pitch || group == SignalGroup::roll || group == SignalGroup::view_heading;
     }
     /// An altitude on a known setting places the terrain well enough to show it, not to colour it.
     [[nodiscard]] bool height_is_on_qnh() const {
@@ -152,6 +156,7 @@ private:
             const SignalState state = state_of(rule.signal);
             std::uint8_t bits = consequences(rule, state);
             if (chain.group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
+            if (conditions_.is_map && aims_view(chain.group)) bits &= ~kRemoveTerrain;
             if (!served) gathered_[static_cast<std::size_t>(chain.group)] |= bits;
             if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(to_string(rule.signal), to_string(state));
         }
@@ -175,14 +180,29 @@ private:
         if (out_[Element::attitude].show == ElementShow::failed) return;
         const double pitch_rad = state_[Signal::pitch].value_or(0), roll_rad = state_[Signal::roll].value_or(0);
         const design::UnusualAttitudeLimits& limits = design_.unusual_attitude;
-        out_.unusual_attitude =
-            pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad || std::fabs(roll_rad) > limits.roll_rad;
+        // The recovery picture is of the attitude, which the map does not show.
+        out_.unusual_attitude = !conditions_.is_map && (pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad ||
+                                                        std::fabs(roll_rad) > limits.roll_rad);
     }
 
     void decide_heading() {
         decide_element(Element::heading, kHeading);
         for (Signal heading : {Signal::true_heading, Signal::magnetic_heading, Signal::true_track})
             if (out_.view_heading == Signal::count_ && turns_view(heading)) out_.view_heading = heading;
+    }
+
+    void decide_map() {
+        const SignalState position = state_.own_ship.state;
+        out_[Element::position].show = position == SignalState::valid   ? ElementShow::normal
+                                       : position == SignalState::stale ? ElementShow::flagged
+                                                                        : ElementShow::failed;
+        ElementDecision& up = out_[Element::map_up];
+        up.show = ElementShow::normal;
+        if (design_.view.map_orientation != design::MapOrientation::track_up) return;
+        up.source = valid(Signal::true_track) ? Signal::true_track : out_.view_heading;
+        if (up.source == Signal::true_track) return;
+        up.show = up.source == Signal::count_ ? ElementShow::flagged : ElementShow::substituted;
+        if (conditions_.is_map) flag("map", up.source == Signal::count_ ? "north_up" : "heading_up");
     }
 
     void check_own_ship() {
@@ -209,7 +229,7 @@ private:
         out_.terrain_degraded = out_.show_terrain && (all_gathered_ & kDegradeTerrain) != 0;
         out_.show_warning_colors =
             out_.show_terrain && design_.warning_colors && !out_.unusual_attitude && (all_gathered_ & kRemoveWarningColors) == 0;
-        out_.plain_horizon = !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
+        out_.plain_horizon = !conditions_.is_map && !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         if (out_.terrain_degraded) flag("terrain", "degraded");
         ElementDecision& ground = out_[Element::ground_height];
         if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::substituted;
@@ -252,6 +272,8 @@ private:
         if (out_.show_terrain && conditions_.terrain_is_coarse) notice(NoticeLevel::caution, "TERRAIN COARSE");
         const bool removed_by_signal = conditions_.terrain == TerrainSource::ready && !out_.show_terrain;
         if (removed_by_signal || conditions_.terrain == TerrainSource::over_budget) notice(NoticeLevel::caution, "TERRAIN OFF");
+        if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
+            notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");

@@ -31,6 +31,7 @@ struct DisplayConditions {
     flight::PhaseStatus phase;
     bool generated_flight = false;   ///< the flight comes from a scenario
     bool terrain_is_coarse = false;  ///< budgets allow no better than the design's limit of error
+    bool is_map = false;             ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 
 /// Signals that state the same information stand in one group, the first choice first.

@@ -9,6 +9,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/stamped.hpp"
 #include "render_core/base/time.hpp"
+#include "render_core/design/design_settings.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
@@ -44,6 +45,11 @@ struct TerrainRecord {
     std::uint32_t pending = 0;  ///< wanted but not there yet; their coarser parents are drawn
 };
 
+struct ViewRecord {
+    design::ViewMode mode = design::ViewMode::perspective;  ///< that the design asks for
+    double transition = 1;                                  ///< of the way of the eye to it; 1: there
+};
+
 struct ByteRecord {
     std::uint64_t cpu = 0, gpu = 0, cpu_budget = 0, gpu_budget = 0, uploaded = 0;
 };
@@ -57,6 +63,7 @@ struct FrameRecord {
     double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
     std::array<base::SignalState, flight::kSignalCount> signals{};
     base::FixedVector<Name, 32> flags;
+    ViewRecord view;
     TerrainRecord terrain;
     ByteRecord bytes;
     base::FixedVector<EffectRecord, 32> effects;

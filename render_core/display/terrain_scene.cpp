@@ -21,14 +21,15 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
     return settings;
 }
 
-terrain::LodSettings lod_settings(const effects::DeviceSettings& device, const design::DesignSettings& design) {
+terrain::LodSettings lod_settings(const effects::DeviceSettings& device, const design::DesignSettings& design, const Eye& eye) {
     terrain::LodSettings lod;
     lod.tau_px = design.terrain.tau_px;
     lod.max_triangles = device.triangle_budget;
     lod.max_chunks = device.max_chunk_slots * 2 / 3;  // the others hold ancestors
     if (device.terrain_ms > 0) lod.max_ms = device.terrain_ms;
     lod.cost = {device.ns_per_triangle, device.us_per_chunk};
-    lod.haze_per_m = design.sky.haze_distance_m > 0 ? 1 / design.sky.haze_distance_m : 0;
+    lod.haze_per_m = eye.haze_per_m;
+    lod.height_weight = eye.height_weight;
     lod.conservative_up = design.terrain.conservative_up;
     return lod;
 }
@@ -88,13 +89,13 @@ terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double long
     return heights_.at(latitude_rad, longitude_rad);
 }
 
-TerrainPlan TerrainScene::plan(const terrain::View& view, const design::DesignSettings& design) {
-    const terrain::LodSettings lod = lod_settings(*device_, design);
+TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
+    const terrain::LodSettings lod = lod_settings(*device_, design, eye);
     store_.begin_frame();
-    static_cast<void>(selector_.select(store_, view, lod, SelectionKind::ideal, selected_));
+    static_cast<void>(selector_.select(store_, eye.view, lod, SelectionKind::ideal, selected_));
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
-    plan.lod = selector_.select(store_, view, lod, SelectionKind::drawn, selected_);
+    plan.lod = selector_.select(store_, eye.view, lod, SelectionKind::drawn, selected_);
     chunks_ = plan.lod.chunks;
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;

@@ -1,6 +1,6 @@
 /// The terrain of a display, from the database file to triangles on the surface.
 ///
-///   start(...) · plan(view, design) each frame, without GL · prepare(gl) · draw(gl, range)
+///   start(...) · plan(eye, design) each frame, without GL · prepare(gl) · draw(gl, range)
 ///
 /// Memory    the arenas and GPU lines given to start(). Thread  the display's. Failure  start() gives one sentence; a database
 ///           that fails later leaves coarser terrain and says so in the plan.
@@ -8,6 +8,7 @@
 
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/ports/byte_source.hpp"
+#include "render_core/display/eye.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
 #include "render_core/terrain/height_query.hpp"
@@ -50,7 +51,7 @@ public:
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
 
     /// Chooses the chunks of this frame from what is there, and asks for what the view needs.
-    [[nodiscard]] TerrainPlan plan(const terrain::View& view, const design::DesignSettings& design);
+    [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design);
     /// Uploads what is new. False when nothing of the terrain may be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, const draw::TerrainDrawInput& input);
     void draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& result);

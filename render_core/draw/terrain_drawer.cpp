@@ -236,7 +236,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
                                        const DepthRange& range) const {
     program.use(gl);
     set_view_uniforms(gl, program, input.view, range);
-    set_color_uniforms(gl, program, design_);
+    set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)

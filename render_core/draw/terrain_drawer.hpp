@@ -22,6 +22,7 @@ namespace tedavis::draw {
 
 struct TerrainDrawInput {
     terrain::View view;
+    double haze_per_m = 0;  ///< 1 / distance at which haze hides 1 - 1/e; 0 for none
     /// Towards each light of the style, ECEF.
     glm::dvec3 light_direction[design::kMaxLights];
     bool warning_colors = false;

@@ -102,14 +102,13 @@ void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Vi
     gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
 }
 
-void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) {
+void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m) {
     set_color(gl, program.uniform(kPlainColor), design.terrain.style.plain);
     set_color(gl, program.uniform(kSeaColor), design.terrain.sea);
     set_color(gl, program.uniform(kUnknownColor), design.terrain.unknown);
     set_color(gl, program.uniform(kHazeColor), design.sky.haze);
     set_color(gl, program.uniform(kLineColor), design.terrain.style.sketch.line);
-    const double haze_m = design.sky.haze_distance_m;
-    gl->Uniform1f(program.uniform(kHazePerM), haze_m > 0 ? static_cast<float>(1.0 / haze_m) : 0.0f);
+    gl->Uniform1f(program.uniform(kHazePerM), static_cast<float>(haze_per_m));
     const design::Palette& palette = design.terrain.palette;
     const double low = palette.stops[0].value, high = palette.stops.back().value;
     gl->Uniform2f(program.uniform(kPaletteRange), static_cast<float>(low),

@@ -11,6 +11,16 @@ constexpr double kLeastVisibility = 0.05;
 
 float larger(float a, float b) { return a > b ? a : b; }
 
+/// As far as colours and lines can show it: by its length on the screen, and no finer than cells are worth.
+double shown_height_error_px(const ChunkEntry& entry, const View& view, double tau_px) {
+    const double px_per_m = view.focal_px / std::fmax(box_distance_m(entry, view), view.near_m);
+    const double area_m2 = 4 * double{entry.half_extent_m[0]} * double{entry.half_extent_m[1]};
+    const double cell_m = std::sqrt(2 * area_m2 / std::fmax(entry.triangle_count, 1));
+    const double by_height = double{larger(entry.above_m, entry.below_m)} * px_per_m;
+    // Splitting halves the cells.
+    return std::fmin(by_height, tau_px * cell_m * px_per_m / (2 * kFinestCell_px));
+}
+
 }  // namespace
 
 double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges) {
@@ -35,7 +45,7 @@ bool LodRefinement::run(Priority priority, double reach_m) {
     if (!add_roots()) return false;
     do {
         refine();
-    } while (stop_ == LodStop::met && queue_causes_of_errors());
+    } while (queue_causes_of_errors());
     if (settings_.conservative_up) poles_ = lift_leaves(tree_);
     return true;
 }
@@ -58,7 +68,7 @@ bool LodRefinement::add_roots() {
     return stop_ == LodStop::met;
 }
 
-/// Splits the worst first. What cannot be split for its own reasons is left; a budget ends it all.
+/// Splits the worst first. What cannot be split is left, and what is less urgent may still fit.
 void LodRefinement::refine() {
     while (queued_ > 0) {
         const NodeIndex n = pop();
@@ -68,8 +78,7 @@ void LodRefinement::refine() {
         node.is_tried = true;
         node.blocked = static_cast<std::uint8_t>(reason);
         if (reason == LodStop::met || reason == LodStop::not_arrived || reason == LodStop::at_data_limit) continue;
-        stop_ = reason;
-        return;
+        if (stop_ == LodStop::met) stop_ = reason;
     }
 }
 
@@ -173,7 +182,10 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
 double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
-    return settings_.conservative_up ? lifted_error_px(entry, view_, 0, entry.below_m) : drawn_error_px(entry, view_, 0);
+    const double drawn_px =
+        settings_.conservative_up ? lifted_error_px(entry, view_, 0, entry.below_m) : drawn_error_px(entry, view_, 0);
+    if (!(settings_.height_weight > 0)) return drawn_px;
+    return std::fmax(drawn_px, settings_.height_weight * shown_height_error_px(entry, view_, settings_.tau_px));
 }
 
 double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {

@@ -21,7 +21,7 @@ public:
 
     /// Why the error of a leaf is what it is: it, the leaf that raises it or a coarser neighbour of them could not be split.
     [[nodiscard]] LodStop reason_for(NodeIndex leaf, NodeIndex raised_by) const;
-    /// The budget that ended the refinement before its end; `met` when none did.
+    /// The first budget that forbade a split; `met` when none did.
     [[nodiscard]] LodStop stop() const { return stop_; }
     [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(triangles_); }
     [[nodiscard]] double milliseconds() const { return milliseconds(triangles_, chunks_); }

@@ -4,8 +4,8 @@
 /// Refinement  from the roots: the chunk with the largest projected error in view is split first, after the neighbours that this
 ///             forces (2:1 across edges, round the Earth too). A split happens with all that it forces or not at all.
 /// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
-///             forbid tau, refinement starts again with error times visibility in that order, and stops at the first split that
-///             does not fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
+///             forbid tau, refinement starts again with error times visibility in that order, and passes over splits that do not
+///             fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
 ///             chunk's own lift; on borders and corners by the largest of all chunks that share them, so that shared vertices
 ///             agree (chunk_lift.hpp).
@@ -27,6 +27,9 @@
 
 namespace tedavis::terrain {
 
+/// Cells, of two triangles, are not made finer on the screen for the sake of heights alone.
+inline constexpr double kFinestCell_px = 3;
+
 /// Predicted time of the terrain pass: measured on the device.
 struct CostModel {
     double ns_per_triangle = 0;
@@ -41,6 +44,9 @@ struct LodSettings {
     CostModel cost;
     double haze_per_m = 0;
     bool conservative_up = false;
+    /// 0..1: how much an error of height counts as such, in pixels of its length, down to kFinestCell_px: where colours and lines
+    /// show heights though their errors do not displace the picture, as on a map. No part of the worst error.
+    double height_weight = 0;
 };
 
 struct SelectedChunk {

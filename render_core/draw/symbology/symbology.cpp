@@ -1,12 +1,16 @@
 #include "render_core/draw/symbology/symbology.hpp"
 
+#include "render_core/draw/symbology/map_symbols.hpp"
+
 namespace tedavis::draw {
 
 void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout& layout) {
     batch.clear();
     const Painter painter(batch, layout);
-    if (input.shown.attitude) build_attitude(painter, input);
-    if (input.shown.flight_path) build_flight_path(painter, input);
+    const bool ahead = input.over == SymbolGround::perspective;
+    if (input.shown.attitude && ahead) build_attitude(painter, input);
+    if (input.shown.flight_path && ahead) build_flight_path(painter, input);
+    if (input.shown.map && input.over == SymbolGround::map) build_map_symbols(painter, input);
     if (input.shown.airspeed) build_airspeed(painter, input);
     if (input.shown.altitude) build_altitude(painter, input);
     if (input.shown.vertical_speed) build_vertical_speed(painter, input);

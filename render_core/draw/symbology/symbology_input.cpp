@@ -26,13 +26,21 @@ LegendInput make_legend_input(const display::DisplayDecisions& decisions, const 
     return legend;
 }
 
+double true_direction_rad(const flight::AircraftState& state, Signal source) {
+    if (source == Signal::count_) return 0;
+    const double direction = state[source].value_or(0);
+    if (source != Signal::magnetic_heading) return direction;
+    return earth::wrap_heading(direction + state[Signal::magnetic_variation].value_or(0));
+}
+
 }  // namespace
 
 double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
-    if (decisions.view_heading == Signal::count_) return 0;
-    const double heading = state[decisions.view_heading].value_or(0);
-    if (decisions.view_heading != Signal::magnetic_heading) return heading;
-    return earth::wrap_heading(heading + state[Signal::magnetic_variation].value_or(0));
+    return true_direction_rad(state, decisions.view_heading);
+}
+
+double map_up_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
+    return true_direction_rad(state, decisions[Element::map_up].source);
 }
 
 SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,

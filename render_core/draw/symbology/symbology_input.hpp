@@ -22,6 +22,19 @@ struct LegendInput {
     design::HeightUnit unit = design::HeightUnit::feet;
 };
 
+/// What the symbols of a place or direction stand over.
+enum class SymbolGround : std::uint8_t {
+    perspective,  ///< the world ahead: conformal symbols
+    map,          ///< the world below: map symbols
+    moving,       ///< on the way between the two, where neither kind would tell the truth
+};
+
+/// The map, whose middle is the own ship.
+struct MapInput {
+    double up_rad = 0;    ///< true direction at the top
+    double px_per_m = 0;  ///< on the ground
+};
+
 struct SymbologyInput {
     display::DisplayDecisions decisions;
     design::SymbologySettings shown;
@@ -38,12 +51,17 @@ struct SymbologyInput {
     double baro_setting_pa = 0;
     double ground_height_m = 0;
     LegendInput legend;
+    SymbolGround over = SymbolGround::perspective;
+    MapInput map;
     double velocity_north_mps = 0, velocity_east_mps = 0, velocity_up_mps = 0;
 };
 static_assert(std::is_trivially_copyable_v<SymbologyInput>);
 
 /// True heading of the view by the decision's source, 0 where there is none. Terrain, sky and symbols must share it.
 [[nodiscard]] double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept;
+
+/// True direction at the top of the map by the decision's source, 0 (north) where there is none.
+[[nodiscard]] double map_up_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept;
 
 /// `gnss_msl_m`: the ellipsoid height with the geoid's undulation taken off, for use where the decision shows it.
 [[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,

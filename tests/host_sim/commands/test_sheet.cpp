@@ -117,7 +117,7 @@ TEST(SheetCommand, DamagedTerrainLeavesTheSheetAndEndsWithTwo) {
     const CommandRun told = run(o, true);
     EXPECT_EQ(told.code, 2);
     EXPECT_THAT(told.notes, HasSubstr("damaged.tdb: a part of it cannot be used"));
-    EXPECT_THAT(told.json().at("pictures").at(0).at("flags").dump(), HasSubstr("terrain.failed"));
+    EXPECT_THAT(told.json().at("pictures").at(0).at("flags").dump(), HasSubstr("terrain.failing"));
     EXPECT_TRUE(std::filesystem::exists(o.output + "/sheet.png"));
 }
 

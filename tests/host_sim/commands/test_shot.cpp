@@ -112,7 +112,7 @@ TEST(Shot, ADamagedChunkLeavesThePictureAndEndsWithTwo) {
         test_support::run_command([&](Console& console) { return run_shot(options, console); }, true);
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.notes, ::testing::HasSubstr("damaged.tdb: a part of it cannot be used"));
-    EXPECT_THAT(run.json().at("flags").dump(), ::testing::HasSubstr("terrain.failed"));
+    EXPECT_THAT(run.json().at("flags").dump(), ::testing::HasSubstr("terrain.failing"));
     EXPECT_TRUE(std::filesystem::exists(options.output));
     EXPECT_TRUE(std::filesystem::exists(files().folder.file("damaged.json")));
 }

@@ -1,0 +1,127 @@
+#include "render_core/display/eye.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr double kRadius_m = 6371000;
+constexpr double kHighestSummit_m = 9000;
+constexpr double kLowestGround_m = -500;
+constexpr double kMostUndulation_m = 110;  // either way, EGM96
+
+constexpr double kFar_m = 400000;
+constexpr double kNearestPlane_m = 1;
+constexpr double kFarthestNearPlane_m = 50;
+constexpr double kNearPlaneOfHeight = 0.02;
+
+// A summit of 1 km is then displaced by less than a thousandth of the range. Beyond 2^24 m whole metres are no longer exact in
+// float, on which the seams between chunks rely.
+constexpr double kMapDistanceOfRange = 1000;
+constexpr double kFarthestMapEye_m = 15'000'000;
+
+// Shares of the way in which the eye turns and in which it rises.
+constexpr double kTurned = 0.6;
+constexpr double kRiseBegins = 0.3;
+constexpr double kLeastAboveGround_m = 1;
+constexpr double kMostAboveGround_m = 100'000;
+
+/// The visible horizon's distance over a sphere, with room for mountains behind it.
+double horizon_m(double height_m) {
+    return std::sqrt(2 * kRadius_m * std::fmax(height_m, 1.0)) + std::sqrt(2 * kRadius_m * kHighestSummit_m);
+}
+
+/// From 0 at `begin` to 1 at `end`, at rest at both.
+double eased(double share, double begin, double end) {
+    const double t = std::clamp((share - begin) / (end - begin), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+double geometric(double from, double to, double share) { return from * std::pow(to / from, share); }
+
+void aim(terrain::View& view, const earth::Geodetic& place, double heading_rad, double pitch_rad, double roll_rad) {
+    const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, heading_rad, pitch_rad, roll_rad);
+    view.forward = body[0];
+    view.right = body[1];
+    view.down = body[2];
+}
+
+terrain::View perspective_view(const EyeInput& input, const design::ViewSettings& design) {
+    terrain::View view;
+    aim(view, input.own_ship, input.heading_rad, input.pitch_rad, input.roll_rad);
+    view.eye = earth::to_ecef(input.own_ship) + glm::dmat3(view.forward, view.right, view.down) *
+                                                    glm::dvec3(design.eye_forward_m, design.eye_right_m, design.eye_down_m);
+    view.focal_px = 0.5 * input.width_px / std::tan(0.5 * design.horizontal_field_of_view_rad);
+    view.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * input.above_ground_m, kNearestPlane_m), kFarthestNearPlane_m);
+    view.far_m = std::fmin(kFar_m, horizon_m(input.msl_m));
+    return view;
+}
+
+double map_distance_m(const design::ViewSettings& design) {
+    return std::fmin(kMapDistanceOfRange * design.map_range_m, kFarthestMapEye_m);
+}
+
+/// How far the ground has fallen below the middle's level at the corners of the map.
+double drop_at_corner_m(const EyeInput& input, const design::ViewSettings& design) {
+    const double half_diagonal_px = 0.5 * std::hypot(input.width_px, input.height_px);
+    const double corner_m = half_diagonal_px / map_scale_px_per_m(design, input.width_px, input.height_px);
+    const double aside = std::fmin(corner_m, 0.9 * kRadius_m);
+    return kRadius_m - std::sqrt(kRadius_m * kRadius_m - aside * aside);
+}
+
+/// Tightly round the ground.
+void set_map_planes(terrain::View& view, double eye_msl_m, double drop_m) {
+    const double rounding_m = 1e-6 * eye_msl_m;  // of depths in float
+    const double slack_m = 2 * kMostUndulation_m + rounding_m;
+    view.near_m = eye_msl_m - kHighestSummit_m - slack_m;
+    view.far_m = eye_msl_m - kLowestGround_m + drop_m + slack_m;
+}
+
+/// From the own ship's plane to one that no summit reaches; never nearer than what is seen from the own ship.
+void set_planes_on_the_way(terrain::View& view, double msl_m, double climb_m, double growth) {
+    view.near_m = std::fmax(view.near_m, msl_m + climb_m - kHighestSummit_m - 2 * kMostUndulation_m);
+    view.far_m = std::fmin(kFar_m * growth, horizon_m(msl_m + climb_m) + climb_m);
+}
+
+/// From the own ship's eye a share of the way to the map's.
+void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design) {
+    const double turn = eased(input.map_share, 0, kTurned), rise = eased(input.map_share, kRiseBegins, 1);
+    const double above_m = std::clamp(input.above_ground_m, kLeastAboveGround_m, kMostAboveGround_m);
+    const double growth = geometric(1, map_distance_m(design) / above_m, rise), climb_m = above_m * (growth - 1);
+    const glm::dvec3 seat = (1 - turn) * (eye.view.eye - earth::to_ecef(input.own_ship));
+    earth::Geodetic place = input.own_ship;
+    place.height.m += climb_m;
+    eye.view.eye = earth::to_ecef(place) + seat;
+    aim(eye.view, place, input.heading_rad + turn * earth::angle_difference(input.map_up_rad, input.heading_rad),
+        input.pitch_rad + turn * (-0.5 * base::kPi - input.pitch_rad), (1 - turn) * earth::angle_difference(input.roll_rad, 0));
+    const double map_focal_px = map_scale_px_per_m(design, input.width_px, input.height_px) * map_distance_m(design);
+    eye.view.focal_px = geometric(eye.view.focal_px, map_focal_px, rise);
+    if (input.map_share < 1)
+        set_planes_on_the_way(eye.view, input.msl_m, climb_m, growth);
+    else
+        set_map_planes(eye.view, input.msl_m + climb_m, drop_at_corner_m(input, design));
+    eye.haze_per_m *= (1 - rise) / growth;
+    eye.height_weight = rise;
+}
+
+}  // namespace
+
+double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t width_px, std::uint32_t height_px) noexcept {
+    return 0.5 * std::min(width_px, height_px) / design.map_range_m;
+}
+
+Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept {
+    Eye eye;
+    eye.view = perspective_view(input, design);
+    eye.view.width = input.width_px;
+    eye.view.height = input.height_px;
+    eye.haze_per_m = haze_distance_m > 0 ? 1 / haze_distance_m : 0;
+    if (input.map_share > 0) travel(eye, input, design);
+    return eye;
+}
+
+}  // namespace tedavis::display

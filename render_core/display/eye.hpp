@@ -1,0 +1,46 @@
+/// Where the picture is seen from: the own ship's eye, the map's far above it, and the way between the two.
+///
+/// Map  a perspective from far above, straight down along the ellipsoid's normal, so far that it is as good as a parallel
+///      projection: over 1 to 200 km places on the ground lie within a pixel of their true distance and azimuth (tested against
+///      geodesics), and the meshes, levels of detail, depths, styles and drawers of the 3D picture serve.
+/// Way  straight up from the own ship, so that nothing can be in it. The eye turns down to the ground while the own ship comes to
+/// the
+///      middle, and rises as the field of view narrows: height above the ground and ground scale are geometric in the share of
+///      the way, so both change monotonically.
+/// Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/earth/geodetic.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::display {
+
+struct EyeInput {
+    earth::Geodetic own_ship;
+    double msl_m = 0;           ///< own ship's height above MSL
+    double above_ground_m = 0;  ///< own ship's height above the terrain; above MSL where that is not known
+    double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
+    double map_up_rad = 0;  ///< true direction at the top of the map
+    double map_share = 0;   ///< of the way from 3D (0) to the map (1)
+    std::uint32_t width_px = 1, height_px = 1;
+};
+
+struct Eye {
+    terrain::View view;
+    double haze_per_m = 0;     ///< 1 / distance at which haze hides 1 - 1/e; 0 for none, as on the map
+    double height_weight = 0;  ///< how much errors of height count where they displace nothing; 1 on the map
+};
+static_assert(std::is_trivially_copyable_v<Eye>);
+
+/// `haze_distance_m`: of the 3D picture, 0 for none.
+[[nodiscard]] Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept;
+
+/// Pixels a metre on the map's ground.
+[[nodiscard]] double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t width_px,
+                                        std::uint32_t height_px) noexcept;
+
+}  // namespace tedavis::display
