@@ -17,13 +17,15 @@ struct Beyond {
 };
 
 Beyond beyond(const LodTree& tree, NodeIndex leaf, Edge edge) {
-    const PostRange posts = tree.lattice().posts_of(tree.node(leaf).key);
+    const ChunkKey& key = tree.node(leaf).key;
+    const PostRange posts = tree.lattice().posts_of(key);
     const std::int64_t west = posts.i0, north = posts.j0, east = std::int64_t{posts.i1} - 1, south = std::int64_t{posts.j1} - 1;
+    const auto over = [&](std::int64_t i, std::int64_t j) { return tree.leaf_over_cell(i, j, key.level); };
     switch (edge) {
-        case kNorth: return {{tree.leaf_over_cell(west, north - 1), tree.leaf_over_cell(east, north - 1)}};
-        case kEast: return {{tree.leaf_over_cell(east + 1, north), tree.leaf_over_cell(east + 1, south)}};
-        case kSouth: return {{tree.leaf_over_cell(west, south + 1), tree.leaf_over_cell(east, south + 1)}};
-        case kWest: return {{tree.leaf_over_cell(west - 1, north), tree.leaf_over_cell(west - 1, south)}};
+        case kNorth: return {{over(west, north - 1), over(east, north - 1)}};
+        case kEast: return {{over(east + 1, north), over(east + 1, south)}};
+        case kSouth: return {{over(west, south + 1), over(east, south + 1)}};
+        case kWest: return {{over(west - 1, north), over(west - 1, south)}};
     }
     return {{kNoNode, kNoNode}};
 }
@@ -42,12 +44,14 @@ LiftSource edge_lift(const LodTree& tree, NodeIndex leaf, Edge edge) {
 }
 
 LiftSource corner_lift(const LodTree& tree, NodeIndex leaf, std::uint32_t quadrant) {
-    const PostRange posts = tree.lattice().posts_of(tree.node(leaf).key);
+    const ChunkKey& key = tree.node(leaf).key;
+    const PostRange posts = tree.lattice().posts_of(key);
     const std::int64_t i = (quadrant & 1u) != 0 ? posts.i1 : posts.i0, j = (quadrant & 2u) != 0 ? posts.j1 : posts.j0;
     LiftSource lift = own_source(tree, leaf);
     for (const std::int64_t north : {j - 1, j})
         for (const std::int64_t west : {i - 1, i})
-            if (const NodeIndex other = tree.leaf_over_cell(west, north); other != kNoNode) lift.include(own_source(tree, other));
+            if (const NodeIndex other = tree.leaf_over_cell(west, north, key.level); other != kNoNode)
+                lift.include(own_source(tree, other));
     return lift;
 }
 

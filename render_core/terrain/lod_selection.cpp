@@ -8,7 +8,7 @@
 namespace tedavis::terrain {
 namespace {
 
-constexpr int kReachTries = 8;  // the first finds the largest lift; later ones only what a longer reach brings into view
+constexpr int kReachTries = 8;  // each only for a lift that exceeds all before
 constexpr double kNotNeeded = -1;
 
 /// A heap sort neither allocates nor recurses.
@@ -21,6 +21,17 @@ void sort(T* begin, T* end, const Before& before) {
 /// Nearest first, so that a depth test spares the shading of what is hidden.
 bool is_nearer(const SelectedChunk& a, const SelectedChunk& b) {
     return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.key < b.key;
+}
+
+double largest_root_lift_m(ChunkCatalogue& catalogue) {
+    const Lattice& lattice = catalogue.lattice();
+    const std::uint32_t top = lattice.levels() - 1;
+    float largest_m = 0;
+    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
+        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i)
+            if (const FoundEntry found = catalogue.find({top, i, j}); found.state == EntryState::present)
+                largest_m = std::max({largest_m, found.entry->below_m, found.entry->strip_below_m});
+    return double{largest_m};
 }
 
 }  // namespace
@@ -52,8 +63,8 @@ LodResult LodSelector::select(ChunkCatalogue& catalogue, const View& view, const
     LodSettings limits = settings;
     if (selected.size() < limits.max_chunks) limits.max_chunks = static_cast<std::uint32_t>(selected.size());
     LodRefinement refinement(catalogue, view, limits, kind, tree_, heap_);
-    // Lifts stretch the boxes, and how far is known only when all is chosen.
-    double reach_m = 0;
+    // Lifts stretch the boxes, and how far is known only when all is chosen. Most often the roots' are the largest.
+    double reach_m = limits.conservative_up ? largest_root_lift_m(catalogue) : 0;
     bool fits = true;
     for (int tries = 0; tries < kReachTries; ++tries) {
         fits = refine(refinement, limits, reach_m);

@@ -47,16 +47,20 @@ NodeIndex LodTree::coarser_beyond(const ChunkKey& key, EdgeBit side) const {
     return find(lattice_->neighbour(key, side).parent());
 }
 
-NodeIndex LodTree::leaf_over_cell(std::int64_t i, std::int64_t j) const {
+NodeIndex LodTree::leaf_over_cell(std::int64_t i, std::int64_t j, std::uint32_t near_level) const {
     const std::int64_t cells_i = std::int64_t{lattice_->columns()} - 1, cells_j = std::int64_t{lattice_->rows()} - 1;
     if (lattice_->is_closed()) i = (i % cells_i + cells_i) % cells_i;
     if (i < 0 || j < 0 || i >= cells_i || j >= cells_j) return kNoNode;
-    for (std::uint32_t level = lattice_->levels(); level-- > 0;) {
-        const std::uint32_t cells = kChunkCells << level;
-        const NodeIndex node = find({level, static_cast<std::uint32_t>(i / cells), static_cast<std::uint32_t>(j / cells)});
-        if (node == kNoNode || nodes_[node].is_leaf) return node;
-    }
-    return kNoNode;
+    const auto over = [&](std::uint32_t level) {
+        const std::int64_t cells = std::int64_t{kChunkCells} << level;
+        return find({level, static_cast<std::uint32_t>(i / cells), static_cast<std::uint32_t>(j / cells)});
+    };
+    // Up to where the tree has come to, then down to its leaf.
+    std::uint32_t level = near_level;
+    NodeIndex node = over(level);
+    while (node == kNoNode && level + 1 < lattice_->levels()) node = over(++level);
+    while (node != kNoNode && !nodes_[node].is_leaf && level > 0) node = over(--level);
+    return node;
 }
 
 }  // namespace tedavis::terrain

@@ -44,8 +44,9 @@ public:
     [[nodiscard]] std::uint8_t coarser_edges(const ChunkKey& key) const;
     /// The coarser leaf beyond such a side.
     [[nodiscard]] NodeIndex coarser_beyond(const ChunkKey& key, EdgeBit side) const;
-    /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice.
-    [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j) const;
+    /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice. Found
+    /// soonest when it is near the level given.
+    [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j, std::uint32_t near_level = 0) const;
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }

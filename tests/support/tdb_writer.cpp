@@ -27,7 +27,7 @@ constexpr std::uint32_t kGridColumns = 37, kGridRows = 19;
 void append(std::vector<std::uint8_t>& bytes, const void* data, std::size_t count) {
     const std::size_t at = bytes.size();
     bytes.resize(at + count);
-    std::memcpy(bytes.data() + at, data, count);
+    if (count > 0) std::memcpy(bytes.data() + at, data, count);
 }
 
 /// Weights of a lattice place in a triangle whose corners have lattice places; a corner at a pole lies on every meridian.

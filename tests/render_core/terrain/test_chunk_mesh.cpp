@@ -59,7 +59,7 @@ std::set<std::pair<int, int>> open_sides(const Indices& indices) {
     for (std::size_t n = 0; n < indices.size(); n += 3)
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = indices[n + k], b = indices[n + (k + 1) % 3];
-            if (sides.erase({b, a}) == 0) EXPECT_TRUE(sides.insert({a, b}).second) << "two triangles on one side";
+            EXPECT_TRUE(sides.erase({b, a}) != 0 || sides.insert({a, b}).second) << "two triangles on one side";
         }
     return sides;
 }
