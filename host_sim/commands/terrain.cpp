@@ -1,7 +1,10 @@
 #include "host_sim/commands/terrain.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -74,11 +77,52 @@ void report_progress(std::string_view what, std::uint64_t done, std::uint64_t to
     if (interrupt.requested()) throw Interrupted(std::string("interrupted; ") + left_behind);
 }
 
-BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console) {
+/// Tells what is left at the speed of this run so far.
+class TimeLeft {
+public:
+    [[nodiscard]] std::string after(std::uint64_t done, std::uint64_t total) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!first_) first_ = {now, done};
+        const double seconds = std::chrono::duration<double>(now - first_->first).count();
+        if (seconds < 2 || done <= first_->second) return "";
+        const double left_s = seconds * static_cast<double>(total - done) / static_cast<double>(done - first_->second);
+        const auto minutes = static_cast<std::uint64_t>(left_s / 60);
+        if (minutes == 0) return ", " + std::to_string(static_cast<std::uint64_t>(left_s)) + " s left,";
+        if (minutes < 60) return ", " + std::to_string(minutes) + " min left,";
+        return ", " + std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min left,";
+    }
+
+private:
+    std::optional<std::pair<std::chrono::steady_clock::time_point, std::uint64_t>> first_;
+};
+
+/// A build goes on where files of the same names, sizes and times and the same options are given.
+std::string identity_of(const TerrainBuildOptions& options) {
+    std::ostringstream text;
+    for (const std::string& file : options.rasters) {
+        std::error_code ignored;
+        text << std::filesystem::weakly_canonical(file, ignored).string() << '\n'
+             << std::filesystem::file_size(file, ignored) << ' '
+             << std::filesystem::last_write_time(file, ignored).time_since_epoch().count() << '\n';
+    }
+    text << options.crs << '\n'
+         << options.extent << '\n'
+         << options.bounds << '\n'
+         << options.vertical_datum << '\n'
+         << options.encoding;
+    if (options.void_value) text << '\n' << std::hexfloat << *options.void_value;
+    return text.str();
+}
+
+BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console,
+                           const char* left_behind) {
     BuildOptions build;
     build.le90_m = options.accuracy_m;
-    build.progress = [&](std::string_view stage, std::uint64_t done, std::uint64_t total) {
-        report_progress(stage, done, total, interrupt, console, "nothing was written");
+    build.identity = identity_of(options);
+    build.progress = [&interrupt, &console, left_behind, time_left = std::make_shared<TimeLeft>()](
+                         std::string_view stage, std::uint64_t done, std::uint64_t total) {
+        report_progress("terrain: " + std::string(stage) + time_left->after(done, total), done, total, interrupt, console,
+                        left_behind);
     };
     return build;
 }
@@ -147,7 +191,7 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const PostReaderFactory open = readers(options, console);
     require_other_file(options.output, options.rasters);
-    build_terrain(open, options.output, build_options(options, interrupt, console));
+    build_terrain(open, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
     console.progress_done();
     const OpenDatabase built(options.output);
     console.result(describe_in_words(built, options.output), json_text(describe(built)));
@@ -157,7 +201,8 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const PostReaderFactory open = readers(options.build, console);
-    const TerrainCheck check = check_terrain(options.database, open, build_options(options.build, interrupt, console));
+    const TerrainCheck check =
+        check_terrain(options.database, open, build_options(options.build, interrupt, console, "nothing was found out"));
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "host_sim/terrain_builder/nested_polyline.hpp"
-#include "host_sim/terrain_builder/ordered_tasks.hpp"
 #include "host_sim/terrain_builder/surface_heights.hpp"
 #include "render_core/base/units.hpp"
 
@@ -48,16 +47,9 @@ std::uint32_t BorderLines::column_pieces() const {
     return parts(plan_.header.rows - 1, kPiece) * parts(column_lines_.count(), kLinesOfTask);
 }
 
-void BorderLines::build(const PostsFile& posts, base::Workers& workers,
-                        const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-    const std::uint32_t rows = row_pieces(), total = rows + column_pieces();
-    run_in_order(
-        workers, 0, total,
-        [&](std::uint32_t task) {
-            task < rows ? build_rows(posts, task) : build_columns(posts, task - rows);
-            return true;
-        },
-        [&](std::uint32_t task, bool) { progress(task + 1, total); });
+void BorderLines::build_piece(const PostsFile& posts, std::uint32_t piece) {
+    const std::uint32_t rows = row_pieces();
+    piece < rows ? build_rows(posts, piece) : build_columns(posts, piece - rows);
 }
 
 void BorderLines::build_rows(const PostsFile& posts, std::uint32_t piece) {

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "host_sim/terrain_builder/posts_file.hpp"
-#include "render_core/base/ports/workers.hpp"
 
 namespace tedavis::host_sim {
 
@@ -33,7 +31,9 @@ public:
     /// Opens or makes the files `<folder>/rows` and `<folder>/columns`.
     BorderLines(const BuildPlan& plan, const std::string& folder);
 
-    void build(const PostsFile& posts, base::Workers& workers, const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+    /// Pieces of lines: what one task makes. Any thread, different pieces at once.
+    [[nodiscard]] std::uint32_t piece_count() const { return row_pieces() + column_pieces(); }
+    void build_piece(const PostsFile& posts, std::uint32_t piece);
 
     /// Levels of `count` posts of a row line from column i on, and of a column line from row j on.
     [[nodiscard]] std::vector<std::uint8_t> along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const;

@@ -1,8 +1,10 @@
 /// What is known of a database before its posts are read: lattice, levels, tolerances, vertex grid, and the units of work.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "host_sim/terrain_builder/post_reader.hpp"
@@ -11,12 +13,19 @@
 
 namespace tedavis::host_sim {
 
+/// Called with a stage's name and the work done of all stages, in any unit; may throw to stop.
+using BuildProgress = std::function<void(std::string_view stage, std::uint64_t done, std::uint64_t total)>;
+
 struct BuildOptions {
     double le90_m = 0;          ///< vertical accuracy of the sources; 0 unknown
-    std::uint32_t threads = 0;  ///< 0: as many as the machine has and the memory allows
-    /// Called with a stage's name, its work done and its total; may throw to stop.
-    std::function<void(std::string_view, std::uint64_t, std::uint64_t)> progress;
+    std::uint32_t threads = 0;  ///< 0: as many as the machine has, at most kMostThreads
+    std::string identity;       ///< of the sources: a build goes on only where it is the same
+    BuildProgress progress;
+    std::chrono::milliseconds between_records{15000};  ///< how much work a power loss may cost
 };
+
+/// Each needs memory for a unit; with more the build would leave its 512 MiB.
+inline constexpr std::uint32_t kMostThreads = 6;
 
 /// A unit is the domain of one chunk of this level: what one thread works on, with its posts in memory.
 inline constexpr std::uint32_t kUnitLevel = 5;

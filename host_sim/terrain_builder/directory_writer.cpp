@@ -38,6 +38,15 @@ float bound_of(const BuildPlan& plan, const EntriesFile& entries, const ChunkEnt
     return bound;
 }
 
+/// The north-west chunk of a page.
+ChunkKey first_chunk(const Lattice& lattice, std::uint32_t page) {
+    for (std::uint32_t level = 0;; ++level) {
+        const std::uint32_t across = lattice.page_columns(level), pages = across * lattice.page_rows(level);
+        if (page < pages) return {level, page % across * kPageChunks, page / across * kPageChunks};
+        page -= pages;
+    }
+}
+
 std::uint32_t page_crc(const DirectoryPage& page) {
     constexpr std::size_t kStart = offsetof(DirectoryPage, level);
     return checksum(&page.level, sizeof page - kStart);
@@ -45,50 +54,36 @@ std::uint32_t page_crc(const DirectoryPage& page) {
 
 }  // namespace
 
-void set_bounds(const BuildPlan& plan, EntriesFile& entries, const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-    std::uint64_t done = 0;
-    for (std::uint32_t level = 0; level < plan.levels(); ++level)
-        for (std::uint32_t j = 0; j < plan.lattice.grid_rows(level); ++j) {
-            for (std::uint32_t i = 0; i < plan.lattice.grid_columns(level); ++i) {
-                ChunkEntry entry = entries.read({level, i, j});
-                entry.bound_m = bound_of(plan, entries, entry);
-                entries.write(entry);
-            }
-            progress(done += plan.lattice.grid_columns(level), entries.count());
-        }
-}
-
-DirectoryPage make_page(const BuildPlan& plan, const EntriesFile& entries, std::uint32_t level, std::uint32_t i,
-                        std::uint32_t j) {
-    DirectoryPage page{};
-    page.level = level;
-    page.i = i;
-    page.j = j;
-    for (std::uint32_t n = 0; n < kPageChunks * kPageChunks; ++n) {
-        const ChunkKey key{level, i * kPageChunks + n % kPageChunks, j * kPageChunks + n / kPageChunks};
-        if (plan.lattice.contains(key)) page.entries[n] = entries.read(key);
+void set_bounds(const BuildPlan& plan, EntriesFile& entries, std::uint32_t level, std::uint32_t row) {
+    for (std::uint32_t i = 0; i < plan.lattice.grid_columns(level); ++i) {
+        ChunkEntry entry = entries.read({level, i, row});
+        entry.bound_m = bound_of(plan, entries, entry);
+        entries.write(entry);
     }
-    page.crc = page_crc(page);
-    return page;
 }
 
-void write_directory(const BuildPlan& plan, const TdbLayout& layout, const EntriesFile& entries, FileHeader header,
-                     WorkFile& database) {
-    const Lattice& lattice = plan.lattice;
-    std::vector<std::uint64_t> table(lattice.page_count());
-    std::uint64_t offset = layout.pages;
-    for (std::uint32_t level = 0; level < plan.levels(); ++level)
-        for (std::uint32_t j = 0; j < lattice.page_rows(level); ++j)
-            for (std::uint32_t i = 0; i < lattice.page_columns(level); ++i) {
-                const auto page = std::make_unique<DirectoryPage>(make_page(plan, entries, level, i, j));
-                table[lattice.page_index({level, i * kPageChunks, j * kPageChunks})] = offset;
-                database.write(offset, page.get(), sizeof *page);
-                offset += sizeof *page;
-            }
+void write_page(const BuildPlan& plan, const TdbLayout& layout, const EntriesFile& entries, std::uint32_t index,
+                WorkFile& database) {
+    const auto page = std::make_unique<DirectoryPage>();
+    const ChunkKey first = first_chunk(plan.lattice, index);
+    page->level = first.level;
+    page->i = first.i / kPageChunks;
+    page->j = first.j / kPageChunks;
+    for (std::uint32_t n = 0; n < kPageChunks * kPageChunks; ++n) {
+        const ChunkKey key{first.level, first.i + n % kPageChunks, first.j + n / kPageChunks};
+        if (plan.lattice.contains(key)) page->entries[n] = entries.read(key);
+    }
+    page->crc = page_crc(*page);
+    database.write(layout.pages + std::uint64_t{index} * sizeof *page, page.get(), sizeof *page);
+}
+
+void write_frame(const BuildPlan& plan, const TdbLayout& layout, FileHeader header, WorkFile& database) {
+    std::vector<std::uint64_t> table(plan.lattice.page_count());
+    for (std::size_t n = 0; n < table.size(); ++n) table[n] = layout.pages + n * sizeof(DirectoryPage);
     const std::vector<float>& undulation = plan.undulation.undulation_m;
     database.write(layout.undulation, undulation.data(), undulation.size() * sizeof(float));
     database.write(layout.page_table, table.data(), table.size() * sizeof(std::uint64_t));
-    header.page_count = lattice.page_count();
+    header.page_count = plan.lattice.page_count();
     header.undulation_offset = layout.undulation;
     header.page_table_offset = layout.page_table;
     header.undulation_crc = checksum(undulation.data(), undulation.size() * sizeof(float));

@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <utility>
-
-#include "host_sim/terrain_builder/ordered_tasks.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -66,13 +62,19 @@ Mean mean_round(const LatticeWindow& window, std::size_t centre, std::uint32_t l
     return {known == 0 ? kUnknown : sum / static_cast<float>(known), post_class};
 }
 
-void halve_block(const PostsFile& fine, std::uint32_t fine_level, PostsFile& coarse, const Block& block) {
+LatticeWindow read_window(const PostsFile& level, std::int64_t i0, std::int64_t j0, std::uint32_t columns, std::uint32_t rows) {
     LatticeWindow window;
-    window.i0 = 2 * std::int64_t{block.i} - 1;
-    window.j0 = 2 * std::int64_t{block.j} - 1;
-    window.columns = 2 * block.columns + 1;
-    window.rows = 2 * block.rows + 1;
-    fine.read(window);
+    window.i0 = i0;
+    window.j0 = j0;
+    window.columns = columns;
+    window.rows = rows;
+    level.read(window);
+    return window;
+}
+
+void halve_block(const PostsFile& fine, std::uint32_t fine_level, PostsFile& coarse, const Block& block) {
+    const LatticeWindow window = read_window(fine, 2 * std::int64_t{block.i} - 1, 2 * std::int64_t{block.j} - 1,
+                                             2 * block.columns + 1, 2 * block.rows + 1);
     std::vector<float> heights;
     std::vector<PostClass> classes;
     for (std::uint32_t j = 0; j < block.rows; ++j)
@@ -86,13 +88,11 @@ void halve_block(const PostsFile& fine, std::uint32_t fine_level, PostsFile& coa
 }
 
 /// The closing column is the first one, also where halving has moved it.
-void close_level(PostsFile& level) {
-    for (std::uint32_t j = 0; j < level.rows(); ++j) {
-        LatticeWindow first;
-        first.j0 = j;
-        first.columns = first.rows = 1;
-        level.read(first);
-        level.write(level.columns() - 1, j, 1, 1, first.height_m, first.post_class);
+void close_block(const PostsFile& fine, std::uint32_t fine_level, PostsFile& coarse, const Block& block) {
+    const LatticeWindow window = read_window(fine, -1, 2 * std::int64_t{block.j} - 1, 3, 2 * block.rows + 1);
+    for (std::uint32_t j = 0; j < block.rows; ++j) {
+        const Mean mean = mean_round(window, std::size_t{2 * j + 1} * window.columns + 1, fine_level);
+        coarse.write(coarse.columns() - 1, block.j + j, 1, 1, {&mean.height_m, 1}, {&mean.post_class, 1});
     }
 }
 
@@ -101,11 +101,8 @@ class CoarseHeights {
 public:
     CoarseHeights(const PostsFile* coarse, const Block& fine) {
         if (coarse == nullptr) return;
-        window_.i0 = fine.i / 2;
-        window_.j0 = fine.j / 2;
-        window_.columns = std::min(fine.columns / 2 + 2, coarse->columns() - fine.i / 2);
-        window_.rows = std::min(fine.rows / 2 + 2, coarse->rows() - fine.j / 2);
-        coarse->read(window_);
+        window_ = read_window(*coarse, fine.i / 2, fine.j / 2, std::min(fine.columns / 2 + 2, coarse->columns() - fine.i / 2),
+                              std::min(fine.rows / 2 + 2, coarse->rows() - fine.j / 2));
     }
     /// At a post of the level below.
     [[nodiscard]] float at(std::uint32_t i, std::uint32_t j) const {
@@ -121,13 +118,8 @@ private:
     LatticeWindow window_;
 };
 
-void fill_block(const PostsFile& fine, bool is_posts, const PostsFile* coarse, PostsFile& target, const Block& block) {
-    LatticeWindow window;
-    window.i0 = block.i;
-    window.j0 = block.j;
-    window.columns = block.columns;
-    window.rows = block.rows;
-    fine.read(window);
+void fill_unknown(const PostsFile& fine, bool is_posts, const PostsFile* coarse, PostsFile& target, const Block& block) {
+    LatticeWindow window = read_window(fine, block.i, block.j, block.columns, block.rows);
     const auto unknown = [&](std::size_t n) { return !is_known(window, n, is_posts ? 0 : 1); };
     std::size_t n = 0;
     while (n < window.height_m.size() && !unknown(n)) ++n;
@@ -142,65 +134,36 @@ void fill_block(const PostsFile& fine, bool is_posts, const PostsFile* coarse, P
 
 }  // namespace
 
-HeightPyramid::HeightPyramid(std::string folder, PostsFile& posts, bool closed)
-    : folder_(std::move(folder)), posts_(posts), closed_(closed) {
+HeightPyramid::HeightPyramid(const std::string& folder, PostsFile& posts, bool closed) : posts_(posts), closed_(closed) {
     std::uint32_t columns = posts.columns(), rows = posts.rows();
     while (columns > 2 || rows > 2) {
         columns = halved(columns);
         rows = halved(rows);
-        levels_.emplace_back(folder_ + "/level." + std::to_string(levels_.size() + 1), columns, rows, closed);
+        const std::string m = std::to_string(levels_.size() + 1);
+        levels_.emplace_back(folder + "/level." + m, columns, rows, closed);
+        filled_.emplace_back(folder + "/filled." + m, columns, rows, closed);
     }
 }
 
-void HeightPyramid::build(base::Workers& workers, const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-    std::uint64_t total = 0, done = 0;
-    for (const PostsFile& level : levels_) total += Blocks{level.columns(), level.rows()}.count();
-    for (std::uint32_t m = 1; m < level_count(); ++m) build_level(m, workers, [&] { progress(++done, total); });
-}
+std::uint32_t HeightPyramid::block_count(std::uint32_t m) { return Blocks{level(m).columns(), level(m).rows()}.count(); }
 
-void HeightPyramid::build_level(std::uint32_t m, base::Workers& workers, const std::function<void()>& block_done) {
+void HeightPyramid::build_block(std::uint32_t m, std::uint32_t block) {
     const PostsFile& fine = level(m - 1);
     PostsFile& coarse = level(m);
-    const Blocks blocks{coarse.columns(), coarse.rows()};
-    run_in_order(
-        workers, 0, blocks.count(),
-        [&](std::uint32_t index) {
-            halve_block(fine, m - 1, coarse, blocks.at(index));
-            return true;
-        },
-        [&](std::uint32_t, bool) { block_done(); });
-    if (closed_) close_level(coarse);
+    const Block at = Blocks{coarse.columns(), coarse.rows()}.at(block);
+    halve_block(fine, m - 1, coarse, at);
+    if (closed_ && at.i + at.columns == coarse.columns()) close_block(fine, m - 1, coarse, at);
 }
 
-void HeightPyramid::fill_voids(base::Workers& workers, const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-    std::uint64_t total = Blocks{posts_.columns(), posts_.rows()}.count(), done = 0;
-    for (const PostsFile& level : levels_) total += Blocks{level.columns(), level.rows()}.count();
-    const auto block_done = [&] { progress(++done, total); };
-    std::deque<PostsFile> filled;  // from the coarsest on
-    const PostsFile* above = nullptr;
-    for (std::size_t m = levels_.size(); m-- > 0;) {
-        PostsFile& level = levels_[m];
-        filled.emplace_back(folder_ + "/filled." + std::to_string(m + 1), level.columns(), level.rows(), closed_);
-        fill_level(level, above, filled.back(), workers, block_done);
-        above = &filled.back();
-    }
-    fill_level(posts_, above, posts_, workers, block_done);
-    filled.clear();
-    for (std::size_t m = levels_.size(); m-- > 0;)
-        for (const char* part : {".heights", ".classes"})
-            std::remove((folder_ + "/filled." + std::to_string(m + 1) + part).c_str());
+void HeightPyramid::fill_block(std::uint32_t m, std::uint32_t block) {
+    const PostsFile* above = m + 1 < level_count() ? &filled_[m] : nullptr;
+    PostsFile& target = m == 0 ? posts_ : filled_[m - 1];
+    fill_unknown(level(m), m == 0, above, target, Blocks{target.columns(), target.rows()}.at(block));
 }
 
-void HeightPyramid::fill_level(PostsFile& fine, const PostsFile* coarse, PostsFile& target, base::Workers& workers,
-                               const std::function<void()>& block_done) {
-    const Blocks blocks{fine.columns(), fine.rows()};
-    run_in_order(
-        workers, 0, blocks.count(),
-        [&](std::uint32_t index) {
-            fill_block(fine, &fine == &posts_, coarse, target, blocks.at(index));
-            return true;
-        },
-        [&](std::uint32_t, bool) { block_done(); });
+void HeightPyramid::sync() {
+    for (PostsFile& file : levels_) file.sync();
+    for (PostsFile& file : filled_) file.sync();
 }
 
 }  // namespace tedavis::host_sim

@@ -8,38 +8,35 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <string>
 
 #include "host_sim/terrain_builder/posts_file.hpp"
-#include "render_core/base/ports/workers.hpp"
 
 namespace tedavis::host_sim {
 
 class HeightPyramid {
 public:
-    /// Opens or makes the files of levels 1 and above, `<folder>/level.<m>`, up to the one of two by two posts.
-    HeightPyramid(std::string folder, PostsFile& posts, bool closed);
+    /// Opens or makes the files of levels 1 and above, `<folder>/level.<m>` and `filled.<m>`, up to the one of two by two posts.
+    HeightPyramid(const std::string& folder, PostsFile& posts, bool closed);
 
     /// Posts file and the levels above it.
     [[nodiscard]] std::uint32_t level_count() const { return static_cast<std::uint32_t>(levels_.size()) + 1; }
     [[nodiscard]] PostsFile& level(std::uint32_t m) { return m == 0 ? posts_ : levels_[m - 1]; }
 
-    /// Levels 1 and above, each from the one below. `progress` may throw to stop.
-    void build(base::Workers& workers, const std::function<void(std::uint64_t, std::uint64_t)>& progress);
-    /// Gives every void post of the posts file a height: known heights spread from the coarse levels down, interpolated
-    /// linearly. Source: Gortler et al., "The Lumigraph", SIGGRAPH 1996, 3.4.1 (pull-push).
-    void fill_voids(base::Workers& workers, const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+    /// Blocks of a level: what one task makes. Blocks of a level are independent of each other.
+    [[nodiscard]] std::uint32_t block_count(std::uint32_t m);
+    /// A block of a level m of 1 and above, from the level below, which must be whole. Any thread.
+    void build_block(std::uint32_t m, std::uint32_t block);
+    /// Gives every void post of a block a height: known heights spread from the coarse levels down, interpolated linearly.
+    /// From the coarsest level down to level 0, each after the one above it is whole; the levels keep what is known in them,
+    /// but the posts file is filled itself. Source: Gortler et al., "The Lumigraph", SIGGRAPH 1996, 3.4.1 (pull-push).
+    void fill_block(std::uint32_t m, std::uint32_t block);
+    void sync();
 
 private:
-    void build_level(std::uint32_t m, base::Workers& workers, const std::function<void()>& block_done);
-    void fill_level(PostsFile& fine, const PostsFile* coarse, PostsFile& target, base::Workers& workers,
-                    const std::function<void()>& block_done);
-
-    std::string folder_;
     PostsFile& posts_;
     bool closed_;
-    std::deque<PostsFile> levels_;
+    std::deque<PostsFile> levels_, filled_;  // from level 1 on
 };
 
 }  // namespace tedavis::host_sim

@@ -1,10 +1,7 @@
 #include "host_sim/terrain_builder/import_posts.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
-
-#include "host_sim/terrain_builder/ordered_tasks.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -14,54 +11,6 @@ using terrain::PostClass;
 constexpr std::uint32_t kBlockColumns = 4096;
 // A band of blocks fits into the block cache of the reader: strips and tiles of a file are unpacked once.
 constexpr std::uint32_t kBandPosts = 8u << 20, kFewestBandRows = 16, kMostBandRows = 256;
-
-/// Readers that threads take and give back.
-class ReaderPool {
-public:
-    explicit ReaderPool(const PostReaderFactory& open) : open_(open) {}
-
-    std::unique_ptr<PostReader> take() {
-        {
-            const std::lock_guard lock(mutex_);
-            if (!idle_.empty()) {
-                std::unique_ptr<PostReader> reader = std::move(idle_.back());
-                idle_.pop_back();
-                return reader;
-            }
-        }
-        return open_();
-    }
-    void give_back(std::unique_ptr<PostReader> reader) {
-        const std::lock_guard lock(mutex_);
-        idle_.push_back(std::move(reader));
-    }
-
-private:
-    const PostReaderFactory& open_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<PostReader>> idle_;
-};
-
-PostStatistics import_block(const BuildPlan& plan, const ImportBlocks::Block& block, ReaderPool& readers, PostsFile& posts) {
-    const std::size_t count = std::size_t{block.columns} * block.rows;
-    std::vector<float> heights(count);
-    std::vector<PostClass> classes(count);
-    std::unique_ptr<PostReader> reader = readers.take();
-    reader->read(block.i, block.j, block.columns, block.rows, heights, classes);
-    readers.give_back(std::move(reader));
-    for (std::size_t n = 0; n < count; ++n)
-        if (classes[n] == PostClass::void_) heights[n] = 0;
-    const std::uint32_t row = block.j + plan.first_source_row;
-    posts.write(block.i, row, block.columns, block.rows, heights, classes);
-    if (plan.lattice.is_closed() && block.i == 0)
-        for (std::uint32_t j = 0; j < block.rows; ++j) {
-            const std::size_t first = std::size_t{j} * block.columns;
-            posts.write(posts.columns() - 1, row + j, 1, 1, {&heights[first], 1}, {&classes[first], 1});
-        }
-    PostStatistics statistics;
-    statistics.include(heights, classes);
-    return statistics;
-}
 
 struct PoleHeight {
     double sum = 0;
@@ -133,13 +82,44 @@ ImportBlocks::Block ImportBlocks::at(std::uint32_t index) const {
     return {i, j, std::min(kBlockColumns, columns_ - i), std::min(block_rows_, rows_ - j)};
 }
 
-void import_posts(const BuildPlan& plan, const PostReaderFactory& open, PostsFile& posts, base::Workers& workers,
-                  std::uint32_t first, const std::function<void(std::uint32_t, const PostStatistics&)>& commit) {
-    const ImportBlocks blocks(plan);
-    ReaderPool readers(open);
-    run_in_order(
-        workers, first, blocks.count(), [&](std::uint32_t index) { return import_block(plan, blocks.at(index), readers, posts); },
-        [&](std::uint32_t index, const PostStatistics& statistics) { commit(index, statistics); });
+std::unique_ptr<PostReader> PostImport::take_reader() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!idle_.empty()) {
+            std::unique_ptr<PostReader> reader = std::move(idle_.back());
+            idle_.pop_back();
+            return reader;
+        }
+    }
+    return open_();
+}
+
+PostStatistics PostImport::import(std::uint32_t index) {
+    const ImportBlocks::Block block = blocks_.at(index);
+    const std::size_t count = std::size_t{block.columns} * block.rows;
+    std::vector<float> heights(count);
+    std::vector<PostClass> classes(count);
+    std::unique_ptr<PostReader> reader = take_reader();
+    reader->read(block.i, block.j, block.columns, block.rows, heights, classes);
+    for (std::size_t n = 0; n < count; ++n)
+        if (classes[n] == PostClass::void_) heights[n] = 0;
+    posts_.write(block.i, block.j + plan_.first_source_row, block.columns, block.rows, heights, classes);
+    if (plan_.lattice.is_closed() && block.i == 0) close_columns(block, heights, classes);
+    PostStatistics statistics;
+    statistics.include(heights, classes);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(reader));
+    return statistics;
+}
+
+/// The last column of a lattice round the Earth is the first one again.
+void PostImport::close_columns(const ImportBlocks::Block& block, const std::vector<float>& heights_m,
+                               const std::vector<PostClass>& classes) {
+    for (std::uint32_t j = 0; j < block.rows; ++j) {
+        const std::size_t first = std::size_t{j} * block.columns;
+        posts_.write(posts_.columns() - 1, block.j + plan_.first_source_row + j, 1, 1, {&heights_m[first], 1},
+                     {&classes[first], 1});
+    }
 }
 
 void make_pole_rows(const BuildPlan& plan, PostsFile& posts) {

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "host_sim/terrain_builder/posts_file.hpp"
-#include "render_core/base/ports/workers.hpp"
 
 namespace tedavis::host_sim {
 
@@ -35,9 +36,27 @@ private:
     std::uint32_t columns_, rows_, block_rows_, across_, down_;
 };
 
-/// Blocks from `first` on; `commit` gets each block's statistics in order, and may throw to stop.
-void import_posts(const BuildPlan& plan, const PostReaderFactory& open, PostsFile& posts, base::Workers& workers,
-                  std::uint32_t first, const std::function<void(std::uint32_t, const PostStatistics&)>& commit);
+class PostImport {
+public:
+    PostImport(const BuildPlan& plan, const PostReaderFactory& open, PostsFile& posts)
+        : plan_(plan), blocks_(plan), open_(open), posts_(posts) {}
+
+    [[nodiscard]] std::uint32_t block_count() const { return blocks_.count(); }
+    /// Any thread, different blocks at once.
+    [[nodiscard]] PostStatistics import(std::uint32_t block);
+
+private:
+    [[nodiscard]] std::unique_ptr<PostReader> take_reader();
+    void close_columns(const ImportBlocks::Block& block, const std::vector<float>& heights_m,
+                       const std::vector<terrain::PostClass>& classes);
+
+    const BuildPlan& plan_;
+    const ImportBlocks blocks_;
+    const PostReaderFactory& open_;
+    PostsFile& posts_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<PostReader>> idle_;
+};
 
 /// A pole row has one height: the mean of the valid posts of the row beside it, or of its own where the source has it.
 void make_pole_rows(const BuildPlan& plan, PostsFile& posts);

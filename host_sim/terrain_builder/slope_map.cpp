@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/terrain_builder/ordered_tasks.hpp"
 #include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
@@ -50,27 +49,32 @@ float slope_of(const BuildPlan& plan, const LatticeWindow& window, const PostRan
 
 }  // namespace
 
-SlopeMap::SlopeMap(const BuildPlan& plan, const PostsFile& posts, base::Workers& workers,
-                   const std::function<void(std::uint32_t)>& unit_done)
-    : columns_(plan.lattice.grid_columns(0)),
+SlopeMap::SlopeMap(const BuildPlan& plan, const std::string& path)
+    : plan_(plan),
+      columns_(plan.lattice.grid_columns(0)),
       rows_(plan.lattice.grid_rows(0)),
       closed_(plan.lattice.is_closed()),
-      slope_(std::size_t{columns_} * rows_) {
-    const auto measure = [&](std::uint32_t unit) {
-        const std::uint32_t u = unit % plan.unit_columns(), v = unit / plan.unit_columns();
-        LatticeWindow window;
-        window.i0 = u * kUnitCells;
-        window.j0 = v * kUnitCells;
-        window.columns = std::min(kUnitCells + 1, plan.header.columns - u * kUnitCells);
-        window.rows = std::min(kUnitCells + 1, plan.header.rows - v * kUnitCells);
-        posts.read(window);
-        constexpr std::uint32_t kSide = kUnitCells / kChunkCells;
-        for (std::uint32_t j = v * kSide; j < std::min((v + 1) * kSide, rows_); ++j)
-            for (std::uint32_t i = u * kSide; i < std::min((u + 1) * kSide, columns_); ++i)
-                slope_[std::size_t{j} * columns_ + i] = slope_of(plan, window, plan.lattice.posts_of({0, i, j}));
-        return true;
-    };
-    run_in_order(workers, 0, plan.unit_count(), measure, [&](std::uint32_t unit, bool) { unit_done(unit); });
+      slope_(std::size_t{columns_} * rows_),
+      file_(path) {
+    file_.resize(slope_.size() * sizeof(float));
+    file_.read(0, slope_.data(), slope_.size() * sizeof(float));
+}
+
+void SlopeMap::measure(const PostsFile& posts, std::uint32_t unit) {
+    const std::uint32_t u = unit % plan_.unit_columns(), v = unit / plan_.unit_columns();
+    LatticeWindow window;
+    window.i0 = u * kUnitCells;
+    window.j0 = v * kUnitCells;
+    window.columns = std::min(kUnitCells + 1, plan_.header.columns - u * kUnitCells);
+    window.rows = std::min(kUnitCells + 1, plan_.header.rows - v * kUnitCells);
+    posts.read(window);
+    constexpr std::uint32_t kSide = kUnitCells / kChunkCells;
+    const std::uint32_t first = u * kSide, end = std::min((u + 1) * kSide, columns_);
+    for (std::uint32_t j = v * kSide; j < std::min((v + 1) * kSide, rows_); ++j) {
+        float* const row = &slope_[std::size_t{j} * columns_];
+        for (std::uint32_t i = first; i < end; ++i) row[i] = slope_of(plan_, window, plan_.lattice.posts_of({0, i, j}));
+        file_.write((std::uint64_t{j} * columns_ + first) * sizeof(float), &row[first], (end - first) * sizeof(float));
+    }
 }
 
 double SlopeMap::steepest(const PostRange& posts, std::uint32_t margin_posts) const {

@@ -2,29 +2,33 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <string>
 #include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "host_sim/terrain_builder/posts_file.hpp"
-#include "render_core/base/ports/workers.hpp"
 
 namespace tedavis::host_sim {
 
 class SlopeMap {
 public:
-    /// From all posts, unit by unit; `unit_done` may throw to stop.
-    SlopeMap(const BuildPlan& plan, const PostsFile& posts, base::Workers& workers,
-             const std::function<void(std::uint32_t)>& unit_done);
+    /// Reads what is known already from the file at `path`; makes it where it does not exist.
+    SlopeMap(const BuildPlan& plan, const std::string& path);
+
+    /// From all posts of a unit. Any thread, different units at once.
+    void measure(const PostsFile& posts, std::uint32_t unit);
+    void sync() { file_.sync(); }
 
     /// Metres a metre, over a rectangle of posts and `margin_posts` round it. At the ring round a pole also whatever the
     /// heights of the ring differ by counts, over the distance of one row.
     [[nodiscard]] double steepest(const terrain::PostRange& posts, std::uint32_t margin_posts) const;
 
 private:
+    const BuildPlan& plan_;
     std::uint32_t columns_, rows_;
     bool closed_;
     std::vector<float> slope_;
+    WorkFile file_;
 };
 
 }  // namespace tedavis::host_sim

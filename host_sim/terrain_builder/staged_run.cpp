@@ -11,7 +11,7 @@ constexpr double kProgressUnits = 1e6;
 
 }  // namespace
 
-StagedRun::StagedRun(BuildJournal& journal, BuildRecord& record, base::Workers& workers, Progress progress,
+StagedRun::StagedRun(BuildJournal& journal, BuildRecord& record, base::Workers& workers, BuildProgress progress,
                      std::function<void()> sync, std::chrono::milliseconds interval)
     : journal_(journal),
       record_(record),

@@ -25,12 +25,10 @@ struct BuildStage {
 
 class StagedRun {
 public:
-    using Progress = std::function<void(std::string_view stage, std::uint64_t done, std::uint64_t total)>;
-
     /// `record` is what the journal keeps, and is kept up to date; `sync` brings all work files to the disk.
     /// `interval` is the time between records.
-    StagedRun(BuildJournal& journal, BuildRecord& record, base::Workers& workers, Progress progress, std::function<void()> sync,
-              std::chrono::milliseconds interval);
+    StagedRun(BuildJournal& journal, BuildRecord& record, base::Workers& workers, BuildProgress progress,
+              std::function<void()> sync, std::chrono::milliseconds interval);
 
     /// From where the record stands. What a task or the progress throws ends the run after a last record.
     void run(const std::vector<BuildStage>& stages);
@@ -42,7 +40,7 @@ private:
     BuildJournal& journal_;
     BuildRecord& record_;
     base::Workers& workers_;
-    const Progress progress_;
+    const BuildProgress progress_;
     const std::function<void()> sync_;
     const std::chrono::milliseconds interval_;
     std::chrono::steady_clock::time_point last_checkpoint_;

@@ -11,7 +11,7 @@ std::uint64_t payload_bytes(std::uint64_t vertices) { return vertices * sizeof(C
 
 }  // namespace
 
-TdbLayout::TdbLayout(const BuildPlan& plan, bool with_attributes) : lattice_(plan.lattice) {
+TdbLayout::TdbLayout(const BuildPlan& plan) : lattice_(plan.lattice) {
     undulation = sizeof(FileHeader);
     page_table = undulation + plan.undulation.undulation_m.size() * sizeof(float);
     page_table = (page_table + 7) / 8 * 8;
@@ -26,7 +26,7 @@ TdbLayout::TdbLayout(const BuildPlan& plan, bool with_attributes) : lattice_(pla
         first_attribute_[level] = chunks;
         chunks += std::uint64_t{lattice_.grid_columns(level)} * lattice_.grid_rows(level);
     }
-    irregular = attributes + (with_attributes ? chunks * sizeof(AttributePage) : 0);
+    irregular = attributes + chunks * sizeof(AttributePage);
 }
 
 PartPlace TdbLayout::regular_place(std::uint32_t i, std::uint32_t j) const {

@@ -10,7 +10,7 @@ namespace tedavis::host_sim {
 /// Header, undulation, page table, directory pages, payloads of level 0, attribute pages; then payloads of the other levels
 /// in the order in which they are made.
 struct TdbLayout {
-    TdbLayout(const BuildPlan& plan, bool with_attributes);
+    explicit TdbLayout(const BuildPlan& plan);
 
     std::uint64_t undulation = 0, page_table = 0, pages = 0, regular = 0, attributes = 0, irregular = 0;
 

@@ -68,14 +68,26 @@ void OpenDatabase::refuse(const TdbFailure& failure) const {
                     "; build it again with 'terrain build'");
 }
 
+std::uint64_t verify_page(const OpenDatabase& open, std::uint32_t page_index) {
+    if (!open.database().has_page(page_index)) return 0;
+    const auto page = std::make_unique<DirectoryPage>();
+    open.read_page(page_index, *page);
+    std::uint64_t chunks = 0;
+    for (const ChunkEntry& entry : page->entries) {
+        if (entry.vertex_count == 0) continue;
+        verify_chunk(open, entry);
+        ++chunks;
+    }
+    return chunks;
+}
+
 void verify_database(const OpenDatabase& open, const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
     const std::uint32_t pages = open.database().lattice().page_count();
     std::uint64_t chunks = 0;
-    for_pages(open, [&](std::uint32_t page, const ChunkEntry& entry) {
-        verify_chunk(open, entry);
-        ++chunks;
+    for (std::uint32_t page = 0; page < pages; ++page) {
+        chunks += verify_page(open, page);
         progress(page + 1, pages);
-    });
+    }
     if (chunks != open.database().header().chunk_count) open.refuse({TdbError::directory_damaged, 0});
 }
 

@@ -30,7 +30,11 @@ private:
     terrain::TerrainDatabase database_;
 };
 
-/// `progress` gets pages read and their number, and may throw to stop. Throws UserError.
+/// Every part that a page of the directory names. Any thread, different pages at once. Throws UserError.
+/// Returns the number of chunks.
+std::uint64_t verify_page(const OpenDatabase& open, std::uint32_t page_index);
+
+/// The whole file; `progress` gets pages read and their number, and may throw to stop. Throws UserError.
 void verify_database(const OpenDatabase& open, const std::function<void(std::uint64_t, std::uint64_t)>& progress);
 
 /// Chunks of one level together.
