@@ -26,7 +26,7 @@ constexpr double kFarthestMapEye_m = 15'000'000;
 
 // Shares of the way in which the eye turns and in which it rises.
 constexpr double kTurned = 0.6;
-constexpr double kRiseBegins = 0.3;
+constexpr double kRiseBegins = 0.35;
 constexpr double kLeastAboveGround_m = 1;
 constexpr double kMostAboveGround_m = 100'000;
 
@@ -81,9 +81,10 @@ void set_map_planes(terrain::View& view, double eye_msl_m, double drop_m) {
     view.far_m = eye_msl_m - kLowestGround_m + drop_m + slack_m;
 }
 
-/// From the own ship's plane to one that no summit reaches; never nearer than what is seen from the own ship.
+/// From the own ship's plane to one that no summit reaches, though corners look further down than the middle.
 void set_planes_on_the_way(terrain::View& view, double msl_m, double climb_m, double growth) {
-    view.near_m = std::fmax(view.near_m, msl_m + climb_m - kHighestSummit_m - 2 * kMostUndulation_m);
+    const double corner = std::hypot(1.0, view.half_width_tangent(), view.half_height_tangent());
+    view.near_m = std::fmax(view.near_m, (msl_m + climb_m - kHighestSummit_m - 2 * kMostUndulation_m) / corner);
     view.far_m = std::fmin(kFar_m * growth, horizon_m(msl_m + climb_m) + climb_m);
 }
 

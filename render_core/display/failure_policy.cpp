@@ -197,8 +197,8 @@ private:
                                        : position == SignalState::stale ? ElementShow::flagged
                                                                         : ElementShow::failed;
         ElementDecision& up = out_[Element::map_up];
-        up.show = ElementShow::normal;
-        if (design_.view.map_orientation != design::MapOrientation::track_up) return;
+        up.show = out_[Element::position].show == ElementShow::failed ? ElementShow::absent : ElementShow::normal;
+        if (up.show == ElementShow::absent || design_.view.map_orientation != design::MapOrientation::track_up) return;
         up.source = valid(Signal::true_track) ? Signal::true_track : out_.view_heading;
         if (up.source == Signal::true_track) return;
         up.show = up.source == Signal::count_ ? ElementShow::flagged : ElementShow::substituted;

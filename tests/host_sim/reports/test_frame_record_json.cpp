@@ -42,6 +42,7 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
                                      {"triangles", 12345},
                                      {"chunks", 67},
                                      {"pending", 8}}));
+    EXPECT_EQ(json["view"], Json({{"mode", "3d"}, {"transition", 1.0}}));
     EXPECT_EQ(json["bytes"], Json({{"cpu", 100}, {"gpu", 200}, {"cpu_budget", 1000}, {"gpu_budget", 2000}, {"uploaded", 50}}));
     EXPECT_EQ(json["ms"], Json({{"plan", 1}, {"draw", 2}, {"total", 3}}));
     EXPECT_EQ(json["latency_ms"], 12);
@@ -50,12 +51,18 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
     for (const char* key : {"frame", "time_s", "hash", "phase", "sub_phase", "phase_source", "own_ship", "signals", "flags",
-                            "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
+                            "view", "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})
         for (const char* key : {"technique", "detail", "weight"})
             EXPECT_TRUE(json["presentation"][aspect].contains(key)) << aspect << key;
+}
+
+TEST(FrameRecordJson, TellsTheMapAndTheWayToIt) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.view = {design::ViewMode::map, 0.25};
+    EXPECT_EQ(parsed(result)["view"], Json({{"mode", "map"}, {"transition", 0.25}}));
 }
 
 TEST(FrameRecordJson, FlagsAndEffectsAreLists) {

@@ -58,6 +58,11 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     const DesignSettings file = test_support::shipped_design("default");
     const DesignSettings built_in = default_design_settings();
     EXPECT_DOUBLE_EQ(file.view.horizontal_field_of_view_rad, built_in.view.horizontal_field_of_view_rad);
+    EXPECT_EQ(file.view.mode, built_in.view.mode);
+    EXPECT_EQ(file.view.map_orientation, built_in.view.map_orientation);
+    EXPECT_EQ(file.view.map_range_m, built_in.view.map_range_m);
+    EXPECT_EQ(file.view.transition_s, built_in.view.transition_s);
+    EXPECT_EQ(file.symbology.map, built_in.symbology.map);
     EXPECT_EQ(file.terrain.tau_px, built_in.terrain.tau_px);
     EXPECT_EQ(file.terrain.sea, built_in.terrain.sea);
     EXPECT_EQ(file.terrain.unknown, built_in.terrain.unknown);
@@ -87,10 +92,27 @@ TEST(DesignSettings, ConvertsUnits) {
     EXPECT_NEAR(read.value().warning_bands[1].lower_gear_down_m, -152.4, 1e-12);
 }
 
+TEST(DesignSettings, ReadsTheMap) {
+    const auto read = read_seeded(
+        "name = 'x'\n[view]\nmode = 'map'\nmap_orientation = 'track_up'\nmap_range_m = 500\ntransition_s = 2\n"
+        "[symbology]\nmap = false\n");
+    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    EXPECT_EQ(read.value().view.mode, ViewMode::map);
+    EXPECT_EQ(read.value().view.map_orientation, MapOrientation::track_up);
+    EXPECT_EQ(read.value().view.map_range_m, 500);
+    EXPECT_EQ(read.value().view.transition_s, 2);
+    EXPECT_FALSE(read.value().symbology.map);
+}
+
 TEST(DesignSettings, EveryFaultNamesItsLine) {
     const std::pair<const char*, const char*> faults[] = {
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = 200\n", "d.toml:3: 'horizontal_field_of_view_deg'"},
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = nan\n", "d.toml:3: "},
+        {"name = 'x'\n[view]\nmode = '2d'\n", "d.toml:3: 'mode' must be one of: 3d, map"},
+        {"name = 'x'\n[view]\nmap_orientation = 'up'\n", "d.toml:3: 'map_orientation' must be one of: north_up, track_up"},
+        {"name = 'x'\n[view]\nmap_range_m = 499\n", "d.toml:3: 'map_range_m'"},
+        {"name = 'x'\n[view]\nmap_range_m = 500001\n", "d.toml:3: 'map_range_m'"},
+        {"name = 'x'\n[view]\ntransition_s = 0.4\n", "d.toml:3: 'transition_s'"},
         {"name = 'x'\n[terrain]\n\nsea_color = 'blue'\n", "d.toml:4: 'sea_color' is no colour"},
         {"name = 'x'\n[terrain]\ntau = 2\n", "d.toml:3: unknown key 'terrain.tau'"},
         {"name = 'x'\n[warning]\nprofile = 'radar'\n", "d.toml:3: 'profile' must be one of: egpws, garmin, custom"},

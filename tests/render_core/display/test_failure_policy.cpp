@@ -106,7 +106,8 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-std::vector<Row> read_table() {
+/// The rows whose signals' names have a prefix: "map: " for those that change on the map.
+std::vector<Row> read_table(const std::string& prefix) {
     std::vector<Row> rows;
     std::istringstream document(test_support::source_file("render_core/display/README.md"));
     for (std::string line; std::getline(document, line);) {
@@ -114,7 +115,7 @@ std::vector<Row> read_table() {
         if (cells.size() != 10) continue;
         Row row;
         for (std::size_t n = 0; n < flight::kSignalCount; ++n)
-            if (cells[0] == to_string(static_cast<Signal>(n))) row.signal = static_cast<Signal>(n);
+            if (cells[0] == prefix + to_string(static_cast<Signal>(n))) row.signal = static_cast<Signal>(n);
         if (row.signal == Signal::count_) continue;  // the table's head
         const auto element = std::find(std::begin(kElementNames), std::end(kElementNames), cells[1]);
         if (element != std::end(kElementNames)) row.element = static_cast<Element>(element - std::begin(kElementNames));
@@ -129,8 +130,32 @@ std::vector<Row> read_table() {
 }
 
 const std::vector<Row>& table() {
-    static const std::vector<Row> rows = read_table();
+    static const std::vector<Row> rows = read_table("");
     return rows;
+}
+
+/// The whole table as it is on the map.
+const std::vector<Row>& map_table() {
+    static const std::vector<Row> rows = [] {
+        std::vector<Row> all = table();
+        for (const Row& changed : read_table("map: "))
+            for (Row& row : all)
+                if (row.signal == changed.signal) row = changed;
+        return all;
+    }();
+    return rows;
+}
+
+DisplayConditions map_conditions() {
+    DisplayConditions conditions = good_conditions();
+    conditions.is_map = true;
+    return conditions;
+}
+
+DisplayDecisions decide_track_up(const AircraftState& state) {
+    design::DesignSettings design = design::default_design_settings();
+    design.view.map_orientation = design::MapOrientation::track_up;
+    return decide_display(state, kNow, map_conditions(), design);
 }
 
 /// What else states the same information on the display.
@@ -192,6 +217,72 @@ TEST(FailurePolicy, EveryCellWithoutAnotherSourceOfTheInformation) {
             const bool attitude_lost = decisions[Element::attitude].show == ElementShow::failed;
             EXPECT_EQ(decisions.plain_horizon, !decisions.show_terrain && !attitude_lost);
         }
+}
+
+TEST(FailurePolicy, EveryCellOnTheMap) {
+    EXPECT_EQ(read_table("map: ").size(), 6u);
+    for (const Row& row : map_table())
+        for (int i = 0; i < 4; ++i) {
+            AircraftState state = everything_valid();
+            put(state, row.signal, kBadStates[i]);
+            EXPECT_EQ(picture(decide(state, map_conditions()), row, kBadStates[i]), row.alone[i])
+                << to_string(row.signal) << "." << to_string(kBadStates[i]);
+            for (Signal peer : peers_of(row.signal)) put(state, peer, SignalState::missing);
+            const DisplayDecisions decisions = decide(state, map_conditions());
+            EXPECT_EQ(picture(decisions, row, kBadStates[i]), row.without_peers[i])
+                << "alone " << to_string(row.signal) << "." << to_string(kBadStates[i]);
+            EXPECT_FALSE(decisions.plain_horizon);
+        }
+}
+
+TEST(FailurePolicy, TheMapTurnsToTheTrackThenToTheHeadingThenToNorth) {
+    AircraftState state = everything_valid();
+    EXPECT_EQ(decide_track_up(state)[Element::map_up].source, Signal::true_track);
+    EXPECT_EQ(decide_track_up(state)[Element::map_up].show, ElementShow::normal);
+    EXPECT_TRUE(decide_track_up(state).flags.empty());
+    for (const SignalState bad : kBadStates) {
+        put(state, Signal::true_track, bad);
+        const DisplayDecisions by_heading = decide_track_up(state);
+        EXPECT_EQ(by_heading[Element::map_up].source, Signal::true_heading);
+        EXPECT_EQ(by_heading[Element::map_up].show, ElementShow::substituted);
+        EXPECT_TRUE(has_flag(by_heading, "map.heading_up"));
+        EXPECT_FALSE(has_notice(by_heading, "MAP NORTH UP"));
+        AircraftState without = state;
+        for (const Signal lost : {Signal::true_heading, Signal::magnetic_heading}) put(without, lost, SignalState::lost);
+        const DisplayDecisions north = decide_track_up(without);
+        EXPECT_EQ(north[Element::map_up].source, Signal::count_);
+        EXPECT_EQ(north[Element::map_up].show, ElementShow::flagged);
+        EXPECT_TRUE(has_flag(north, "map.north_up"));
+        EXPECT_TRUE(has_notice(north, "MAP NORTH UP"));
+        EXPECT_TRUE(north.show_terrain);
+    }
+    EXPECT_EQ(decide(state, map_conditions())[Element::map_up].show, ElementShow::normal) << "north was asked for";
+    EXPECT_FALSE(has_flag(decide(state, map_conditions()), "map.heading_up"));
+    design::DesignSettings track_up = design::default_design_settings();
+    track_up.view.map_orientation = design::MapOrientation::track_up;
+    EXPECT_FALSE(has_flag(decide_display(state, kNow, good_conditions(), track_up), "map.heading_up")) << "no map, no flag";
+}
+
+TEST(FailurePolicy, TheMapFlagsItsPositionInPlace) {
+    AircraftState state = everything_valid();
+    EXPECT_EQ(decide(state, map_conditions())[Element::position].show, ElementShow::normal);
+    for (const SignalState bad : kBadStates) {
+        state.own_ship.state = bad;
+        const DisplayDecisions decisions = decide(state, map_conditions());
+        EXPECT_EQ(decisions[Element::position].show, bad == SignalState::stale ? ElementShow::flagged : ElementShow::failed);
+        EXPECT_EQ(decisions[Element::map_up].show, bad == SignalState::stale ? ElementShow::normal : ElementShow::absent);
+        EXPECT_FALSE(decisions.show_terrain);
+        EXPECT_FALSE(decisions.plain_horizon);
+        EXPECT_TRUE(has_notice(decisions, "TERRAIN OFF"));
+    }
+}
+
+TEST(FailurePolicy, TheMapHasNoRecoveryPicture) {
+    AircraftState state = everything_valid();
+    state[Signal::roll] = {base::radians(179), kNow};
+    EXPECT_TRUE(decide(state).unusual_attitude);
+    EXPECT_FALSE(decide(state, map_conditions()).unusual_attitude);
+    EXPECT_TRUE(decide(state, map_conditions()).show_warning_colors);
 }
 
 TEST(FailurePolicy, EverythingValidShowsEverythingAndFlagsNothing) {
