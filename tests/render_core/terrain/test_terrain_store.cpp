@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "platform/threads/thread_reader.hpp"
 #include "tests/support/started_store.hpp"
 
 namespace tedavis::terrain {
@@ -134,6 +135,35 @@ TEST(TerrainStore, LivePagesOfTheDirectoryUseTheReaderToo) {
     EXPECT_EQ(s.store.find({0, 0, 0}).state, EntryState::missing);
     s.bytes.reader.arrive(1);
     EXPECT_EQ(s.store.find({0, 0, 0}).state, EntryState::present);
+}
+
+TEST(TerrainStore, ReplayThroughAThreadIsTheSame) {
+    StartedStore expected(tdb().bytes, settings(ArrivalMode::exact)), memory(tdb().bytes, settings(ArrivalMode::exact));
+    test_support::MemoryBytes bytes(tdb().bytes);
+    auto reader = platform::make_thread_reader(bytes, {64, 64, nullptr});
+    ASSERT_TRUE(reader.ok());
+    base::Arena table(memory.table.data(), memory.table.size()), index(memory.index.data(), memory.index.size()),
+        records(memory.records.data(), memory.records.size()), payloads(memory.payloads.data(), memory.payloads.size()),
+        attributes(memory.attributes.data(), memory.attributes.size());
+    const TerrainDatabase database = TerrainDatabase::open(bytes, table).value();
+    TerrainStore threaded;
+    ASSERT_EQ(
+        threaded.start(database, *reader.value(), settings(ArrivalMode::exact), {index, records, payloads, attributes}).error,
+        TdbError::none);
+    for (std::uint32_t n = 0; n < 60; ++n) {
+        std::vector<ChunkKey> list;
+        for (std::uint32_t k = 0; k < 8; ++k) list.push_back({k % 2, (n / 4 + k) % 5, (n / 7 + k / 3) % 4});
+        frame(expected.store, list);
+        frame(threaded, list);
+        for (std::uint32_t j = 0; j < 7; ++j)
+            for (std::uint32_t i = 0; i < 9; ++i) {
+                const SlotIndex a = expected.store.available_slot({0, i, j}), b = threaded.available_slot({0, i, j});
+                ASSERT_EQ(a == kNoSlot, b == kNoSlot) << "frame " << n;
+                if (a == kNoSlot) continue;
+                const auto from = expected.store.vertices(a), through = threaded.vertices(b);
+                ASSERT_EQ(std::memcmp(from.data(), through.data(), from.size() * sizeof(ChunkVertex)), 0);
+            }
+    }
 }
 
 TEST(TerrainStore, RefusesRootsThatDoNotFitAndSmallMemory) {
