@@ -112,10 +112,12 @@ void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, con
         }
         chunk.error_px = static_cast<float>(error_px);
         selected[result.chunks++] = chunk;
+        const LodStop reason = error_px <= settings.tau_px ? LodStop::met : refinement.reason_for(n, raised_by);
+        if (reason != LodStop::at_data_limit) result.worst_coarse_px = std::max(result.worst_coarse_px, error_px);
         if (result.chunks > 1 && error_px <= result.worst_error_px) continue;
         result.worst_error_px = error_px;
         result.worst_chunk = node.key;
-        result.reason = error_px <= settings.tau_px ? LodStop::met : refinement.reason_for(n, raised_by);
+        result.reason = reason;
     }
     result.tau_reached_px = std::max(settings.tau_px, result.worst_error_px);
 }
