@@ -244,7 +244,7 @@ void Display::plan_terrain() {
         return;
     }
     record_terrain(plan);
-    if (plan.lod.tau_reached_px <= settings_.design.degradation.terrain_error_px) return;
+    if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
     conditions_.terrain_is_coarse = true;
     decide_again();
 }

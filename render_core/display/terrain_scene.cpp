@@ -11,6 +11,25 @@ namespace {
 using terrain::SelectionKind;
 
 constexpr std::uint32_t kNodesPerSlot = 8;  // looked at by one selection: hidden neighbours and split ancestors too
+// What will be needed when it has arrived: a wider view, and a little finer.
+constexpr std::uint32_t kAheadPercent = 125;
+constexpr double kAheadTau = 0.8;
+
+terrain::View seen_soon(const terrain::View& view) {
+    terrain::View wider = view;
+    wider.width = view.width * kAheadPercent / 100;
+    wider.height = view.height * kAheadPercent / 100;
+    return wider;
+}
+
+terrain::LodSettings needed_soon(const terrain::LodSettings& now) {
+    terrain::LodSettings soon = now;
+    soon.tau_px *= kAheadTau;
+    soon.max_triangles = now.max_triangles * 2;
+    soon.max_chunks = now.max_chunks * 3 / 2;
+    soon.max_ms *= 2;
+    return soon;
+}
 
 terrain::StoreSettings store_settings(const effects::DeviceSettings& device, terrain::ArrivalMode mode) {
     terrain::StoreSettings settings;
@@ -92,7 +111,7 @@ terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double long
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
     const terrain::LodSettings lod = lod_settings(*device_, design, eye);
     store_.begin_frame();
-    static_cast<void>(selector_.select(store_, eye.view, lod, SelectionKind::ideal, selected_));
+    static_cast<void>(selector_.select(store_, seen_soon(eye.view), needed_soon(lod), SelectionKind::ideal, selected_));
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
     plan.lod = selector_.select(store_, eye.view, lod, SelectionKind::drawn, selected_);
