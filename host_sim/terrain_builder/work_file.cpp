@@ -34,6 +34,7 @@ WorkFile::WorkFile(WorkFile&& other) noexcept { *this = std::move(other); }
 WorkFile& WorkFile::operator=(WorkFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(descriptor_, other.descriptor_);
+    changed_ = other.changed_.exchange(changed_);
     return *this;
 }
 
@@ -52,6 +53,7 @@ void WorkFile::read(std::uint64_t offset, void* destination, std::size_t count) 
 
 void WorkFile::write(std::uint64_t offset, const void* source, std::size_t count) {
     const auto* in = static_cast<const unsigned char*>(source);
+    changed_ = true;
     while (count > 0) {
         const ssize_t put = ::pwrite(descriptor_, in, count, static_cast<off_t>(offset));
         if (put < 0 && errno == EINTR) continue;
@@ -63,11 +65,12 @@ void WorkFile::write(std::uint64_t offset, const void* source, std::size_t count
 }
 
 void WorkFile::resize(std::uint64_t bytes) {
+    changed_ = true;
     if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) fail("written");
 }
 
 void WorkFile::sync() {
-    if (::fdatasync(descriptor_) != 0) fail("written");
+    if (changed_.exchange(false) && ::fdatasync(descriptor_) != 0) fail("written");
 }
 
 std::uint64_t WorkFile::size() const {

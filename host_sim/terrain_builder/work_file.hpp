@@ -1,6 +1,7 @@
 /// A file for intermediate and final results: positioned reads and writes of whole pieces, from any thread.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -33,6 +34,7 @@ private:
 
     std::string path_;
     int descriptor_ = -1;
+    std::atomic<bool> changed_{false};  // since the last sync
 };
 
 }  // namespace tedavis::host_sim
