@@ -106,7 +106,7 @@ void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design)
     else
         set_map_planes(eye.view, input.msl_m + climb_m, drop_at_corner_m(input, design));
     eye.haze_per_m *= (1 - rise) / growth;
-    eye.height_weight = rise;
+    eye.height_weight = turn;
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ void main() {
     float fine = abs(fract(at / size) - 0.5) * 2.0;
     float coarse = abs(fract(at / (2.0 * size)) - 0.5) * 2.0;
     float edge = 0.35;
-    float tone = dark * smoothstep(0.02, 0.2, 1.0 - n.z);
+    float tone = dark * smoothstep(0.03, 0.3, length(n.xy));  // from hardly sloping to 17 degrees
     ink = max(ink, strokes.x * smoothstep(1.0 - tone, 1.0 - tone + edge, mix(fine, coarse, fade)) * step(0.04, tone));
 #endif
 #ifdef STIPPLING

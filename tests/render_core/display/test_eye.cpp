@@ -202,6 +202,16 @@ std::vector<Eye> way(EyeInput input, const design::ViewSettings& design, int ste
     return eyes;
 }
 
+/// As soon as the eye looks down, errors of height displace little and are told by colours alone.
+TEST(Eye, HeightsCountAsTheEyeTurnsDown) {
+    double before = 0;
+    for (const Eye& eye : way(own_ship_at(46.8, 9.9), map_of(20'000), 50)) {
+        EXPECT_GE(eye.height_weight, before);
+        before = eye.height_weight;
+    }
+    EXPECT_EQ(before, 1);
+}
+
 double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
     return degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }

@@ -131,6 +131,32 @@ TEST(LodSelection, NoDrawnPostIsFurtherFromItsTrueOneThanReported) {
     EXPECT_GT(tightest, 0.05) << "errors that never come near their bound prove little";
 }
 
+/// Straight down from afar an error of height displaces nothing, and the roots would do.
+TEST(LodSelection, HeightsCountWhereTheyAreAskedForAndNoFurtherThanPixelsShow) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    View view = view_from(region(), 200, 180, 4'000'000, 0, -90);
+    for (const double px_per_m : {0.002, 0.01, 0.03, 0.1, 1.0}) {
+        view.focal_px = px_per_m * 4'000'000;
+        LodSettings settings;
+        const std::uint32_t places_only = selection.select(catalogue, view, settings).triangles;
+        settings.height_weight = 1;
+        const LodResult& result = selection.select(catalogue, view, settings);
+        EXPECT_LE(result.worst_error_px, settings.tau_px);
+        EXPECT_EQ(result.reason, LodStop::met);
+        EXPECT_GE(result.triangles, places_only);
+        if (px_per_m == 0.03) EXPECT_GT(result.triangles, 3 * places_only);
+        for (const SelectedChunk& chunk : selection.chunks) {
+            const ChunkEntry& entry = *chunk.entry;
+            const double error_m = std::max(double{entry.above_m}, double{entry.below_m});
+            const double area_m2 = 4 * double{entry.half_extent_m[0]} * double{entry.half_extent_m[1]};
+            const double cell_px = px_per_m * std::sqrt(2 * area_m2 / entry.triangle_count);
+            const bool is_fine = error_m * px_per_m <= 1.01 || cell_px <= 2.02 * kFinestCell_px || entry.children == 0;
+            EXPECT_TRUE(is_fine) << px_per_m << ": " << error_m << " m in cells of " << cell_px << " px";
+        }
+    }
+}
+
 TEST(LodSelection, EyesInsideBoxesAndFarOutAreNumbers) {
     ResidentTdb catalogue(region());
     Selection selection;
