@@ -11,16 +11,23 @@ using terrain::kHorizonPosts;
 
 constexpr BakedMap kPageMaps[] = {BakedMap::form, BakedMap::light, BakedMap::aperture, BakedMap::horizon};
 
-std::uint32_t side_of(std::uint32_t slots) {
+/// Of the square that holds so many pages.
+std::uint32_t side_px(std::uint32_t slots, std::uint32_t page_px) {
     std::uint32_t side = 1;
-    while (side * side < slots) ++side;
+    while ((side / page_px) * (side / page_px) < slots) side *= 2;
     return side;
 }
 
+std::uint32_t page_px_of(BakedMap map) { return map == BakedMap::horizon ? kHorizonPosts : kAttributePosts; }
+
 gl::TextureSettings settings_of(BakedMap map, std::uint32_t slots) {
-    const bool horizon = map == BakedMap::horizon;
-    const std::uint32_t side_px = side_of(slots) * (horizon ? kHorizonPosts : kAttributePosts);
-    return {horizon ? gl::TextureFormat::r8 : gl::TextureFormat::rgba8, gl::TextureFilter::linear, side_px, side_px};
+    const std::uint32_t side = side_px(slots, page_px_of(map));
+    return {map == BakedMap::horizon ? gl::TextureFormat::r8 : gl::TextureFormat::rgba8, gl::TextureFilter::linear, side, side};
+}
+
+gl::TexelRect place_of(std::uint32_t slot, std::uint32_t slots, std::uint32_t page_px) {
+    const std::uint32_t across = side_px(slots, page_px) / page_px;
+    return {slot % across * page_px, slot / across * page_px, page_px, page_px};
 }
 
 std::size_t index_of(BakedMap map) { return static_cast<std::size_t>(map); }
@@ -50,10 +57,8 @@ gl::GlError PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::T
     return {};
 }
 
-std::uint32_t PageAtlas::side() const { return side_of(slots_); }
-
 bool PageAtlas::upload(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page) {
-    const gl::TexelRect part{slot % side() * kAttributePosts, slot / side() * kAttributePosts, kAttributePosts, kAttributePosts};
+    const gl::TexelRect part = place_of(slot, slots_, kAttributePosts);
     const void* const texels[] = {page.form, page.light, page.aperture};
     for (std::size_t map = 0; map < 3; ++map)
         if (textures_[map].valid() && !textures_[map].upload(gl, part, texels[map])) return false;
@@ -70,8 +75,7 @@ bool PageAtlas::upload_horizon(gl::Gl& gl, std::uint32_t slot, const terrain::At
     const auto weight = static_cast<int>(256 * bracket.weight + 0.5);
     for (std::size_t n = 0; n < horizon_.size(); ++n)
         horizon_[n] = static_cast<std::uint8_t>((first[n] * (256 - weight) + second[n] * weight + 128) / 256);
-    const gl::TexelRect part{slot % side() * kHorizonPosts, slot / side() * kHorizonPosts, kHorizonPosts, kHorizonPosts};
-    return texture.upload(gl, part, horizon_.data());
+    return texture.upload(gl, place_of(slot, slots_, kHorizonPosts), horizon_.data());
 }
 
 void PageAtlas::bind(gl::Gl& gl) const {
@@ -80,21 +84,14 @@ void PageAtlas::bind(gl::Gl& gl) const {
         if (textures_[map].valid()) textures_[map].bind(gl, static_cast<std::uint32_t>(map + 1));
 }
 
-PageWindow PageAtlas::map_window(std::uint32_t slot) const {
-    const float whole = static_cast<float>(side() * kAttributePosts);
-    const auto first = [&](std::uint32_t n) { return (static_cast<float>(n * kAttributePosts) + 0.5f) / whole; };
-    return {1.0f / whole, first(slot % side()), first(slot / side())};
+PageOrigin PageAtlas::origin(std::uint32_t slot) const {
+    const gl::TexelRect map = place_of(slot, slots_, kAttributePosts), horizon = place_of(slot, slots_, kHorizonPosts);
+    const auto middle = [](std::uint32_t texel) { return static_cast<float>(texel) + 0.5f; };
+    return {middle(map.x), middle(map.y), middle(horizon.x), middle(horizon.y)};
 }
 
-PageWindow PageAtlas::horizon_window(std::uint32_t slot) const {
-    const PageWindow map = map_window(slot);
-    const float whole = static_cast<float>(side() * kHorizonPosts);
-    const float scale = 0.5f / whole / map.scale;  // two texels of a map lie between two of the horizon
-    const auto first = [&](std::uint32_t n) { return (static_cast<float>(n * kHorizonPosts) + 0.5f) / whole; };
-    return {scale, first(slot % side()) - map.offset_x * scale, first(slot / side()) - map.offset_y * scale};
-}
-
-float PageAtlas::texel() const { return 1.0f / static_cast<float>(side() * kAttributePosts); }
+float PageAtlas::map_scale() const { return 1.0f / static_cast<float>(side_px(slots_, kAttributePosts)); }
+float PageAtlas::horizon_scale() const { return 1.0f / static_cast<float>(side_px(slots_, kHorizonPosts)); }
 
 void PageAtlas::destroy(gl::Gl& gl) {
     for (gl::Texture& texture : textures_) texture.destroy(gl);

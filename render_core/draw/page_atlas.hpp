@@ -1,6 +1,7 @@
 /// Attribute pages on the GPU: one atlas a map that the style reads, a fixed number of page slots in each.
 ///
-/// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. The
+/// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. Sides are
+/// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain.frag. The
 /// horizon atlas holds the horizon towards one azimuth, mixed from the two nearest baked directions when a page is uploaded.
 /// Memory    GPU, from the budget line terrain_pages. Thread  the GL thread. Failure  one sentence.
 #pragma once
@@ -12,9 +13,9 @@
 
 namespace tedavis::draw {
 
-/// Texture coordinates = place * scale + offset, both axes.
-struct PageWindow {
-    float scale = 0, offset_x = 0, offset_y = 0;
+/// Where a page's first texel lies in its atlases, texels, at the texel's middle.
+struct PageOrigin {
+    float map_x = 0, map_y = 0, horizon_x = 0, horizon_y = 0;
 };
 
 class PageAtlas {
@@ -32,14 +33,13 @@ public:
                                       double east_m, double north_m);
     void bind(gl::Gl& gl) const;
 
-    /// From texels of the page (0 its first post) to the atlases of maps, and from there to the horizon's atlas.
-    [[nodiscard]] PageWindow map_window(std::uint32_t slot) const;
-    [[nodiscard]] PageWindow horizon_window(std::uint32_t slot) const;
-    [[nodiscard]] float texel() const;  ///< of the maps, in texture coordinates
+    [[nodiscard]] PageOrigin origin(std::uint32_t slot) const;
+    /// One over the side of the atlases of maps and of horizons, texels.
+    [[nodiscard]] float map_scale() const;
+    [[nodiscard]] float horizon_scale() const;
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] std::uint32_t side() const;
     gl::Texture textures_[design::kBakedMaps];
     std::uint32_t slots_ = 0;
     base::Span<std::uint8_t> horizon_;

@@ -145,11 +145,12 @@ void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::La
                        const terrain::ChunkKey& owner, const PageAtlas& atlas, std::uint32_t slot) {
     const terrain::PostRange posts = lattice.posts_of(chunk), page = lattice.posts_of(owner);
     const auto texels_per_post = 1.0f / static_cast<float>(1u << (owner.level - 1));
-    const PageWindow map = atlas.map_window(slot), horizon = atlas.horizon_window(slot);
-    const float scale = texels_per_post * map.scale;
-    gl->Uniform4f(program.uniform(kPageWindow), scale, scale, map.offset_x + static_cast<float>(posts.i0 - page.i0) * scale,
-                  map.offset_y + static_cast<float>(posts.j0 - page.j0) * scale);
-    gl->Uniform3f(program.uniform(kHorizonScale), horizon.scale, horizon.offset_x, horizon.offset_y);
+    gl->Uniform4f(program.uniform(kPageWindow), texels_per_post, texels_per_post,
+                  static_cast<float>(posts.i0 - page.i0) * texels_per_post,
+                  static_cast<float>(posts.j0 - page.j0) * texels_per_post);
+    const PageOrigin origin = atlas.origin(slot);
+    gl->Uniform4f(program.uniform(kPageOrigin), origin.map_x, origin.map_y, origin.horizon_x, origin.horizon_y);
+    gl->Uniform2f(program.uniform(kPageScale), atlas.map_scale(), atlas.horizon_scale());
 }
 
 GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {

@@ -11,11 +11,11 @@ uniform sampler2D aperture_map;  // aperture east, north, cosine of its radius, 
 #endif
 #ifdef MAP_HORIZON
 uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
-uniform vec3 horizon_scale;      // its texture coordinates = page coordinates * x + yz
 #endif
 #ifdef MAP_DRAPE
 uniform sampler2D drape_map;
-uniform vec3 drape_scale;
+uniform vec2 drape_origin;
+uniform vec2 drape_scale;        // texels a page texel, 1 / size
 #endif
 #ifdef PALETTE
 uniform sampler2D palette;       // colour by the texture's quantity
@@ -42,8 +42,9 @@ uniform vec4 form_lines;         // strength of ridges, valleys, suggestive cont
 uniform vec2 contour;            // 1 / interval, lines per index line
 uniform vec2 strokes;            // strength of hatching, stippling
 #endif
-#ifdef PAGE_TEXEL
-uniform float page_texel;        // texture coordinates of one texel
+#ifdef BAKED
+uniform vec4 page_origin;        // first texel of the page in the atlas of maps and in that of horizons
+uniform vec2 page_scale;         // 1 / size of each
 #endif
 #ifdef WARNING_BANDS
 uniform vec4 band_color[WARNING_BANDS];      // alpha: strength
@@ -60,6 +61,12 @@ VARYING vec2 v_page;
 #endif
 #ifdef STROKES
 VARYING vec2 v_ground;
+#endif
+
+#ifdef BAKED
+// Whole fractions of a texel: with atlases of 2^n texels every sum is exact, so a page looks the same wherever it lies.
+vec2 whole(vec2 texels) { return floor(texels * 256.0 + 0.5) / 256.0; }
+vec2 map_place(vec2 texels) { return (whole(texels) + page_origin.xy) * page_scale.x; }
 #endif
 
 const float kSigned = 255.0 / 127.0;
@@ -91,13 +98,13 @@ void main() {
     vec3 ray = v_eye / distance_m;
     float pixel_m = distance_m * pixel.x;
 #ifdef MAP_FORM
-    vec4 form = TEXTURE2D(form_map, v_page);
+    vec4 form = TEXTURE2D(form_map, map_place(v_page));
     vec3 n = normal_of(form.xy);
 #else
     vec3 n = normalize(v_normal);
 #endif
 #ifdef MAP_LIGHT
-    vec4 baked = TEXTURE2D(light_map, v_page);
+    vec4 baked = TEXTURE2D(light_map, map_place(v_page));
 #endif
 
     // -- texture
@@ -111,7 +118,7 @@ void main() {
 #elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
     color = palette_color((1.0 + signed_root(baked.g)) * 1.5707963);
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
-    color = TEXTURE2D(drape_map, v_page * drape_scale.x + drape_scale.yz).rgb;
+    color = TEXTURE2D(drape_map, (whole(v_page) * drape_scale.x + drape_origin) * drape_scale.y).rgb;
 #elif defined(TEXTURE_MATERIAL)
     float grain = hash(floor(v_ground / 24.0)) * 0.5 + hash(floor(v_ground / 96.0)) * 0.5 - 0.5;
     float steep = 1.0 - n.z + 0.06 * grain;
@@ -140,14 +147,14 @@ void main() {
     float direct = 0.0;
     for (int k = 0; k < LIGHTS; ++k) direct += lights[k].w * max(dot(n, lights[k].xyz), 0.0);
 #ifdef MAP_HORIZON
-    float root = TEXTURE2D(horizon_map, v_page * horizon_scale.x + horizon_scale.yz).r;
+    float root = TEXTURE2D(horizon_map, (whole(v_page) * 0.5 + page_origin.zw) * page_scale.y).r;
     // The sun's disc is half a degree wide.
     direct *= clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
 #endif
 #if defined(SHADE_LIGHT_MAP) && defined(MAP_LIGHT)
     lit = baked.r * 1.25;
 #elif defined(SHADE_APERTURE) && defined(MAP_APERTURE)
-    vec4 aperture = TEXTURE2D(aperture_map, v_page);
+    vec4 aperture = TEXTURE2D(aperture_map, map_place(v_page));
     vec3 opening = normal_of(aperture.xy);
     float radius = acos(clamp(aperture.z, 0.0, 1.0));
     float apart = acos(clamp(dot(opening, lights[0].xyz), -1.0, 1.0));
@@ -204,9 +211,9 @@ void main() {
 #if defined(SUGGESTIVE) && defined(MAP_FORM)
     // Radial curvature from three normals along the view's direction over the ground (DeCarlo et al. 2003, section 3).
     vec2 along = normalize(ray.xy + vec2(1e-6));
-    vec2 texel = vec2(along.x, -along.y) * page_texel * 1.5;
-    float before = dot(normal_of(TEXTURE2D(form_map, v_page - texel).xy).xy, along);
-    float after = dot(normal_of(TEXTURE2D(form_map, v_page + texel).xy).xy, along);
+    vec2 texel = vec2(along.x, -along.y) * 1.5;
+    float before = dot(normal_of(TEXTURE2D(form_map, map_place(v_page - texel)).xy).xy, along);
+    float after = dot(normal_of(TEXTURE2D(form_map, map_place(v_page + texel)).xy).xy, along);
     float here = dot(n.xy, along);
     float curvature = after - before;
     float growth = after - 2.0 * here + before;

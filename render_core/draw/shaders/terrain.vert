@@ -16,7 +16,7 @@ uniform vec2 place_end;        // of the south-east corner
 uniform vec3 earth_centre;     // from the eye's whole metres
 #endif
 #ifdef BAKED
-uniform vec4 page_window;      // page texture coordinates = place * xy + zw
+uniform vec4 page_window;      // texels of the page = place * xy + zw
 VARYING vec2 v_page;
 #endif
 #ifdef STROKES
