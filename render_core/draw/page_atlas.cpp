@@ -94,8 +94,6 @@ PageWindow PageAtlas::horizon_window(std::uint32_t slot) const {
     return {scale, first(slot % side()) - map.offset_x * scale, first(slot / side()) - map.offset_y * scale};
 }
 
-float PageAtlas::texel() const { return 1.0f / static_cast<float>(side() * kAttributePosts); }
-
 void PageAtlas::destroy(gl::Gl& gl) {
     for (gl::Texture& texture : textures_) texture.destroy(gl);
 }

@@ -35,7 +35,6 @@ public:
     /// From texels of the page (0 its first post) to the atlases of maps, and from there to the horizon's atlas.
     [[nodiscard]] PageWindow map_window(std::uint32_t slot) const;
     [[nodiscard]] PageWindow horizon_window(std::uint32_t slot) const;
-    [[nodiscard]] float texel() const;  ///< of the maps, in texture coordinates
     void destroy(gl::Gl& gl);
 
 private:

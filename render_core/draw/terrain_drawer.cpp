@@ -241,7 +241,6 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
-    gl->Uniform1f(program.uniform(kPageTexel), atlas_.is_started() ? atlas_.texel() : 0.0f);
 }
 
 const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,

@@ -18,7 +18,7 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "page_window",  "stroke_window",   "form_map",   "light_map",     "aperture_map", "horizon_map", "horizon_scale",
     "drape_map",    "drape_scale",     "palette",    "palette_range", "plain_color",  "sea_color",   "unknown_color",
     "haze_color",   "pixel",           "grid_lines", "lights",        "light",        "occlusion",   "line_color",
-    "form_lines",   "contour",         "strokes",    "page_texel",    "band_color",   "band_lower"};
+    "form_lines",   "contour",         "strokes",    "page_texel", "page_ends",    "band_color",   "band_lower"};
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
@@ -69,8 +69,9 @@ void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool 
     const bool strokes = sketch.hatching > 0 || sketch.stippling > 0;
     const bool any = form_lines || strokes || sketch.suggestive_contours > 0 || sketch.contours > 0;
     defines.add_if(any, "#define SKETCH 1\n");
+    defines.add_if(form_lines || sketch.suggestive_contours > 0, "#define PAGE_TEXEL 1\n");
     defines.add_if(form_lines, "#define FORM_LINES 1\n");
-    defines.add_if(sketch.suggestive_contours > 0, "#define SUGGESTIVE 1\n#define PAGE_TEXEL 1\n");
+    defines.add_if(sketch.suggestive_contours > 0, "#define SUGGESTIVE 1\n");
     defines.add_if(sketch.contours > 0, "#define CONTOURS 1\n");
     defines.add_if(sketch.contours > 0 && sketch.illuminated, "#define ILLUMINATED 1\n");
     defines.add_if(strokes && !strokes_by_texture, "#define STROKES 1\n");

@@ -49,6 +49,7 @@ enum TerrainUniform : std::size_t {
     kContour,
     kStrokes,
     kPageTexel,
+    kPageEnds,
     kBandColor,
     kBandLower,
     kTerrainUniforms

@@ -150,6 +150,10 @@ void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::La
     gl->Uniform4f(program.uniform(kPageWindow), scale, scale, map.offset_x + static_cast<float>(posts.i0 - page.i0) * scale,
                   map.offset_y + static_cast<float>(posts.j0 - page.j0) * scale);
     gl->Uniform3f(program.uniform(kHorizonScale), horizon.scale, horizon.offset_x, horizon.offset_y);
+    const GroundSize texel = texel_size(lattice, owner);
+    gl->Uniform3f(program.uniform(kPageTexel), map.scale, static_cast<float>(texel.east_m), static_cast<float>(texel.north_m));
+    const float reach = (terrain::kAttributePosts - 1) * map.scale;
+    gl->Uniform4f(program.uniform(kPageEnds), map.offset_x, map.offset_y, map.offset_x + reach, map.offset_y + reach);
 }
 
 GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {
