@@ -18,7 +18,7 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "page_window",  "stroke_window",   "form_map",   "light_map",     "aperture_map", "horizon_map", "horizon_scale",
     "drape_map",    "drape_scale",     "palette",    "palette_range", "plain_color",  "sea_color",   "unknown_color",
     "haze_color",   "pixel",           "grid_lines", "lights",        "light",        "occlusion",   "line_color",
-    "form_lines",   "contour",         "strokes",    "page_texel", "page_ends",    "band_color",   "band_lower"};
+    "form_lines",   "contour",         "strokes",    "page_texel",    "page_ends",    "band_color",  "band_lower"};
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
