@@ -11,7 +11,7 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", 0}};
 enum Uniform : std::size_t { kScene, kTexel, kLineColor, kJump };
 constexpr const char* kUniforms[] = {"scene", "texel", "line_color", "jump"};
 // A step of the code is 3.6 % of the distance (13 octaves in 255 steps).
-constexpr float kJumpBegins = 4.0f / 255.0f, kJumpFull = 8.0f / 255.0f;
+constexpr float kJumpBegins = 2.5f / 255.0f, kJumpFull = 6.0f / 255.0f;
 
 }  // namespace
 

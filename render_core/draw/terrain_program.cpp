@@ -14,11 +14,12 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"place", kTerrainPlace}};
 
 constexpr const char* kUniformNames[kTerrainUniforms] = {
-    "chunk_offset", "view_projection", "to_local",     "haze_per_m",  "lift",         "place_end",     "earth_centre",
-    "page_window",  "stroke_window",   "form_map",     "light_map",   "aperture_map", "horizon_map",   "page_origin",
-    "page_scale",   "drape_map",       "drape_origin", "drape_scale", "palette",      "palette_range", "plain_color",
-    "sea_color",    "unknown_color",   "haze_color",   "pixel",       "grid_lines",   "lights",        "light",
-    "occlusion",    "line_color",      "form_lines",   "contour",     "strokes",      "band_color",    "band_lower"};
+    "chunk_offset", "view_projection", "to_local",      "haze_per_m", "lift",          "place_end",
+    "earth_centre", "page_window",     "stroke_window", "form_map",   "light_map",     "aperture_map",
+    "horizon_map",  "page_origin",     "page_scale",    "drape_map",  "drape_origin",  "drape_scale",
+    "palette",      "palette_range",   "plain_color",   "sea_color",  "unknown_color", "haze_color",
+    "pixel",        "grid_lines",      "lights",        "light",      "occlusion",     "line_color",
+    "form_lines",   "contour",         "strokes",       "page_texel", "band_color",    "band_lower"};
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
@@ -69,6 +70,7 @@ void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool 
     const bool strokes = sketch.hatching > 0 || sketch.stippling > 0;
     const bool any = form_lines || strokes || sketch.suggestive_contours > 0 || sketch.contours > 0;
     defines.add_if(any, "#define SKETCH 1\n");
+    defines.add_if(form_lines || sketch.suggestive_contours > 0, "#define PAGE_TEXEL 1\n");
     defines.add_if(form_lines, "#define FORM_LINES 1\n");
     defines.add_if(sketch.suggestive_contours > 0, "#define SUGGESTIVE 1\n");
     defines.add_if(sketch.contours > 0, "#define CONTOURS 1\n");

@@ -50,6 +50,7 @@ enum TerrainUniform : std::size_t {
     kFormLines,
     kContour,
     kStrokes,
+    kPageTexel,
     kBandColor,
     kBandLower,
     kTerrainUniforms

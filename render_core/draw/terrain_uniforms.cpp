@@ -151,6 +151,8 @@ void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::La
     const PageOrigin origin = atlas.origin(slot);
     gl->Uniform4f(program.uniform(kPageOrigin), origin.map_x, origin.map_y, origin.horizon_x, origin.horizon_y);
     gl->Uniform2f(program.uniform(kPageScale), atlas.map_scale(), atlas.horizon_scale());
+    const GroundSize texel = texel_size(lattice, owner);
+    gl->Uniform2f(program.uniform(kPageTexel), static_cast<float>(texel.east_m), static_cast<float>(texel.north_m));
 }
 
 GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {

@@ -1,4 +1,5 @@
-// Silhouettes: where the next pixel lies much farther away than the slope of the surface explains, the near one is inked.
+// Silhouettes: where the next pixel lies much farther away than the slope of the surface explains, the near one is inked,
+// and the far one half.
 uniform sampler2D scene;     // colour; alpha codes the logarithm of the distance
 uniform vec2 texel;
 uniform vec4 line_color;     // alpha: strength
@@ -9,7 +10,9 @@ VARYING vec2 v_at;
 float jump_along(float here, vec2 step_to_next) {
     float next = TEXTURE2D(scene, v_at + step_to_next).a - here;
     float last = TEXTURE2D(scene, v_at - step_to_next).a - here;
-    return max(next - 2.0 * abs(last), last - 2.0 * abs(next));
+    float nearer = max(next - 2.0 * abs(last), last - 2.0 * abs(next));
+    float farther = max(-next - 2.0 * abs(last), -last - 2.0 * abs(next));
+    return max(nearer, jump.x + 0.5 * (farther - jump.x));
 }
 
 void main() {

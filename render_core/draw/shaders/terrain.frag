@@ -45,6 +45,7 @@ uniform vec2 strokes;            // strength of hatching, stippling
 #ifdef BAKED
 uniform vec4 page_origin;        // first texel of the page in the atlas of maps and in that of horizons
 uniform vec2 page_scale;         // 1 / size of each
+uniform vec2 page_texel;         // metres east and south of a texel
 #endif
 #ifdef WARNING_BANDS
 uniform vec4 band_color[WARNING_BANDS];      // alpha: strength
@@ -82,6 +83,17 @@ vec3 normal_of(vec2 code) {
     return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
 }
 
+/// Metres along `axis` (a unit vector) from a pixel to the next across the surface, at most; `facing`: cosine between the
+/// normal and the way to the eye.
+float reach_of(vec3 axis, vec3 n, vec3 ray, float facing, float pixel_m) {
+    return pixel_m * length(axis + n * (dot(ray, axis) / facing));
+}
+
+/// A line's coverage at a distance from its middle.
+float line_at(float distance_m, float pixel_m, float half_width_px) {
+    return clamp(half_width_px + 0.5 - abs(distance_m) / pixel_m, 0.0, 1.0);
+}
+
 #ifdef STROKES
 float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.547); }
 #endif
@@ -96,13 +108,14 @@ vec3 palette_color(float value) {
 void main() {
     float distance_m = length(v_eye);
     vec3 ray = v_eye / distance_m;
-    float pixel_m = distance_m * pixel.x;
+    float pixel_m = distance_m * pixel.x;  // at right angles to the ray
 #ifdef MAP_FORM
     vec4 form = TEXTURE2D(form_map, map_place(v_page));
     vec3 n = normal_of(form.xy);
 #else
     vec3 n = normalize(v_normal);
 #endif
+    float facing = max(-dot(n, ray), 0.03);
 #ifdef MAP_LIGHT
     vec4 baked = TEXTURE2D(light_map, map_place(v_page));
 #endif
@@ -120,16 +133,19 @@ void main() {
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
     color = TEXTURE2D(drape_map, (whole(v_page) * drape_scale.x + drape_origin) * drape_scale.y).rgb;
 #elif defined(TEXTURE_MATERIAL)
-    float grain = hash(floor(v_ground / 24.0)) * 0.5 + hash(floor(v_ground / 96.0)) * 0.5 - 0.5;
-    float steep = 1.0 - n.z + 0.06 * grain;
-    vec3 cover = mix(vec3(0.34, 0.45, 0.22), vec3(0.52, 0.49, 0.34), clamp((v_height - 1200.0) / 900.0 + grain, 0.0, 1.0));
-    cover = mix(cover, vec3(0.93, 0.95, 0.97), clamp((v_height - 2700.0) / 300.0 + 2.0 * grain, 0.0, 1.0));
-    cover = mix(cover, vec3(0.60, 0.56, 0.50), smoothstep(0.14, 0.22, steep));
-    color = mix(cover, vec3(0.43, 0.40, 0.38), smoothstep(0.26, 0.36, steep)) * (1.0 + 0.12 * grain);
+    // Meadows on gentle ground, woods on slopes up to the tree line, above it grass and snow; scree and rock where it is steep.
+    float grain = hash(floor(v_ground / 32.0)) * 0.5 + hash(floor(v_ground / 128.0)) * 0.5 - 0.5;
+    float steep = 1.0 - n.z + 0.02 * grain;
+    vec3 cover = mix(vec3(0.62, 0.66, 0.36), vec3(0.20, 0.34, 0.16), smoothstep(0.006, 0.018, steep));
+    cover = mix(cover, vec3(0.56, 0.54, 0.34), smoothstep(1700.0, 2000.0, v_height + 300.0 * grain));
+    cover = mix(cover, vec3(0.93, 0.95, 0.97), smoothstep(2600.0, 2900.0, v_height + 400.0 * grain));
+    cover = mix(cover, vec3(0.62, 0.57, 0.50), smoothstep(0.10, 0.15, steep));
+    color = mix(cover, vec3(0.43, 0.40, 0.38), smoothstep(0.22, 0.32, steep)) * (1.0 + 0.2 * grain);
 #elif defined(TEXTURE_LINES)
-    vec2 cell = abs(fract(v_ground * grid_lines + 0.5) - 0.5) / grid_lines;
-    vec2 reach = pixel_m * sqrt(max(1.0 - ray.xy * ray.xy, 0.0)) / max(abs(dot(n, ray)), 0.04);
-    color = mix(color, color * 0.35, 1.0 - clamp(min(cell.x / reach.x, cell.y / reach.y), 0.0, 1.0));
+    vec2 cell = (fract(v_ground * grid_lines + 0.5) - 0.5) / grid_lines;
+    float along_meridian = line_at(cell.x, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m), 0.8);
+    float along_parallel = line_at(cell.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m), 0.8);
+    color = mix(color, color * 0.35, max(along_meridian, along_parallel));
 #endif
     float sea = step(0.999, v_class.x);
     color = mix(color, sea_color, sea);
@@ -170,10 +186,10 @@ void main() {
 #endif
 #endif
 #if defined(OCCLUSION) && defined(MAP_FORM)
-    lit *= mix(1.0, form.z * form.z, occlusion.x);
+    lit *= mix(1.0, form.z * form.z * form.z * form.z, occlusion.x);
 #endif
 #if defined(OCCLUSION) && defined(MAP_LIGHT)
-    lit *= mix(1.0, smoothstep(0.55, 1.02, 1.0 + signed_root(baked.g)), occlusion.y);
+    lit *= mix(1.0, smoothstep(0.65, 1.0, 1.0 + signed_root(baked.g)), occlusion.y);
 #endif
 #ifdef SHADED
     color = color * lit + shine * (1.0 - 0.5 * sea);
@@ -182,11 +198,8 @@ void main() {
     // -- sketch
 #ifdef SKETCH
     float ink = 0.0;
-    float facing = max(-dot(n, ray), 0.03);
 #ifdef CONTOURS
-    // How fast the height changes from pixel to pixel on the screen, along the surface's plane.
-    vec3 climb = vec3(0.0, 0.0, 1.0) + n * (ray.z / facing);
-    float per_pixel = max(pixel_m * length(climb), 1e-3) * contour.x;
+    float per_pixel = max(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m), 1e-3) * contour.x;
     float phase = v_height * contour.x;
     float line = floor(phase + 0.5);
     float strong = step(abs(line - contour.y * floor(line / contour.y + 0.5)), 0.25);
@@ -204,25 +217,50 @@ void main() {
 #endif
 #endif
 #if defined(FORM_LINES) && defined(MAP_FORM)
-    float bend = signed_root(form.w);
-    ink = max(ink, form_lines.x * smoothstep(0.05, 0.11, bend));
-    ink = max(ink, form_lines.y * smoothstep(0.05, 0.11, -bend));
+    // Ridges and valleys of heights (Eberly 1996, section 4.2): lines where the ground does not fall along the direction in
+    // which it bends most. The bend, per metre, comes from four normals round the point.
+    float apart = 1.5 * page_texel.x;
+    vec2 inner = clamp(v_page, page_ends.xy + apart, page_ends.zw - apart);
+    vec2 west = TEXTURE2D(form_map, inner - vec2(apart, 0.0)).xy;
+    vec2 east = TEXTURE2D(form_map, inner + vec2(apart, 0.0)).xy;
+    vec2 north = TEXTURE2D(form_map, inner - vec2(0.0, apart)).xy;
+    vec2 south = TEXTURE2D(form_map, inner + vec2(0.0, apart)).xy;
+    vec2 bend_east = (east - west) * (kSigned / 3.0) / page_texel.y;
+    vec2 bend_north = (north - south) * (kSigned / 3.0) / page_texel.z;
+    float twist = 0.5 * (bend_east.y + bend_north.x);
+    float mean = 0.5 * (bend_east.x + bend_north.y), half_gap = 0.5 * (bend_east.x - bend_north.y);
+    float most = mean + (mean < 0.0 ? -1.0 : 1.0) * sqrt(half_gap * half_gap + twist * twist);
+    vec2 way = abs(most - bend_north.y) > abs(most - bend_east.x) ? vec2(most - bend_north.y, twist)
+                                                                  : vec2(twist, most - bend_east.x);
+    way /= max(length(way), 1e-9);
+    float away_m = dot(n.xy, way) / (most + (most < 0.0 ? -1e-6 : 1e-6));
+    float fold = line_at(away_m, reach_of(vec3(way, 0.0), n, ray, facing, pixel_m), 0.8);
+    float sharp = abs(most) * sqrt(page_texel.y * page_texel.z);
+    ink = max(ink, fold * (most > 0.0 ? form_lines.x : form_lines.y) * smoothstep(0.06, 0.14, sharp));
 #endif
 #if defined(SUGGESTIVE) && defined(MAP_FORM)
     // Radial curvature from three normals along the view's direction over the ground (DeCarlo et al. 2003, section 3).
+    // Away from the eye it falls through zero where the surface begins to turn back towards the eye.
     vec2 along = normalize(ray.xy + vec2(1e-6));
-    vec2 texel = vec2(along.x, -along.y) * 1.5;
-    float before = dot(normal_of(TEXTURE2D(form_map, map_place(v_page - texel)).xy).xy, along);
-    float after = dot(normal_of(TEXTURE2D(form_map, map_place(v_page + texel)).xy).xy, along);
-    float here = dot(n.xy, along);
-    float curvature = after - before;
-    float growth = after - 2.0 * here + before;
+    float stride_m = 3.0 * min(page_texel.x, page_texel.y);
+    vec2 stride = vec2(along.x, -along.y) / page_texel * stride_m;
+    vec2 centre = clamp(v_page, abs(stride), 64.0 - abs(stride));
+    float before = dot(TEXTURE2D(form_map, map_place(centre - stride)).xy * kSigned - kZero, along);
+    float here = dot(TEXTURE2D(form_map, map_place(centre)).xy * kSigned - kZero, along);
+    float after = dot(TEXTURE2D(form_map, map_place(centre + stride)).xy * kSigned - kZero, along);
+    float fall = 2.0 * here - after - before;
+    float beyond = dot((v_page - centre) * page_texel, vec2(along.x, -along.y)) / stride_m;
+    float radial = 0.5 * (after - before) - fall * beyond;
+    float zero_m = radial / max(fall, 1e-3) * stride_m;
     float turned_away = smoothstep(0.9, 0.6, facing);
-    ink = max(ink, form_lines.z * turned_away * smoothstep(0.012, 0.05, growth) *
-                       clamp(1.4 - abs(curvature) / max(growth, 1e-3), 0.0, 1.0));
+    ink = max(ink, form_lines.z * turned_away * smoothstep(0.04, 0.1, fall) *
+                       line_at(zero_m, reach_of(vec3(along, 0.0), n, ray, facing, pixel_m), 0.8));
 #endif
-#ifdef STROKES
-    float dark = clamp(1.15 - lit, 0.0, 1.0) * (1.0 - sea);
+#if defined(HATCHING) || defined(STIPPLING)
+    // Level ground stays light, slopes turned away from the light become dark.
+    float level = 0.0;
+    for (int k = 0; k < LIGHTS; ++k) level += lights[k].w * max(lights[k].z, 0.0);
+    float dark = clamp(0.1 + 1.2 * (level - direct) / max(level, 0.1), 0.0, 1.0) * (1.0 - sea);
     // Strokes lie on the ground; their distance there doubles with the distance from the eye, two sizes cross-fade.
     float octave = log2(max(pixel_m * pixel.y, 1.0));
     float size = exp2(floor(octave));
@@ -239,13 +277,14 @@ void main() {
     ink = max(ink, strokes.x * smoothstep(1.0 - tone, 1.0 - tone + edge, mix(fine, coarse, fade)) * step(0.04, tone));
 #endif
 #ifdef STIPPLING
+    // Two sizes of cells, turned against the compass and each other; the dots of one grow while the others' vanish.
     for (int o = 0; o < 2; ++o) {
-        float cell_m = o == 0 ? size : 2.0 * size;
-        vec2 cell = floor(v_ground / cell_m);
-        vec2 jitter = vec2(hash(cell), hash(cell + 37.0)) * 0.5 + 0.25;
-        float away = length(v_ground / cell_m - cell - jitter);
-        float share = o == 0 ? 1.0 - fade : fade;
-        ink = max(ink, strokes.y * share * (1.0 - smoothstep(0.75, 1.0, away / max(0.42 * sqrt(dark), 1e-3))));
+        vec2 place = (o == 0 ? mat2(0.8, 0.6, -0.6, 0.8) * v_ground : mat2(0.6, -0.8, 0.8, 0.6) * v_ground / 2.0) / size;
+        vec2 cell = floor(place);
+        vec2 dot_at = vec2(hash(cell), hash(cell + 37.0)) * 0.6 + 0.2;
+        float radius = 0.42 * sqrt(dark * (o == 0 ? 1.0 - fade : fade));
+        float away = length(place - cell - dot_at);
+        ink = max(ink, strokes.y * (1.0 - smoothstep(0.75, 1.15, away / max(radius, 1e-3))) * smoothstep(0.04, 0.1, radius));
     }
 #endif
 #endif
