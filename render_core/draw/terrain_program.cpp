@@ -70,7 +70,6 @@ void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool 
     const bool strokes = sketch.hatching > 0 || sketch.stippling > 0;
     const bool any = form_lines || strokes || sketch.suggestive_contours > 0 || sketch.contours > 0;
     defines.add_if(any, "#define SKETCH 1\n");
-    defines.add_if(form_lines || sketch.suggestive_contours > 0, "#define PAGE_TEXEL 1\n");
     defines.add_if(form_lines, "#define FORM_LINES 1\n");
     defines.add_if(sketch.suggestive_contours > 0, "#define SUGGESTIVE 1\n");
     defines.add_if(sketch.contours > 0, "#define CONTOURS 1\n");

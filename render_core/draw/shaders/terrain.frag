@@ -219,14 +219,14 @@ void main() {
 #if defined(FORM_LINES) && defined(MAP_FORM)
     // Ridges and valleys of heights (Eberly 1996, section 4.2): lines where the ground does not fall along the direction in
     // which it bends most. The bend, per metre, comes from four normals round the point.
-    float apart = 1.5 * page_texel.x;
-    vec2 inner = clamp(v_page, page_ends.xy + apart, page_ends.zw - apart);
-    vec2 west = TEXTURE2D(form_map, inner - vec2(apart, 0.0)).xy;
-    vec2 east = TEXTURE2D(form_map, inner + vec2(apart, 0.0)).xy;
-    vec2 north = TEXTURE2D(form_map, inner - vec2(0.0, apart)).xy;
-    vec2 south = TEXTURE2D(form_map, inner + vec2(0.0, apart)).xy;
-    vec2 bend_east = (east - west) * (kSigned / 3.0) / page_texel.y;
-    vec2 bend_north = (north - south) * (kSigned / 3.0) / page_texel.z;
+    float apart = 1.5;
+    vec2 inner = clamp(v_page, apart, 64.0 - apart);
+    vec2 west = TEXTURE2D(form_map, map_place(inner - vec2(apart, 0.0))).xy;
+    vec2 east = TEXTURE2D(form_map, map_place(inner + vec2(apart, 0.0))).xy;
+    vec2 north = TEXTURE2D(form_map, map_place(inner - vec2(0.0, apart))).xy;
+    vec2 south = TEXTURE2D(form_map, map_place(inner + vec2(0.0, apart))).xy;
+    vec2 bend_east = (east - west) * (kSigned / 3.0) / page_texel.x;
+    vec2 bend_north = (north - south) * (kSigned / 3.0) / page_texel.y;
     float twist = 0.5 * (bend_east.y + bend_north.x);
     float mean = 0.5 * (bend_east.x + bend_north.y), half_gap = 0.5 * (bend_east.x - bend_north.y);
     float most = mean + (mean < 0.0 ? -1.0 : 1.0) * sqrt(half_gap * half_gap + twist * twist);
@@ -235,7 +235,7 @@ void main() {
     way /= max(length(way), 1e-9);
     float away_m = dot(n.xy, way) / (most + (most < 0.0 ? -1e-6 : 1e-6));
     float fold = line_at(away_m, reach_of(vec3(way, 0.0), n, ray, facing, pixel_m), 0.8);
-    float sharp = abs(most) * sqrt(page_texel.y * page_texel.z);
+    float sharp = abs(most) * sqrt(page_texel.x * page_texel.y);
     ink = max(ink, fold * (most > 0.0 ? form_lines.x : form_lines.y) * smoothstep(0.06, 0.14, sharp));
 #endif
 #if defined(SUGGESTIVE) && defined(MAP_FORM)
