@@ -24,7 +24,7 @@ struct SheetPlan {
     std::uint32_t columns = 0;
     std::string terrain;     ///< raster in configs/data that the sheet shows unless a database is given
     PictureSize size;        ///< of each picture, unless --size says another
-    bool symbology = false;  ///< with what the designs draw over the terrain; the legend stays without it
+    bool symbology = false;  ///< PictureOptions::symbology
     AircraftPose pose;
     std::vector<Group> groups;
 

@@ -7,16 +7,14 @@
 namespace tedavis::host_sim {
 namespace {
 
-design::SymbologySettings only_legend(const design::SymbologySettings& wanted) {
-    design::SymbologySettings shown;
+/// What says how to read the picture stays: the legend, and the map's own ship and scale.
+design::SymbologySettings without_instruments(design::SymbologySettings shown) {
     for (bool design::SymbologySettings::*part :
          {&design::SymbologySettings::attitude, &design::SymbologySettings::heading, &design::SymbologySettings::airspeed,
           &design::SymbologySettings::altitude, &design::SymbologySettings::vertical_speed,
           &design::SymbologySettings::flight_path, &design::SymbologySettings::baro_setting,
           &design::SymbologySettings::ground_height, &design::SymbologySettings::phase})
         shown.*part = false;
-    shown.legend = wanted.legend;
-    shown.legend_unit = wanted.legend_unit;
     return shown;
 }
 
@@ -35,7 +33,7 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
-    if (!options.symbology) design.value().symbology = only_legend(design.value().symbology);
+    if (!options.symbology) design.value().symbology = without_instruments(design.value().symbology);
     return design.value();
 }
 

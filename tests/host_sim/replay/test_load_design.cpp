@@ -27,7 +27,7 @@ TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
     EXPECT_EQ(load_design(options).terrain.tau_px, 7);
 }
 
-TEST(LoadDesign, WithoutSymbologyTheLegendStays) {
+TEST(LoadDesign, WithoutSymbologyTheLegendAndTheMapsScaleStay) {
     const test_support::TemporaryFolder folder;
     PictureOptions options;
     options.design = folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend_unit = \"m\"\n");
@@ -35,10 +35,10 @@ TEST(LoadDesign, WithoutSymbologyTheLegendStays) {
     const design::SymbologySettings shown = load_design(options).symbology;
     EXPECT_FALSE(shown.attitude || shown.heading || shown.airspeed || shown.altitude || shown.vertical_speed ||
                  shown.flight_path || shown.baro_setting || shown.ground_height || shown.phase);
-    EXPECT_TRUE(shown.legend);
+    EXPECT_TRUE(shown.legend && shown.map);
     EXPECT_EQ(shown.legend_unit, design::HeightUnit::metres);
-    folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend = false\n");
-    EXPECT_FALSE(load_design(options).symbology.legend) << "where the design has one";
+    folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend = false\nmap = false\n");
+    EXPECT_FALSE(load_design(options).symbology.legend || load_design(options).symbology.map) << "where the design has one";
 }
 
 TEST(LoadDesign, NamesPalettesAndTellsWhatItRead) {
