@@ -1,7 +1,8 @@
 /// Shows the display what came before a frame, so that the frame is the same however it is reached.
 ///
 /// What has arrived of the terrain follows from the frames of a short window. A frame that follows the last one in time needs
-/// nothing; before any other the frames of the window before it are planned again, the first of them until all has arrived.
+/// nothing; before any other the frames of the window before it are planned again. Where the run begins within the window, its
+/// first frame stands for what lies before it.
 #pragma once
 
 #include <optional>
@@ -21,6 +22,9 @@ public:
     void approach(std::uint64_t n);
 
 private:
+    /// Once, and so many times again.
+    void plan(base::Time time, std::uint64_t again);
+
     FlightPlayer& player_;
     display::Display& display_;
     const FrameInstants& instants_;
