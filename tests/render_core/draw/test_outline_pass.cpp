@@ -97,17 +97,24 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
 
 double jump_at_column(int x, double near_m, double far_m) { return x < 32 ? near_m : far_m; }
 
-TEST(OutlinePass, TheNearSideOfAJumpIsInkedInOnePixel) {
+TEST(OutlinePass, AJumpIsInkedInAPixelOnBothSides) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 2000); }, 1, device);
         for (int y = 2; y < 46; ++y)
-            for (int x = 2; x < 62; ++x) EXPECT_NEAR(picture.ink(x, y), x == 31 ? 1 : 0, 0.02) << x << ", " << y << " " << device;
+            for (int x = 2; x < 62; ++x) EXPECT_NEAR(picture.ink(x, y), x == 31 || x == 32 ? 1 : 0, 0.02) << x << ", " << y << " " << device;
     }
 }
 
 TEST(OutlinePass, RowsAreLookedAtToo) {
     const Picture picture = outlined([](int, int y) { return y < 20 ? 5000.0 : 800.0; }, 1);
-    for (int y = 2; y < 46; ++y) EXPECT_NEAR(picture.ink(30, y), y == 20 ? 1 : 0, 0.02) << y;
+    for (int y = 2; y < 46; ++y) EXPECT_NEAR(picture.ink(30, y), y == 19 || y == 20 ? 1 : 0, 0.02) << y;
+}
+
+TEST(OutlinePass, AWeakJumpInksTheNearSideMore) {
+    const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 1300); }, 1);
+    EXPECT_GT(picture.ink(31, 24), 0.6);
+    EXPECT_LT(picture.ink(32, 24), 0.8 * picture.ink(31, 24));
+    EXPECT_GT(picture.ink(32, 24), 0.05);
 }
 
 TEST(OutlinePass, ASlopeThatRunsAwayIsNoSilhouette) {
