@@ -21,9 +21,9 @@ int run_batch(const ReplayOptions& options, Console& console) {
     RunRecorder recorder(options, session, player);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     const InterruptGuard interrupt;
-    FrameApproach approach(player, session.display(), times);
+    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
-        approach.approach(times.backwards() ? times.count() - 1 - n : n);
+        approach.approach(times.at(n));
         static_cast<void>(recorder.draw(times.at(n)));
         recorder.keep();
         console.progress("replay", n + 1, times.count());

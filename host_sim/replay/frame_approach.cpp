@@ -1,20 +1,28 @@
 #include "host_sim/replay/frame_approach.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tedavis::host_sim {
 
-void FrameApproach::approach(std::uint64_t n) {
-    const bool follows = last_ && n == *last_ + 1;
-    last_ = n;
-    if (follows) return;
-    const std::uint64_t window = terrain::StoreSettings().window_frames, earlier = instants_.earlier(n, window);
-    for (std::uint64_t back = earlier; back > 0; --back)
-        plan(instants_.earlier_at(n, back), back == earlier ? window - earlier : 0);
-    if (earlier == 0) plan(instants_.earlier_at(n, 0), window - 1);
+base::Time FrameApproach::grid_time(std::int64_t frame) const {
+    return player_.first() + base::Duration::from_seconds(static_cast<double>(frame) / rate_hz_);
 }
 
-void FrameApproach::plan(base::Time time, std::uint64_t again) {
-    const PlayedInstant instant = player_.at(time);
-    for (std::uint64_t planned = 0; planned <= again; ++planned) display_.approach(instant.aircraft, instant.phase, time);
+void FrameApproach::approach(base::Time time) {
+    const auto frame = static_cast<std::int64_t>(std::llround((time - player_.first()).to_seconds() * rate_hz_));
+    const base::Duration off_grid = time - grid_time(frame);
+    const bool is_on_grid = std::abs(off_grid.ns) <= 1;
+    const bool follows = is_on_grid && last_ && frame == *last_ + 1;
+    last_ = is_on_grid ? std::optional<std::int64_t>(frame) : std::nullopt;
+    if (follows) return;
+    const std::int64_t window = terrain::StoreSettings().window_frames;
+    for (std::int64_t planned = frame - window; planned < frame; ++planned) {
+        const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
+        const base::Time instant_time = is_on_grid ? grid : std::max(grid + off_grid, player_.first());
+        const PlayedInstant instant = player_.at(instant_time);
+        display_.approach(instant.aircraft, instant.phase, instant_time);
+    }
 }
 
 }  // namespace tedavis::host_sim

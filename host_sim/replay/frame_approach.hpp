@@ -1,34 +1,34 @@
-/// Shows the display what came before a frame, so that the frame is the same however it is reached.
+/// Shows the display what came before a frame, so that the frame at an instant is the same however it is reached: in the whole
+/// run or in a part of it, with any step, backwards too.
 ///
-/// What has arrived of the terrain follows from the frames of a short window. A frame that follows the last one in time needs
-/// nothing; before any other the frames of the window before it are planned again. Where the run begins within the window, its
-/// first frame stands for what lies before it.
+/// What has arrived of the terrain follows from a short window of frames. Those are the device's own, at its frame rate: before
+/// a frame that does not follow the last one on this grid, the window before it is planned again. The log's first instant stands
+/// for what lies before it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "host_sim/replay/flight_player.hpp"
-#include "host_sim/replay/frame_instants.hpp"
 #include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
 
 class FrameApproach {
 public:
-    FrameApproach(FlightPlayer& player, display::Display& display, const FrameInstants& instants)
-        : player_(player), display_(display), instants_(instants) {}
+    FrameApproach(FlightPlayer& player, display::Display& display, double rate_hz)
+        : player_(player), display_(display), rate_hz_(rate_hz) {}
 
-    /// `n` in order of time. Call before the frame is drawn.
-    void approach(std::uint64_t n);
+    /// Call before the frame of this instant is drawn.
+    void approach(base::Time time);
 
 private:
-    /// Once, and so many times again.
-    void plan(base::Time time, std::uint64_t again);
+    [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
 
     FlightPlayer& player_;
     display::Display& display_;
-    const FrameInstants& instants_;
-    std::optional<std::uint64_t> last_;
+    double rate_hz_;
+    std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last
 };
 
 }  // namespace tedavis::host_sim

@@ -44,12 +44,8 @@ FrameInstants::FrameInstants(const ReplayOptions& options, base::Time first, bas
     count_ = static_cast<std::uint64_t>((std::min(to_s, end_s) - from_s + kOneNanosecond_s) / step_s_) + 1;
 }
 
-base::Time FrameInstants::of_whole_run(std::uint64_t place) const {
-    return origin_ + base::Duration::from_seconds(offset_s_ + static_cast<double>(place) * step_s_);
+base::Time FrameInstants::in_order_of_time(std::uint64_t n) const {
+    return origin_ + base::Duration::from_seconds(offset_s_ + static_cast<double>(steps_before_ + n) * step_s_);
 }
-
-base::Time FrameInstants::in_order_of_time(std::uint64_t n) const { return of_whole_run(steps_before_ + n); }
-
-std::uint64_t FrameInstants::earlier(std::uint64_t n, std::uint64_t most) const { return std::min(steps_before_ + n, most); }
 
 }  // namespace tedavis::host_sim

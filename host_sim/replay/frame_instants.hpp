@@ -18,17 +18,10 @@ public:
     [[nodiscard]] base::Time at(std::uint64_t n) const { return in_order_of_time(backwards_ ? count_ - 1 - n : n); }
     /// A part of a run whose start is a whole step has the instants of the whole run, to the nanosecond.
     [[nodiscard]] base::Time in_order_of_time(std::uint64_t n) const;
-    /// How many instants of the whole run come before instant n, at most `most`, and the one that comes `back` before it.
-    [[nodiscard]] std::uint64_t earlier(std::uint64_t n, std::uint64_t most) const;
-    [[nodiscard]] base::Time earlier_at(std::uint64_t n, std::uint64_t back) const {
-        return of_whole_run(steps_before_ + n - back);
-    }
     [[nodiscard]] bool backwards() const { return backwards_; }
     [[nodiscard]] base::Duration step() const { return base::Duration::from_seconds(step_s_); }
 
 private:
-    [[nodiscard]] base::Time of_whole_run(std::uint64_t place) const;
-
     base::Time origin_;
     double offset_s_ = 0;  ///< 0 where the start is a whole step
     double step_s_ = 0;

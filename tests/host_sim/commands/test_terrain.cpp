@@ -136,14 +136,32 @@ TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
     EXPECT_TRUE(std::filesystem::exists(raster_));
 }
 
-TEST_F(TerrainCommand, InfoNamesTheOffsetOfDamage) {
+TEST_F(TerrainCommand, InfoTellsOfEveryLevel) {
+    (void)build();
+    const auto levels = info().json()["by_level"];
+    ASSERT_EQ(levels.size(), 3u);
+    EXPECT_EQ(levels[0]["chunks"], 6);
+    EXPECT_EQ(levels[0]["triangles"], 2 * 69 * 49);
+    EXPECT_EQ(levels[2]["chunks"], 1);
+    EXPECT_GT(levels[2]["worst_error_m"].get<double>(), levels[0]["worst_error_m"].get<double>());
+}
+
+TEST_F(TerrainCommand, InfoRefusesADamagedDirectory) {
     (void)build();
     std::string bytes = place_.read("t.tdb");
-    bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
-    place_.write("t.tdb", bytes);
-    expect_user_error([&] { (void)info(); }, "has a damaged chunk at offset");
     place_.write("t.tdb", bytes.substr(0, bytes.size() / 2));
     expect_user_error([&] { (void)info(); }, "t.tdb: is shorter than its header says");
+    bytes[100] = static_cast<char>(bytes[100] ^ 1);
+    place_.write("t.tdb", bytes);
+    expect_user_error([&] { (void)info(); }, "t.tdb: has a damaged header");
+}
+
+TEST_F(TerrainCommand, ALeftOverFolderOfOtherOptionsIsNotTakenOver) {
+    std::filesystem::create_directory(place_.file("t.tdb.part"));
+    place_.write("t.tdb.part/journal", "of something else");
+    EXPECT_EQ(build().code, 0);
+    EXPECT_FALSE(std::filesystem::exists(place_.file("t.tdb.part")));
+    EXPECT_EQ(check(build_).code, 0);
 }
 
 TEST_F(TerrainCommand, FractalTerrainIsARasterThatBuilds) {

@@ -47,8 +47,11 @@ TEST(PaletteCheck, EveryShippedPaletteHoldsByItselfAndInEveryShippedDesign) {
         ++palettes;
     }
     EXPECT_GE(palettes, 7u);
-    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/configs/designs")) {
-        const design::DesignSettings design = test_support::shipped_design(entry.path().stem().string());
+    const std::filesystem::path designs = TEDAVIS_SOURCE_DIR "/configs/designs";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(designs)) {
+        if (!entry.is_regular_file()) continue;
+        const std::filesystem::path name = std::filesystem::relative(entry.path(), designs).replace_extension();
+        const design::DesignSettings design = test_support::shipped_design(name.string());
         EXPECT_THAT(palette_faults_in_design(design.terrain.palette, design, "p"), IsEmpty()) << entry.path();
     }
 }

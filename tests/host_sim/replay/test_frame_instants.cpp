@@ -72,23 +72,6 @@ TEST(FrameInstants, BackwardsIsTheSameTheOtherWay) {
     EXPECT_EQ(back.step(), base::Duration::milliseconds(500));
 }
 
-TEST(FrameInstants, WhatComesBeforeAFrameIsOfTheWholeRun) {
-    const FrameInstants whole = instants({}, {}, 0.1), part = instants(2, 9, 0.1), back = instants(2, 9, -0.1);
-    for (const std::uint64_t n : {0u, 1u, 5u, 40u}) {
-        EXPECT_EQ(part.earlier(n, 8), 8u);
-        EXPECT_EQ(part.earlier(n, 1000), 20 + n) << "back to the log's start";
-        for (std::uint64_t k = 0; k <= 8; ++k) {
-            EXPECT_EQ(part.earlier_at(n, k), whole.at(20 + n - k));
-            EXPECT_EQ(back.earlier_at(n, k), whole.at(20 + n - k)) << "in order of time, whatever the order of the run";
-        }
-    }
-    EXPECT_EQ(whole.earlier(0, 8), 0u);
-    EXPECT_EQ(whole.earlier(3, 8), 3u);
-    const FrameInstants off_the_steps = instants(1.05, 2, 0.1);
-    EXPECT_EQ(off_the_steps.earlier(0, 8), 0u) << "there its own start is the origin";
-    EXPECT_EQ(off_the_steps.earlier_at(3, 2), off_the_steps.at(1));
-}
-
 TEST(FrameInstants, EndWithTheLog) {
     EXPECT_EQ(instants(59, 1e9, 0.5).count(), 3u);
     EXPECT_EQ(instants(60, {}, 0.5).count(), 1u);

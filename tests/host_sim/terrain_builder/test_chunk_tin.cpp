@@ -10,8 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "host_sim/terrain_builder/surface_error.hpp"
+#include "tests/support/fractal_square.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -38,8 +38,8 @@ TinInput input_of(std::uint32_t last_i, std::uint32_t last_j, std::uint32_t step
     return input;
 }
 
-const FractalTerrain& fractal() {
-    static const FractalTerrain terrain = make_fractal_terrain(129, 7);
+const test_support::FractalSquare& fractal() {
+    static const test_support::FractalSquare terrain = test_support::fractal_square(129, 7);
     return terrain;
 }
 

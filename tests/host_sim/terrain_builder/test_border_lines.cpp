@@ -1,0 +1,70 @@
+#include "host_sim/terrain_builder/border_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/build_ground.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::BuildGround;
+
+TEST(LineGrid, NamesLinesAndTheirLevels) {
+    const LineGrid grid{151, 3};
+    EXPECT_EQ(grid.count(), 6u) << "0, 32, 64, 96, 128 and the last post";
+    EXPECT_EQ(grid.post_of(5), 150u);
+    EXPECT_EQ(grid.line_at(150), 5u);
+    EXPECT_EQ(grid.line_at(96), 3u);
+    EXPECT_TRUE(grid.is_line(64) && grid.is_line(150) && !grid.is_line(65));
+    EXPECT_EQ(grid.top_level(0), 3u);
+    EXPECT_EQ(grid.top_level(150), 3u);
+    EXPECT_EQ(grid.top_level(32), 0u);
+    EXPECT_EQ(grid.top_level(64), 1u);
+    EXPECT_EQ(grid.top_level(96), 0u);
+    EXPECT_EQ(grid.top_level(128), 2u);
+}
+
+TEST(BorderLines, KeepCrossingsAsHighAsBothLines) {
+    const BuildGround ground(test_support::make_rough_raster(300, 200));
+    const LineGrid &rows = ground.lines.row_lines(), &columns = ground.lines.column_lines();
+    for (std::uint32_t r = 0; r < rows.count(); ++r)
+        for (std::uint32_t c = 0; c < columns.count(); ++c) {
+            const std::uint32_t j = rows.post_of(r), i = columns.post_of(c);
+            const std::uint32_t both = std::min(rows.top_level(j), columns.top_level(i));
+            EXPECT_GE(ground.lines.along_row(j, i, 1)[0], both);
+            EXPECT_GE(ground.lines.along_column(i, j, 1)[0], both);
+        }
+}
+
+TEST(BorderLines, NoPostStaysAboveItsLine) {
+    const BuildGround ground(test_support::make_rough_raster(300, 200));
+    const LineGrid& rows = ground.lines.row_lines();
+    for (std::uint32_t r = 0; r < rows.count(); ++r) {
+        const std::uint32_t j = rows.post_of(r);
+        std::uint32_t inner = 0;
+        for (const std::uint8_t level : ground.lines.along_row(j, 0, 300)) {
+            EXPECT_LE(level, rows.top_level(j));
+            inner += level;
+        }
+        EXPECT_EQ(inner > 0, rows.top_level(j) > 0);
+    }
+}
+
+TEST(BorderLines, BothMeridiansOfTheSeamAreOneLine) {
+    const BuildGround ground(test_support::make_earth_raster(2.5));
+    const std::uint32_t rows = ground.plan.header.rows;
+    EXPECT_EQ(ground.lines.along_column(0, 0, rows), ground.lines.along_column(144, 0, rows));
+}
+
+TEST(BorderLines, PiecesAgreeWhereTheyMeet) {
+    // More posts than a piece has: the post where pieces meet is written by both.
+    const BuildGround ground(test_support::make_raster(16400, 34, [](auto i, auto j) { return 10.0f * ((i * 7 + j) % 31); }));
+    const std::vector<std::uint8_t> before = ground.lines.along_row(32, 16380, 20);
+    BorderLines again(ground.plan, ground.folder.path());
+    for (std::uint32_t piece = again.piece_count(); piece-- > 0;) again.build_piece(ground.posts, piece);
+    EXPECT_EQ(again.along_row(32, 16380, 20), before);
+    EXPECT_EQ(ground.lines.along_row(0, 16384, 1)[0], ground.plan.levels() - 1);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,118 @@
+#include "host_sim/terrain_builder/curvature_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/Geodesic.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "host_sim/terrain_builder/build_plan.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using terrain::Lattice;
+
+Lattice lattice_of(double west, double north, double step, std::uint32_t columns, std::uint32_t rows) {
+    PostGrid grid;
+    grid.west_deg = west;
+    grid.north_deg = north;
+    grid.step_lon_deg = grid.step_lat_deg = step;
+    grid.columns = columns;
+    grid.rows = rows;
+    return make_build_plan(grid, {}).lattice;
+}
+
+struct Corner {
+    std::uint32_t i, j;
+    double height_m;
+};
+
+struct Miss {
+    double up_m = 0, down_m = 0, shift_m = 0;
+};
+
+/// Points of the flat triangle in space against the points with the same weights over the lattice.
+Miss miss_of(const Lattice& lattice, const std::array<Corner, 3>& corners) {
+    const GeographicLib::Geocentric& earth = GeographicLib::Geocentric::WGS84();
+    std::array<std::array<double, 3>, 3> space{};
+    for (std::size_t k = 0; k < 3; ++k)
+        earth.Forward(base::degrees(lattice.latitude_rad(corners[k].j)), base::degrees(lattice.longitude_rad(corners[k].i)),
+                      corners[k].height_m, space[k][0], space[k][1], space[k][2]);
+    Miss miss;
+    for (int a = 0; a <= 8; ++a)
+        for (int b = 0; a + b <= 8; ++b) {
+            const double w[3] = {a / 8.0, b / 8.0, (8 - a - b) / 8.0};
+            double p[3] = {0, 0, 0}, lat = 0, lon = 0, height = 0;
+            for (int k = 0; k < 3; ++k) {
+                for (int axis = 0; axis < 3; ++axis) p[axis] += w[k] * space[k][axis];
+                lat += w[k] * base::degrees(lattice.latitude_rad(corners[k].j));
+                lon += w[k] * base::degrees(lattice.longitude_rad(corners[k].i));
+                height += w[k] * corners[k].height_m;
+            }
+            double drawn_lat = 0, drawn_lon = 0, drawn_height = 0, apart_m = 0;
+            earth.Reverse(p[0], p[1], p[2], drawn_lat, drawn_lon, drawn_height);
+            GeographicLib::Geodesic::WGS84().Inverse(lat, lon, drawn_lat, drawn_lon, apart_m);
+            miss.up_m = std::max(miss.up_m, drawn_height - height);
+            miss.down_m = std::max(miss.down_m, height - drawn_height);
+            miss.shift_m = std::max(miss.shift_m, apart_m);
+        }
+    return miss;
+}
+
+/// Seeded triangles of all sizes; how much of the bound they use at most.
+void expect_bound_holds(const Lattice& lattice, std::uint32_t largest, double used_at_least) {
+    std::mt19937 random(11);
+    double used = 0;
+    for (int n = 0; n < 4000; ++n) {
+        const std::uint32_t side = 1 + static_cast<std::uint32_t>(random() % largest);
+        const std::uint32_t i0 = static_cast<std::uint32_t>(random() % (lattice.columns() - side)),
+                            j0 = static_cast<std::uint32_t>(random() % (lattice.rows() - side));
+        std::array<Corner, 3> corners;
+        for (Corner& c : corners)
+            c = {i0 + static_cast<std::uint32_t>(random() % (side + 1)), j0 + static_cast<std::uint32_t>(random() % (side + 1)),
+                 static_cast<double>(random() % 8000)};
+        const auto [west, east] = std::minmax({corners[0].i, corners[1].i, corners[2].i});
+        const auto [north, south] = std::minmax({corners[0].j, corners[1].j, corners[2].j});
+        const auto [low, high] = std::minmax({corners[0].height_m, corners[1].height_m, corners[2].height_m});
+        if (north == south) continue;
+        const CurvatureBound bound = curvature_bound(lattice, east - west, north, south, high - low);
+        const Miss miss = miss_of(lattice, corners);
+        constexpr double kRounding_m = 1e-6;
+        EXPECT_LE(miss.up_m, bound.up_m + kRounding_m);
+        EXPECT_LE(miss.down_m, bound.down_m + kRounding_m);
+        EXPECT_LE(miss.shift_m, bound.shift_m + kRounding_m);
+        used = std::max(used, miss.down_m / bound.down_m);
+    }
+    EXPECT_GT(used, used_at_least) << "a bound that is never met says little";
+}
+
+TEST(CurvatureBound, HoldsAtTheEquator) { expect_bound_holds(lattice_of(10, 4, 0.01, 900, 900), 400, 0.9); }
+TEST(CurvatureBound, HoldsAtMiddleLatitudes) { expect_bound_holds(lattice_of(10, 50, 0.01, 900, 900), 400, 0.9); }
+TEST(CurvatureBound, HoldsFarNorth) { expect_bound_holds(lattice_of(10, 85, 0.01, 900, 900), 400, 0.5); }
+TEST(CurvatureBound, HoldsOverThousandsOfKilometres) { expect_bound_holds(lattice_of(-170, 70, 0.5, 600, 270), 60, 0.5); }
+
+TEST(CurvatureBound, GrowsWithTheSquareOfTheSize) {
+    const Lattice lattice = lattice_of(10, 50, 0.001, 3000, 3000);
+    const double one = curvature_bound(lattice, 100, 1000, 1100, 0).down_m,
+                 two = curvature_bound(lattice, 200, 1000, 1200, 0).down_m;
+    EXPECT_NEAR(two / one, 4, 0.02);
+    const double side_m = base::radians(0.1) * 6371000;
+    EXPECT_NEAR(curvature_bound(lattice, 0, 1000, 1100, 0).down_m, side_m * side_m / (8 * 6371000), 0.02)
+        << "the sagitta of a chord";
+}
+
+TEST(CurvatureBound, RowsBesideAPoleCountTheirOwnSpacing) {
+    const Lattice half = lattice_of(-179.5, 89.5, 1, 360, 180);  // half a step from the last row to the pole
+    const double inner = curvature_bound(half, 1, 1, 3, 0).shift_m, outer = curvature_bound(half, 1, 0, 2, 0).shift_m;
+    EXPECT_GT(outer - inner, base::radians(0.5) * 6350000);
+    const Lattice tile = lattice_of(10, 60, 0.01, 101, 101);
+    EXPECT_LT(curvature_bound(tile, 1, 0, 2, 0).shift_m, 1);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
