@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/frame_instants.hpp"
 #include "tests/support/flown_circle.hpp"
 
 namespace tedavis::host_sim {
