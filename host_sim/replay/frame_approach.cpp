@@ -17,15 +17,11 @@ void FrameApproach::approach(base::Time time) {
     last_ = is_on_grid ? std::optional<std::int64_t>(frame) : std::nullopt;
     if (follows) return;
     const std::int64_t window = terrain::StoreSettings().window_frames;
-    const std::int64_t earliest = std::max<std::int64_t>(frame - window, 0);
-    for (std::int64_t planned = earliest; planned < std::max(frame, earliest + 1); ++planned) {
-        const base::Time instant_time =
-            is_on_grid ? grid_time(planned) : std::max(grid_time(planned) + off_grid, player_.first());
+    for (std::int64_t planned = frame - window; planned < frame; ++planned) {
+        const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
+        const base::Time instant_time = is_on_grid ? grid : std::max(grid + off_grid, player_.first());
         const PlayedInstant instant = player_.at(instant_time);
-        if (planned == earliest)
-            display_.settle(instant.aircraft, instant.phase, instant_time);
-        else
-            display_.approach(instant.aircraft, instant.phase, instant_time);
+        display_.approach(instant.aircraft, instant.phase, instant_time);
     }
 }
 

@@ -2,8 +2,8 @@
 /// run or in a part of it, with any step, backwards too.
 ///
 /// What has arrived of the terrain follows from a short window of frames. Those are the device's own, at its frame rate: before
-/// a frame that does not follow the last one on this grid, the window before it is planned again, its first instant until all
-/// has arrived.
+/// a frame that does not follow the last one on this grid, the window before it is planned again. The log's first instant stands
+/// for what lies before it.
 #pragma once
 
 #include <cstdint>

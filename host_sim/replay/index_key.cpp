@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "host_sim/user_error.hpp"
@@ -71,6 +72,14 @@ std::uint64_t terrain_identity(const terrain::TerrainDatabase* database) {
     if (database == nullptr) return 0;
     base::Fnv1a64 hash;
     hash.add(&database->header(), sizeof(terrain::FileHeader));
+    // The header does not know the heights. A page's checksum covers the checksums of its chunks.
+    const auto page = std::make_unique<terrain::DirectoryPage>();
+    for (std::uint32_t n = 0; n < database->lattice().page_count(); ++n) {
+        if (!database->has_page(n)) continue;
+        const terrain::TdbFailure failure = database->read_page(n, *page);
+        hash.add(&failure.error, sizeof failure.error);
+        if (failure.error == terrain::TdbError::none) hash.add(&page->crc, sizeof page->crc);
+    }
     return hash.value();
 }
 

@@ -237,7 +237,10 @@ double Display::undulation_m(const earth::Geodetic& place) const {
 
 void Display::plan_terrain() {
     record_.terrain.tau_px = settings_.design.terrain.tau_px;
-    if (!decisions_.show_terrain) return;
+    if (!decisions_.show_terrain) {
+        terrain_.rest();
+        return;
+    }
     const TerrainPlan plan = terrain_.plan(eye_, settings_.design);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);

@@ -124,6 +124,13 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     return plan;
 }
 
+void TerrainScene::rest() {
+    if (!started_) return;
+    store_.begin_frame();
+    store_.want({});
+    chunks_ = 0;
+}
+
 bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) { return drawer_.prepare(gl, selected(), input); }
 
 void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,

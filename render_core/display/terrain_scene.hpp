@@ -52,6 +52,8 @@ public:
 
     /// Chooses the chunks of this frame from what is there, and asks for what the view needs.
     [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design);
+    /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
+    void rest();
     /// Uploads what is new. False when nothing of the terrain may be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, const draw::TerrainDrawInput& input);
     void draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& result);

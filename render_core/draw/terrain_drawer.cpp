@@ -18,7 +18,7 @@ using terrain::SelectedChunk;
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
-constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // the light moves so far before horizons are mixed anew
+constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
@@ -53,10 +53,10 @@ DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view
 
 namespace {
 
-/// From the light's azimuth at a chunk to its baked horizons.
+/// The light's azimuth at a page, in whole steps: what a page shows depends on this frame's light alone.
 double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
     const glm::dvec3 north(entry.axes[0], entry.axes[1], entry.axes[2]), east(entry.axes[3], entry.axes[4], entry.axes[5]);
-    return std::atan2(glm::dot(light, east), glm::dot(light, north));
+    return kAzimuthStep_rad * std::round(std::atan2(glm::dot(light, east), glm::dot(light, north)) / kAzimuthStep_rad);
 }
 
 }  // namespace
@@ -208,8 +208,8 @@ bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const Te
     if (is_new && !atlas_.upload(gl, page.slot, attributes)) return false;
     slot.generation = store_->attribute_generation(page.slot);
     if (!atlas_.has(BakedMap::horizon)) return true;
-    const double azimuth = azimuth_at(*chunk.entry, input.light_direction[0]);
-    if (!is_new && std::abs(earth::angle_difference(azimuth, slot.azimuth_rad)) < kAzimuthStep_rad) return true;
+    const double azimuth = azimuth_at(store_->attribute_pages().entry(page.slot), input.light_direction[0]);
+    if (!is_new && azimuth == slot.azimuth_rad) return true;
     slot.azimuth_rad = azimuth;
     const GroundSize texel = texel_size(store_->lattice(), page.owner);
     return atlas_.upload_horizon(gl, page.slot, attributes, azimuth, texel.east_m, texel.north_m);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <string>
 
@@ -69,6 +70,7 @@ struct Proof {
     double worst_when_met_px = 0;   ///< measured over tau where the frame says that tau is met
     int poses_met = 0, poses = 0;
     std::uint64_t points = 0;
+    std::map<std::string, int> reasons;  ///< poses by what kept them from tau
 };
 
 Proof prove(test_support::DrawnTerrain& drawn, const host_sim::Raster& raster, double tau_px, int poses, std::uint32_t seed,
@@ -86,6 +88,7 @@ Proof prove(test_support::DrawnTerrain& drawn, const host_sim::Raster& raster, d
         const test_support::ProbedError measured = probe.probe(drawn, view, kPointsOfAPose, random);
         proof.points += measured.points;
         proof.worst_excess_px = std::max(proof.worst_excess_px, measured.worst_px - lie * stated.worst_error_px);
+        ++proof.reasons[terrain::to_string(stated.reason)];
         if (stated.reason != terrain::LodStop::met) continue;
         ++proof.poses_met;
         proof.worst_when_met_px = std::max(proof.worst_when_met_px, measured.worst_px / tau_px);

@@ -33,7 +33,7 @@ void fly_whole_flight(const Setup& setup) {
     HeapTrap trap;
     for (double to = 0; to <= kWholeFlight_s; to += 20) {
         static_cast<void>(loop->fly_to(to, base::Duration::seconds(1)));
-        loop->reload_design();
+        EXPECT_TRUE(loop->reload_design());
     }
     static_cast<void>(loop->fly_to(kWholeFlight_s, base::Duration::seconds(1)));
     trap.close();

@@ -3,7 +3,6 @@
 
 #include <cstring>
 #include <memory>
-#include <string>
 
 #include "render_core/terrain/tdb_format.hpp"
 
@@ -27,13 +26,14 @@ void for_entries(Image& image, Action action) {
 
 /// Turns one bit of the payload of every chunk of the database in `image` below its coarsest level, which a display reads
 /// before it starts.
-inline void damage_payloads(std::string& image) {
+template <class Image>
+void damage_payloads(Image& image) {
     terrain::FileHeader header;
     std::memcpy(&header, image.data(), sizeof header);
     for_entries(image, [&](const terrain::ChunkEntry& entry, std::uint64_t) {
         if (entry.level + 1u == header.levels) return;
-        char& byte = image.at(static_cast<std::size_t>(entry.payload.offset) + entry.payload.bytes / 2);
-        byte = static_cast<char>(byte ^ 4);
+        auto& byte = image.at(static_cast<std::size_t>(entry.payload.offset) + entry.payload.bytes / 2);
+        byte = static_cast<typename Image::value_type>(byte ^ 4);
     });
 }
 

@@ -16,10 +16,12 @@ namespace tedavis::test_support {
 
 class DrawnTerrain {
 public:
-    /// `source` must outlive it.
-    explicit DrawnTerrain(base::ByteSource& source, std::uint32_t slots = 512) : reader_(source, base::kMaxReadTickets) {
+    /// `source` must outlive it. Without attribute slots no attribute pages are read.
+    explicit DrawnTerrain(base::ByteSource& source, std::uint32_t slots = 512, std::uint32_t attribute_slots = 0)
+        : attributes_(attribute_slots * (sizeof(terrain::AttributePage) + 64) + 64), reader_(source, base::kMaxReadTickets) {
         terrain::StoreSettings settings;
         settings.payload_slots = slots;
+        settings.attribute_slots = attribute_slots;
         settings.directory_pages = 512;
         settings.arrival_frames = 1;
         auto opened = terrain::TerrainDatabase::open(source, index_.arena);
@@ -27,7 +29,7 @@ public:
         if (!opened.ok()) return;
         database_ = opened.value();
         const terrain::TdbFailure failure =
-            store_.start(database_, reader_, settings, {index_.arena, records_.arena, payloads_.arena, records_.arena});
+            store_.start(database_, reader_, settings, {index_.arena, records_.arena, payloads_.arena, attributes_.arena});
         EXPECT_EQ(failure.error, terrain::TdbError::none) << to_string(failure.error);
         EXPECT_TRUE(selector_.start(records_.arena, 8 * slots));
         selected_.resize(slots);
@@ -62,6 +64,7 @@ public:
         return kept;
     }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
+    [[nodiscard]] const terrain::TerrainStore& store() const { return store_; }
 
 private:
     struct Block {
@@ -71,7 +74,7 @@ private:
     };
     base::Span<terrain::SelectedChunk> span() { return {selected_.data(), selected_.size()}; }
 
-    Block index_{16u << 20}, records_{32u << 20}, payloads_{96u << 20};
+    Block index_{16u << 20}, records_{32u << 20}, payloads_{96u << 20}, attributes_;
     base::SynchronousReader reader_;
     terrain::TerrainDatabase database_;
     terrain::TerrainStore store_;

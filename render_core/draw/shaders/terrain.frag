@@ -219,12 +219,12 @@ void main() {
 #if defined(FORM_LINES) && defined(MAP_FORM)
     // Ridges and valleys of heights (Eberly 1996, section 4.2): lines where the ground does not fall along the direction in
     // which it bends most. The bend, per metre, comes from four normals round the point.
-    float apart = 1.5;
-    vec2 inner = clamp(v_page, apart, 64.0 - apart);
-    vec2 west = TEXTURE2D(form_map, map_place(inner - vec2(apart, 0.0))).xy;
-    vec2 east = TEXTURE2D(form_map, map_place(inner + vec2(apart, 0.0))).xy;
-    vec2 north = TEXTURE2D(form_map, map_place(inner - vec2(0.0, apart))).xy;
-    vec2 south = TEXTURE2D(form_map, map_place(inner + vec2(0.0, apart))).xy;
+    float reach_texels = 1.5;
+    vec2 inner = clamp(v_page, reach_texels, 64.0 - reach_texels);
+    vec2 west = TEXTURE2D(form_map, map_place(inner - vec2(reach_texels, 0.0))).xy;
+    vec2 east = TEXTURE2D(form_map, map_place(inner + vec2(reach_texels, 0.0))).xy;
+    vec2 north = TEXTURE2D(form_map, map_place(inner - vec2(0.0, reach_texels))).xy;
+    vec2 south = TEXTURE2D(form_map, map_place(inner + vec2(0.0, reach_texels))).xy;
     vec2 bend_east = (east - west) * (kSigned / 3.0) / page_texel.x;
     vec2 bend_north = (north - south) * (kSigned / 3.0) / page_texel.y;
     float twist = 0.5 * (bend_east.y + bend_north.x);

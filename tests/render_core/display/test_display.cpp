@@ -181,21 +181,88 @@ TEST(Display, StaleAltitudeTakesTheWarningColoursAway) {
     EXPECT_NE(warned, degraded);
 }
 
-TEST(Display, DamagedChunksLeaveCoarserTerrainAndAFlag) {
+TEST(Display, DamagedChunksLeaveCoarserTerrainAndAreSaid) {
+    const auto whole_picture = [] {
+        OverHills whole;
+        const Picture picture = picture_of(whole.display, aircraft_at(1600, 30, -10));
+        EXPECT_FALSE(has_flag(whole.display, "terrain.failing"));
+        return picture;
+    };
+    const Picture whole = whole_picture();
     std::vector<std::uint8_t> image = hills().image;
-    const std::uint32_t coarsest = hills().database.levels() - 1;
-    test_support::for_entries(image, [&](const terrain::ChunkEntry& entry, std::uint64_t) {
-        if (entry.level != coarsest) image[entry.payload.offset + 7] ^= 4;
-    });
-    std::uint32_t triangles[2];
-    for (const bool is_damaged : {false, true}) {
-        OverHills over(is_damaged ? image : hills().image);
-        static_cast<void>(picture_of(over.display, aircraft_at(2000)));
-        EXPECT_EQ(has_flag(over.display, "terrain.failing"), is_damaged);
-        triangles[is_damaged ? 1 : 0] = over.display.display().record().terrain.triangles;
+    test_support::damage_payloads(image);
+    OverHills over(image);
+    const Picture first = picture_of(over.display, aircraft_at(1600, 30, -10));
+    const FrameRecord& record = over.display.display().record();
+    EXPECT_TRUE(has_flag(over.display, "terrain.failing"));
+    EXPECT_TRUE(has_flag(over.display, "terrain.tau_raised"));
+    EXPECT_GT(record.terrain.triangles, 0u);
+    EXPECT_GT(record.terrain.tau_reached_px, record.terrain.tau_px);
+    EXPECT_NE(first, whole);
+    EXPECT_EQ(first, picture_of(over.display, aircraft_at(1600, 30, -10)));
+}
+
+TEST(Display, TheFirstFramesAreCoarserButWhole) {
+    OverHills over;
+    Display& display = over.display.display();
+    const flight::AircraftState state = aircraft_at(2000, 30, -20);
+    double last_error = 1e9;
+    for (int frame = 0; frame < 6; ++frame) {
+        display.update(state, {}, kNow);
+        display.draw(over.display.surface());
+        const TerrainRecord& terrain = display.record().terrain;
+        EXPECT_GT(terrain.triangles, 0u) << frame;
+        EXPECT_LE(terrain.worst_error_px, last_error) << frame;
+        EXPECT_EQ(terrain.pending != 0, terrain.tau_reached_px > terrain.tau_px) << frame;
+        if (frame == 0) {
+            EXPECT_GT(terrain.pending, 0u) << "control: nothing but the roots is there at first";
+        }
+        last_error = terrain.worst_error_px;
     }
-    EXPECT_GT(triangles[1], 0u);
-    EXPECT_LT(triangles[1], triangles[0]);
+    EXPECT_EQ(display.record().terrain.pending, 0u);
+    EXPECT_EQ(display.record().terrain.tau_reached_px, display.record().terrain.tau_px);
+    EXPECT_EQ(display.record().frame, 5u);
+}
+
+TEST(Display, ApproachingCountsNoFrameAndSettlingWaitsForAll) {
+    OverHills over;
+    Display& display = over.display.display();
+    display.approach(aircraft_at(2000, 30, -20), {}, kNow);
+    EXPECT_GT(display.record().terrain.pending, 0u);
+    display.settle(aircraft_at(2000, 30, -20), {}, kNow);
+    EXPECT_EQ(display.record().terrain.pending, 0u);
+    display.update(aircraft_at(2000, 30, -20), {}, kNow);
+    EXPECT_EQ(display.record().frame, 0u);
+    EXPECT_EQ(display.record().terrain.pending, 0u);
+}
+
+TEST(Display, AStyleThatNeedsOtherProgramsIsRefusedAndChangesNothing) {
+    OverHills over;
+    const Picture before = picture_of(over.display, aircraft_at(2000));
+    design::DesignSettings other = test_support::shipped_design("default");
+    other.view.horizontal_field_of_view_rad = radians(30);
+    other.terrain.style.texture = design::TerrainTexture::material;
+    EXPECT_FALSE(over.display.display().set_design(other));
+    EXPECT_EQ(before, picture_of(over.display, aircraft_at(2000)));
+    other.terrain.style = test_support::shipped_design("default").terrain.style;
+    EXPECT_TRUE(over.display.display().set_design(other));
+    EXPECT_NE(before, picture_of(over.display, aircraft_at(2000))) << "control";
+}
+
+TEST(Display, StartRefusesADatabaseWhoseCoarsestChunkIsDamaged) {
+    std::vector<std::uint8_t> image = hills().image;
+    const std::uint32_t levels = hills().database.levels();
+    test_support::for_entries(image, [&](const terrain::ChunkEntry& entry, std::uint64_t) {
+        if (entry.level + 1u == levels) image[entry.payload.offset + 7] ^= 4;
+    });
+    test_support::MemoryBytes bytes(image);
+    try {
+        HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes);
+        FAIL() << "a damaged root was accepted";
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("the terrain database"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("at offset"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Display, StartRefusesWhatIsNoDatabase) {

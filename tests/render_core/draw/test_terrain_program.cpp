@@ -60,7 +60,9 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
+            if (n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) {
+                EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
+            }
         session.gl.seal();
         session.gl.retire();
     }

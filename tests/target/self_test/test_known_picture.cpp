@@ -34,11 +34,16 @@ Pixels drawn() {
     EXPECT_TRUE(surface->make_current());
     std::vector<std::uint8_t> memory(display::Display::bytes_needed(settings.device));
     platform::MemoryByteSource terrain(embedded_inputs().terrain);
+    base::SynchronousReader reader(terrain, base::kMaxReadTickets);
     Pixels pixels(std::size_t{4} * kWidth * kHeight);
     {
         display::Display display;
-        EXPECT_EQ(display.start(settings, {memory.data(), memory.size()}, *surface, &terrain).sentence.view(), "");
+        EXPECT_EQ(
+            display.start(settings, {memory.data(), memory.size()}, *surface, {&terrain, &reader, terrain::ArrivalMode::exact})
+                .sentence.view(),
+            "");
         const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), display);
+        display.settle(flight.aircraft, flight.phase, flight.now);
         display.update(flight.aircraft, flight.phase, flight.now);
         display.draw(*surface);
         EXPECT_TRUE(gl::read_pixels(display.gl(), kWidth, kHeight, pixels));

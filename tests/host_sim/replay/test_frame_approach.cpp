@@ -1,0 +1,108 @@
+// What a frame shows must not depend on how a run came to it.
+#include "host_sim/replay/frame_approach.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <vector>
+
+#include "host_sim/replay/display_session.hpp"
+#include "tests/support/flown_circle.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+constexpr double kStep_s = 1.0 / 30;  ///< of the device: terrain arrives while frames are drawn
+
+ReplayOptions options(double from_s, double to_s, double step_s) {
+    ReplayOptions o = files().options("unused");
+    o.from_s = from_s;
+    o.to_s = to_s;
+    o.step_s = step_s;
+    return o;
+}
+
+struct Frame {
+    std::uint64_t hash = 0;
+    std::uint32_t pending = 0, triangles = 0;
+    double tau_px = 0;
+    bool operator==(const Frame& o) const {
+        return hash == o.hash && pending == o.pending && triangles == o.triangles && tau_px == o.tau_px;
+    }
+};
+
+/// Frames by their time, in the order of the run.
+std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
+    DisplaySession session(asked.picture, false);
+    FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
+    const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
+    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
+    std::map<std::int64_t, Frame> frames;
+    for (std::uint64_t n = 0; n < times.count(); ++n) {
+        if (approached) approach.approach(times.at(n));
+        const PlayedInstant instant = player.at(times.at(n));
+        session.display().update(instant.aircraft, instant.phase, times.at(n));
+        session.draw();
+        const display::TerrainRecord& terrain = session.display().record().terrain;
+        frames[times.at(n).ns] = {session.frame_hash(), terrain.pending, terrain.triangles, terrain.tau_reached_px};
+    }
+    return frames;
+}
+
+std::size_t differences(const std::map<std::int64_t, Frame>& whole, const std::map<std::int64_t, Frame>& part) {
+    std::size_t different = 0;
+    for (const auto& [time, frame] : part) {
+        EXPECT_EQ(whole.count(time), 1u) << time;
+        different += whole.count(time) == 0 || !(whole.at(time) == frame) ? 1 : 0;
+    }
+    return different;
+}
+
+const std::map<std::int64_t, Frame>& whole() {
+    static const std::map<std::int64_t, Frame> kWhole = run(options(0, 2, kStep_s), true);
+    return kWhole;
+}
+
+/// The bus has not said enough for terrain at the log's start; soon after it has.
+TEST(FrameApproach, TerrainAppearsAndArrivesWithinTheWholeRun) {
+    ASSERT_EQ(whole().size(), 61u);
+    int without = 0, pending = 0, complete = 0;
+    for (const auto& [time, frame] : whole()) {
+        without += frame.triangles == 0 ? 1 : 0;
+        pending += frame.pending > 0 ? 1 : 0;
+        complete += frame.triangles > 0 && frame.pending == 0 ? 1 : 0;
+    }
+    EXPECT_GT(without, 0);
+    EXPECT_GT(pending, 0);
+    EXPECT_GT(complete, 10);
+}
+
+TEST(FrameApproach, APartOfARunHasTheFramesOfTheWhole) {
+    for (const double frames : {1.0, 5.0, 8.0, 9.0, 20.0, 33.0, 45.0})
+        EXPECT_EQ(differences(whole(), run(options(frames * kStep_s, 2, kStep_s), true)), 0u) << "from frame " << frames;
+    EXPECT_GT(differences(whole(), run(options(45 * kStep_s, 2, kStep_s), false)), 0u) << "control";
+}
+
+TEST(FrameApproach, BackwardsHasTheFramesOfForwards) {
+    EXPECT_EQ(differences(whole(), run(options(0, 2, -kStep_s), true)), 0u);
+    EXPECT_GT(differences(whole(), run(options(0, 2, -kStep_s), false)), 0u) << "control";
+}
+
+TEST(FrameApproach, OtherStepsMeetTheSameFrames) {
+    for (const double frames : {2.0, 7.0, -15.0})
+        EXPECT_EQ(differences(whole(), run(options(0, 2, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+}
+
+/// Between the frames of the device too.
+TEST(FrameApproach, AnInstantIsTheSameHoweverItIsReached) {
+    const auto forth = run(options(0.011, 1.811, 0.15), true);
+    EXPECT_EQ(differences(forth, run(options(0.011, 1.811, -0.15), true)), 0u);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,165 @@
+#include "render_core/draw/outline_pass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::GlSession;
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+constexpr design::Color kInk{10, 200, 30};
+
+/// Distances over the picture, columns from the left and rows from the top.
+using DistanceFormula = std::function<double(int, int)>;
+
+struct Picture {
+    std::vector<std::uint8_t> rgba;
+    [[nodiscard]] const std::uint8_t* at(int x, int y) const {
+        return rgba.data() +
+               (static_cast<std::size_t>(static_cast<int>(kHeight) - 1 - y) * kWidth + static_cast<std::size_t>(x)) * 4;
+    }
+    /// 0 the scene's grey, 1 the ink.
+    [[nodiscard]] double ink(int x, int y) const { return (at(x, y)[1] - 100) / (kInk.green - 100.0); }
+};
+
+constexpr gl::AttributeBinding kAttributes[] = {{"corner", 0}};
+constexpr const char* kUniforms[] = {"image"};
+
+gl::ProgramSource copy_source() {
+    gl::ProgramSource source;
+    source.name = "copy";
+    source.vertex =
+        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); "
+        "}\n";
+    source.fragment = "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = TEXTURE2D(image, uv); }\n";
+    source.attributes = kAttributes;
+    source.uniforms = kUniforms;
+    return source;
+}
+
+/// A grey picture whose alpha codes the distances as terrain.frag does, bottom row first.
+std::vector<std::uint8_t> coded_scene(const DistanceFormula& distance_m) {
+    std::vector<std::uint8_t> texels;
+    for (int y = static_cast<int>(kHeight) - 1; y >= 0; --y)
+        for (int x = 0; x < static_cast<int>(kWidth); ++x) {
+            const double code = std::log2(1 + distance_m(x, y) / kDistanceCodeStart_m) / kDistanceCodeOctaves;
+            texels.insert(texels.end(), {100, 100, 100, static_cast<std::uint8_t>(std::lround(255 * code))});
+        }
+    return texels;
+}
+
+/// Draws the scene off-screen and finishes the pass.
+Picture outlined(const DistanceFormula& distance_m, double strength, const char* device = "es3-mid") {
+    GlSession session("egl", device, kWidth, kHeight);
+    OutlinePass pass;
+    EXPECT_FALSE(pass.is_started());
+    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight).sentence.view(), "");
+    EXPECT_TRUE(pass.is_started());
+    base::BudgetLine line;
+    line.bytes = 100'000;
+    auto scene = gl::make_texture(session.gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
+    auto corners = gl::make_buffer(session.gl, line, gl::BufferKind::vertices, gl::BufferUse::fixed, 24);
+    auto program = gl::build_program(session.gl, copy_source());
+    const float triangle[] = {-1, -1, 3, -1, -1, 3};
+    EXPECT_TRUE(corners.value().upload(session.gl, 0, triangle, sizeof triangle));
+    EXPECT_TRUE(scene.value().upload(session.gl, {0, 0, kWidth, kHeight}, coded_scene(distance_m).data()));
+    session.gl.seal();
+    session.gl.begin_frame();
+    pass.begin(session.gl);
+    program.value().use(session.gl);
+    scene.value().bind(session.gl, 0);
+    session.gl->Uniform1i(program.value().uniform(0), 0);
+    corners.value().bind(session.gl);
+    session.gl->EnableVertexAttribArray(0);
+    session.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    session.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    pass.finish(session.gl, *session.surface, kInk, strength);
+    EXPECT_EQ(session.gl.denied().total, 0u);
+    EXPECT_EQ(session.gl.take_error(), GLenum{GL_NO_ERROR});
+    Picture picture{session.pixels()};
+    session.gl.retire();
+    program.value().destroy(session.gl);
+    corners.value().destroy(session.gl);
+    scene.value().destroy(session.gl);
+    pass.destroy(session.gl);
+    return picture;
+}
+
+double jump_at_column(int x, double near_m, double far_m) { return x < 32 ? near_m : far_m; }
+
+TEST(OutlinePass, AJumpIsInkedInAPixelOnBothSides) {
+    for (const char* device : {"es3-mid", "es2-small"}) {
+        const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 2000); }, 1, device);
+        for (int y = 2; y < 46; ++y)
+            for (int x = 2; x < 62; ++x) EXPECT_NEAR(picture.ink(x, y), x == 31 || x == 32 ? 1 : 0, 0.02) << x << ", " << y << " " << device;
+    }
+}
+
+TEST(OutlinePass, RowsAreLookedAtToo) {
+    const Picture picture = outlined([](int, int y) { return y < 20 ? 5000.0 : 800.0; }, 1);
+    for (int y = 2; y < 46; ++y) EXPECT_NEAR(picture.ink(30, y), y == 19 || y == 20 ? 1 : 0, 0.02) << y;
+}
+
+TEST(OutlinePass, AWeakJumpInksTheNearSideMore) {
+    const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 1300); }, 1);
+    EXPECT_GT(picture.ink(31, 24), 0.6);
+    EXPECT_LT(picture.ink(32, 24), 0.8 * picture.ink(31, 24));
+    EXPECT_GT(picture.ink(32, 24), 0.05);
+}
+
+TEST(OutlinePass, ASlopeThatRunsAwayIsNoSilhouette) {
+    // The code rises by up to four steps a pixel, evenly: ground seen at a grazing angle.
+    const auto slope = [](double steps) {
+        return [steps](int x, int) {
+            return kDistanceCodeStart_m * (std::exp2((0.2 + x * steps / 255) * kDistanceCodeOctaves) - 1);
+        };
+    };
+    for (const double steps : {0.3, 1.0, 2.0, 3.0}) {
+        const Picture picture = outlined(slope(steps), 1);
+        for (int x = 2; x < 62; ++x) EXPECT_NEAR(picture.ink(x, 24), 0, 0.02) << x << " at " << steps;
+    }
+}
+
+TEST(OutlinePass, TheJumpIsJudgedByItsShareOfTheDistance) {
+    const auto most_ink = [](double near_m, double far_m) {
+        return outlined([&](int x, int) { return jump_at_column(x, near_m, far_m); }, 1).ink(31, 24);
+    };
+    EXPECT_NEAR(most_ink(1000, 1050), 0, 0.02) << "five percent are a fold of the ground";
+    EXPECT_NEAR(most_ink(1000, 1500), 1, 0.02);
+    EXPECT_NEAR(most_ink(20000, 21000), 0, 0.02);
+    EXPECT_NEAR(most_ink(20000, 30000), 1, 0.02) << "the same share far away";
+}
+
+TEST(OutlinePass, TheStrengthMixesTheInkAndTheSceneStaysElse) {
+    const auto scene = [](int x, int) { return jump_at_column(x, 1000, 3000); };
+    EXPECT_NEAR(outlined(scene, 0.5).ink(31, 24), 0.5, 0.02);
+    const Picture none = outlined(scene, 0);
+    for (std::size_t n = 0; n < none.rgba.size(); n += 4) {
+        EXPECT_EQ(none.rgba[n], 100);
+        EXPECT_EQ(none.rgba[n + 3], 255) << "the code does not reach the surface";
+    }
+}
+
+TEST(OutlinePass, ADeviceWithoutRoomIsRefused) {
+    GlSession session("egl", "es3-mid", kWidth, kHeight);
+    session.device.budget.find(effects::kRenderTargets)->use.in_use = session.device.budget.find(effects::kRenderTargets)->bytes;
+    OutlinePass pass;
+    EXPECT_NE(pass.start(session.gl, session.device.budget, kWidth, kHeight).sentence.view(), "");
+    EXPECT_FALSE(pass.is_started());
+    session.gl.seal();
+    session.gl.retire();
+    pass.destroy(session.gl);
+}
+
+}  // namespace
+}  // namespace tedavis::draw
