@@ -1,7 +1,6 @@
 #include "host_sim/temporary_folder.hpp"
 
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <filesystem>
 
 #include "host_sim/user_error.hpp"

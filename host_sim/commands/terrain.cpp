@@ -1,6 +1,5 @@
 #include "host_sim/commands/terrain.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -77,25 +76,6 @@ void report_progress(std::string_view what, std::uint64_t done, std::uint64_t to
     if (interrupt.requested()) throw Interrupted(std::string("interrupted; ") + left_behind);
 }
 
-/// Tells what is left at the speed of this run so far.
-class TimeLeft {
-public:
-    [[nodiscard]] std::string after(std::uint64_t done, std::uint64_t total) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!first_) first_ = {now, done};
-        const double seconds = std::chrono::duration<double>(now - first_->first).count();
-        if (seconds < 2 || done <= first_->second) return "";
-        const double left_s = seconds * static_cast<double>(total - done) / static_cast<double>(done - first_->second);
-        const auto minutes = static_cast<std::uint64_t>(left_s / 60);
-        if (minutes == 0) return ", " + std::to_string(static_cast<std::uint64_t>(left_s)) + " s left,";
-        if (minutes < 60) return ", " + std::to_string(minutes) + " min left,";
-        return ", " + std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min left,";
-    }
-
-private:
-    std::optional<std::pair<std::chrono::steady_clock::time_point, std::uint64_t>> first_;
-};
-
 /// A build goes on where files of the same names, sizes and times and the same options are given.
 std::string identity_of(const TerrainBuildOptions& options) {
     std::ostringstream text;
@@ -119,10 +99,8 @@ BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGu
     BuildOptions build;
     build.le90_m = options.accuracy_m;
     build.identity = identity_of(options);
-    build.progress = [&interrupt, &console, left_behind, time_left = std::make_shared<TimeLeft>()](
-                         std::string_view stage, std::uint64_t done, std::uint64_t total) {
-        report_progress("terrain: " + std::string(stage) + time_left->after(done, total), done, total, interrupt, console,
-                        left_behind);
+    build.progress = [&interrupt, &console, left_behind](std::string_view, std::uint64_t done, std::uint64_t total) {
+        report_progress("terrain", done, total, interrupt, console, left_behind);
     };
     return build;
 }

@@ -27,18 +27,19 @@ constexpr const char* kStyle =
 std::string effect_lines(const FrameResult& result) {
     std::string lines;
     for (const display::EffectRecord& effect : result.record.effects) {
-        if (effect.state == display::EffectState::run) continue;
-        const std::string instead(effect.replaced_by.view());
-        lines += "<div>" + escaped_html(std::string(effect.name.view())) +
-                 (instead.empty() ? " skipped" : " replaced by " + escaped_html(instead)) + ": " +
-                 escaped_html(std::string(effect.reason.view())) + "</div>";
+        if (effect.state != display::EffectState::replaced) continue;
+        lines += "<div>" + escaped_html(std::string(effect.name.view())) + " replaced by " +
+                 escaped_html(std::string(effect.replaced_by.view())) + ": " + escaped_html(std::string(effect.reason.view())) +
+                 "</div>";
     }
     return lines;
 }
 
+/// What is wrong with the terrain; that an aircraft which only stands there lacks a speed is no news.
 std::string flag_line(const FrameResult& result) {
     std::string names;
-    for (const display::Name& flag : result.record.flags) names += (names.empty() ? "" : ", ") + std::string(flag.view());
+    for (const display::Name& flag : result.record.flags)
+        if (flag.view().substr(0, 8) == "terrain.") names += (names.empty() ? "" : ", ") + std::string(flag.view());
     return names.empty() ? names : "<div class='bad'>" + escaped_html(names) + "</div>";
 }
 

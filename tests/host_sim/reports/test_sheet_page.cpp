@@ -18,11 +18,15 @@ DrawnSheet flagged_sheet() {
     DrawnSheet sheet = test_support::small_sheet();
     display::FrameRecord& record = sheet.groups[0].pictures[1].result.record;
     EXPECT_TRUE(record.flags.try_push_back(display::Name("terrain.coarse")));
+    EXPECT_TRUE(record.flags.try_push_back(display::Name("vertical_speed.missing")));
     display::EffectRecord effect;
     effect.name = "cast_shadows";
     effect.state = display::EffectState::replaced;
     effect.reason = "no <horizons> in the database";
     effect.replaced_by = "lambert";
+    EXPECT_TRUE(record.effects.try_push_back(effect));
+    effect.name = "warning_colors";
+    effect.state = display::EffectState::skipped;
     EXPECT_TRUE(record.effects.try_push_back(effect));
     effect.name = "silhouettes";
     effect.state = display::EffectState::run;
@@ -37,7 +41,8 @@ TEST(SheetPage, NamesEveryPictureAndWhatItLacks) {
           "Second", "Title a", "styles/d", "12345 triangles", "terrain.coarse",
           "cast_shadows replaced by lambert: no &lt;horizons&gt; in the database", "@media print", "not certified"})
         EXPECT_THAT(page, HasSubstr(part));
-    EXPECT_THAT(page, Not(HasSubstr("silhouettes"))) << "what runs as it should needs no words";
+    for (const char* usual : {"silhouettes", "warning_colors", "vertical_speed"})
+        EXPECT_THAT(page, Not(HasSubstr(usual))) << "what is as it should be needs no words";
 }
 
 TEST(SheetPage, NeedsNothingButItself) {
@@ -63,7 +68,7 @@ TEST(SheetPage, JsonHoldsWhatScriptsRelyOn) {
     EXPECT_EQ(picture.at("file"), "b.png");
     EXPECT_EQ(picture.at("hash"), "0123456789abcdef");
     EXPECT_EQ(picture.at("triangles"), 12345);
-    EXPECT_EQ(picture.at("flags"), nlohmann::json({"terrain.coarse"}));
+    EXPECT_EQ(picture.at("flags"), nlohmann::json({"terrain.coarse", "vertical_speed.missing"}));
     EXPECT_EQ(picture.at("effects").at(0).at("replaced_by"), "lambert");
     EXPECT_EQ(json.at("pictures").at(3).at("group"), "Second");
 }
