@@ -1,0 +1,230 @@
+#include "render_core/display/terrain_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <memory>
+#include <string>
+
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/built_database.hpp"
+#include "tests/support/device_files.hpp"
+#include "tests/support/gl_session.hpp"
+#include "tests/support/raster_ray_caster.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using base::radians;
+
+constexpr std::uint32_t kWidth = 320, kHeight = 240;
+
+const host_sim::Raster& raster() {
+    static const host_sim::Raster kRaster = test_support::make_rough_raster(193, 193);
+    return kRaster;
+}
+const test_support::BuiltDatabase& hills() {
+    static const test_support::BuiltDatabase built(raster());
+    return built;
+}
+
+design::DesignSettings plain_design() {
+    design::DesignSettings design = design::default_design_settings();
+    design.sky.haze_distance_m = 0;
+    return design;
+}
+
+/// From a post of the raster at a height above MSL.
+Eye eye_at(double i, double j, double msl_m, double heading_deg, double pitch_deg) {
+    const double latitude = radians(raster().north_deg - j * raster().step_lat_deg),
+                 longitude = radians(raster().west_deg + i * raster().step_lon_deg);
+    EyeInput input;
+    input.own_ship = {latitude, longitude, {msl_m + hills().database.undulation(latitude, longitude).m}};
+    input.msl_m = msl_m;
+    input.above_ground_m = msl_m - 1000;
+    input.heading_rad = radians(heading_deg);
+    input.pitch_rad = radians(pitch_deg);
+    input.width_px = kWidth;
+    input.height_px = kHeight;
+    return make_eye(input, design::ViewSettings(), 0);
+}
+
+/// A scene on a surface, each budget line with memory of its own.
+class Stage {
+public:
+    /// `small_line` of the device's lines is cut to a thousand bytes.
+    explicit Stage(const design::DesignSettings& design, const std::string& small_line = "",
+                   const std::vector<std::uint8_t>& image = hills().image)
+        : at_("egl", "es3-mid", kWidth, kHeight), design_(design), bytes_(image), reader_(bytes_, base::kMaxReadTickets) {
+        for (std::size_t n = 0; n < kLines; ++n) {
+            const std::string name(kNames[n]);
+            memory_[n].resize(name == small_line ? 1000 : static_cast<std::size_t>(at_.device.budget.find(name)->bytes));
+            arenas_[n] = base::Arena(memory_[n].data(), memory_[n].size());
+        }
+        error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, design, at_.device,
+                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5]});
+        at_.gl.seal();
+    }
+    ~Stage() {
+        at_.gl.retire();
+        scene.destroy(at_.gl);
+    }
+    /// With everything arrived.
+    TerrainPlan settled(const Eye& eye) {
+        TerrainPlan plan;
+        for (int n = 0; n < 4; ++n) plan = scene.plan(eye, design_);
+        return plan;
+    }
+    bool prepare(const Eye& eye) { return scene.prepare(at_.gl, input(eye)); }
+    draw::TerrainDrawResult draw(const Eye& eye) {
+        draw::TerrainDrawResult result;
+        gl::bind_surface(at_.gl, *at_.surface);
+        scene.draw(at_.gl, input(eye), {eye.view.near_m, eye.view.far_m}, result);
+        EXPECT_EQ(at_.gl.denied().total, 0u);
+        return result;
+    }
+    bool set_design(const design::DesignSettings& design) { return scene.set_design(at_.gl, design); }
+
+    TerrainScene scene;
+    gl::GlError error;
+
+private:
+    static constexpr std::size_t kLines = 6;
+    static constexpr std::string_view kNames[kLines] = {effects::kTerrainIndex,   effects::kTerrainChunkSlots,
+                                                        effects::kTerrainHeights, effects::kTerrainAttributes,
+                                                        effects::kLodScratch,     effects::kStaging};
+    static draw::TerrainDrawInput input(const Eye& eye) {
+        draw::TerrainDrawInput input;
+        input.view = eye.view;
+        input.light_direction[0] = glm::normalize(eye.view.eye);
+        return input;
+    }
+
+    test_support::GlSession at_;
+    design::DesignSettings design_;
+    test_support::MemoryBytes bytes_;
+    base::SynchronousReader reader_;
+    std::vector<std::uint8_t> memory_[kLines];
+    base::Arena arenas_[kLines];
+};
+
+TEST(TerrainScene, TheLineThatDoesNotHoldIsNamed) {
+    EXPECT_EQ(Stage(plain_design()).error.sentence.view(), "");
+    for (const std::string line : {"terrain_chunk_slots", "terrain_heights", "terrain_attributes", "lod_scratch", "staging"}) {
+        const Stage stage(plain_design(), line);
+        EXPECT_NE(std::string(stage.error.sentence.view()).find("'" + line + "'"), std::string::npos)
+            << line << ": " << stage.error.sentence.view();
+        EXPECT_FALSE(stage.scene.is_started());
+    }
+}
+
+TEST(TerrainScene, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
+    std::vector<std::uint8_t> image = hills().image;
+    image[100] ^= 8;
+    const Stage stage(plain_design(), "", image);
+    EXPECT_NE(std::string(stage.error.sentence.view()).find("the terrain database"), std::string::npos);
+    EXPECT_NE(std::string(stage.error.sentence.view()).find("at offset"), std::string::npos);
+}
+
+TEST(TerrainScene, CoarserFirstThenRefinedToTau) {
+    Stage stage(plain_design());
+    const Eye eye = eye_at(96, 96, 2600, 40, -15);
+    double last_px = 1e9;
+    for (int frame = 0; frame < 6; ++frame) {
+        const TerrainPlan plan = stage.scene.plan(eye, plain_design());
+        EXPECT_GT(plan.lod.chunks, 0u) << frame;
+        EXPECT_LE(plan.lod.worst_error_px, last_px) << frame;
+        EXPECT_EQ(plan.pending == 0, plan.lod.reason == terrain::LodStop::met) << frame;
+        if (frame == 0) {
+            EXPECT_GT(plan.pending, 0u);
+        }
+        last_px = plan.lod.worst_error_px;
+    }
+    EXPECT_LE(last_px, plain_design().terrain.tau_px);
+    EXPECT_FALSE(stage.scene.plan(eye, plain_design()).is_failing);
+}
+
+// A frame without terrain is a frame: what was seen before it falls out of the window.
+TEST(TerrainScene, RestingForgetsAsFramesDo) {
+    Stage stage(plain_design());
+    const Eye eye = eye_at(96, 96, 2600, 40, -15);
+    EXPECT_EQ(stage.settled(eye).pending, 0u);
+    for (std::uint32_t frame = 0; frame <= terrain::StoreSettings().window_frames; ++frame) stage.scene.rest();
+    EXPECT_TRUE(stage.scene.selected().empty());
+    EXPECT_GT(stage.scene.plan(eye, plain_design()).pending, 0u);
+    EXPECT_EQ(stage.settled(eye).pending, 0u);
+    stage.scene.rest();
+    EXPECT_EQ(stage.scene.plan(eye, plain_design()).pending, 0u) << "control: a single one does not";
+}
+
+TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
+    Stage stage(plain_design());
+    for (const double heading : {0.0, 130.0, 250.0}) {
+        const Eye eye = eye_at(96, 96, 2600, heading, -10);
+        static_cast<void>(stage.settled(eye));
+        const double far_m = stage.scene.farthest_depth_m(eye.view);
+        double farthest_m = 0;
+        for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
+            const glm::dvec3 centre(chunk.entry->centre_m[0], chunk.entry->centre_m[1], chunk.entry->centre_m[2]);
+            for (const terrain::ChunkVertex& v : hills().vertices(*chunk.entry))
+                farthest_m = std::max(farthest_m, glm::dot(centre + glm::dvec3(v.x, v.y, v.z) - eye.view.eye, eye.view.forward));
+        }
+        EXPECT_GE(far_m, farthest_m);
+        EXPECT_LT(far_m, 1.3 * farthest_m);
+    }
+}
+
+/// What stands on the ground stands on what is drawn: within tau of the true surface, by an oracle of its own.
+TEST(TerrainScene, DrawnPointsLieWithinTauOfTheTrueSurface) {
+    Stage stage(plain_design());
+    const test_support::RasterRayCaster truth(raster());
+    const Eye eye = eye_at(96, 96, 2600, 40, -15);
+    static_cast<void>(stage.settled(eye));
+    ASSERT_TRUE(stage.prepare(eye));
+    EXPECT_GT(stage.draw(eye).triangles, 0u);
+    int seen = 0, off = 0;
+    for (double j = 8.3; j < 185; j += 4.7)
+        for (double i = 8.6; i < 185; i += 4.9) {
+            const double lat_deg = raster().north_deg - j * raster().step_lat_deg,
+                         lon_deg = raster().west_deg + i * raster().step_lon_deg;
+            const terrain::DrawnPoint drawn = stage.scene.drawn_point(radians(lat_deg), radians(lon_deg));
+            if (!drawn.found) continue;
+            const glm::dvec3 true_point =
+                earth::to_ecef({radians(lat_deg), radians(lon_deg), {*truth.surface_m(lat_deg, lon_deg)}});
+            const glm::dvec3 a = drawn.position - eye.view.eye, b = true_point - eye.view.eye;
+            const double depth_m = glm::dot(a, eye.view.forward);
+            if (depth_m < 100 || std::abs(glm::dot(a, eye.view.right)) > depth_m * eye.view.half_width_tangent() ||
+                std::abs(glm::dot(a, eye.view.down)) > depth_m * eye.view.half_height_tangent())
+                continue;
+            ++seen;
+            EXPECT_LE(glm::length(a / depth_m - b / glm::dot(b, eye.view.forward)) * eye.view.focal_px, 1.01) << i << ", " << j;
+            off += glm::length(drawn.position - true_point) > 0.1 ? 1 : 0;
+        }
+    EXPECT_GT(seen, 50);
+    EXPECT_GT(off, 0) << "control: it is the drawn surface, not the true one";
+    EXPECT_FALSE(stage.scene.drawn_point(radians(48.5), radians(9.6)).found) << "outside";
+}
+
+TEST(TerrainScene, DesignsOfOtherProgramsAreRefused) {
+    Stage stage(plain_design());
+    design::DesignSettings other = plain_design();
+    other.terrain.tau_px = 3;
+    EXPECT_TRUE(stage.set_design(other));
+    other.terrain.style.shade.technique = design::TerrainShade::phong;
+    EXPECT_FALSE(stage.set_design(other));
+}
+
+TEST(TerrainScene, TheTrueHeightIsThatOfThePosts) {
+    Stage stage(plain_design());
+    for (const std::uint32_t n : {3u, 77u, 150u}) {
+        const terrain::HeightAnswer answer = stage.scene.true_height(radians(raster().north_deg - n * raster().step_lat_deg),
+                                                                     radians(raster().west_deg + n * raster().step_lon_deg));
+        EXPECT_EQ(answer.status, terrain::HeightStatus::land);
+        EXPECT_NEAR(answer.height.m, double{raster().height_m[raster().at(n, n)]}, 0.05);
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::display
