@@ -78,6 +78,7 @@ TEST_F(InterruptSignal, TerrainBuildGoesOnWhereItWasStopped) {
     ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
               0);
     for (const int which : {SIGINT, SIGTERM}) {
+        std::filesystem::remove_all(place_.file("t.tdb.part"));
         const ProgramResult result = stop({"terrain", "build", raster, "-o", place_.file("t.tdb")}, work, 0, which);
         EXPECT_EQ(result.code, kInterruptedCode) << result.err;
         EXPECT_EQ(result.err, "tedavis: interrupted; the same command goes on from here\n");

@@ -17,7 +17,7 @@ namespace {
 using base::radians;
 
 constexpr int kPointsOfAPose = 600;
-constexpr double kNearPlaneHighUp_m = 4;  // of an eye 200 m above the ground
+constexpr double kNearPlaneHighUp_m = 6;  // of an eye 300 m above the ground
 
 /// Poses in a raster, a few of them made to hurt: on the ground, in a corner of chunks, straight down, upside down.
 class Poses {
@@ -83,6 +83,7 @@ Proof prove(test_support::DrawnTerrain& drawn, const host_sim::Raster& raster, d
     Proof proof;
     terrain::LodSettings settings;
     settings.tau_px = tau_px;
+    settings.max_triangles = 4'000'000;
     for (; proof.poses < poses; ++proof.poses) {
         const terrain::View view = source.next();
         const terrain::LodResult stated = drawn.select(view, settings);
