@@ -269,8 +269,27 @@ private:
 
 }  // namespace
 
+namespace {
+
+void require_place(const std::string& output) {
+    const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
+    if (!std::filesystem::is_directory(folder))
+        throw UserError(output + ": there is no folder " + folder.string() + "; make it or name another output");
+    if (std::filesystem::is_directory(output)) throw UserError(output + ": is a folder; name a file for the database");
+}
+
+}  // namespace
+
 void build_terrain(const PostReaderFactory& open, const std::string& output, const BuildOptions& options) {
-    TerrainBuild(open, output, options).run(output);
+    require_place(output);
+    try {
+        TerrainBuild(open, output, options).run(output);
+    } catch (const UserError&) {
+        // What was wrong will be wrong again; a build that was stopped goes on from its work folder.
+        std::error_code ignored;
+        std::filesystem::remove_all(output + ".part", ignored);
+        throw;
+    }
 }
 
 }  // namespace tedavis::host_sim

@@ -73,24 +73,26 @@ TEST_F(InterruptSignal, ConvertKeepsAValidLogThatEndsEarly) {
     EXPECT_EQ(place_.entries(), 3u) << "the flight, the log and its companion";
 }
 
-TEST_F(InterruptSignal, TerrainBuildLeavesNothing) {
-    const std::string raster = place_.file("r.tif");
+TEST_F(InterruptSignal, TerrainBuildGoesOnWhereItWasStopped) {
+    const std::string raster = place_.file("r.tif"), work = place_.file("t.tdb.part/journal");
     ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
               0);
     for (const int which : {SIGINT, SIGTERM}) {
-        const ProgramResult result =
-            stop({"terrain", "build", raster, "-o", place_.file("t.tdb")}, place_.file("t.tdb.part"), 0, which);
+        const ProgramResult result = stop({"terrain", "build", raster, "-o", place_.file("t.tdb")}, work, 0, which);
         EXPECT_EQ(result.code, kInterruptedCode) << result.err;
-        EXPECT_EQ(result.err, "tedavis: interrupted; nothing was written\n");
-        EXPECT_EQ(place_.entries(), 1u) << "the raster only";
+        EXPECT_EQ(result.err, "tedavis: interrupted; the same command goes on from here\n");
+        EXPECT_EQ(place_.entries(), 2u) << "the raster and the work folder";
     }
+    EXPECT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "build", raster, "-o", place_.file("t.tdb")}).code,
+              0);
+    EXPECT_EQ(place_.entries(), 2u) << "the raster and the database";
 }
 
 TEST_F(InterruptSignal, TerrainBuildKeepsWhatWasThereBefore) {
     const std::string raster = place_.file("r.tif"), database = place_.write("t.tdb", "an older one");
     ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
               0);
-    EXPECT_EQ(stop({"terrain", "build", raster, "-o", database}, place_.file("t.tdb.part"), 0).code, kInterruptedCode);
+    EXPECT_EQ(stop({"terrain", "build", raster, "-o", database}, place_.file("t.tdb.part/journal"), 0).code, kInterruptedCode);
     EXPECT_EQ(place_.read("t.tdb"), "an older one");
 }
 
