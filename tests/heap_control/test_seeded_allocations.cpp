@@ -33,7 +33,7 @@ protected:
     void fly_on() {
         flown_s_ += 10;
         static_cast<void>(loop_->fly_to(flown_s_, base::Duration::seconds(2)));
-        loop_->reload_design();
+        EXPECT_TRUE(loop_->reload_design());
     }
     /// Runs `work` under the trap with one allocation seeded into `library`.
     template <class Work>
