@@ -117,8 +117,9 @@ void LiveRun::watch_design(base::Duration wall) {
     if (news == DesignNews::broken) console_.note(design_.sentence() + " (the design before stays)");
     if (news != DesignNews::changed) return;
     if (!session_.display().set_design(design_.design()))
-        return console_.note(options_.picture.design +
-                             ": shows the terrain with other techniques than the display was started with; start the window again");
+        return console_.note(
+            options_.picture.design +
+            ": shows the terrain with other techniques than the display was started with; start the window again");
     ++revision_;
     console_.note(options_.picture.design + ": design reloaded");
     recorder_.note("the design was reloaded after " + std::to_string(recorder_.kept()) + " frames");

@@ -74,7 +74,7 @@ struct LodResult {
     double predicted_ms = 0;
     double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;
-    double worst_coarse_px = 0;  ///< of chunks that the data would allow to be finer
+    double worst_coarse_px = 0;       ///< of chunks that the data would allow to be finer
     ChunkKey worst_chunk = kNoChunk;  ///< kNoChunk: nothing in view
     LodStop reason = LodStop::met;
     bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn

@@ -80,12 +80,10 @@ void run(const std::vector<std::string>& words) {
 std::string ProgramSamples::program() { return TEDAVIS_BINARY_DIR "/bin/tedavis"; }
 
 void ProgramSamples::make(const std::string& name) const {
-    static const std::map<std::string, std::string> kShipped = {{"scenario.toml", "scenarios/default.toml"},
-                                                                {"design.toml", "designs/default.toml"},
-                                                                {"palette.toml", "palettes/alpine.toml"},
-                                                                {"device.toml", "devices/es3-mid.toml"},
-                                                                {"panel.toml", "switches/one_hot.toml"},
-                                                                {"bus.toml", "buses/canaerospace.toml"}};
+    static const std::map<std::string, std::string> kShipped = {
+        {"scenario.toml", "scenarios/default.toml"}, {"design.toml", "designs/default.toml"},
+        {"palette.toml", "palettes/alpine.toml"},    {"device.toml", "devices/es3-mid.toml"},
+        {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
     static const std::map<std::string, std::string (*)()> kFlights = {
         {"flight.igc", igc}, {"flight.gpx", gpx}, {"flight.json", json}, {"flight.csv", csv}, {"flight.csv.gz", packed_csv}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {

@@ -101,7 +101,8 @@ TEST(OutlinePass, AJumpIsInkedInAPixelOnBothSides) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 2000); }, 1, device);
         for (int y = 2; y < 46; ++y)
-            for (int x = 2; x < 62; ++x) EXPECT_NEAR(picture.ink(x, y), x == 31 || x == 32 ? 1 : 0, 0.02) << x << ", " << y << " " << device;
+            for (int x = 2; x < 62; ++x)
+                EXPECT_NEAR(picture.ink(x, y), x == 31 || x == 32 ? 1 : 0, 0.02) << x << ", " << y << " " << device;
     }
 }
 
