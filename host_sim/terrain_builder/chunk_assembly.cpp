@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
@@ -49,7 +48,9 @@ void ChunkAssembly::add(std::uint32_t i, std::uint32_t j, std::uint32_t quantum_
                         const PostPlaces& places) {
     const std::size_t n = window.at(i, j);
     const double q = quantum_m_[quantum_level];
-    places_.push_back(glm::roundEven(places.at(i, j, window.surface_m[n]) / q) * q);
+    glm::dvec3 place = places.at(i, j, window.surface_m[n]);
+    for (int a = 0; a < 3; ++a) place[a] = std::round(place[a] / q) * q;
+    places_.push_back(place);
     draft_.rounding_m = std::max(draft_.rounding_m, 0.5 * std::sqrt(3.0) * q);
     ChunkVertex v{};
     v.height_m = window.height_m[n];

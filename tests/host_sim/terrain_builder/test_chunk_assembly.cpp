@@ -51,6 +51,21 @@ TEST(ChunkAssembly, VerticesLieOnTheGridBesideTheirPosts) {
     }
 }
 
+/// A place half way between two of the grid, more steps from the Earth's centre than 32 bits count.
+TEST(ChunkAssembly, HalvesAreRoundedFarFromTheEarthsCentre) {
+    const BuildGround ground(test_support::make_raster(
+        40, 40, [](auto, auto) { return 10.0f; }, 0, 0, 1.0 / 1200));
+    LatticeWindow window = ground.all();
+    const float half = 0.5f / 1024;
+    window.surface_m[window.at(0, 0)] = half;  // at 0 N 0 E, x is the semi-major axis and this
+    const PostPlaces places(ground.plan.lattice, window.i0, window.j0, window.columns, window.rows);
+    ChunkAssembly assembly(ground.plan, {0, 0, 0});
+    assembly.add_inner(0, 0, window, places);
+    assembly.add_inner(1, 1, window, places);
+    const ChunkDraft draft = assembly.finish();
+    EXPECT_NEAR(place_of(draft.entry, draft.vertices[0]).x, earth::kSemiMajorAxis_m + half, 1.0 / 1024);
+}
+
 TEST(ChunkAssembly, TheBoxHoldsEveryVertexAndLittleMore) {
     const BuildGround ground(test_support::make_rough_raster(300, 200));
     for (const ChunkKey& key : {ChunkKey{0, 3, 2}, {1, 1, 1}, {3, 0, 0}}) {
