@@ -14,7 +14,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/number_list.hpp"
-#include "host_sim/terrain_builder/file_posts.hpp"
+#include "host_sim/terrain_builder/file_sources.hpp"
 #include "host_sim/terrain_builder/fractal_geotiff.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
@@ -106,11 +106,11 @@ BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGu
 }
 
 /// Sentences about the rasters go to the user once.
-PostReaderFactory readers(const TerrainBuildOptions& options, Console& console) {
-    const RasterOptions choice = raster_options(options);
-    const FilePosts first(options.rasters, choice);
-    for (const std::string& note : first.notes()) console.note("note: " + note);
-    return [files = options.rasters, choice] { return std::make_unique<FilePosts>(files, choice); };
+TerrainSources sources_of(const TerrainBuildOptions& options, Console& console) {
+    std::vector<std::string> notes;
+    TerrainSources sources = sources_of_files(options.rasters, raster_options(options), notes);
+    for (const std::string& note : notes) console.note("note: " + note);
+    return sources;
 }
 
 double south_deg(const terrain::Lattice& lattice) { return base::degrees(lattice.latitude_rad(lattice.rows() - 1)); }
@@ -167,9 +167,9 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
 
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
-    const PostReaderFactory open = readers(options, console);
+    const TerrainSources sources = sources_of(options, console);
     require_other_file(options.output, options.rasters);
-    build_terrain(open, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
+    build_terrain(sources, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
     console.progress_done();
     const OpenDatabase built(options.output);
     console.result(describe_in_words(built, options.output), json_text(describe(built)));
@@ -178,9 +178,9 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
 
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
-    const PostReaderFactory open = readers(options.build, console);
+    const TerrainSources sources = sources_of(options.build, console);
     const TerrainCheck check =
-        check_terrain(options.database, open, build_options(options.build, interrupt, console, "nothing was found out"));
+        check_terrain(options.database, sources, build_options(options.build, interrupt, console, "nothing was found out"));
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace terrain;
 
-constexpr std::uint32_t kSubtreeLevel = 3;  // tiles of this level are tasks with all that lies below them: 2^20 posts
+constexpr std::uint32_t kSubtreeLevels = 3;  // a tile so many levels up is a task with all that lies below it: 2^20 posts
 constexpr std::uint32_t kPageSteps = kAttributePosts - 1;
 constexpr double kLeastEast = 0.01;  // of a step north, where meridians run together
 
@@ -78,36 +78,58 @@ void cut_page(const AttributeMaps& maps, std::uint32_t column, std::uint32_t row
 
 }  // namespace
 
-AttributeBaker::AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, HeightPyramid& pyramid, PartStore& store)
-    : plan_(plan), layout_(layout), pyramid_(pyramid), store_(store) {
-    list_tasks();
+AttributeBaker::AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, const InsetCoverage& coverage,
+                               const HeightLevels& heights, PartStore& store)
+    : plan_(plan), layout_(layout), coverage_(coverage), heights_(heights), store_(store) {
+    // The page of a chunk shows posts of one pyramid level less.
+    const std::uint32_t base = coverage.base_level();
+    if (plan.levels() >= base + 2) list_tasks(plan.levels() - 2, base);
+    if (base > 0) list_tasks(base - 1, 0);
 }
 
 std::uint32_t AttributeBaker::tiles_across(std::uint32_t level) const {
-    return std::max(1u, (pyramid_.level(level).columns() - 1 + kTilePosts - 1) / kTilePosts);
+    return std::max(1u, (heights_.columns(level) - 1 + kTilePosts - 1) / kTilePosts);
 }
 std::uint32_t AttributeBaker::tiles_down(std::uint32_t level) const {
-    return std::max(1u, (pyramid_.level(level).rows() - 1 + kTilePosts - 1) / kTilePosts);
+    return std::max(1u, (heights_.rows(level) - 1 + kTilePosts - 1) / kTilePosts);
 }
 
-void AttributeBaker::list_tasks() {
-    for (std::uint32_t below = plan_.levels(); below >= 2; --below) {
-        const std::uint32_t level = below - 2;  // of the pyramid, under the pages of level + 1
-        if (level < kSubtreeLevel && level + 2 < plan_.levels()) return;
-        std::vector<TileKey> tiles;
-        for (std::uint32_t v = 0; v < tiles_down(level); ++v)
-            for (std::uint32_t u = 0; u < tiles_across(level); ++u) tiles.push_back({level, u, v});
-        std::sort(tiles.begin(), tiles.end(),
-                  [](const TileKey& a, const TileKey& b) { return interleaved(a.u, a.v) < interleaved(b.u, b.v); });
-        for (const TileKey& tile : tiles) tasks_.push_back({tile, level <= kSubtreeLevel});
+bool AttributeBaker::is_needed(const TileKey& tile) const {
+    for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
+        const ChunkKey chunk{tile.level + 1, 2 * tile.u + (quadrant & 1), 2 * tile.v + (quadrant >> 1)};
+        if (plan_.lattice.contains(chunk) && coverage_.has_children(chunk)) return true;
     }
+    return false;
+}
+
+/// Tiles with a page to be made, so that those that follow each other mostly share the tiles above them.
+std::vector<TileKey> AttributeBaker::tiles_of(std::uint32_t level) const {
+    std::vector<PostRange> regions = coverage_.regions();
+    if (level >= coverage_.base_level()) regions = {{0, 0, plan_.header.columns - 1, plan_.header.rows - 1}};
+    std::vector<TileKey> tiles;
+    for (const PostRange& region : regions) {
+        const std::uint32_t side = kTilePosts << level;
+        for (std::uint32_t v = region.j0 / side; v <= std::min((region.j1 - 1) / side, tiles_down(level) - 1); ++v)
+            for (std::uint32_t u = region.i0 / side; u <= std::min((region.i1 - 1) / side, tiles_across(level) - 1); ++u)
+                if (is_needed({level, u, v})) tiles.push_back({level, u, v});
+    }
+    std::sort(tiles.begin(), tiles.end(),
+              [](const TileKey& a, const TileKey& b) { return interleaved(a.u, a.v) < interleaved(b.u, b.v); });
+    tiles.erase(std::unique(tiles.begin(), tiles.end(), same), tiles.end());
+    return tiles;
+}
+
+void AttributeBaker::list_tasks(std::uint32_t first_level, std::uint32_t last_level) {
+    const std::uint32_t with_those_below = std::min(first_level, last_level + kSubtreeLevels);
+    for (std::uint32_t level = first_level + 1; level-- > with_those_below;)
+        for (const TileKey& tile : tiles_of(level)) tasks_.push_back({tile, level == with_those_below ? last_level : level});
 }
 
 std::unique_ptr<AttributeBaker::Sight> AttributeBaker::take_sight() {
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) {
         auto sight = std::make_unique<Sight>();
-        sight->levels.resize(pyramid_.level_count());
+        sight->levels.resize(heights_.level_count());
         return sight;
     }
     std::unique_ptr<Sight> sight = std::move(idle_.back());
@@ -118,7 +140,7 @@ std::unique_ptr<AttributeBaker::Sight> AttributeBaker::take_sight() {
 std::vector<BakedPage> AttributeBaker::run(std::uint32_t task) {
     std::unique_ptr<Sight> sight = take_sight();
     std::vector<BakedPage> pages;
-    bake(tasks_[task].tile, tasks_[task].with_tiles_below, *sight, pages);
+    bake(tasks_[task], *sight, pages);
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(sight));
     return pages;
@@ -126,17 +148,16 @@ std::vector<BakedPage> AttributeBaker::run(std::uint32_t task) {
 
 /// Known heights and validity as the maps are made from; `classes` are what the posts are called.
 AttributeTile AttributeBaker::load(const TileKey& key, std::vector<PostClass>& classes) const {
-    const PostsFile& level = pyramid_.level(key.level);
     const std::uint32_t i = key.u * kTilePosts, j = key.v * kTilePosts;
     AttributeTile tile;
-    tile.columns = static_cast<int>(std::min(kTilePosts + 1, level.columns() - i));
-    tile.rows = static_cast<int>(std::min(kTilePosts + 1, level.rows() - j));
+    tile.columns = static_cast<int>(std::min(kTilePosts + 1, heights_.columns(key.level) - i));
+    tile.rows = static_cast<int>(std::min(kTilePosts + 1, heights_.rows(key.level) - j));
     LatticeWindow window;
     window.i0 = std::int64_t{i} - kAttributeApron;
     window.j0 = std::int64_t{j} - kAttributeApron;
     window.columns = static_cast<std::uint32_t>(tile.full_columns());
     window.rows = static_cast<std::uint32_t>(tile.full_rows());
-    level.read(window);
+    heights_.read(key.level, window);
     classes = window.post_class;
     tile.height_m = std::move(window.height_m);
     tile.post_class = std::move(window.post_class);
@@ -154,7 +175,7 @@ AttributeTile AttributeBaker::load(const TileKey& key, std::vector<PostClass>& c
 /// Makes what is missing, from the top of the pyramid down.
 FarView AttributeBaker::view_above(const TileKey& tile, Sight& sight) const {
     FarView view;
-    for (std::uint32_t level = pyramid_.level_count() - 1; level > tile.level; --level) {
+    for (std::uint32_t level = heights_.level_count() - 1; level > tile.level; --level) {
         const std::uint32_t shift = level - tile.level;
         const TileKey above{level, tile.u >> shift, tile.v >> shift};
         Sight::Level& at = sight.levels[level];
@@ -169,16 +190,16 @@ FarView AttributeBaker::view_above(const TileKey& tile, Sight& sight) const {
     return view;
 }
 
-void AttributeBaker::bake(const TileKey& tile, bool with_tiles_below, Sight& sight, std::vector<BakedPage>& pages) {
+void AttributeBaker::bake(const Task& task, Sight& sight, std::vector<BakedPage>& pages) {
     // Depth first without recursion: the tile with the most recent sight above it goes next.
-    std::vector<TileKey> open{tile};
+    std::vector<TileKey> open{task.tile};
     while (!open.empty()) {
         const TileKey next = open.back();
         open.pop_back();
         const FarView view = view_above(next, sight);
         std::vector<PostClass> classes;
         const AttributeTile posts = load(next, classes);
-        const bool go_on = with_tiles_below && next.level > 0;
+        const bool go_on = next.level > task.last_level;
         TileAttributes made = make_attributes(posts, FixedLight(), view, go_on);
         name_classes(posts, classes, made.maps);
         put_pages(next, made.maps, pages);
@@ -186,7 +207,8 @@ void AttributeBaker::bake(const TileKey& tile, bool with_tiles_below, Sight& sig
         sight.levels[next.level] = {next, std::move(*made.far), true};
         for (std::uint32_t quadrant = 4; quadrant-- > 0;) {
             const TileKey child{next.level - 1, 2 * next.u + (quadrant & 1), 2 * next.v + (quadrant >> 1)};
-            if (child.u < tiles_across(child.level) && child.v < tiles_down(child.level)) open.push_back(child);
+            const bool inside = child.u < tiles_across(child.level) && child.v < tiles_down(child.level);
+            if (inside && is_needed(child)) open.push_back(child);
         }
     }
 }
@@ -195,13 +217,23 @@ void AttributeBaker::put_pages(const TileKey& tile, const AttributeMaps& maps, s
     const auto page = std::make_unique<AttributePage>();
     for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
         const ChunkKey chunk{tile.level + 1, 2 * tile.u + (quadrant & 1), 2 * tile.v + (quadrant >> 1)};
-        if (!plan_.lattice.contains(chunk)) continue;
+        if (!plan_.lattice.contains(chunk) || !coverage_.has_children(chunk)) continue;
         cut_page(maps, (quadrant & 1) * kPageSteps, (quadrant >> 1) * kPageSteps, *page);
-        PartPlace place = layout_.attribute_place(chunk);
-        place.crc = checksum(page.get(), sizeof *page);
-        store_.put(ChunkPart::attributes, chunk, place, {reinterpret_cast<const std::uint8_t*>(page.get()), sizeof *page});
-        pages.push_back({chunk, place});
+        pages.push_back(placed(chunk, *page));
     }
+}
+
+BakedPage AttributeBaker::placed(const ChunkKey& chunk, const AttributePage& page) {
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&page);
+    const std::uint32_t base = coverage_.base_level();
+    BakedPage baked{chunk, {0, sizeof page, checksum(bytes, sizeof page)}, {}};
+    if (chunk.level <= base) {
+        baked.bytes.assign(bytes, bytes + sizeof page);
+        return baked;
+    }
+    baked.place.offset = layout_.attribute_place({chunk.level - base, chunk.i, chunk.j}).offset;
+    store_.put(ChunkPart::attributes, chunk, baked.place, {bytes, sizeof page});
+    return baked;
 }
 
 }  // namespace tedavis::host_sim

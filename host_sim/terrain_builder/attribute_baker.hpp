@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "host_sim/terrain_builder/attributes/attribute_maps.hpp"
-#include "host_sim/terrain_builder/height_pyramid.hpp"
+#include "host_sim/terrain_builder/height_levels.hpp"
+#include "host_sim/terrain_builder/inset_coverage.hpp"
 #include "host_sim/terrain_builder/part_store.hpp"
 #include "host_sim/terrain_builder/tdb_layout.hpp"
 
@@ -27,22 +28,25 @@ inline constexpr std::uint32_t kTilePosts = 128;
 
 struct BakedPage {
     terrain::ChunkKey chunk;
-    terrain::PartPlace place;
+    terrain::PartPlace place;         ///< its offset is still open where there are bytes
+    std::vector<std::uint8_t> bytes;  ///< empty: in the store
 };
 
 class AttributeBaker {
 public:
-    AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, HeightPyramid& pyramid, PartStore& store);
+    /// `plan` is of the finest posts, `layout` of the coarse ones where there are insets.
+    AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, const InsetCoverage& coverage, const HeightLevels& heights,
+                   PartStore& store);
 
     /// Tasks are independent of each other; together they make every page once.
     [[nodiscard]] std::uint32_t task_count() const { return static_cast<std::uint32_t>(tasks_.size()); }
-    /// Puts the pages into the store. Any thread.
+    /// Pages of chunks that have children; a page whose place is known beforehand goes into the store. Any thread.
     [[nodiscard]] std::vector<BakedPage> run(std::uint32_t task);
 
 private:
     struct Task {
         TileKey tile;
-        bool with_tiles_below;
+        std::uint32_t last_level;  ///< tiles below it are made with it down to here
     };
     /// Far horizons of one tile a level.
     struct Sight {
@@ -56,16 +60,20 @@ private:
 
     [[nodiscard]] std::uint32_t tiles_across(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t tiles_down(std::uint32_t level) const;
-    void list_tasks();
+    void list_tasks(std::uint32_t first_level, std::uint32_t last_level);
+    [[nodiscard]] std::vector<TileKey> tiles_of(std::uint32_t level) const;
+    [[nodiscard]] bool is_needed(const TileKey& tile) const;
     [[nodiscard]] AttributeTile load(const TileKey& tile, std::vector<terrain::PostClass>& classes) const;
     [[nodiscard]] FarView view_above(const TileKey& tile, Sight& sight) const;
-    void bake(const TileKey& tile, bool with_tiles_below, Sight& sight, std::vector<BakedPage>& pages);
+    void bake(const Task& task, Sight& sight, std::vector<BakedPage>& pages);
     void put_pages(const TileKey& tile, const AttributeMaps& maps, std::vector<BakedPage>& pages);
+    [[nodiscard]] BakedPage placed(const terrain::ChunkKey& chunk, const terrain::AttributePage& page);
     [[nodiscard]] std::unique_ptr<Sight> take_sight();
 
     const BuildPlan& plan_;
     const TdbLayout& layout_;
-    HeightPyramid& pyramid_;
+    const InsetCoverage& coverage_;
+    const HeightLevels& heights_;
     PartStore& store_;
     std::vector<Task> tasks_;
     std::mutex mutex_;

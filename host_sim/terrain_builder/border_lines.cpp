@@ -21,19 +21,9 @@ std::uint32_t parts(std::uint32_t whole, std::uint32_t part) { return (whole + p
 
 }  // namespace
 
-std::uint32_t LineGrid::post_of(std::uint32_t line) const { return std::min(line * kChunkCells, posts - 1); }
-
-std::uint32_t LineGrid::top_level(std::uint32_t post) const {
-    if (post == 0 || post == posts - 1) return top;
-    std::uint32_t level = 0;
-    while (level < top && post % (kChunkCells << (level + 1)) == 0) ++level;
-    return level;
-}
-
 BorderLines::BorderLines(const BuildPlan& plan, const std::string& folder)
-    : plan_(plan),
-      row_lines_{plan.header.rows, plan.levels() - 1},
-      column_lines_{plan.header.columns, plan.levels() - 1},
+    : LineLevels({plan.header.rows, plan.levels() - 1}, {plan.header.columns, plan.levels() - 1}),
+      plan_(plan),
       rows_(folder + "/rows"),
       columns_(folder + "/columns") {
     rows_.resize(std::uint64_t{row_lines_.count()} * plan.header.columns);

@@ -57,10 +57,10 @@ void place_poles(BuildPlan& plan) {
     add(g.north_deg - g.step_lat_deg * (g.rows - 1) + 90, kLatticeSouthPole);
 }
 
-std::uint32_t levels_for(const FileHeader& h) {
+std::uint32_t levels_for(const FileHeader& h, std::uint32_t most) {
     std::uint32_t levels = 1;
     const std::uint32_t cells = std::max(h.columns, h.rows) - 1;
-    while (levels < kMaxLevels && (kChunkCells << (levels - 1)) < cells) ++levels;
+    while (levels < most && (kChunkCells << (levels - 1)) < cells) ++levels;
     return levels;
 }
 
@@ -127,7 +127,7 @@ double BuildPlan::quantum_m(std::uint32_t level) const {
     return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(reach_m / 16777216.0))));
 }
 
-BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options) {
+BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options, std::uint32_t finer_levels) {
     if (grid.columns < 2 || grid.rows < 2)
         throw UserError(grid.source + ": has " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
                         " posts; a terrain needs two by two or more");
@@ -137,11 +137,26 @@ BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options) {
     plan.header.west_deg = grid.west_deg;
     close_round_the_earth(plan);
     place_poles(plan);
-    plan.header.levels = levels_for(plan.header);
+    plan.header.levels = levels_for(plan.header, kMaxLevels - finer_levels);
     plan.lattice = Lattice(plan.header);
     choose_tolerances(plan);
     cut_geoid(plan);
     return plan;
+}
+
+BuildPlan make_finer_plan(const BuildPlan& plan, std::uint32_t finer_levels) {
+    BuildPlan finer = plan;
+    FileHeader& h = finer.header;
+    h.columns = ((h.columns - 1) << finer_levels) + 1;
+    h.rows = ((h.rows - 1) << finer_levels) + 1;
+    h.step_lon_deg = std::ldexp(h.step_lon_deg, -static_cast<int>(finer_levels));
+    h.step_lat_deg = std::ldexp(h.step_lat_deg, -static_cast<int>(finer_levels));
+    h.levels += finer_levels;
+    finer.lattice = Lattice(h);
+    choose_tolerances(finer);
+    for (std::uint32_t level = 0; finer_levels > 0 && level < plan.levels(); ++level)
+        h.tolerance_m[level + finer_levels] = plan.header.tolerance_m[level];
+    return finer;
 }
 
 }  // namespace tedavis::host_sim

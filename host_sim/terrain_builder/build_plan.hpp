@@ -60,7 +60,11 @@ struct BuildPlan {
     [[nodiscard]] double quantum_m(std::uint32_t level) const;
 };
 
-/// Throws UserError where the grid cannot be a lattice.
-[[nodiscard]] BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options);
+/// Throws UserError where the grid cannot be a lattice. `finer_levels` are left free for insets.
+[[nodiscard]] BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options, std::uint32_t finer_levels = 0);
+
+/// The plan of posts 2^finer_levels times as dense, whose every 2^finer_levels-th post is one of the plan's. Not for lattices
+/// round the Earth or with a pole.
+[[nodiscard]] BuildPlan make_finer_plan(const BuildPlan& plan, std::uint32_t finer_levels);
 
 }  // namespace tedavis::host_sim

@@ -11,7 +11,7 @@ using namespace terrain;
 struct SideLevels {
     std::vector<std::uint8_t> north, east, south, west;
 
-    SideLevels(const BorderLines& lines, const PostRange& posts)
+    SideLevels(const LineLevels& lines, const PostRange& posts)
         : north(lines.along_row(posts.j0, posts.i0, posts.i1 - posts.i0 + 1)),
           east(lines.along_column(posts.i1, posts.j0, posts.j1 - posts.j0 + 1)),
           south(lines.along_row(posts.j1, posts.i0, posts.i1 - posts.i0 + 1)),
@@ -20,7 +20,7 @@ struct SideLevels {
 
 class BorderMaker {
 public:
-    BorderMaker(const BuildPlan& plan, const BorderLines& lines, const ChunkKey& key)
+    BorderMaker(const BuildPlan& plan, const LineLevels& lines, const ChunkKey& key)
         : plan_(plan), lines_(lines), level_(key.level), posts_(plan.lattice.posts_of(key)), levels_(lines, posts_) {}
 
     std::vector<BorderPost> run() {
@@ -55,7 +55,7 @@ private:
     }
 
     const BuildPlan& plan_;
-    const BorderLines& lines_;
+    const LineLevels& lines_;
     const std::uint32_t level_;
     const PostRange posts_;
     const SideLevels levels_;
@@ -64,7 +64,7 @@ private:
 
 }  // namespace
 
-std::vector<BorderPost> chunk_border(const BuildPlan& plan, const BorderLines& lines, const ChunkKey& key) {
+std::vector<BorderPost> chunk_border(const BuildPlan& plan, const LineLevels& lines, const ChunkKey& key) {
     return BorderMaker(plan, lines, key).run();
 }
 

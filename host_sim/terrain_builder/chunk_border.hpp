@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/terrain_builder/border_lines.hpp"
+#include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/ground.hpp"
 #include "render_core/terrain/chunk_key.hpp"
 
 namespace tedavis::host_sim {
@@ -16,7 +17,7 @@ struct BorderPost {
 };
 
 /// Clockwise seen from above from the north-west corner.
-[[nodiscard]] std::vector<BorderPost> chunk_border(const BuildPlan& plan, const BorderLines& lines, const terrain::ChunkKey& key);
+[[nodiscard]] std::vector<BorderPost> chunk_border(const BuildPlan& plan, const LineLevels& lines, const terrain::ChunkKey& key);
 
 /// Sides, as EdgeBits, that a coarser chunk can lie beyond: those that are sides of the parent too and do not end the lattice.
 [[nodiscard]] std::uint8_t sides_of_parent(const BuildPlan& plan, const terrain::ChunkKey& key);

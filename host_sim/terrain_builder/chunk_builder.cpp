@@ -25,16 +25,6 @@ std::uint16_t count_strips(const ChunkDraft& draft, const std::vector<std::uint1
     return strips;
 }
 
-/// The triangles that a regular chunk has without storing them.
-std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
-    std::vector<std::uint16_t> triangles;
-    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
-        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i)
-            for (const auto& [di, dj] : {std::pair{0u, 0u}, {0u, 1u}, {1u, 0u}, {1u, 0u}, {0u, 1u}, {1u, 1u}})
-                triangles.push_back(static_cast<std::uint16_t>(grid.index_of(i + di, j + dj)));
-    return triangles;
-}
-
 // Of the tolerance. Where all posts are candidates, what may be missed between them: tighter costs triangles. Where candidates
 // are vertices of finer meshes, other posts are between them too. Without posts at hand, candidates leave room for the others.
 constexpr double kMissOfPosts = 1.25, kMissOfVertices = 1.0, kUnseenPosts = 0.8;
@@ -77,16 +67,27 @@ Tin within_capacity(TinInput& input, double tolerance_m, double miss_of_toleranc
 
 }  // namespace
 
-ChunkDraft make_regular_chunk(const BuildPlan& plan, const BorderLines& lines, std::uint32_t i, std::uint32_t j,
-                              const LatticeWindow& window, const PostPlaces& places) {
-    const ChunkKey key{0, i, j};
+std::vector<std::uint16_t> regular_triangles(const RegularGrid& grid) {
+    std::vector<std::uint16_t> triangles;
+    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
+        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i)
+            for (const auto& [di, dj] : {std::pair{0u, 0u}, {0u, 1u}, {1u, 0u}, {1u, 0u}, {0u, 1u}, {1u, 1u}})
+                triangles.push_back(static_cast<std::uint16_t>(grid.index_of(i + di, j + dj)));
+    return triangles;
+}
+
+ChunkDraft make_regular_chunk(const BuildPlan& plan, const LineLevels& lines, const ChunkKey& key, const LatticeWindow& window,
+                              const PostPlaces& places) {
     const PostRange posts = plan.lattice.posts_of(key);
-    const RegularGrid grid{posts.i1 - posts.i0 + 1, posts.j1 - posts.j0 + 1};
+    const std::uint32_t cells_i = posts.i1 - posts.i0, cells_j = posts.j1 - posts.j0;
+    const RegularGrid grid = regular_grid(cells_i, cells_j, key.level);
     ChunkAssembly assembly(plan, key);
     assembly.reserve(grid.vertex_count());
     for (const BorderPost& post : chunk_border(plan, lines, key)) assembly.add_border(post, window, places);
-    for (std::uint32_t row = posts.j0 + 1; row < posts.j1; ++row)
-        for (std::uint32_t column = posts.i0 + 1; column < posts.i1; ++column) assembly.add_inner(column, row, window, places);
+    for (std::uint32_t row = 1; row + 1 < grid.rows; ++row)
+        for (std::uint32_t column = 1; column + 1 < grid.columns; ++column)
+            assembly.add_inner(posts.i0 + regular_post(column, cells_i, key.level),
+                               posts.j0 + regular_post(row, cells_j, key.level), window, places);
     ChunkDraft draft = assembly.finish();
     draft.entry.flags |= kChunkRegular;
     draft.entry.triangle_count = static_cast<std::uint16_t>(grid.triangle_count());
@@ -94,7 +95,7 @@ ChunkDraft make_regular_chunk(const BuildPlan& plan, const BorderLines& lines, s
     return draft;
 }
 
-Tin triangulate_chunk(const BuildPlan& plan, const SlopeMap& slopes, const ChunkKey& key, std::vector<TinPost> border_posts,
+Tin triangulate_chunk(const BuildPlan& plan, const Steepness& slopes, const ChunkKey& key, std::vector<TinPost> border_posts,
                       std::vector<TinPost> candidates, const LatticeWindow* surface) {
     const PostRange posts = plan.lattice.posts_of(key);
     const GroundOfChunk ground{plan, posts, slopes.steepest(posts, 0), surface != nullptr ? surface->view() : PostWindowView{}};
@@ -121,11 +122,16 @@ void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles) {
     draft.entry.strip_count = count_strips(draft, triangles);
 }
 
-std::vector<std::uint8_t> payload_of(const ChunkDraft& draft) {
-    const std::size_t vertex_bytes = draft.vertices.size() * sizeof(ChunkVertex),
+std::vector<std::uint8_t> payload_of(const ChunkDraft& draft, std::uint32_t lift) {
+    std::vector<ChunkVertex> vertices = draft.vertices;
+    for (ChunkVertex& v : vertices) {
+        v.i = static_cast<std::uint16_t>(v.i << lift);
+        v.j = static_cast<std::uint16_t>(v.j << lift);
+    }
+    const std::size_t vertex_bytes = vertices.size() * sizeof(ChunkVertex),
                       index_bytes = draft.triangles.size() * sizeof(std::uint16_t);
     std::vector<std::uint8_t> bytes(vertex_bytes + index_bytes);
-    std::memcpy(bytes.data(), draft.vertices.data(), vertex_bytes);
+    std::memcpy(bytes.data(), vertices.data(), vertex_bytes);
     if (index_bytes > 0) std::memcpy(bytes.data() + vertex_bytes, draft.triangles.data(), index_bytes);
     return bytes;
 }

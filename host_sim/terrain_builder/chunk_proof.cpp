@@ -73,7 +73,7 @@ void ChunkErrors::state(ChunkEntry& entry) const {
     grow_box(entry, own.largest_m() + shift_m);
 }
 
-ChunkProof::ChunkProof(const BuildPlan& plan, const SlopeMap& slopes, const ChunkDraft& draft,
+ChunkProof::ChunkProof(const BuildPlan& plan, const Steepness& slopes, const ChunkDraft& draft,
                        const std::vector<double>& surface_m, std::uint8_t sides)
     : plan_(plan), domain_(plan.lattice.posts_of(key_of(draft.entry))), rounding_m_(draft.rounding_m) {
     if ((draft.entry.flags & kChunkRegular) != 0) add_regular(draft);
@@ -132,7 +132,7 @@ void ChunkProof::add_regular(const ChunkDraft& draft) {
 }
 
 /// What is off sideways is off by the slope in height.
-void ChunkProof::include_curvature(const SlopeMap& slopes) {
+void ChunkProof::include_curvature(const Steepness& slopes) {
     const double cell_m = 6335000 * std::abs(plan_.lattice.latitude_rad(domain_.j0) - plan_.lattice.latitude_rad(domain_.j1)) /
                           (domain_.j1 - domain_.j0);
     const auto margin = static_cast<std::uint32_t>(std::min(errors_.shift_m / cell_m, 1e6)) + 1;

@@ -35,7 +35,7 @@ struct ChunkErrors {
 class ChunkProof {
 public:
     /// `surface_m` are the heights of the draft's vertices; `sides` where coarser neighbours can be.
-    ChunkProof(const BuildPlan& plan, const SlopeMap& slopes, const ChunkDraft& draft, const std::vector<double>& surface_m,
+    ChunkProof(const BuildPlan& plan, const Steepness& slopes, const ChunkDraft& draft, const std::vector<double>& surface_m,
                std::uint8_t sides);
 
     /// Takes the posts of a window into account. Windows whose union is the chunk's domain, in any order, measure the chunk.
@@ -53,7 +53,7 @@ private:
     void add_triangles(const ChunkDraft& draft, const std::vector<double>& surface_m, const std::uint16_t* indices,
                        std::size_t count, bool in_strip);
     void add_regular(const ChunkDraft& draft);
-    void include_curvature(const SlopeMap& slopes);
+    void include_curvature(const Steepness& slopes);
 
     const BuildPlan& plan_;
     const terrain::PostRange domain_;

@@ -8,6 +8,7 @@
 #include "host_sim/terrain_builder/chunk_builder.hpp"
 #include "host_sim/terrain_builder/chunk_summary.hpp"
 #include "host_sim/terrain_builder/surface_heights.hpp"
+#include "render_core/terrain/regular_chunk.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -21,10 +22,15 @@ ChunkDraft load_draft(const ChunkSources& s, const ChunkEntry& entry) {
     ChunkDraft draft;
     draft.entry = entry;
     draft.vertices.resize(entry.vertex_count);
-    draft.triangles.resize(std::size_t{entry.triangle_count} * 3);
+    const bool is_regular = (entry.flags & kChunkRegular) != 0;
+    draft.triangles.resize(is_regular ? 0 : std::size_t{entry.triangle_count} * 3);
     const std::size_t vertex_bytes = draft.vertices.size() * sizeof(ChunkVertex);
     std::memcpy(draft.vertices.data(), bytes.data(), vertex_bytes);
-    std::memcpy(draft.triangles.data(), bytes.data() + vertex_bytes, draft.triangles.size() * sizeof(std::uint16_t));
+    if (!draft.triangles.empty()) std::memcpy(draft.triangles.data(), bytes.data() + vertex_bytes, bytes.size() - vertex_bytes);
+    for (ChunkVertex& v : draft.vertices) {
+        v.i = static_cast<std::uint16_t>(v.i >> s.lift);
+        v.j = static_cast<std::uint16_t>(v.j >> s.lift);
+    }
     return draft;
 }
 
@@ -92,6 +98,33 @@ std::vector<TinPost> candidates(const ChunkSources& s, const EntriesFile& entrie
     return result;
 }
 
+/// A coarse draft as the database's lattice sees it; its triangles stand for themselves even if they are regular.
+void lift(ChunkDraft& draft, const Lattice& coarse, std::uint32_t levels) {
+    if ((draft.entry.flags & kChunkRegular) != 0) {
+        const PostRange posts = coarse.posts_of(key_of(draft.entry));
+        draft.triangles = regular_triangles(regular_grid(posts.i1 - posts.i0, posts.j1 - posts.j0, 0));
+        draft.entry.flags = static_cast<std::uint8_t>(draft.entry.flags & ~unsigned{kChunkRegular});
+    }
+    draft.entry.level = static_cast<std::uint8_t>(draft.entry.level + levels);
+    for (ChunkVertex& v : draft.vertices) {
+        v.i = static_cast<std::uint16_t>(v.i << levels);
+        v.j = static_cast<std::uint16_t>(v.j << levels);
+    }
+}
+
+/// The posts of a chunk, without those beside it.
+LatticeWindow read_chunk(const ChunkSources& s, const ChunkKey& key) {
+    const PostRange posts = s.plan.lattice.posts_of(key);
+    LatticeWindow window;
+    window.i0 = posts.i0;
+    window.j0 = posts.j0;
+    window.columns = posts.i1 - posts.i0 + 1;
+    window.rows = posts.j1 - posts.j0 + 1;
+    s.posts.read(window);
+    add_undulation(s.plan, window);
+    return window;
+}
+
 }  // namespace
 
 IrregularChunk build_coarse_chunk(const ChunkSources& s, const EntriesFile& entries, const ChunkKey& key) {
@@ -113,7 +146,7 @@ IrregularChunk build_coarse_chunk(const ChunkSources& s, const EntriesFile& entr
     set_triangles(draft, tin.triangles);
     for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant)
         if (s.plan.lattice.contains(key.child(quadrant))) summarise_child(entries.read(key.child(quadrant)), draft.entry);
-    IrregularChunk chunk{draft.entry, payload_of(draft)};
+    IrregularChunk chunk{draft.entry, payload_of(draft, s.lift)};
     chunk.entry.payload = {0, static_cast<std::uint32_t>(chunk.payload.size()),
                            checksum(chunk.payload.data(), chunk.payload.size())};
     return chunk;
@@ -121,19 +154,28 @@ IrregularChunk build_coarse_chunk(const ChunkSources& s, const EntriesFile& entr
 
 std::vector<CoarseErrors> measure_above(const ChunkSources& s, const EntriesFile& entries, std::uint32_t unit) {
     ChunkKey key{kUnitLevel, unit % s.plan.unit_columns(), unit / s.plan.unit_columns()};
-    const PostRange posts = s.plan.lattice.posts_of(key);
-    LatticeWindow window;
-    window.i0 = posts.i0;
-    window.j0 = posts.j0;
-    window.columns = posts.i1 - posts.i0 + 1;
-    window.rows = posts.j1 - posts.j0 + 1;
-    s.posts.read(window);
-    add_undulation(s.plan, window);
+    const LatticeWindow window = read_chunk(s, key);
     std::vector<CoarseErrors> errors;
     for (key = key.parent(); key.level < s.plan.levels(); key = key.parent()) {
         ChunkDraft draft = load_draft(s, entries.read(key));
         draft.rounding_m = rounding_of(s, key);
         ChunkProof proof(s.plan, s.slopes, draft, surfaces_of(s.plan, draft), sides_of_parent(s.plan, key));
+        proof.include(window.view());
+        errors.push_back({key, proof.errors()});
+    }
+    return errors;
+}
+
+std::vector<CoarseErrors> measure_inset_block(const ChunkSources& fine, const ChunkSources& coarse, const EntriesFile& entries,
+                                              const ChunkKey& block) {
+    const LatticeWindow window = read_chunk(fine, block);
+    std::vector<CoarseErrors> errors;
+    for (ChunkKey key = block; key.level < fine.plan.levels(); key = key.parent()) {
+        const ChunkKey coarse_key{key.level - block.level, key.i, key.j};
+        ChunkDraft draft = load_draft(coarse, entries.read(coarse_key));
+        draft.rounding_m = rounding_of(coarse, coarse_key);
+        lift(draft, coarse.plan.lattice, block.level);
+        ChunkProof proof(fine.plan, fine.slopes, draft, surfaces_of(fine.plan, draft), sides_of_parent(fine.plan, key));
         proof.include(window.view());
         errors.push_back({key, proof.errors()});
     }

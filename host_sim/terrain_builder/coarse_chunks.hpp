@@ -21,5 +21,9 @@ struct CoarseErrors {
 /// What the posts of a unit say about the chunks above it; taken together over all units, their errors. Any thread.
 [[nodiscard]] std::vector<CoarseErrors> measure_above(const ChunkSources& sources, const EntriesFile& entries,
                                                       std::uint32_t unit);
+/// What the fine posts of a block, a chunk of the base level that has children, say about that chunk and those above it: keys
+/// of the database. `entries` are the coarse ones. Any thread.
+[[nodiscard]] std::vector<CoarseErrors> measure_inset_block(const ChunkSources& fine, const ChunkSources& coarse,
+                                                            const EntriesFile& entries, const terrain::ChunkKey& block);
 
 }  // namespace tedavis::host_sim

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "host_sim/terrain_builder/chunk_summary.hpp"
 #include "host_sim/terrain_builder/part_store.hpp"
 
 namespace tedavis::host_sim {
@@ -19,23 +20,30 @@ struct Facing {
 };
 constexpr Facing kFacing[] = {{kEdgeNorth, {2, 3}}, {kEdgeEast, {0, 2}}, {kEdgeSouth, {0, 1}}, {kEdgeWest, {1, 3}}};
 
-float bound_of(const BuildPlan& plan, const EntriesFile& entries, const ChunkEntry& entry) {
-    float bound = std::max(entry.above_m, entry.below_m);
-    if (entry.children == 0) return bound;
-    const ChunkKey key = key_of(entry);
-    const Lattice& lattice = plan.lattice;
-    for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant)
-        if (lattice.contains(key.child(quadrant))) bound = std::max(bound, entries.read(key.child(quadrant)).bound_m);
+void include_children(const DirectorySources& s, const ChunkKey& key, ChunkEntry& entry) {
+    entry.children = 0;
+    entry.flags &= kChunkRegular;
+    entry.min_height_m = entry.max_height_m = 0;
+    for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
+        if (!s.plan.lattice.contains(key.child(quadrant))) continue;
+        const ChunkEntry child = s.entries.read(key.child(quadrant));
+        summarise_child(child, entry);
+        entry.bound_m = std::max(entry.bound_m, child.bound_m);
+    }
+}
+
+float worst_facing_strip(const DirectorySources& s, const ChunkKey& key) {
+    float worst = 0;
     for (const Facing& facing : kFacing) {
-        const ChunkKey neighbour = lattice.neighbour(key, facing.side);
-        if (neighbour == kNoChunk) continue;
+        const ChunkKey neighbour = s.plan.lattice.neighbour(key, facing.side);
+        if (neighbour == kNoChunk || !s.coverage.exists(neighbour) || !s.coverage.has_children(neighbour)) continue;
         for (const std::uint32_t quadrant : facing.quadrants) {
-            if (!lattice.contains(neighbour.child(quadrant))) continue;
-            const ChunkEntry finer = entries.read(neighbour.child(quadrant));
-            bound = std::max({bound, finer.strip_above_m, finer.strip_below_m});
+            if (!s.plan.lattice.contains(neighbour.child(quadrant))) continue;
+            const ChunkEntry finer = s.entries.read(neighbour.child(quadrant));
+            worst = std::max({worst, finer.strip_above_m, finer.strip_below_m});
         }
     }
-    return bound;
+    return worst;
 }
 
 /// The north-west chunk of a page.
@@ -47,45 +55,40 @@ ChunkKey first_chunk(const Lattice& lattice, std::uint32_t page) {
     }
 }
 
-std::uint32_t page_crc(const DirectoryPage& page) {
-    constexpr std::size_t kStart = offsetof(DirectoryPage, level);
-    return checksum(&page.level, sizeof page - kStart);
-}
-
 }  // namespace
 
-void set_bounds(const BuildPlan& plan, EntriesFile& entries, std::uint32_t level, std::uint32_t row) {
-    for (std::uint32_t i = 0; i < plan.lattice.grid_columns(level); ++i) {
-        ChunkEntry entry = entries.read({level, i, row});
-        entry.bound_m = bound_of(plan, entries, entry);
-        entries.write(entry);
-    }
+void finish_entry(const DirectorySources& s, const ChunkKey& key) {
+    ChunkEntry entry = s.entries.read(key);
+    entry.bound_m = std::max({entry.above_m, entry.below_m, worst_facing_strip(s, key)});
+    if (s.coverage.has_children(key)) include_children(s, key, entry);
+    s.entries.write(entry);
 }
 
-void write_page(const BuildPlan& plan, const TdbLayout& layout, const EntriesFile& entries, std::uint32_t index,
-                WorkFile& database) {
+void write_page(const DirectorySources& s, std::uint32_t n, WorkFile& database) {
+    const TdbLayout::Page place = s.layout.existing_pages()[n];
     const auto page = std::make_unique<DirectoryPage>();
-    const ChunkKey first = first_chunk(plan.lattice, index);
+    const ChunkKey first = first_chunk(s.plan.lattice, place.index);
     page->level = first.level;
     page->i = first.i / kPageChunks;
     page->j = first.j / kPageChunks;
-    for (std::uint32_t n = 0; n < kPageChunks * kPageChunks; ++n) {
-        const ChunkKey key{first.level, first.i + n % kPageChunks, first.j + n / kPageChunks};
-        if (plan.lattice.contains(key)) page->entries[n] = entries.read(key);
+    for (std::uint32_t e = 0; e < kPageChunks * kPageChunks; ++e) {
+        const ChunkKey key{first.level, first.i + e % kPageChunks, first.j + e / kPageChunks};
+        if (s.plan.lattice.contains(key) && s.coverage.exists(key)) page->entries[e] = s.entries.read(key);
     }
-    page->crc = page_crc(*page);
-    database.write(layout.pages + std::uint64_t{index} * sizeof *page, page.get(), sizeof *page);
+    constexpr std::size_t kStart = offsetof(DirectoryPage, level);
+    page->crc = checksum(&page->level, sizeof *page - kStart);
+    database.write(place.offset, page.get(), sizeof *page);
 }
 
-void write_frame(const BuildPlan& plan, const TdbLayout& layout, FileHeader header, WorkFile& database) {
-    std::vector<std::uint64_t> table(plan.lattice.page_count());
-    for (std::size_t n = 0; n < table.size(); ++n) table[n] = layout.pages + n * sizeof(DirectoryPage);
-    const std::vector<float>& undulation = plan.undulation.undulation_m;
-    database.write(layout.undulation, undulation.data(), undulation.size() * sizeof(float));
-    database.write(layout.page_table, table.data(), table.size() * sizeof(std::uint64_t));
-    header.page_count = plan.lattice.page_count();
-    header.undulation_offset = layout.undulation;
-    header.page_table_offset = layout.page_table;
+void write_frame(const DirectorySources& s, FileHeader header, WorkFile& database) {
+    std::vector<std::uint64_t> table(s.plan.lattice.page_count());
+    for (const TdbLayout::Page& page : s.layout.existing_pages()) table[page.index] = page.offset;
+    const std::vector<float>& undulation = s.plan.undulation.undulation_m;
+    database.write(s.layout.undulation, undulation.data(), undulation.size() * sizeof(float));
+    database.write(s.layout.page_table, table.data(), table.size() * sizeof(std::uint64_t));
+    header.page_count = s.plan.lattice.page_count();
+    header.undulation_offset = s.layout.undulation;
+    header.page_table_offset = s.layout.page_table;
     header.undulation_crc = checksum(undulation.data(), undulation.size() * sizeof(float));
     header.page_table_crc = checksum(table.data(), table.size() * sizeof(std::uint64_t));
     header.header_crc = checksum(&header, offsetof(FileHeader, header_crc));

@@ -15,58 +15,66 @@ namespace {
 
 using namespace terrain;
 
-LatticeWindow read_unit(const ChunkSources& s, std::uint32_t unit) {
-    const std::int64_t i = std::int64_t{unit % s.plan.unit_columns()} * kUnitCells,
-                       j = std::int64_t{unit / s.plan.unit_columns()} * kUnitCells;
-    const auto posts = [](std::int64_t first, std::uint32_t all) {
-        return static_cast<std::uint32_t>(std::min<std::int64_t>(kUnitCells + 1, all - first));
-    };
+/// The posts of a chunk and those beside it.
+LatticeWindow read_domain(const ChunkSources& s, const ChunkKey& domain) {
+    const PostRange posts = s.plan.lattice.posts_of(domain);
     LatticeWindow window;
-    window.i0 = i - 1;
-    window.j0 = j - 1;
-    window.columns = posts(i, s.plan.header.columns) + 2;
-    window.rows = posts(j, s.plan.header.rows) + 2;
+    window.i0 = std::int64_t{posts.i0} - 1;
+    window.j0 = std::int64_t{posts.j0} - 1;
+    window.columns = posts.i1 - posts.i0 + 3;
+    window.rows = posts.j1 - posts.j0 + 3;
     s.posts.read(window);
     add_undulation(s.plan, window);
     return window;
 }
 
+/// Makes the chunks within the domain of one of them, from its posts.
 class FineUnitBuilder {
 public:
-    FineUnitBuilder(const ChunkSources& sources, std::uint32_t unit)
+    FineUnitBuilder(const ChunkSources& sources, const ChunkKey& domain, const InsetCoverage& coverage)
         : s_(sources),
-          key_{kUnitLevel, unit % sources.plan.unit_columns(), unit / sources.plan.unit_columns()},
-          window_(read_unit(sources, unit)),
+          domain_(domain),
+          coverage_(coverage),
+          window_(read_domain(sources, domain)),
           places_(sources.plan.lattice, window_.i0, window_.j0, window_.columns, window_.rows) {}
 
-    FineUnit run() {
-        for_chunks(0, [this](const ChunkKey& key) { add_regular(key); });
-        for (std::uint32_t level = 1; level <= std::min(kUnitLevel, s_.plan.levels() - 1); ++level)
-            for_chunks(level, [this](const ChunkKey& key) { add_irregular(key); });
+    /// Levels 0 to `top`.
+    FineUnit run(std::uint32_t top) {
+        for (std::uint32_t level = 0; level <= top; ++level) for_chunks(level);
         return std::move(unit_);
     }
 
 private:
-    /// Those of a level that lie in the unit, row by row.
-    template <class Action>
-    void for_chunks(std::uint32_t level, Action action) const {
-        const std::uint32_t side = 1u << (kUnitLevel - level);
+    /// Those of a level, row by row.
+    void for_chunks(std::uint32_t level) {
+        const std::uint32_t side = 1u << (domain_.level - level);
         const Lattice& lattice = s_.plan.lattice;
-        for (std::uint32_t j = key_.j * side; j < std::min((key_.j + 1) * side, lattice.grid_rows(level)); ++j)
-            for (std::uint32_t i = key_.i * side; i < std::min((key_.i + 1) * side, lattice.grid_columns(level)); ++i)
-                action(ChunkKey{level, i, j});
+        for (std::uint32_t j = domain_.j * side; j < std::min((domain_.j + 1) * side, lattice.grid_rows(level)); ++j)
+            for (std::uint32_t i = domain_.i * side; i < std::min((domain_.i + 1) * side, lattice.grid_columns(level)); ++i) {
+                const ChunkKey key{level, i, j};
+                if (coverage_.exists(key)) coverage_.has_children(key) ? add_irregular(key) : add_regular(key);
+            }
     }
+    [[nodiscard]] bool is_inset() const { return coverage_.base_level() != 0; }
 
     void add_regular(const ChunkKey& key) {
-        ChunkDraft draft = make_regular_chunk(s_.plan, s_.lines, key.i, key.j, window_, places_);
+        ChunkDraft draft = make_regular_chunk(s_.plan, s_.lines, key, window_, places_);
         summarise_posts(s_.plan.lattice, window_, draft.entry);
         prove(draft);
-        const std::vector<std::uint8_t> payload = payload_of(draft);
+        summaries_.emplace(key, draft.entry);
+        if (is_inset()) return add_open(draft);
+        const std::vector<std::uint8_t> payload = payload_of(draft, s_.lift);
         draft.entry.payload = s_.layout.regular_place(key.i, key.j);
         draft.entry.payload.crc = checksum(payload.data(), payload.size());
-        s_.store.put(ChunkPart::regular, key, draft.entry.payload, payload);
-        summaries_.emplace(key, draft.entry);
+        s_.store.put(ChunkPart::regular, key, draft.entry.payload, {payload.data(), payload.size()});
         unit_.regular.push_back(draft.entry);
+    }
+
+    void add_open(const ChunkDraft& draft) {
+        IrregularChunk chunk{draft.entry, payload_of(draft, s_.lift)};
+        chunk.entry.payload = {0, static_cast<std::uint32_t>(chunk.payload.size()),
+                               checksum(chunk.payload.data(), chunk.payload.size())};
+        unit_.irregular.push_back(std::move(chunk));
     }
 
     void add_irregular(const ChunkKey& key) {
@@ -87,10 +95,7 @@ private:
         summarise(key, draft.entry);
         prove(draft);
         keep_vertices(key, tin);
-        IrregularChunk chunk{draft.entry, payload_of(draft)};
-        chunk.entry.payload = {0, static_cast<std::uint32_t>(chunk.payload.size()),
-                               checksum(chunk.payload.data(), chunk.payload.size())};
-        unit_.irregular.push_back(std::move(chunk));
+        add_open(draft);
     }
 
     [[nodiscard]] TinPost tin_post(const PostRange& posts, std::uint32_t i, std::uint32_t j) const {
@@ -102,7 +107,7 @@ private:
     /// All inner posts, or the vertices of the meshes some levels below.
     [[nodiscard]] std::vector<TinPost> candidates(const ChunkKey& key, const PostRange& posts) const {
         std::vector<TinPost> result;
-        if (key.level > kLevelsBelow) {
+        if (key.level > kLevelsBelow && !is_inset()) {
             const auto inside = [&posts](std::uint32_t i, std::uint32_t j) {
                 return i > posts.i0 && j > posts.j0 && i < posts.i1 && j < posts.j1;
             };
@@ -145,7 +150,8 @@ private:
     }
 
     const ChunkSources& s_;
-    const ChunkKey key_;
+    const ChunkKey domain_;
+    const InsetCoverage& coverage_;
     const LatticeWindow window_;
     const PostPlaces places_;
     FineUnit unit_;
@@ -155,6 +161,14 @@ private:
 
 }  // namespace
 
-FineUnit build_fine_unit(const ChunkSources& sources, std::uint32_t unit) { return FineUnitBuilder(sources, unit).run(); }
+FineUnit build_fine_unit(const ChunkSources& sources, std::uint32_t unit) {
+    const std::uint32_t across = sources.plan.unit_columns();
+    const ChunkKey domain{kUnitLevel, unit % across, unit / across};
+    return FineUnitBuilder(sources, domain, InsetCoverage()).run(std::min(kUnitLevel, sources.plan.levels() - 1));
+}
+
+std::vector<IrregularChunk> build_inset_block(const ChunkSources& sources, const InsetCoverage& coverage, const ChunkKey& block) {
+    return FineUnitBuilder(sources, block, coverage).run(block.level - 1).irregular;
+}
 
 }  // namespace tedavis::host_sim

@@ -62,7 +62,7 @@ Mean mean_round(const LatticeWindow& window, std::size_t centre, std::uint32_t l
     return {known == 0 ? kUnknown : sum / static_cast<float>(known), post_class};
 }
 
-LatticeWindow read_window(const PostsFile& level, std::int64_t i0, std::int64_t j0, std::uint32_t columns, std::uint32_t rows) {
+LatticeWindow read_window(const PostWindows& level, std::int64_t i0, std::int64_t j0, std::uint32_t columns, std::uint32_t rows) {
     LatticeWindow window;
     window.i0 = i0;
     window.j0 = j0;
@@ -72,19 +72,22 @@ LatticeWindow read_window(const PostsFile& level, std::int64_t i0, std::int64_t 
     return window;
 }
 
-void halve_block(const PostsFile& fine, std::uint32_t fine_level, PostsFile& coarse, const Block& block) {
+LatticeWindow halve_block(const PostWindows& fine, std::uint32_t fine_level, const Block& block) {
     const LatticeWindow window = read_window(fine, 2 * std::int64_t{block.i} - 1, 2 * std::int64_t{block.j} - 1,
                                              2 * block.columns + 1, 2 * block.rows + 1);
-    std::vector<float> heights;
-    std::vector<PostClass> classes;
+    LatticeWindow coarse;
+    coarse.i0 = block.i;
+    coarse.j0 = block.j;
+    coarse.columns = block.columns;
+    coarse.rows = block.rows;
     for (std::uint32_t j = 0; j < block.rows; ++j)
         for (std::uint32_t i = 0; i < block.columns; ++i) {
             const std::size_t centre = std::size_t{2 * j + 1} * window.columns + 2 * i + 1;
             const Mean mean = mean_round(window, centre, fine_level);
-            heights.push_back(mean.height_m);
-            classes.push_back(mean.post_class);
+            coarse.height_m.push_back(mean.height_m);
+            coarse.post_class.push_back(mean.post_class);
         }
-    coarse.write(block.i, block.j, block.columns, block.rows, heights, classes);
+    return coarse;
 }
 
 /// The closing column is the first one, also where halving has moved it.
@@ -134,6 +137,18 @@ void fill_unknown(const PostsFile& fine, bool is_posts, const PostsFile* coarse,
 
 }  // namespace
 
+std::uint32_t halving_block_count(const terrain::PostRange& posts) {
+    return Blocks{posts.i1 - posts.i0 + 1, posts.j1 - posts.j0 + 1}.count();
+}
+
+LatticeWindow halved_block(const PostWindows& fine, std::uint32_t fine_level, const terrain::PostRange& posts,
+                           std::uint32_t block) {
+    Block at = Blocks{posts.i1 - posts.i0 + 1, posts.j1 - posts.j0 + 1}.at(block);
+    at.i += posts.i0;
+    at.j += posts.j0;
+    return halve_block(fine, fine_level, at);
+}
+
 HeightPyramid::HeightPyramid(const std::string& folder, PostsFile& posts, bool closed) : posts_(posts), closed_(closed) {
     std::uint32_t columns = posts.columns(), rows = posts.rows();
     while (columns > 2 || rows > 2) {
@@ -145,13 +160,15 @@ HeightPyramid::HeightPyramid(const std::string& folder, PostsFile& posts, bool c
     }
 }
 
-std::uint32_t HeightPyramid::block_count(std::uint32_t m) { return Blocks{level(m).columns(), level(m).rows()}.count(); }
+std::uint32_t HeightPyramid::block_count(std::uint32_t m) const { return Blocks{level(m).columns(), level(m).rows()}.count(); }
 
 void HeightPyramid::build_block(std::uint32_t m, std::uint32_t block) {
     const PostsFile& fine = level(m - 1);
     PostsFile& coarse = level(m);
     const Block at = Blocks{coarse.columns(), coarse.rows()}.at(block);
-    halve_block(fine, m - 1, coarse, at);
+    const LatticeWindow made = halve_block(fine, m - 1, at);
+    coarse.write(at.i, at.j, at.columns, at.rows, {made.height_m.data(), made.height_m.size()},
+                 {made.post_class.data(), made.post_class.size()});
     if (closed_ && at.i + at.columns == coarse.columns()) close_block(fine, m - 1, coarse, at);
 }
 

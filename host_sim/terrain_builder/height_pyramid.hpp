@@ -10,21 +10,32 @@
 #include <deque>
 #include <string>
 
+#include "host_sim/terrain_builder/height_levels.hpp"
 #include "host_sim/terrain_builder/posts_file.hpp"
+#include "render_core/terrain/lattice.hpp"
 
 namespace tedavis::host_sim {
 
-class HeightPyramid {
+/// Blocks of a rectangle of posts of a level, and one of them from the level below: with heights, classes and place.
+[[nodiscard]] std::uint32_t halving_block_count(const terrain::PostRange& posts);
+[[nodiscard]] LatticeWindow halved_block(const PostWindows& fine, std::uint32_t fine_level, const terrain::PostRange& posts,
+                                         std::uint32_t block);
+
+class HeightPyramid final : public HeightLevels {
 public:
     /// Opens or makes the files of levels 1 and above, `<folder>/level.<m>` and `filled.<m>`, up to the one of two by two posts.
     HeightPyramid(const std::string& folder, PostsFile& posts, bool closed);
 
     /// Posts file and the levels above it.
-    [[nodiscard]] std::uint32_t level_count() const { return static_cast<std::uint32_t>(levels_.size()) + 1; }
+    [[nodiscard]] std::uint32_t level_count() const override { return static_cast<std::uint32_t>(levels_.size()) + 1; }
     [[nodiscard]] PostsFile& level(std::uint32_t m) { return m == 0 ? posts_ : levels_[m - 1]; }
+    [[nodiscard]] const PostsFile& level(std::uint32_t m) const { return m == 0 ? posts_ : levels_[m - 1]; }
+    [[nodiscard]] std::uint32_t columns(std::uint32_t m) const override { return level(m).columns(); }
+    [[nodiscard]] std::uint32_t rows(std::uint32_t m) const override { return level(m).rows(); }
+    void read(std::uint32_t m, LatticeWindow& window) const override { level(m).read(window); }
 
     /// Blocks of a level: what one task makes. Blocks of a level are independent of each other.
-    [[nodiscard]] std::uint32_t block_count(std::uint32_t m);
+    [[nodiscard]] std::uint32_t block_count(std::uint32_t m) const;
     /// A block of a level m of 1 and above, from the level below, which must be whole. Any thread.
     void build_block(std::uint32_t m, std::uint32_t block);
     /// Gives every void post of a block a height: known heights spread from the coarse levels down, interpolated linearly.

@@ -51,9 +51,13 @@ void make_pole_row(PostsFile& posts, std::uint32_t pole, std::uint32_t ring, boo
 
 }  // namespace
 
-void PostStatistics::include(const PostStatistics& other) {
+void PostStatistics::include_heights(const PostStatistics& other) {
     min_height_m = std::min(min_height_m, other.min_height_m);
     max_height_m = std::max(max_height_m, other.max_height_m);
+}
+
+void PostStatistics::include(const PostStatistics& other) {
+    include_heights(other);
     valid_posts += other.valid_posts;
     void_posts += other.void_posts;
 }

@@ -18,6 +18,8 @@ struct PostStatistics {
     std::uint64_t valid_posts = 0, void_posts = 0;
 
     void include(const PostStatistics& other);
+    /// The range of heights only.
+    void include_heights(const PostStatistics& other);
     void include(base::Span<const float> heights_m, base::Span<const terrain::PostClass> classes);
 };
 

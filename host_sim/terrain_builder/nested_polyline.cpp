@@ -19,7 +19,9 @@ struct Side {
 
 class Simplifier {
 public:
-    explicit Simplifier(const LinePiece& line) : line_(line), level_(line.surface_m.size(), 0) {}
+    explicit Simplifier(const LinePiece& line) : line_(line), level_(line.kept.begin(), line.kept.end()) {
+        level_.resize(line.surface_m.size(), 0);
+    }
 
     std::vector<std::uint8_t> run() {
         const auto last = static_cast<std::uint32_t>(level_.size() - 1);
@@ -40,7 +42,7 @@ private:
         keep(to, level);
         for (std::uint32_t n = from + 1; n <= to; ++n) {
             if (level_[n] < level) continue;
-            sides.push(measured(begin, n));
+            sides.push(measured(level, begin, n));
             begin = n;
             ++inserted;
         }
@@ -49,21 +51,25 @@ private:
             sides.pop();
             keep(side.worst, level);
             ++inserted;
-            sides.push(measured(side.from, side.worst));
-            sides.push(measured(side.worst, side.to));
+            sides.push(measured(level, side.from, side.worst));
+            sides.push(measured(level, side.worst, side.to));
         }
     }
 
     void keep(std::uint32_t n, std::uint32_t level) { level_[n] = std::max(level_[n], static_cast<std::uint8_t>(level)); }
+    [[nodiscard]] bool may_stay(std::uint32_t n, std::uint32_t level) const {
+        return line_.most.empty() || line_.most[n] >= level;
+    }
     [[nodiscard]] bool is_void(std::uint32_t n) const { return line_.post_class[n] == PostClass::void_; }
 
-    [[nodiscard]] Side measured(std::uint32_t from, std::uint32_t to) const {
+    [[nodiscard]] Side measured(std::uint32_t level, std::uint32_t from, std::uint32_t to) const {
         const double span = to - from, first = line_.surface_m[from], rise = line_.surface_m[to] - first;
         const double sagitta_m = line_.sagitta_m * span * span;
         const bool void_end = is_void(from) || is_void(to);
         Side side{from, to, from + (to - from) / 2, sagitta_m};
-        if (to - from < 2) side.error_m = 0;
+        if (to - from < 2 || !may_stay(side.worst, level)) side.error_m = 0;
         for (std::uint32_t n = from + 1; n < to; ++n) {
+            if (!may_stay(n, level)) continue;
             if (is_void(n)) {
                 if (!void_end) return {from, to, n, std::numeric_limits<double>::infinity()};
                 continue;

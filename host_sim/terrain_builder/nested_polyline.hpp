@@ -27,7 +27,9 @@ struct LinePiece {
     base::Span<const terrain::PostClass> post_class;
     std::uint32_t top_level = 0;                                                 ///< the highest at which the line is a border
     std::function<double(std::uint32_t level, std::uint32_t post)> tolerance_m;  ///< beside the segment that begins at a post
-    double sagitta_m = 0;  ///< of a chord from a post to the next: times the square of the posts for longer ones
+    base::Span<const std::uint8_t> kept;  ///< levels at which posts stay in any case; empty: none does
+    base::Span<const std::uint8_t> most;  ///< the highest at which a post may stay of its own; empty: any
+    double sagitta_m = 0;                 ///< of a chord from a post to the next: times the square of the posts for longer ones
 };
 
 /// A post of level k or above is a vertex of borders of level k. At level k every multiple of 16 * 2^k and both ends are; what

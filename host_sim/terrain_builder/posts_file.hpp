@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <string>
 
-#include "host_sim/terrain_builder/lattice_window.hpp"
+#include "host_sim/terrain_builder/ground.hpp"
 #include "host_sim/terrain_builder/work_file.hpp"
 #include "render_core/base/span.hpp"
 
 namespace tedavis::host_sim {
 
-class PostsFile {
+class PostsFile final : public PostWindows {
 public:
     /// Opens or makes `<path>.heights` and `<path>.classes`. Throws UserError.
     PostsFile(const std::string& path, std::uint32_t columns, std::uint32_t rows, bool closed);
@@ -23,8 +23,7 @@ public:
 
     void write(std::uint32_t i, std::uint32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<const float> heights_m,
                base::Span<const terrain::PostClass> classes);
-    /// Heights and classes of the rectangle that the window names; its surface is left as it is. Outside: height 0.
-    void read(LatticeWindow& window) const;
+    void read(LatticeWindow& window) const override;
     void sync();
 
 private:

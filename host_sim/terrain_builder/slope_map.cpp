@@ -31,8 +31,10 @@ LargestSteps largest_steps(const LatticeWindow& w, const PostRange& posts) {
     return steps;
 }
 
+}  // namespace
+
 /// Cells are nowhere smaller than taken here.
-float slope_of(const BuildPlan& plan, const LatticeWindow& window, const PostRange& posts) {
+float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const PostRange& posts) {
     const LargestSteps steps = largest_steps(window, posts);
     // At a pole itself there is no east; the first ring says how far its posts are apart.
     const auto cosine = [&](std::uint32_t j) {
@@ -46,8 +48,6 @@ float slope_of(const BuildPlan& plan, const LatticeWindow& window, const PostRan
         north_m = std::min(north_m, kSmallestRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1)));
     return static_cast<float>(std::hypot(steps.east_m / east_m, steps.south_m / north_m) + kGeoidSlope);
 }
-
-}  // namespace
 
 SlopeMap::SlopeMap(const BuildPlan& plan, const std::string& path)
     : plan_(plan),
@@ -72,7 +72,7 @@ void SlopeMap::measure(const PostsFile& posts, std::uint32_t unit) {
     const std::uint32_t first = u * kSide, end = std::min((u + 1) * kSide, columns_);
     for (std::uint32_t j = v * kSide; j < std::min((v + 1) * kSide, rows_); ++j) {
         float* const row = &slope_[std::size_t{j} * columns_];
-        for (std::uint32_t i = first; i < end; ++i) row[i] = slope_of(plan_, window, plan_.lattice.posts_of({0, i, j}));
+        for (std::uint32_t i = first; i < end; ++i) row[i] = steepest_slope(plan_, window, plan_.lattice.posts_of({0, i, j}));
         file_.write((std::uint64_t{j} * columns_ + first) * sizeof(float), &row[first], (end - first) * sizeof(float));
     }
 }

@@ -10,7 +10,10 @@
 
 namespace tedavis::host_sim {
 
-class SlopeMap {
+/// Of the steepest triangle in a rectangle of the window's posts; between valid ones.
+[[nodiscard]] float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const terrain::PostRange& posts);
+
+class SlopeMap final : public Steepness {
 public:
     /// Reads what is known already from the file at `path`; makes it where it does not exist.
     SlopeMap(const BuildPlan& plan, const std::string& path);
@@ -19,9 +22,8 @@ public:
     void measure(const PostsFile& posts, std::uint32_t unit);
     void sync() { file_.sync(); }
 
-    /// Metres a metre, over a rectangle of posts and `margin_posts` round it. At the ring round a pole also whatever the
-    /// heights of the ring differ by counts, over the distance of one row.
-    [[nodiscard]] double steepest(const terrain::PostRange& posts, std::uint32_t margin_posts) const;
+    /// At the ring round a pole also whatever the heights of the ring differ by counts, over the distance of one row.
+    [[nodiscard]] double steepest(const terrain::PostRange& posts, std::uint32_t margin_posts) const override;
 
 private:
     const BuildPlan& plan_;

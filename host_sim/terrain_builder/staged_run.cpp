@@ -42,7 +42,13 @@ void StagedRun::run_stage(const std::vector<BuildStage>& stages, std::uint32_t s
     run_in_order(
         workers_, record_.next, count, [&now](std::uint32_t index) { return now.task(index); },
         [&](std::uint32_t index, const std::function<void()>& finish) {
-            finish();
+            const BuildRecord last = record_;
+            try {
+                finish();
+            } catch (...) {
+                record_ = last;  // half of what the task leaves is nothing: it is done again
+                throw;
+            }
             record_.next = index + 1;
             if (std::chrono::steady_clock::now() - last_checkpoint_ >= interval_) checkpoint();
             const double done = before + now.cost * record_.next / count;

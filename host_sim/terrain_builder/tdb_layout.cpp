@@ -1,5 +1,7 @@
 #include "host_sim/terrain_builder/tdb_layout.hpp"
 
+#include <algorithm>
+
 #include "render_core/terrain/regular_chunk.hpp"
 
 namespace tedavis::host_sim {
@@ -11,12 +13,13 @@ std::uint64_t payload_bytes(std::uint64_t vertices) { return vertices * sizeof(C
 
 }  // namespace
 
-TdbLayout::TdbLayout(const BuildPlan& plan) : lattice_(plan.lattice) {
+TdbLayout::TdbLayout(const BuildPlan& coarse, const Lattice& database, const InsetCoverage& coverage) : lattice_(coarse.lattice) {
     undulation = sizeof(FileHeader);
-    page_table = undulation + plan.undulation.undulation_m.size() * sizeof(float);
+    page_table = undulation + coarse.undulation.undulation_m.size() * sizeof(float);
     page_table = (page_table + 7) / 8 * 8;
-    pages = page_table + std::uint64_t{lattice_.page_count()} * sizeof(std::uint64_t);
-    regular = pages + std::uint64_t{lattice_.page_count()} * sizeof(DirectoryPage);
+    pages = page_table + std::uint64_t{database.page_count()} * sizeof(std::uint64_t);
+    list_pages(database, coverage);
+    regular = pages + existing_.size() * sizeof(DirectoryPage);
     // Chunks that lie side by side share their border posts, each has its own copy.
     const std::uint64_t across = lattice_.columns() - 1 + lattice_.grid_columns(0),
                         down = lattice_.rows() - 1 + lattice_.grid_rows(0);
@@ -26,7 +29,26 @@ TdbLayout::TdbLayout(const BuildPlan& plan) : lattice_(plan.lattice) {
         first_attribute_[level] = chunks;
         chunks += std::uint64_t{lattice_.grid_columns(level)} * lattice_.grid_rows(level);
     }
-    irregular = attributes + chunks * sizeof(AttributePage);
+    open_parts = attributes + chunks * sizeof(AttributePage);
+}
+
+void TdbLayout::list_pages(const Lattice& database, const InsetCoverage& coverage) {
+    std::uint32_t first = 0;
+    for (std::uint32_t level = 0; level < database.levels(); ++level) {
+        const std::uint32_t across = database.page_columns(level), down = database.page_rows(level);
+        std::vector<PostRange> areas = coverage.regions();
+        if (level >= coverage.base_level()) areas = {{0, 0, database.columns() - 1, database.rows() - 1}};
+        std::vector<std::uint32_t> indices;
+        for (const PostRange& area : areas) {
+            const std::uint32_t side = kPageChunks * (kChunkCells << level);
+            for (std::uint32_t j = area.j0 / side; j <= (area.j1 - 1) / side; ++j)
+                for (std::uint32_t i = area.i0 / side; i <= (area.i1 - 1) / side; ++i) indices.push_back(first + j * across + i);
+        }
+        std::sort(indices.begin(), indices.end());
+        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+        for (const std::uint32_t index : indices) existing_.push_back({index, pages + existing_.size() * sizeof(DirectoryPage)});
+        first += across * down;
+    }
 }
 
 PartPlace TdbLayout::regular_place(std::uint32_t i, std::uint32_t j) const {

@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/terrain_sources.hpp"
 
 namespace tedavis::host_sim {
 
-/// Work files lie in the folder `<output>.part`; the database appears whole at `output` or not at all. Equal posts and
-/// options give equal bytes, whatever the number of threads. Throws UserError.
-void build_terrain(const PostReaderFactory& open, const std::string& output, const BuildOptions& options);
+/// Work files lie in the folder `<output>.part`; the database appears whole at `output` or not at all. The same build goes on
+/// where it was interrupted. Equal posts and options give equal bytes, whatever the number of threads and however often it was
+/// interrupted. Throws UserError, and what options.progress throws.
+void build_terrain(const TerrainSources& sources, const std::string& output, const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/terrain_sources.hpp"
 
 namespace tedavis::host_sim {
 
@@ -28,6 +28,6 @@ inline constexpr std::size_t kMostReported = 1000;
 /// rewritten to match), and errors that are larger than stated. Streams; work files lie in the folder `<database>.check`, as
 /// large as a build's, and are removed. Throws UserError when the file is no database or was not built from posts of this
 /// lattice.
-[[nodiscard]] TerrainCheck check_terrain(const std::string& database, const PostReaderFactory& open, const BuildOptions& options);
+[[nodiscard]] TerrainCheck check_terrain(const std::string& database, const TerrainSources& sources, const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

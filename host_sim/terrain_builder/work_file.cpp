@@ -80,8 +80,8 @@ std::uint64_t WorkFile::size() const {
 }
 
 void WorkFile::fail(const char* what) const {
-    throw UserError(path_ + ": cannot be " + what + " (" + std::strerror(errno) +
-                    "); check the folder and the free space, then give the same command again");
+    throw WorkFileError(path_ + ": cannot be " + what + " (" + std::strerror(errno) +
+                        "); check the folder and the free space, then give the same command again");
 }
 
 }  // namespace tedavis::host_sim

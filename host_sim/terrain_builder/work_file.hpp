@@ -6,7 +6,15 @@
 #include <cstdint>
 #include <string>
 
+#include "host_sim/user_error.hpp"
+
 namespace tedavis::host_sim {
+
+/// The disk failed or is full: with that mended, the same work can go on.
+class WorkFileError : public UserError {
+public:
+    using UserError::UserError;
+};
 
 class WorkFile {
 public:
@@ -19,7 +27,7 @@ public:
     WorkFile(WorkFile&& other) noexcept;
     WorkFile& operator=(WorkFile&& other) noexcept;
 
-    /// Each throws UserError where the disk fails or is full. Bytes that were never written read as 0 up to size().
+    /// Each throws WorkFileError where the disk fails or is full. Bytes that were never written read as 0 up to size().
     void read(std::uint64_t offset, void* destination, std::size_t count) const;
     void write(std::uint64_t offset, const void* source, std::size_t count);
     void resize(std::uint64_t bytes);

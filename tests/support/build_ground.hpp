@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "host_sim/terrain_builder/border_lines.hpp"
 #include "host_sim/terrain_builder/coarse_chunks.hpp"
 #include "host_sim/terrain_builder/import_posts.hpp"
+#include "host_sim/terrain_builder/slope_map.hpp"
 #include "host_sim/terrain_builder/surface_heights.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -36,6 +38,7 @@ struct BuildGround {
     host_sim::Raster raster;
     host_sim::PostReaderFactory open = posts_of(raster);
     host_sim::BuildPlan plan;
+    host_sim::InsetCoverage coverage;
     host_sim::TdbLayout layout;
     host_sim::PostsFile posts;
     host_sim::BorderLines lines;
@@ -48,7 +51,7 @@ struct BuildGround {
     explicit BuildGround(host_sim::Raster source)
         : raster(std::move(source)),
           plan(host_sim::make_build_plan(open()->grid(), {})),
-          layout(plan),
+          layout(plan, plan.lattice, coverage),
           posts(folder.file("posts"), plan.header.columns, plan.header.rows, plan.lattice.is_closed()),
           lines(plan, folder.path()),
           slopes(plan, folder.file("slopes")),
@@ -78,7 +81,7 @@ struct BuildGround {
 
     /// All chunks of the units, their payloads in the store.
     void build_units() {
-        std::uint64_t end = layout.irregular;
+        std::uint64_t end = layout.open_parts;
         for (std::uint32_t unit = 0; unit < plan.unit_count(); ++unit) {
             host_sim::FineUnit made = host_sim::build_fine_unit(sources, unit);
             for (const terrain::ChunkEntry& entry : made.regular) entries.write(entry);

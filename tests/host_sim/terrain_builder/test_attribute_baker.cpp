@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "host_sim/terrain_builder/height_pyramid.hpp"
 #include "tests/support/build_ground.hpp"
 
 namespace tedavis::host_sim {
@@ -22,7 +23,7 @@ struct Baked {
     explicit Baked(Raster raster, bool backwards = false)
         : ground(std::move(raster)),
           pyramid(ground.folder.path(), ground.posts, ground.plan.lattice.is_closed()),
-          baker(ground.plan, ground.layout, pyramid, ground.store) {
+          baker(ground.plan, ground.layout, ground.coverage, pyramid, ground.store) {
         for (std::uint32_t m = 1; m < pyramid.level_count(); ++m)
             for (std::uint32_t b = 0; b < pyramid.block_count(m); ++b) pyramid.build_block(m, b);
         for (std::uint32_t n = 0; n < baker.task_count(); ++n)

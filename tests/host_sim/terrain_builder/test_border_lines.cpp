@@ -9,21 +9,6 @@ namespace {
 
 using test_support::BuildGround;
 
-TEST(LineGrid, NamesLinesAndTheirLevels) {
-    const LineGrid grid{151, 3};
-    EXPECT_EQ(grid.count(), 6u) << "0, 32, 64, 96, 128 and the last post";
-    EXPECT_EQ(grid.post_of(5), 150u);
-    EXPECT_EQ(grid.line_at(150), 5u);
-    EXPECT_EQ(grid.line_at(96), 3u);
-    EXPECT_TRUE(grid.is_line(64) && grid.is_line(150) && !grid.is_line(65));
-    EXPECT_EQ(grid.top_level(0), 3u);
-    EXPECT_EQ(grid.top_level(150), 3u);
-    EXPECT_EQ(grid.top_level(32), 0u);
-    EXPECT_EQ(grid.top_level(64), 1u);
-    EXPECT_EQ(grid.top_level(96), 0u);
-    EXPECT_EQ(grid.top_level(128), 2u);
-}
-
 TEST(BorderLines, KeepCrossingsAsHighAsBothLines) {
     const BuildGround ground(test_support::make_rough_raster(300, 200));
     const LineGrid &rows = ground.lines.row_lines(), &columns = ground.lines.column_lines();

@@ -16,7 +16,7 @@ using test_support::BuildGround;
 
 ChunkDraft regular(const BuildGround& ground, std::uint32_t i, std::uint32_t j) {
     const LatticeWindow window = ground.all();
-    return make_regular_chunk(ground.plan, ground.lines, i, j, window,
+    return make_regular_chunk(ground.plan, ground.lines, {0, i, j}, window,
                               PostPlaces(ground.plan.lattice, window.i0, window.j0, window.columns, window.rows));
 }
 
@@ -115,10 +115,12 @@ TEST(ChunkBuilder, PayloadsAreVerticesThenIndices) {
     draft.entry.payload.bytes = static_cast<std::uint32_t>(draft.vertices.size() * sizeof(ChunkVertex) + 6);
     draft.entry.flags = 0;
     draft.entry.triangle_count = 1;
-    const std::vector<std::uint8_t> bytes = payload_of(draft);
+    const std::vector<std::uint8_t> bytes = payload_of(draft, 0);
     ASSERT_EQ(bytes.size(), draft.entry.payload.bytes);
     EXPECT_EQ(payload_vertices(draft.entry, {bytes.data(), bytes.size()})[40].i, draft.vertices[40].i);
     EXPECT_EQ(payload_indices(draft.entry, {bytes.data(), bytes.size()})[2], 3);
+    const std::vector<std::uint8_t> lifted = payload_of(draft, 3);
+    EXPECT_EQ(payload_vertices(draft.entry, {lifted.data(), lifted.size()})[40].j, draft.vertices[40].j * 8);
 }
 
 }  // namespace

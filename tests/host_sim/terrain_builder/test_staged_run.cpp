@@ -93,5 +93,24 @@ TEST(StagedRun, AFailingTaskEndsItWithARecord) {
     EXPECT_EQ(journal.last().next, 2u);
 }
 
+TEST(StagedRun, AResultThatIsHalfKeptIsNotKept) {
+    const test_support::TemporaryFolder place;
+    BuildJournal journal(place.file("w"), 5);
+    BuildRecord record;
+    base::SerialWorkers workers;
+    const std::vector<BuildStage> stages = {{"a", 1, [] { return 3u; },
+                                             [&record](std::uint32_t n) {
+                                                 return std::function<void()>([&record, n] {
+                                                     record.end += 100;
+                                                     if (n == 1) throw std::runtime_error("disk full");
+                                                 });
+                                             }}};
+    StagedRun run(
+        journal, record, workers, {}, [] {}, std::chrono::hours(1));
+    EXPECT_THROW(run.run(stages), std::runtime_error);
+    EXPECT_EQ(record.end, 100u);
+    EXPECT_EQ(journal.last().next, 1u);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim

@@ -24,7 +24,7 @@ BuildPlan plan_of(std::uint32_t columns, std::uint32_t rows) {
 TEST(TdbLayout, PartsFollowEachOtherWithoutGapsAndOverlaps) {
     for (const auto& [columns, rows] : {std::pair{300u, 200u}, {33u, 33u}, {2u, 2u}, {65u, 34u}, {100u, 1000u}}) {
         const BuildPlan plan = plan_of(columns, rows);
-        const TdbLayout layout(plan);
+        const TdbLayout layout(plan, plan.lattice, InsetCoverage());
         const Lattice& lattice = plan.lattice;
         std::map<std::uint64_t, std::uint64_t> parts;  // offset and bytes
         parts[0] = sizeof(FileHeader);
@@ -49,7 +49,7 @@ TEST(TdbLayout, PartsFollowEachOtherWithoutGapsAndOverlaps) {
             EXPECT_EQ(offset, end);
             end = offset + bytes;
         }
-        EXPECT_EQ(end, layout.irregular);
+        EXPECT_EQ(end, layout.open_parts);
         EXPECT_EQ(layout.regular % 8, 0u);
     }
 }

@@ -1,0 +1,42 @@
+/// Which chunks exist where finer rasters lie in a coarse one: a tree of chunks that is balanced two to one.
+///
+/// The coarse raster's posts lie 2^base_level posts of the database apart; its own chunks begin at that level. Over each inset
+/// chunks go down to level 0; round it lie rings of chunks of every level between, at least one chunk wide. All children of a
+/// chunk exist, or none. Posts are those of the database, the fine ones.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render_core/terrain/lattice.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr std::uint32_t kMostBaseLevel = 5;  ///< a chunk of it is a unit of work: posts 1 : 32 at most
+
+class InsetCoverage {
+public:
+    /// None: everything exists, down to level 0.
+    InsetCoverage() = default;
+    /// `footprints` are the posts that insets cover, inside the lattice; `base_level` is 1..kMostBaseLevel.
+    InsetCoverage(const terrain::Lattice& lattice, std::uint32_t base_level, const std::vector<terrain::PostRange>& footprints);
+
+    [[nodiscard]] std::uint32_t base_level() const { return base_level_; }
+    /// For chunks of the lattice.
+    [[nodiscard]] bool exists(const terrain::ChunkKey& key) const;
+    [[nodiscard]] bool has_children(const terrain::ChunkKey& key) const;
+    [[nodiscard]] bool is_exact(const terrain::ChunkKey& key) const { return exists(key) && !has_children(key); }
+
+    /// Rectangles of whole chunks of the base level that hold all chunks below it; they do not touch each other.
+    [[nodiscard]] const std::vector<terrain::PostRange>& regions() const { return regions_; }
+
+private:
+    [[nodiscard]] bool is_refined(std::uint32_t level, const terrain::PostRange& posts) const;
+
+    terrain::Lattice lattice_;
+    std::uint32_t base_level_ = 0;
+    std::vector<std::vector<terrain::PostRange>> refined_;  ///< by level: where its chunks exist, one rectangle an inset
+    std::vector<terrain::PostRange> regions_;
+};
+
+}  // namespace tedavis::host_sim

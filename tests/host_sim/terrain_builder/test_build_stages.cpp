@@ -1,0 +1,57 @@
+#include "host_sim/terrain_builder/build_stages.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/synthetic_raster.hpp"
+#include "tests/support/terrain_image.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<BuildStage>& stages) {
+    std::vector<std::string> names;
+    for (const BuildStage& stage : stages)
+        if (names.empty() || names.back() != stage.name) names.emplace_back(stage.name);
+    return names;
+}
+
+TEST(BuildStages, ComeInTheirOrder) {
+    const test_support::TemporaryFolder folder;
+    const Raster small = test_support::make_rough_raster(80, 70), wide = test_support::make_rough_raster(1100, 40);
+    const TerrainSources one(test_support::posts_of(small)), units(test_support::posts_of(wide));
+    BuildParts parts(one, folder.file("a"), {});
+    const std::vector<std::string> expected = {"posts",  "pyramid",    "voids",     "slopes",      "borders",
+                                               "chunks", "attributes", "directory", "verification"};
+    EXPECT_EQ(names_of(build_stages(parts)), expected);
+    BuildParts more(units, folder.file("b"), {});
+    std::vector<std::string> with_proof = expected;
+    with_proof.insert(with_proof.begin() + 6, "proof");
+    EXPECT_EQ(names_of(build_stages(more)), with_proof) << "chunks above the units have a proof of their own";
+}
+
+TEST(BuildStages, InsetsAddTheirs) {
+    const test_support::TemporaryFolder folder;
+    const Raster ground = test_support::make_rough_raster(150, 110);
+    const Raster inset = test_support::make_raster(
+        40, 40, [](auto, auto) { return 5.0f; }, 9.62, 47.07, 1.0 / 4800);
+    const TerrainSources sources(test_support::posts_of(ground), {test_support::posts_of(inset)});
+    BuildParts parts(sources, folder.file("a"), {});
+    const std::vector<std::string> names = names_of(build_stages(parts));
+    EXPECT_EQ(names, (std::vector<std::string>{"posts", "insets", "pyramid", "voids", "slopes", "borders", "chunks", "insets",
+                                               "attributes", "insets", "directory", "verification"}));
+}
+
+TEST(BuildStages, VoidsAreFilledOnlyWhereThereAreAny) {
+    const test_support::TemporaryFolder folder;
+    const Raster raster = test_support::make_rough_raster(80, 70);
+    const TerrainSources sources(test_support::posts_of(raster));
+    BuildParts parts(sources, folder.file("a"), {});
+    for (const bool has_voids : {false, true}) {
+        parts.record.statistics.void_posts = has_voids ? 3 : 0;
+        for (const BuildStage& stage : build_stages(parts))
+            EXPECT_TRUE(stage.name != "voids" || (stage.count() > 0) == has_voids);
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
