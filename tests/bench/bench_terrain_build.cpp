@@ -72,7 +72,7 @@ std::vector<BenchResult> measure(std::uint32_t side, std::uint32_t threads) {
         processor_s[std::string(stage)] += now.processor_s - last.processor_s;
         last = now;
     };
-    build_terrain([side] { return std::make_unique<FractalPosts>(side); }, folder.file("t.tdb"), options);
+    build_terrain(PostReaderFactory([side] { return std::make_unique<FractalPosts>(side); }), folder.file("t.tdb"), options);
     const Spent end = Spent::now();
     const double rate = posts / (end.wall_s - first.wall_s) * 60,
                  microseconds = 1e6 * (end.processor_s - first.processor_s) / posts;
