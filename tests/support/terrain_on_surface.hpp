@@ -1,0 +1,85 @@
+/// The terrain of a display alone on a surface: no sky, no outlines, no symbology. The surface is current only while it is used.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render_core/display/terrain_scene.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::test_support {
+
+class TerrainOnSurface {
+public:
+    /// `terrain` must outlive it.
+    TerrainOnSurface(const std::string& device, std::uint32_t width, std::uint32_t height, base::ByteSource& terrain,
+                     const design::DesignSettings& design)
+        : session_("egl", device, width, height), reader_(terrain, base::kMaxReadTickets), design_(design) {
+        const display::TerrainMemory memory{arena("terrain_index"),      arena("terrain_chunk_slots"), arena("terrain_heights"),
+                                            arena("terrain_attributes"), arena("lod_scratch"),         arena("staging")};
+        const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
+        const gl::GlError error = scene_.start(session_.gl, input, design_, session_.device, memory);
+        if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
+        session_.surface->release_current();
+    }
+    ~TerrainOnSurface() {
+        make_current();
+        scene_.destroy(session_.gl);
+    }
+    TerrainOnSurface(const TerrainOnSurface&) = delete;
+    TerrainOnSurface& operator=(const TerrainOnSurface&) = delete;
+
+    /// Plans until everything has arrived, and uploads it.
+    void look(const display::Eye& eye, const draw::TerrainDrawInput& input) {
+        make_current();
+        input_ = input;
+        constexpr int kMostTimes = 64;
+        for (int n = 0; n < kMostTimes; ++n)
+            if (scene_.plan(eye, design_).pending == 0) break;
+        if (!scene_.prepare(session_.gl, input_)) throw std::runtime_error("the terrain cannot be uploaded");
+        session_.surface->release_current();
+    }
+    /// On the cleared surface, which is current, until it is finished.
+    void draw() {
+        gl::Gl& gl = session_.gl;
+        gl::bind_surface(gl, *session_.surface);
+        gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl->Enable(GL_DEPTH_TEST);
+        gl->Enable(GL_CULL_FACE);
+        draw::TerrainDrawResult drawn;
+        scene_.draw(gl, input_, {input_.view.near_m, std::fmax(scene_.farthest_depth_m(input_.view), 2 * input_.view.near_m)},
+                    drawn);
+        gl->Finish();
+    }
+    void make_current() {
+        if (!session_.surface->make_current()) throw std::runtime_error("the surface cannot be made current");
+        session_.gl.activate();
+    }
+    void release_current() { session_.surface->release_current(); }
+    [[nodiscard]] display::TerrainScene& scene() { return scene_; }
+    [[nodiscard]] const terrain::View& view() const { return input_.view; }
+
+private:
+    base::Arena& arena(const char* line) {
+        const auto bytes = static_cast<std::size_t>(session_.device.budget.find(line)->bytes);
+        blocks_.push_back(std::make_unique<Block>(bytes));
+        return blocks_.back()->arena;
+    }
+    struct Block {
+        explicit Block(std::size_t bytes) : memory(bytes), arena(memory.data(), memory.size()) {}
+        std::vector<std::uint8_t> memory;
+        base::Arena arena;
+    };
+
+    GlSession session_;
+    base::SynchronousReader reader_;
+    design::DesignSettings design_;
+    std::vector<std::unique_ptr<Block>> blocks_;
+    display::TerrainScene scene_;
+    draw::TerrainDrawInput input_;
+};
+
+}  // namespace tedavis::test_support
