@@ -7,6 +7,8 @@ namespace {
 
 using base::ConfigSection;
 
+constexpr std::string_view kNormalNames[] = {"mesh", "baked"};
+
 void read_color(ConfigSection& section, std::string_view key, Color& color) {
     if (section.has(key)) color = required_color(section, key);
 }
@@ -48,6 +50,7 @@ void read_shade(ConfigSection section, ShadeSettings& shade) {
     read_choice(section, kTerrainShadeNames, shade.technique);
     read_lights(section, shade);
     read_share(section, "ambient", shade.ambient);
+    shade.baked_normals = section.choice("normals", kNormalNames, shade.baked_normals ? 1 : 0) == 1;
     shade.follows_sun = section.boolean("follows_sun", shade.follows_sun);
     shade.cast_shadows = section.boolean("cast_shadows", shade.cast_shadows);
     read_share(section, "ambient_occlusion", shade.ambient_occlusion);
@@ -71,11 +74,15 @@ void read_sketch(ConfigSection section, SketchSettings& sketch) {
     sketch.stroke_spacing_px = section.number("stroke_spacing_px", 3, 40, sketch.stroke_spacing_px);
 }
 
+bool draws_on_ground(const SketchSettings& sketch) {
+    return sketch.ridges > 0 || sketch.valleys > 0 || sketch.suggestive_contours > 0 || sketch.contours > 0 ||
+           sketch.hatching > 0 || sketch.stippling > 0;
+}
+
 bool reads_form(const TerrainStyle& style) {
-    const SketchSettings& sketch = style.sketch;
-    const bool lines = sketch.ridges > 0 || sketch.valleys > 0 || sketch.suggestive_contours > 0 || sketch.contours > 0;
-    return lines || sketch.hatching > 0 || sketch.stippling > 0 || style.shade.technique != TerrainShade::none ||
-           style.shade.ambient_occlusion > 0 || style.texture == TerrainTexture::slope ||
+    const TerrainShade shade = style.shade.technique;
+    return draws_on_ground(style.sketch) || (shade != TerrainShade::none && style.shade.baked_normals) ||
+           shade == TerrainShade::aperture || style.shade.ambient_occlusion > 0 || style.texture == TerrainTexture::slope ||
            style.texture == TerrainTexture::material;
 }
 
@@ -91,10 +98,16 @@ const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {
 const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
                                                                          "phong", "light_map", "aperture"};
 
-bool has_lines(const SketchSettings& sketch) noexcept {
-    return sketch.silhouettes > 0 || sketch.ridges > 0 || sketch.valleys > 0 || sketch.suggestive_contours > 0 ||
-           sketch.contours > 0 || sketch.hatching > 0 || sketch.stippling > 0;
+bool fits_pixel_code(const TerrainStyle& style) noexcept {
+    const ShadeSettings& shade = style.shade;
+    const bool one_light = shade.technique == TerrainShade::none || shade.technique == TerrainShade::lambert ||
+                           shade.technique == TerrainShade::lights;
+    return (style.texture == TerrainTexture::plain || style.texture == TerrainTexture::hypsometric) && one_light &&
+           !(shade.baked_normals && shade.technique != TerrainShade::none) && !shade.cast_shadows &&
+           shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch);
 }
+
+bool has_lines(const SketchSettings& sketch) noexcept { return sketch.silhouettes > 0 || draws_on_ground(sketch); }
 
 bool needs_map(const TerrainStyle& style, BakedMap map) noexcept {
     switch (map) {
@@ -107,14 +120,21 @@ bool needs_map(const TerrainStyle& style, BakedMap map) noexcept {
     return false;
 }
 
+bool needs_any_map(const TerrainStyle& style) noexcept {
+    for (std::size_t map = 0; map < kBakedMaps; ++map)
+        if (needs_map(style, static_cast<BakedMap>(map))) return true;
+    return false;
+}
+
 bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
     const auto on = [](double x, double y) { return (x > 0) == (y > 0); };
     const SketchSettings &s = a.sketch, &t = b.sketch;
     return a.texture == b.texture && a.shade.technique == b.shade.technique && a.shade.light_count == b.shade.light_count &&
-           a.shade.cast_shadows == b.shade.cast_shadows && on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) &&
-           on(a.shade.openness, b.shade.openness) && on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) &&
-           on(s.valleys, t.valleys) && on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) &&
-           s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
+           a.shade.cast_shadows == b.shade.cast_shadows && a.shade.baked_normals == b.shade.baked_normals &&
+           on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) && on(a.shade.openness, b.shade.openness) &&
+           on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) && on(s.valleys, t.valleys) &&
+           on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) && s.illuminated == t.illuminated &&
+           on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
 }
 
 void read_terrain_style(ConfigSection& terrain, TerrainStyle& style) {

@@ -57,6 +57,7 @@ struct ShadeSettings {
     DirectedLight lights[kMaxLights];
     std::size_t light_count = 1;
     double ambient = 0.35;         ///< 0..1 of full light that reaches slopes in the shade
+    bool baked_normals = false;    ///< normals a pixel from the attribute pages; else those of the mesh's vertices
     bool follows_sun = false;      ///< the first light is the sun of date, time and place
     bool cast_shadows = false;     ///< of the first light, from the baked horizons
     double ambient_occlusion = 0;  ///< 0..1: how much the baked sky view darkens
@@ -88,6 +89,9 @@ struct TerrainStyle {
 };
 static_assert(std::is_trivially_copyable_v<TerrainStyle>);
 
+/// All that a pixel shows follows from its height, one number of light, its class and its distance.
+[[nodiscard]] bool fits_pixel_code(const TerrainStyle& style) noexcept;
+
 /// Any line, hatch or dot at all.
 [[nodiscard]] bool has_lines(const SketchSettings& sketch) noexcept;
 
@@ -95,6 +99,8 @@ static_assert(std::is_trivially_copyable_v<TerrainStyle>);
 enum class BakedMap : std::uint8_t { form, light, aperture, horizon, drape };
 inline constexpr std::size_t kBakedMaps = 5;
 [[nodiscard]] bool needs_map(const TerrainStyle& style, BakedMap map) noexcept;
+
+[[nodiscard]] bool needs_any_map(const TerrainStyle& style) noexcept;
 
 /// True when two styles need the same shader programs and maps, so that one can follow the other while running.
 [[nodiscard]] bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept;

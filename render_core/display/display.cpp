@@ -49,8 +49,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (terrain.file != nullptr) {
         const TerrainMemory lines{index_memory_,      slots_memory_, heights_memory_,
                                   attributes_memory_, lod_memory_,   staging_memory_};
-        if (gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, lines); !error.sentence.empty())
-            return error;
+        const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, lines, output());
+        if (!error.sentence.empty()) return error;
     }
     gl_.seal();
     for (const MemoryCut& cut : kCuts) settings_.device.budget.find(cut.line)->use = (this->*cut.arena).use();
@@ -79,8 +79,10 @@ gl::GlError Display::start_drawers() {
     base::BudgetTable& budget = settings_.device.budget;
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi);
     if (gl::GlError error = sky_drawer_.start(gl_, budget); !error.sentence.empty()) return error;
-    if (settings_.design.terrain.style.sketch.silhouettes > 0)
-        if (gl::GlError error = outline_.start(gl_, budget, settings_.width_px, settings_.height_px); !error.sentence.empty())
+    const design::TerrainStyle& style = settings_.design.terrain.style;
+    if (output() != draw::TerrainOutput::color)
+        if (gl::GlError error = picture_.start(gl_, budget, settings_.width_px, settings_.height_px, style, output());
+            !error.sentence.empty())
             return error;
     return quad_drawer_.start(gl_, budget, symbology_memory_, draw::kSymbologyVertices);
 }
@@ -89,7 +91,7 @@ void Display::stop() {
     gl_.retire();
     quad_drawer_.destroy(gl_);
     sky_drawer_.destroy(gl_);
-    outline_.destroy(gl_);
+    picture_.destroy(gl_);
     terrain_.destroy(gl_);
 }
 
@@ -107,6 +109,7 @@ design::DesignSettings Display::possible_design(const design::DesignSettings& de
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design);
     if (!terrain_.set_design(gl_, possible)) return false;
+    picture_.forget_design();
     settings_.design = possible;
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
     return true;
@@ -258,6 +261,7 @@ void Display::record_terrain(const TerrainPlan& plan) {
     record_.terrain.limit = Name(terrain::to_string(plan.lod.reason));
     record_.terrain.pending = plan.pending;
     if (plan.lod.tau_reached_px > settings_.design.terrain.tau_px) flag("terrain.tau_raised");
+    terrain_has_void_ = plan.has_void;
     if (plan.has_void) flag("terrain.void");
     if (plan.is_late) flag("terrain.late");
     if (plan.is_failing) flag("terrain.failing");
@@ -268,6 +272,10 @@ void Display::record_terrain(const TerrainPlan& plan) {
     record_.terrain.worst_chunk.append(gl::digits(worst.i).view());
     record_.terrain.worst_chunk.append("/");
     record_.terrain.worst_chunk.append(gl::digits(worst.j).view());
+}
+
+draw::TerrainOutput Display::output() const {
+    return draw::output_of(settings_.design.terrain.style, settings_.device.capability.depth24_targets);
 }
 
 void Display::note_effects() {
@@ -288,7 +296,7 @@ void Display::note_effects() {
 }
 
 void Display::note_silhouettes() {
-    if (!silhouettes_replaced_ && !outline_.is_started()) return;
+    if (!silhouettes_replaced_ && settings_.design.terrain.style.sketch.silhouettes == 0) return;
     EffectRecord effect;
     effect.name = Name("silhouettes");
     effect.state = silhouettes_replaced_ ? EffectState::replaced : EffectState::run;
@@ -309,20 +317,27 @@ void Display::draw(base::Surface& surface) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
     }
-    const bool outlined = decisions_.show_terrain && outline_.is_started() && has_silhouettes();
-    if (outlined) outline_.begin(gl_);
-    draw_scene();
-    const design::SketchSettings& sketch = settings_.design.terrain.style.sketch;
-    if (outlined) outline_.finish(gl_, surface, sketch.line, sketch.silhouettes);
+    draw_scene(surface);
     if (!free_view_active_) draw_symbology();
     note_effects();
     finish_record();
 }
 
-/// Far terrain, the sky behind it, then near terrain with a depth of its own.
-void Display::draw_scene() {
-    gl_->Clear(GL_DEPTH_BUFFER_BIT);
-    if (!decisions_.show_terrain) return draw_sky();
+void Display::draw_scene(const base::Surface& surface) {
+    const bool off_screen = decisions_.show_terrain && picture_.is_started();
+    if (off_screen)
+        picture_.begin(gl_);
+    else
+        gl_->Clear(GL_DEPTH_BUFFER_BIT);
+    if (decisions_.show_terrain)
+        draw_terrain();
+    else
+        sky_drawer_.draw(gl_, sky_input());
+    if (off_screen) picture_.finish(gl_, surface, settings_.design, picture_input());
+}
+
+/// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
+void Display::draw_terrain() {
     const terrain::View& view = eye_.view;
     const double far_m = std::fmin(std::fmax(terrain_.farthest_depth_m(view), 2 * view.near_m), view.far_m);
     const draw::DepthPlan depth = draw::plan_depth(view.near_m, far_m);
@@ -334,11 +349,26 @@ void Display::draw_scene() {
         terrain_.draw(gl_, input, depth.ranges[n], terrain_result_);
         gl_->Disable(GL_CULL_FACE);
         gl_->Disable(GL_DEPTH_TEST);
-        if (n == 0) draw_sky();
+        if (n == 0 && !picture_.is_started()) sky_drawer_.draw(gl_, sky_input());
     }
 }
 
-void Display::draw_sky() {
+draw::PictureInput Display::picture_input() const {
+    const draw::TerrainDrawInput terrain = terrain_input();
+    constexpr float kAny_m = 1e9f;
+    draw::PictureInput input;
+    input.sky = sky_input();
+    input.outlined = settings_.design.terrain.style.sketch.silhouettes > 0 && has_silhouettes();
+    input.has_void = terrain_has_void_;
+    input.heights = terrain.heights;
+    if (terrain.warning_colors)
+        input.bands =
+            draw::bands_within(settings_.design.warning_bands, terrain.aircraft_msl_m, terrain.gear_down, -kAny_m, kAny_m);
+    input.haze_per_m = terrain.haze_per_m;
+    return input;
+}
+
+draw::SkyInput Display::sky_input() const {
     draw::SkyInput sky;
     sky.view = draw::make_view_frame(eye_.view);
     sky.colors = settings_.design.sky;
@@ -352,7 +382,7 @@ void Display::draw_sky() {
         // Without attitude any horizon would be a wrong one.
         sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNothingKnown;
     }
-    sky_drawer_.draw(gl_, sky);
+    return sky;
 }
 
 void Display::draw_symbology() {
@@ -383,6 +413,10 @@ draw::TerrainDrawInput Display::terrain_input() const {
     for (std::size_t n = 0; n < shade.light_count; ++n) input.light_direction[n] = light_direction(shade.lights[n], axes);
     input.warning_colors = decisions_.show_warning_colors;
     input.aircraft_msl_m = aircraft_msl_m_;
+    if (terrain_.is_started()) {
+        const terrain::FileHeader& header = terrain_.database().header();
+        input.heights = {double{header.min_height_m}, double{header.max_height_m}};
+    }
     return input;
 }
 

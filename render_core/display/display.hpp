@@ -15,7 +15,7 @@
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/display/view_transition.hpp"
-#include "render_core/draw/outline_pass.hpp"
+#include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/symbology/layout.hpp"
@@ -103,8 +103,11 @@ private:
     void flag(std::string_view name);
     void record_terrain(const TerrainPlan& plan);
     [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
-    void draw_scene();
-    void draw_sky();
+    void draw_scene(const base::Surface& surface);
+    void draw_terrain();
+    [[nodiscard]] draw::SkyInput sky_input() const;
+    [[nodiscard]] draw::PictureInput picture_input() const;
+    [[nodiscard]] draw::TerrainOutput output() const;
     void draw_symbology();
     void finish_record();
 
@@ -113,7 +116,7 @@ private:
     base::Arena heights_memory_, index_memory_, slots_memory_, attributes_memory_, staging_memory_, lod_memory_,
         symbology_memory_;
     TerrainScene terrain_;
-    draw::OutlinePass outline_;
+    draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;
     draw::Layout layout_;
@@ -127,6 +130,7 @@ private:
     Eye eye_;
     terrain::View free_view_;
     bool free_view_active_ = false;
+    bool terrain_has_void_ = false;
     double aircraft_msl_m_ = 0;
     double eye_msl_m_ = 0;
     draw::TerrainDrawResult terrain_result_;

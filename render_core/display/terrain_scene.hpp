@@ -41,7 +41,7 @@ public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, const design::DesignSettings& design,
-                                    effects::DeviceSettings& device, const TerrainMemory& memory);
+                                    effects::DeviceSettings& device, const TerrainMemory& memory, draw::TerrainOutput output);
     [[nodiscard]] bool is_started() const { return started_; }
     /// False, and nothing changes, where the design's style needs other programs.
     [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
@@ -66,7 +66,8 @@ public:
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
 
 private:
-    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
+    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const design::TerrainStyle& style,
+                                          const TerrainMemory& memory);
     [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
 
     effects::DeviceSettings* device_ = nullptr;

@@ -3,13 +3,13 @@
 /// The horizon is the geometric one: the tangent from the eye to the mean sphere, below the horizontal by the dip. Without
 /// terrain the picture is the plain blue over brown of an attitude indicator, without dip.
 ///
-/// Memory    three vertices from the line `symbology_vertices`. Thread  the GL thread. Failure  start(): one sentence.
+/// Memory    a grid from the line `symbology_vertices`. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/view_frame.hpp"
-#include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
 
 namespace tedavis::draw {
@@ -19,6 +19,22 @@ struct SkyInput {
     double dip_rad = 0;  ///< horizon_dip_rad(height), 0 for the plain horizon
     design::SkySettings colors;
 };
+
+/// Uniforms of sky_color.frag and screen.vert, the first ones of every program that shows the sky.
+enum SkyUniform : std::size_t {
+    kHalfTangent,
+    kDownOfAxes,
+    kSineOfDip,
+    kPixelsPerDown,
+    kZenith,
+    kHorizon,
+    kGroundHorizon,
+    kGround,
+    kSkyUniforms
+};
+extern const char* const kSkyUniformNames[kSkyUniforms];
+/// The program must be in use.
+void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& input);
 
 class SkyDrawer {
 public:
@@ -30,7 +46,7 @@ public:
 
 private:
     gl::Program program_;
-    gl::Buffer corners_;
+    ScreenGrid grid_;
 };
 
 }  // namespace tedavis::draw

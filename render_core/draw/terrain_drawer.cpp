@@ -5,7 +5,6 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "render_core/draw/terrain_uniforms.hpp"
 #include "render_core/gl/draw_triangles.hpp"
 
 namespace tedavis::draw {
@@ -21,9 +20,6 @@ constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles
 constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
-
-/// Bands that a program can tell apart; most chunks meet two at most, and each costs every fragment.
-constexpr std::size_t kBandsOfProgram[TerrainDrawer::kBandVariants] = {0, 2, design::kMaxWarningBands};
 
 void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     const std::uint64_t start = slot * kSlotVertexBytes;
@@ -62,9 +58,10 @@ double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
 }  // namespace
 
 gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
-                                 effects::DeviceSettings& device, base::Arena& staging) {
+                                 effects::DeviceSettings& device, base::Arena& staging, TerrainOutput output) {
     store_ = &store;
     design_ = design;
+    output_ = output;
     if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
@@ -108,17 +105,18 @@ gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& devi
 
 gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     TerrainVariant variant;
+    variant.output = output_;
     variant.lifted = design_.terrain.conservative_up;
-    variant.outlined = design_.terrain.style.sketch.silhouettes > 0;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
-    for (std::size_t bands = 0; bands < kBandVariants; ++bands)
-        for (const bool baked : {false, true}) {
-            if (baked && !atlas_.is_started()) continue;
-            variant.bands = kBandsOfProgram[bands];
-            variant.baked = baked;
+    for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
+        for (const bool second : {false, true}) {
+            if (second && output_ != TerrainOutput::code && !atlas_.is_started()) continue;
+            variant.bands = kBandsOfVariant[bands];
+            variant.baked = second;
+            variant.classes = second;
             auto program = build_terrain_program(gl, design_.terrain.style, variant);
             if (!program.ok()) return program.error();
-            programs_[bands][baked ? 1 : 0] = program.value();
+            programs_[bands][second ? 1 : 0] = program.value();
         }
     return {};
 }
@@ -238,6 +236,10 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_view_uniforms(gl, program, input.view, range);
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
+    if (output_ == TerrainOutput::code) {
+        set_height_range(gl, program, input.heights);
+        return;
+    }
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
@@ -245,16 +247,21 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
 
 const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
                                               const TerrainDrawInput& input) const {
+    if (output_ == TerrainOutput::code) {
+        const bool land_alone = (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0;
+        const gl::Program& program = programs_[0][land_alone ? 0 : 1];
+        program.use(gl);
+        return program;
+    }
     TerrainBands bands;
     if (input.warning_colors)
         bands =
             bands_within(design_.warning_bands, input.aircraft_msl_m, input.gear_down, entry.min_height_m, entry.max_height_m);
-    std::size_t n = 0;
-    while (kBandsOfProgram[n] < bands.count) ++n;
+    const std::size_t n = band_variant(bands.count);
     const gl::Program& program = programs_[n][baked ? 1 : 0];
     program.use(gl);
     if (n > 0) {
-        const auto count = static_cast<GLsizei>(kBandsOfProgram[n]);
+        const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
         gl->Uniform4fv(program.uniform(kBandColor), count, bands.color);
         gl->Uniform1fv(program.uniform(kBandLower), count, bands.lower_m);
     }

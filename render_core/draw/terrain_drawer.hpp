@@ -11,7 +11,7 @@
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
-#include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/terrain_uniforms.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
@@ -28,6 +28,7 @@ struct TerrainDrawInput {
     bool warning_colors = false;
     double aircraft_msl_m = 0;  ///< for warning colours
     bool gear_down = false;
+    HeightSpan heights;  ///< of the whole database, for codes
 };
 
 struct TerrainDrawResult {
@@ -40,10 +41,9 @@ struct TerrainDrawResult {
 
 class TerrainDrawer {
 public:
-    static constexpr std::size_t kBandVariants = 3;  ///< programs for no, few and all warning bands
-
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
-                                    effects::DeviceSettings& device, base::Arena& staging);
+                                    effects::DeviceSettings& device, base::Arena& staging,
+                                    TerrainOutput output = TerrainOutput::color);
     /// Palette, lights and bands of another design. False, and nothing changes, where its style needs other programs.
     [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
 
@@ -88,7 +88,9 @@ private:
 
     const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
-    gl::Program programs_[kBandVariants][2];  ///< by bands; the second is for chunks with attribute pages
+    TerrainOutput output_ = TerrainOutput::color;
+    /// By bands; the second is for chunks with attribute pages. Of codes: one for land, the second for sea and void as well.
+    gl::Program programs_[kBandVariants][2];
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
     PageAtlas atlas_;

@@ -13,13 +13,17 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"kind", kTerrainKind},
                                                 {"place", kTerrainPlace}};
 
-constexpr const char* kUniformNames[kTerrainUniforms] = {
-    "chunk_offset", "view_projection", "to_local",      "haze_per_m", "lift",          "place_end",
-    "earth_centre", "page_window",     "stroke_window", "form_map",   "light_map",     "aperture_map",
-    "horizon_map",  "page_origin",     "page_scale",    "drape_map",  "drape_origin",  "drape_scale",
-    "palette",      "palette_range",   "plain_color",   "sea_color",  "unknown_color", "haze_color",
-    "pixel",        "grid_lines",      "lights",        "light",      "occlusion",     "line_color",
-    "form_lines",   "contour",         "strokes",       "page_texel", "band_color",    "band_lower"};
+}  // namespace
+
+const char* const kTerrainUniformNames[kTerrainUniforms] = {
+    "chunk_offset", "view_projection", "to_local",     "haze_per_m",  "lift",         "place_end",     "earth_centre",
+    "page_window",  "stroke_window",   "form_map",     "light_map",   "aperture_map", "horizon_map",   "page_origin",
+    "page_scale",   "drape_map",       "drape_origin", "drape_scale", "palette",      "palette_range", "plain_color",
+    "sea_color",    "unknown_color",   "haze_color",   "pixel",       "grid_lines",   "lights",        "light",
+    "occlusion",    "line_color",      "form_lines",   "contour",     "strokes",      "page_texel",    "band_color",
+    "band_lower",   "height_range"};
+
+namespace {
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
@@ -79,10 +83,26 @@ void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool 
     defines.add_if(sketch.stippling > 0, "#define STIPPLING 1\n");
 }
 
+TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
+    DefineList defines;
+    if (style.shade.technique != TerrainShade::none)
+        defines.add_number("LIGHTS", style.shade.technique == TerrainShade::lights ? style.shade.light_count : std::size_t{1});
+    defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.classes, "#define CLASSES 1\n");
+    return defines.text();
+}
+
 }  // namespace
+
+TerrainOutput output_of(const design::TerrainStyle& style, bool off_screen_depth) noexcept {
+    if (!off_screen_depth) return TerrainOutput::color;
+    if (design::fits_pixel_code(style)) return TerrainOutput::code;
+    return style.sketch.silhouettes > 0 ? TerrainOutput::color_and_distance : TerrainOutput::color;
+}
 
 TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
     DefineList defines;
+    if (variant.output == TerrainOutput::code) return code_defines(style, variant);
     defines.add(kTextureDefines[static_cast<std::size_t>(style.texture)]);
     const design::SketchSettings& sketch = style.sketch;
     add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
@@ -92,7 +112,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
         defines.add_if(variant.baked && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
-    defines.add_if(variant.outlined, "#define DISTANCE_IN_ALPHA 1\n");
+    defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }
 
@@ -100,14 +120,16 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
     base::FixedString<kMaxShaderText> vertex(defines.view()), fragment(defines.view());
-    vertex.append(shader_text(k_terrain_vert));
-    fragment.append(shader_text(k_terrain_frag));
+    const bool code = variant.output == TerrainOutput::code;
+    vertex.append(shader_text(k_terrain_place_vert));
+    vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
+    fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";
     source.vertex = vertex.view();
     source.fragment = fragment.view();
     source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
-    source.uniforms = base::Span<const char* const>(kUniformNames);
+    source.uniforms = base::Span<const char* const>(kTerrainUniformNames);
     source.some_unused = true;
     return gl::build_program(gl, source);
 }

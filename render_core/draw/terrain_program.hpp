@@ -1,4 +1,5 @@
-/// The shader program of one terrain style, for chunks with or without attribute pages and for a number of warning bands.
+/// The shader program of one terrain style, for chunks with or without attribute pages and for a number of warning bands, or
+/// the one that writes codes.
 ///
 /// A technique that the style does not ask for is not compiled. Without pages the vertex normal shades, and what only a page
 /// knows is left out (catalogue of replacements: README of this folder).
@@ -7,6 +8,7 @@
 
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/design/terrain_style.hpp"
+#include "render_core/design/warning_bands.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/gl/program.hpp"
 
@@ -53,14 +55,26 @@ enum TerrainUniform : std::size_t {
     kPageTexel,
     kBandColor,
     kBandLower,
+    kHeightRange,
     kTerrainUniforms
 };
+extern const char* const kTerrainUniformNames[kTerrainUniforms];
+
+/// What a terrain program writes. All but the first go off-screen, for the picture pass.
+enum class TerrainOutput : std::uint8_t {
+    color,               ///< the picture
+    color_and_distance,  ///< the distance in alpha: silhouettes are found in it
+    code,                ///< heights, light and distance of terrain_code.frag
+};
+/// The cheapest that shows the style on a device that has off-screen depth or not.
+[[nodiscard]] TerrainOutput output_of(const design::TerrainStyle& style, bool off_screen_depth) noexcept;
 
 struct TerrainVariant {
-    std::size_t bands = 0;            ///< warning bands that it tells apart
-    bool baked = false;               ///< the chunk has attribute pages
-    bool lifted = false;              ///< never below the true terrain
-    bool outlined = false;            ///< writes the distance for the pass that draws silhouettes
+    std::size_t bands = 0;  ///< warning bands that it tells apart
+    bool baked = false;     ///< the chunk has attribute pages
+    bool lifted = false;    ///< never below the true terrain
+    bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
+    TerrainOutput output = TerrainOutput::color;
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 
@@ -71,7 +85,12 @@ using TerrainDefines = base::FixedString<1023>;
 [[nodiscard]] base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                                            const TerrainVariant& variant);
 
-/// Distance on which DISTANCE_IN_ALPHA of terrain.frag codes a step of 1/255: the outline pass needs it.
+/// The number of bands in the smallest program that tells `bands` apart.
+inline constexpr std::size_t kBandVariants = 3;
+inline constexpr std::size_t kBandsOfVariant[kBandVariants] = {0, 2, design::kMaxWarningBands};
+[[nodiscard]] constexpr std::size_t band_variant(std::size_t bands) noexcept { return bands == 0 ? 0 : bands <= 2 ? 1 : 2; }
+
+/// Distance and number of octaves of the code in alpha.
 inline constexpr double kDistanceCodeStart_m = 50, kDistanceCodeOctaves = 13;
 
 }  // namespace tedavis::draw

@@ -130,6 +130,12 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
     gl->Uniform1f(program.uniform(kGridLines), number(1 / style.line_spacing_m));
 }
 
+void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span) {
+    const double reach_m = span.highest_m - span.lowest_m;
+    gl->Uniform2f(program.uniform(kHeightRange), static_cast<float>(span.lowest_m),
+                  reach_m > 0 ? static_cast<float>(1 / reach_m) : 1.0f);
+}
+
 void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style) {
     const terrain::ChunkEntry& entry = *of.chunk.entry;
     const glm::dvec3 eye_whole = glm::round(of.eye);

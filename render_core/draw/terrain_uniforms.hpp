@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "render_core/design/design_settings.hpp"
+#include "render_core/draw/color_table.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_program.hpp"
@@ -18,6 +18,9 @@ void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Vi
 /// `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m);
 void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
+
+/// For programs that write codes.
+void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span);
 
 struct ChunkUniforms {
     const terrain::SelectedChunk& chunk;

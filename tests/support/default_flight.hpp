@@ -79,9 +79,12 @@ public:
                     base::ByteSource* terrain)
         : HeadlessDisplay(backend, device, width, height, terrain, shipped_design("default")) {}
     HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
+                    base::ByteSource* terrain, const design::DesignSettings& design)
+        : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design) {}
+    HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
                     base::ByteSource* terrain, const design::DesignSettings& design) {
         display::DisplaySettings settings;
-        settings.device = shipped_device(device);
+        settings.device = device;
         settings.design = design;
         settings.width_px = width;
         settings.height_px = height;

@@ -21,7 +21,8 @@ public:
         const display::TerrainMemory memory{arena("terrain_index"),      arena("terrain_chunk_slots"), arena("terrain_heights"),
                                             arena("terrain_attributes"), arena("lod_scratch"),         arena("staging")};
         const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
-        const gl::GlError error = scene_.start(session_.gl, input, design_, session_.device, memory);
+        const draw::TerrainOutput output = draw::output_of(design_.terrain.style, session_.device.capability.depth24_targets);
+        const gl::GlError error = scene_.start(session_.gl, input, design_, session_.device, memory, output);
         if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
         session_.surface->release_current();
     }

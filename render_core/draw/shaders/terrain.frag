@@ -297,7 +297,7 @@ void main() {
     color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
     color = mix(color, haze_color, v_haze * (1.0 - 0.5 * unknown));
 #ifdef DISTANCE_IN_ALPHA
-    FRAGMENT_COLOR = vec4(color, log2(1.0 + distance_m / 50.0) / 13.0);
+    FRAGMENT_COLOR = vec4(color, min(log2(1.0 + distance_m / 50.0) / 13.0, 254.0 / 255.0));  // 255 is the sky
 #else
     FRAGMENT_COLOR = vec4(color, 1.0);
 #endif

@@ -1,20 +1,5 @@
-// Terrain chunks. Offset and position are exact in float and their sum is rounded once, so a vertex that two chunks share
-// gets the same bits from both: no cracks between levels. Everything after that sum is common to all chunks.
-VERTEX_IN vec3 position;   // ECEF minus the chunk's centre, m
-VERTEX_IN float height;    // above MSL, m
-VERTEX_IN vec3 normal;     // ECEF
-VERTEX_IN float kind;      // post class in the lowest two bits
-VERTEX_IN vec2 place;      // lattice posts from the chunk's north-west corner
-
-uniform vec3 chunk_offset;     // chunk's centre minus the eye's whole metres
-uniform mat4 view_projection;  // from there, with the eye's remaining fraction
-uniform mat3 to_local;         // ECEF to east, north, up at the chunk
+// Terrain in colour. Follows terrain_place.vert.
 uniform float haze_per_m;      // 1 / distance, 0 for none
-#ifdef LIFTED
-uniform float lift[9];         // by row and column: north-west corner, north side, ...
-uniform vec2 place_end;        // of the south-east corner
-uniform vec3 earth_centre;     // from the eye's whole metres
-#endif
 #ifdef BAKED
 uniform vec4 page_window;      // texels of the page = place * xy + zw
 VARYING vec2 v_page;
@@ -31,16 +16,10 @@ VARYING vec3 v_eye;            // from the eye, east, north, up, m
 VARYING float v_haze;
 
 void main() {
-    vec3 eye_relative = position + chunk_offset;
-#ifdef LIFTED
-    vec2 side = step(0.5, place) + step(place_end - 0.5, place);
-    // Along the ellipsoid's normal: z weighs a^2 / b^2.
-    eye_relative += normalize((eye_relative - earth_centre) * vec3(1.0, 1.0, 1.0067394967)) * lift[int(side.y * 3.0 + side.x + 0.5)];
-#endif
+    vec3 eye_relative = eye_relative_place();
     gl_Position = view_projection * vec4(eye_relative, 1.0);
     v_height = height;
-    float post_class = mod(kind, 4.0);
-    v_class = vec2(abs(post_class - 1.0) < 0.5 ? 1.0 : 0.0, abs(post_class - 2.0) < 0.5 ? 1.0 : 0.0);
+    v_class = class_of_vertex();
     v_normal = to_local * normal;
     v_eye = to_local * eye_relative;
     v_haze = 1.0 - exp(-length(eye_relative) * haze_per_m);

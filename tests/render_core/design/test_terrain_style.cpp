@@ -91,6 +91,30 @@ TEST(TerrainStyle, OnlyTheMapsThatATechniqueReadsAreNeeded) {
     EXPECT_TRUE(needs_map(style, BakedMap::drape));
 }
 
+TEST(TerrainStyle, NormalsComeFromTheMeshUnlessTheMapsAreAskedFor) {
+    const TerrainStyle mesh = read("[terrain.shade]\ntechnique = \"lambert\"\n").style;
+    EXPECT_FALSE(needs_any_map(mesh));
+    EXPECT_TRUE(fits_pixel_code(mesh));
+    const TerrainStyle baked = read("[terrain.shade]\ntechnique = \"lambert\"\nnormals = \"baked\"\n").style;
+    EXPECT_TRUE(needs_map(baked, BakedMap::form));
+    EXPECT_FALSE(fits_pixel_code(baked));
+    EXPECT_FALSE(same_programs(mesh, baked));
+    EXPECT_NE(read("[terrain.shade]\nnormals = \"guessed\"\n").error, "");
+}
+
+TEST(TerrainStyle, CodesHoldHeightLightClassAndDistanceAndNothingElse) {
+    const auto fits = [](const std::string& text) { return fits_pixel_code(read(text).style); };
+    EXPECT_TRUE(fits("[terrain.texture]\ntechnique = \"plain\"\n"));
+    EXPECT_TRUE(fits("[terrain.sketch]\nsilhouettes = 1\n"));
+    EXPECT_TRUE(fits("[terrain.shade]\ntechnique = \"none\"\nnormals = \"baked\"\n")) << "nothing is shaded";
+    EXPECT_FALSE(fits("[terrain.texture]\ntechnique = \"slope\"\n"));
+    EXPECT_FALSE(fits("[terrain.shade]\ntechnique = \"phong\"\n"));
+    EXPECT_FALSE(fits("[terrain.shade]\ncast_shadows = true\n"));
+    EXPECT_FALSE(fits("[terrain.shade]\nambient_occlusion = 0.5\n"));
+    EXPECT_FALSE(fits("[terrain.shade]\nopenness = 0.5\n"));
+    EXPECT_FALSE(fits("[terrain.sketch]\ncontours = 1\n"));
+}
+
 TEST(TerrainStyle, ParametersMayChangeWhileRunningTechniquesMayNot) {
     TerrainStyle a, b;
     b.shade.ambient = 0.9;

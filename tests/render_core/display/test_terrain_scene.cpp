@@ -64,7 +64,7 @@ public:
             arenas_[n] = base::Arena(memory_[n].data(), memory_[n].size());
         }
         error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, design, at_.device,
-                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5]});
+                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5]}, draw::TerrainOutput::color);
         at_.gl.seal();
     }
     ~Stage() {
@@ -110,10 +110,16 @@ private:
     base::Arena arenas_[kLines];
 };
 
+TEST(TerrainScene, PagesThatNoTechniqueReadsTakeNoMemory) {
+    EXPECT_EQ(Stage(plain_design(), "terrain_attributes").error.sentence.view(), "");
+}
+
 TEST(TerrainScene, TheLineThatDoesNotHoldIsNamed) {
-    EXPECT_EQ(Stage(plain_design()).error.sentence.view(), "");
+    design::DesignSettings design = plain_design();
+    design.terrain.style.shade.baked_normals = true;
+    EXPECT_EQ(Stage(design).error.sentence.view(), "");
     for (const std::string line : {"terrain_chunk_slots", "terrain_heights", "terrain_attributes", "lod_scratch", "staging"}) {
-        const Stage stage(plain_design(), line);
+        const Stage stage(design, line);
         EXPECT_NE(std::string(stage.error.sentence.view()).find("'" + line + "'"), std::string::npos)
             << line << ": " << stage.error.sentence.view();
         EXPECT_FALSE(stage.scene.is_started());

@@ -18,7 +18,8 @@ using test_support::GlSession;
 TerrainVariant full_variant() {
     TerrainVariant variant;
     variant.bands = 2;
-    variant.baked = variant.lifted = variant.outlined = true;
+    variant.baked = variant.lifted = true;
+    variant.output = TerrainOutput::color_and_distance;
     for (bool& map : variant.maps) map = true;
     return variant;
 }
@@ -60,7 +61,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) {
+            if (n != kHeightRange && n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) {
                 EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
             }
         session.gl.seal();
@@ -77,6 +78,39 @@ TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {
     variant.baked = true;
     for (bool& map : variant.maps) map = true;
     EXPECT_EQ(terrain_defines(bare, variant).view(), "#define BAKED 1\n");  // no technique reads a map
+}
+
+TEST(TerrainProgram, TheCheapestOutputThatShowsTheStyle) {
+    TerrainStyle style;
+    style.sketch.silhouettes = 1;
+    EXPECT_EQ(output_of(style, true), TerrainOutput::code);
+    EXPECT_EQ(output_of(style, false), TerrainOutput::color);
+    style.sketch.contours = 1;
+    EXPECT_EQ(output_of(style, true), TerrainOutput::color_and_distance);
+    style.sketch.silhouettes = 0;
+    EXPECT_EQ(output_of(style, true), TerrainOutput::color);
+}
+
+TEST(TerrainProgram, CodesCompileInBothLanes) {
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        GlSession session("egl", device);
+        for (const TerrainShade shade : {TerrainShade::none, TerrainShade::lambert, TerrainShade::lights})
+            for (const bool classes : {false, true}) {
+                TerrainStyle style;
+                style.shade.technique = shade;
+                style.shade.light_count = 3;
+                TerrainVariant variant;
+                variant.output = TerrainOutput::code;
+                variant.classes = variant.lifted = classes;
+                auto program = build_terrain_program(session.gl, style, variant);
+                ASSERT_TRUE(program.ok()) << program.error().sentence.view();
+                EXPECT_GE(program.value().uniform(kHeightRange), 0);
+                EXPECT_EQ(program.value().uniform(kLights) >= 0, shade != TerrainShade::none);
+                program.value().destroy(session.gl);
+            }
+        session.gl.seal();
+        session.gl.retire();
+    }
 }
 
 TEST(TerrainProgram, AMapThatIsNotThereIsNotRead) {

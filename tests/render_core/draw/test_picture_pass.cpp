@@ -1,4 +1,4 @@
-#include "render_core/draw/outline_pass.hpp"
+#include "render_core/draw/picture_pass.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,12 +58,23 @@ std::vector<std::uint8_t> coded_scene(const DistanceFormula& distance_m) {
     return texels;
 }
 
+design::DesignSettings design_with(double silhouettes) {
+    design::DesignSettings design = design::default_design_settings();
+    design.terrain.style.sketch.silhouettes = silhouettes;
+    design.terrain.style.sketch.line = kInk;
+    return design;
+}
+
 /// Draws the scene off-screen and finishes the pass.
 Picture outlined(const DistanceFormula& distance_m, double strength, const char* device = "es3-mid") {
+    const design::DesignSettings design = design_with(strength);
     GlSession session("egl", device, kWidth, kHeight);
-    OutlinePass pass;
+    PicturePass pass;
     EXPECT_FALSE(pass.is_started());
-    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight).sentence.view(), "");
+    EXPECT_EQ(
+        pass.start(session.gl, session.device.budget, kWidth, kHeight, design.terrain.style, TerrainOutput::color_and_distance)
+            .sentence.view(),
+        "");
     EXPECT_TRUE(pass.is_started());
     base::BudgetLine line;
     line.bytes = 100'000;
@@ -83,7 +94,9 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     session.gl->EnableVertexAttribArray(0);
     session.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     session.gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    pass.finish(session.gl, *session.surface, kInk, strength);
+    PictureInput input;
+    input.outlined = strength > 0;
+    pass.finish(session.gl, *session.surface, design, input);
     EXPECT_EQ(session.gl.denied().total, 0u);
     EXPECT_EQ(session.gl.take_error(), GLenum{GL_NO_ERROR});
     Picture picture{session.pixels()};
@@ -97,7 +110,7 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
 
 double jump_at_column(int x, double near_m, double far_m) { return x < 32 ? near_m : far_m; }
 
-TEST(OutlinePass, AJumpIsInkedInAPixelOnBothSides) {
+TEST(PicturePass, AJumpIsInkedInAPixelOnBothSides) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 2000); }, 1, device);
         for (int y = 2; y < 46; ++y)
@@ -106,19 +119,19 @@ TEST(OutlinePass, AJumpIsInkedInAPixelOnBothSides) {
     }
 }
 
-TEST(OutlinePass, RowsAreLookedAtToo) {
+TEST(PicturePass, RowsAreLookedAtToo) {
     const Picture picture = outlined([](int, int y) { return y < 20 ? 5000.0 : 800.0; }, 1);
     for (int y = 2; y < 46; ++y) EXPECT_NEAR(picture.ink(30, y), y == 19 || y == 20 ? 1 : 0, 0.02) << y;
 }
 
-TEST(OutlinePass, AWeakJumpInksTheNearSideMore) {
+TEST(PicturePass, AWeakJumpInksTheNearSideMore) {
     const Picture picture = outlined([](int x, int) { return jump_at_column(x, 1000, 1300); }, 1);
     EXPECT_GT(picture.ink(31, 24), 0.6);
     EXPECT_LT(picture.ink(32, 24), 0.8 * picture.ink(31, 24));
     EXPECT_GT(picture.ink(32, 24), 0.05);
 }
 
-TEST(OutlinePass, ASlopeThatRunsAwayIsNoSilhouette) {
+TEST(PicturePass, ASlopeThatRunsAwayIsNoSilhouette) {
     // The code rises by up to four steps a pixel, evenly: ground seen at a grazing angle.
     const auto slope = [](double steps) {
         return [steps](int x, int) {
@@ -131,7 +144,7 @@ TEST(OutlinePass, ASlopeThatRunsAwayIsNoSilhouette) {
     }
 }
 
-TEST(OutlinePass, TheJumpIsJudgedByItsShareOfTheDistance) {
+TEST(PicturePass, TheJumpIsJudgedByItsShareOfTheDistance) {
     const auto most_ink = [](double near_m, double far_m) {
         return outlined([&](int x, int) { return jump_at_column(x, near_m, far_m); }, 1).ink(31, 24);
     };
@@ -141,7 +154,7 @@ TEST(OutlinePass, TheJumpIsJudgedByItsShareOfTheDistance) {
     EXPECT_NEAR(most_ink(20000, 30000), 1, 0.02) << "the same share far away";
 }
 
-TEST(OutlinePass, TheStrengthMixesTheInkAndTheSceneStaysElse) {
+TEST(PicturePass, TheStrengthMixesTheInkAndTheSceneStaysElse) {
     const auto scene = [](int x, int) { return jump_at_column(x, 1000, 3000); };
     EXPECT_NEAR(outlined(scene, 0.5).ink(31, 24), 0.5, 0.02);
     const Picture none = outlined(scene, 0);
@@ -151,11 +164,42 @@ TEST(OutlinePass, TheStrengthMixesTheInkAndTheSceneStaysElse) {
     }
 }
 
-TEST(OutlinePass, ADeviceWithoutRoomIsRefused) {
+TEST(PicturePass, WhereNothingWasDrawnIsTheSky) {
+    const design::DesignSettings design = design_with(1);
+    for (const char* device : {"es3-mid", "es2-small"}) {
+        GlSession session("egl", device, kWidth, kHeight);
+        PicturePass pass;
+        SkyDrawer sky;
+        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, design.terrain.style, TerrainOutput::code)
+                      .sentence.view(),
+                  "");
+        ASSERT_EQ(sky.start(session.gl, session.device.budget).sentence.view(), "");
+        session.gl.seal();
+        session.gl.begin_frame();
+        PictureInput input;
+        input.outlined = true;
+        input.sky.view = make_view_frame(kWidth, kHeight, 1, 0.3, 0.1, 0.2);
+        input.sky.colors = design.sky;
+        pass.begin(session.gl);
+        pass.finish(session.gl, *session.surface, design, input);
+        const std::vector<std::uint8_t> alone = session.pixels();
+        session.gl->Clear(GL_DEPTH_BUFFER_BIT);
+        sky.draw(session.gl, input.sky);
+        EXPECT_EQ(alone, session.pixels()) << device;
+        EXPECT_EQ(session.gl.denied().total, 0u);
+        session.gl.retire();
+        sky.destroy(session.gl);
+        pass.destroy(session.gl);
+    }
+}
+
+TEST(PicturePass, ADeviceWithoutRoomIsRefused) {
     GlSession session("egl", "es3-mid", kWidth, kHeight);
     session.device.budget.find(effects::kRenderTargets)->use.in_use = session.device.budget.find(effects::kRenderTargets)->bytes;
-    OutlinePass pass;
-    EXPECT_NE(pass.start(session.gl, session.device.budget, kWidth, kHeight).sentence.view(), "");
+    PicturePass pass;
+    const gl::GlError error = pass.start(session.gl, session.device.budget, kWidth, kHeight, design_with(1).terrain.style,
+                                         TerrainOutput::color_and_distance);
+    EXPECT_NE(error.sentence.view(), "");
     EXPECT_FALSE(pass.is_started());
     session.gl.seal();
     session.gl.retire();

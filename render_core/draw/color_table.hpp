@@ -1,0 +1,54 @@
+/// The colours of terrain codes (terrain_code.frag), one texel a code, so that no pixel mixes palette and warning bands itself.
+///
+/// Rows 0..253 and columns are a height's steps of 1/254 of the span and of 1/255 of such a step: the palette or the plain colour
+/// under the warning bands of the moment. Row 254 is the sea. Row 255 holds in alpha the haze by distance code. Only the rows
+/// that a band entered or left since the last update are computed and uploaded again.
+///
+/// Memory    256 x 256 texels from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/draw/terrain_bands.hpp"
+#include "render_core/gl/texture.hpp"
+
+namespace tedavis::draw {
+
+/// Heights above MSL that codes span.
+struct HeightSpan {
+    double lowest_m = 0, highest_m = 0;
+};
+
+class ColorTable {
+public:
+    static constexpr std::uint32_t kSide = 256, kHeightRows = 254, kSeaRow = 254, kHazeRow = 255;
+
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
+    /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
+    void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
+                double haze_per_m);
+    /// Of another design: the next update computes everything.
+    void forget() { known_ = false; }
+    [[nodiscard]] const gl::Texture& texture() const { return texture_; }
+    void destroy(gl::Gl& gl) { texture_.destroy(gl); }
+
+    /// The height that a code stands for.
+    [[nodiscard]] static double height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column);
+
+private:
+    void upload_row(gl::Gl& gl, std::uint32_t row, const std::uint8_t* texels) const;
+    void update_heights(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
+                        std::uint32_t row) const;
+    void update_sea(gl::Gl& gl, const design::TerrainSettings& terrain, const TerrainBands& bands) const;
+    void update_haze(gl::Gl& gl, double haze_per_m) const;
+
+    gl::Texture texture_;
+    bool known_ = false;
+    HeightSpan span_;
+    TerrainBands bands_;
+    double haze_per_m_ = 0;
+};
+
+}  // namespace tedavis::draw

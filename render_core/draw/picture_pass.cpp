@@ -1,0 +1,124 @@
+#include "render_core/draw/picture_pass.hpp"
+
+#include "render_core/draw/shader_texts.hpp"
+#include "render_core/draw/terrain_uniforms.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+// A step of the code is 3.6 % of the distance (13 octaves in 255 steps).
+constexpr float kJumpBegins = 2.5f / 255.0f, kJumpFull = 6.0f / 255.0f;
+
+/// After those of the sky.
+enum PictureUniform : std::size_t {
+    kScene = kSkyUniforms,
+    kSceneSize,
+    kOutlineColor,
+    kOutline,
+    kColorTable,
+    kHaze,
+    kUnknown,
+    kPictureUniforms
+};
+constexpr const char* kUniformNames[kPictureUniforms - kSkyUniforms] = {"scene",       "scene_size", "line_color",   "outline",
+                                                                        "color_table", "haze_color", "unknown_color"};
+
+struct UniformNames {
+    const char* names[kPictureUniforms];
+    UniformNames() : names{} {
+        for (std::size_t n = 0; n < kPictureUniforms; ++n)
+            names[n] = n < kSkyUniforms ? kSkyUniformNames[n] : kUniformNames[n - kSkyUniforms];
+    }
+};
+
+void set_color(gl::Gl& gl, GLint location, design::Color color) {
+    gl->Uniform3f(location, static_cast<float>(color.red) / 255.0f, static_cast<float>(color.green) / 255.0f,
+                  static_cast<float>(color.blue) / 255.0f);
+}
+
+}  // namespace
+
+gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                               const design::TerrainStyle& style, TerrainOutput output) {
+    coded_ = output == TerrainOutput::code;
+    const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_px, height_px};
+    auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
+    if (!target.ok()) return target.error();
+    target_ = static_cast<gl::RenderTarget&&>(target.value());
+    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (coded_)
+        if (gl::GlError error = colors_.start(gl, *budget.find(effects::kRenderTargets)); !error.sentence.empty()) return error;
+    return build_programs(gl, style);
+}
+
+gl::GlError PicturePass::build_programs(gl::Gl& gl, const design::TerrainStyle& style) {
+    const UniformNames uniforms;
+    for (const bool hatched : {false, true})
+        for (const bool outlined : {false, true}) {
+            if ((hatched && !coded_) || (outlined && style.sketch.silhouettes == 0)) continue;
+            base::FixedString<kMaxShaderText> fragment(coded_ ? "#define CODED 1\n" : "");
+            if (hatched) fragment.append("#define HATCHED 1\n");
+            if (outlined) fragment.append("#define OUTLINED 1\n");
+            fragment.append(shader_text(k_sky_color_frag));
+            fragment.append(shader_text(k_picture_frag));
+            gl::ProgramSource source;
+            source.name = "picture";
+            source.vertex = shader_text(k_screen_vert);
+            source.fragment = fragment.view();
+            source.attributes = base::Span<const gl::AttributeBinding>(kScreenAttributes);
+            source.uniforms = base::Span<const char* const>(uniforms.names);
+            source.some_unused = true;
+            auto program = gl::build_program(gl, source);
+            if (!program.ok()) return program.error();
+            programs_[hatched ? 1 : 0][outlined ? 1 : 0] = program.value();
+        }
+    return {};
+}
+
+void PicturePass::begin(gl::Gl& gl) const {
+    target_.bind(gl);
+    gl->ClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void PicturePass::finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design,
+                         const PictureInput& input) {
+    if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.haze_per_m);
+    gl::bind_surface(gl, surface);
+    gl->Disable(GL_DEPTH_TEST);
+    gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_BLEND);
+    const gl::Program& program = programs_[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
+    program.use(gl);
+    target_.color().bind(gl, 0);
+    gl->Uniform1i(program.uniform(kScene), 0);
+    const gl::TextureSettings& size = target_.color().settings();
+    gl->Uniform2f(program.uniform(kSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
+    set_sky_uniforms(gl, program, input.sky);
+    if (input.outlined) set_outline(gl, program, design.terrain.style.sketch);
+    if (coded_) set_colors(gl, program, design);
+    grid_.draw(gl);
+}
+
+void PicturePass::set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const {
+    gl->Uniform3f(program.uniform(kOutline), static_cast<float>(sketch.silhouettes), kJumpBegins, 1 / (kJumpFull - kJumpBegins));
+    set_color(gl, program.uniform(kOutlineColor), sketch.line);
+}
+
+void PicturePass::set_colors(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) const {
+    colors_.texture().bind(gl, 1);
+    gl->Uniform1i(program.uniform(kColorTable), 1);
+    set_color(gl, program.uniform(kHaze), design.sky.haze);
+    set_color(gl, program.uniform(kUnknown), design.terrain.unknown);
+}
+
+void PicturePass::destroy(gl::Gl& gl) {
+    for (auto& some : programs_)
+        for (gl::Program& program : some) program.destroy(gl);
+    colors_.destroy(gl);
+    grid_.destroy(gl);
+    target_.destroy(gl);
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,54 @@
+/// Makes the picture of terrain that was drawn off-screen: the sky where there is none, colours for its codes, and silhouettes
+/// where the depth jumps (Saito, Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990), found in the distance
+/// code of its alpha. Codes are coloured once a pixel (Deering et al., "The Triangle Processor and Normal Vector Shader",
+/// SIGGRAPH 1988).
+///
+/// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
+#pragma once
+
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/draw/color_table.hpp"
+#include "render_core/draw/sky_drawer.hpp"
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+struct PictureInput {
+    SkyInput sky;
+    bool outlined = false;  ///< with the silhouettes of the style
+    // For codes only.
+    bool has_void = false;  ///< ground without data is in view
+    HeightSpan heights;     ///< as the terrain was drawn with
+    TerrainBands bands;     ///< all of the design, or none
+    double haze_per_m = 0;
+};
+
+class PicturePass {
+public:
+    /// `output` is not TerrainOutput::color.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                                    const design::TerrainStyle& style, TerrainOutput output);
+    [[nodiscard]] bool is_started() const { return target_.valid(); }
+    /// What is drawn from here on goes off-screen, on a picture of nothing but sky.
+    void begin(gl::Gl& gl) const;
+    /// Puts the picture on the surface.
+    void finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design, const PictureInput& input);
+    /// The next picture is of another design.
+    void forget_design() { colors_.forget(); }
+    void destroy(gl::Gl& gl);
+
+private:
+    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, const design::TerrainStyle& style);
+    [[nodiscard]] const gl::Program& program_of(const PictureInput& input) const;
+    void set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const;
+    void set_colors(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) const;
+
+    gl::RenderTarget target_;
+    ScreenGrid grid_;
+    ColorTable colors_;
+    gl::Program programs_[2][2];  ///< the second with what is not known; the second with silhouettes
+    bool coded_ = false;
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,88 @@
+// The picture that comes from terrain codes is the one that is drawn in colours at once.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "host_sim/replay/posed_aircraft.hpp"
+#include "render_core/gl/readback.hpp"
+#include "tests/support/built_database.hpp"
+#include "tests/support/default_flight.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr std::uint32_t kWidth = 400, kHeight = 300;
+
+/// Land, sea and ground without data.
+const test_support::BuiltDatabase& coast() {
+    static const test_support::BuiltDatabase built([] {
+        host_sim::Raster raster = test_support::make_rough_raster(161, 161);
+        for (std::uint32_t j = 0; j < 161; ++j)
+            for (std::uint32_t i = 0; i < 161; ++i) {
+                const std::size_t at = raster.at(i, j);
+                if (i + j < 130) raster.height_m[at] = 0;
+                if (i + j < 130) raster.post_class[at] = terrain::PostClass::sea;
+                if (i > 110 && j > 100 && j < 130) raster.post_class[at] = terrain::PostClass::void_;
+            }
+        return raster;
+    }());
+    return built;
+}
+
+design::DesignSettings design_without_silhouettes() {
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.terrain.style.sketch.silhouettes = 0;
+    return design;
+}
+
+std::vector<std::uint8_t> picture(const design::DesignSettings& design, const char* device, bool off_screen,
+                                  const host_sim::AircraftPose& pose) {
+    test_support::MemoryBytes bytes(coast().image);
+    effects::DeviceSettings settings = test_support::shipped_device(device);
+    settings.capability.depth24_targets = off_screen;
+    test_support::HeadlessDisplay headless("egl", settings, kWidth, kHeight, &bytes, design);
+    const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, headless.display());
+    headless.display().settle(aircraft, {}, host_sim::kPosedTime);
+    headless.display().update(aircraft, {}, host_sim::kPosedTime);
+    headless.display().draw(headless.surface());
+    EXPECT_GT(headless.display().record().terrain.triangles, 100u);
+    std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
+    EXPECT_TRUE(gl::read_pixels(headless.display().gl(), kWidth, kHeight, {rgba.data(), rgba.size()}));
+    return rgba;
+}
+
+/// Share of pixels in which a channel differs by more than `steps`.
+double share_apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, int steps) {
+    std::size_t apart = 0;
+    for (std::size_t n = 0; n < a.size(); n += 4) {
+        bool differs = false;
+        for (std::size_t c = n; c < n + 3; ++c) differs = differs || std::abs(int{a[c]} - int{b[c]}) > steps;
+        apart += differs ? 1 : 0;
+    }
+    return static_cast<double>(apart) / static_cast<double>(a.size() / 4);
+}
+
+/// Heights of 16 bits, light of 8 and distances in steps of 3.6 % explain three colour steps; a limit between two colours may
+/// fall on the other side of a pixel's middle.
+TEST(CodedPictures, ShowWhatColoursDrawnAtOnceShow) {
+    const design::DesignSettings design = design_without_silhouettes();
+    const host_sim::AircraftPose poses[] = {
+        {47.0, 9.64, 2000, 30, -12, 0}, {46.99, 9.7, 1500, 300, -5, 25}, {47.06, 9.62, 3500, 150, -35, 0}};
+    for (const char* device : {"es2-small", "es3-mid"})
+        for (const host_sim::AircraftPose& pose : poses) {
+            const auto coded = picture(design, device, true, pose), direct = picture(design, device, false, pose);
+            EXPECT_LT(share_apart(coded, direct, 3), 0.002) << device << " heading " << pose.heading_deg;
+        }
+}
+
+TEST(CodedPictures, AnotherLightIsSeen) {
+    design::DesignSettings other = design_without_silhouettes();
+    other.terrain.style.shade.lights[0].azimuth_rad += 1;
+    const host_sim::AircraftPose pose{47.0, 9.64, 2000, 30, -12, 0};
+    EXPECT_GT(share_apart(picture(design_without_silhouettes(), "es3-mid", true, pose), picture(other, "es3-mid", true, pose), 3),
+              0.1);
+}
+
+}  // namespace
+}  // namespace tedavis::display
