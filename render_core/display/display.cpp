@@ -26,12 +26,6 @@ Name style_name(const design::TerrainStyle& style) {
     return name;
 }
 
-glm::dvec3 light_direction(const design::DirectedLight& light, const glm::dmat3& north_east_down) {
-    const double c = std::cos(light.elevation_rad);
-    return north_east_down *
-           glm::dvec3(c * std::cos(light.azimuth_rad), c * std::sin(light.azimuth_rad), -std::sin(light.elevation_rad));
-}
-
 }  // namespace
 
 std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
@@ -199,6 +193,7 @@ void Display::begin_record(base::Time now) {
     record_.view.mode = settings_.design.view.mode;
     record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
+    record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
     for (const auto& name : decisions_.flags) flag(name.view());
 }
 
@@ -282,6 +277,7 @@ void Display::note_effects() {
     const bool warning = decisions_.show_terrain && decisions_.show_warning_colors;
     note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
     note_silhouettes();
+    note_sun();
     record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(settings_.design.terrain.style) : Name("none");
     record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
     record_.terrain_aspect.weight = 1;
@@ -297,6 +293,25 @@ void Display::note_silhouettes() {
                          : has_silhouettes()   ? "asked for by the design"
                                                : "from above nothing hides anything");
     if (silhouettes_replaced_) effect.replaced_by = Name("ridges");
+    static_cast<void>(record_.effects.try_push_back(effect));
+}
+
+void Display::note_sun() {
+    if (record_.light.source == LightSource::fixed) return;
+    EffectRecord effect;
+    effect.name = Name("moving_sun");
+    effect.state = EffectState::replaced;
+    effect.replaced_by = Name("fixed_light");
+    if (record_.light.source == LightSource::no_date) {
+        effect.reason.append("the time of the source is no date; name sun_utc in the design");
+    } else if (record_.light.source == LightSource::sun_too_low) {
+        effect.reason.append("the sun stands below 3 degrees");
+    } else {
+        effect.state = EffectState::run;
+        effect.replaced_by = Name();
+        effect.reason.append("asked for by the design");
+    }
+    if (!decisions_.show_terrain) effect.state = EffectState::skipped;
     static_cast<void>(record_.effects.try_push_back(effect));
 }
 
@@ -378,9 +393,10 @@ draw::TerrainDrawInput Display::terrain_input() const {
     input.view = eye_.view;
     input.haze_per_m = eye_.haze_per_m;
     const earth::Geodetic& place = record_.own_ship.position;
-    const glm::dmat3 axes = earth::north_east_down(place.latitude_rad, place.longitude_rad);
     const design::ShadeSettings& shade = settings_.design.terrain.style.shade;
-    for (std::size_t n = 0; n < shade.light_count; ++n) input.light_direction[n] = light_direction(shade.lights[n], axes);
+    for (std::size_t n = 0; n < shade.light_count; ++n)
+        input.light_direction[n] = towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
+    input.light_direction[0] = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, place);
     input.warning_colors = decisions_.show_warning_colors;
     input.aircraft_msl_m = aircraft_msl_m_;
     return input;

@@ -98,6 +98,7 @@ private:
     void decide_again();
     void note_effects();
     void note_silhouettes();
+    void note_sun();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void flag(std::string_view name);
