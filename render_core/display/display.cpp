@@ -236,6 +236,7 @@ void Display::plan_terrain() {
         terrain_.rest();
         return;
     }
+    widen_bands();
     const TerrainPlan plan = terrain_.plan(eye_, settings_.design);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
@@ -245,6 +246,17 @@ void Display::plan_terrain() {
     if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
     conditions_.terrain_is_coarse = true;
     decide_again();
+}
+
+void Display::widen_bands() {
+    if (!decisions_.show_warning_colors) return;
+    design::HeightAccuracy accuracy;
+    if (state_.is_valid(Signal::vertical_accuracy, record_.time))
+        accuracy.position_m = state_[Signal::vertical_accuracy].value_or(0);
+    accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
+    record_.bands = design::band_widening(settings_.design.widening, accuracy);
+    if (record_.bands.position_assumed) flag("vertical_accuracy.assumed");
+    if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed");
 }
 
 void Display::record_terrain(const TerrainPlan& plan) {
@@ -374,11 +386,12 @@ void Display::draw_symbology() {
     draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design,
                                                                 settings_.width_px, settings_.height_px, aircraft_msl_m_);
     const design::TerrainSettings& terrain = settings_.design.terrain;
-    if (!design::colors_by_palette(terrain.style.texture)) symbology.legend.tint = false;
     if (terrain_.is_started() && terrain.palette.kind == design::PaletteKind::hypsometric) {
         symbology.legend.lowest = static_cast<double>(terrain_.database().header().min_height_m);
         symbology.legend.highest = static_cast<double>(terrain_.database().header().max_height_m);
     }
+    symbology.legend.bands_lowered_m = record_.bands.lowered_m;
+    symbology.legend.accuracy_assumed = record_.bands.position_assumed || record_.bands.terrain_assumed;
     symbology.over = transition_.is_under_way() ? draw::SymbolGround::moving
                      : conditions_.is_map       ? draw::SymbolGround::map
                                                 : draw::SymbolGround::perspective;
@@ -399,6 +412,7 @@ draw::TerrainDrawInput Display::terrain_input() const {
     input.light_direction[0] = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, place);
     input.warning_colors = decisions_.show_warning_colors;
     input.aircraft_msl_m = aircraft_msl_m_;
+    input.bands_lowered_m = record_.bands.lowered_m;
     return input;
 }
 

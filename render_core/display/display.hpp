@@ -93,6 +93,7 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
+    void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
     void decide_again();

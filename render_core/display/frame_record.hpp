@@ -66,6 +66,7 @@ struct FrameRecord {
     base::FixedVector<Name, 32> flags;
     ViewRecord view;
     TerrainLight light;
+    design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
     ByteRecord bytes;
     base::FixedVector<EffectRecord, 32> effects;

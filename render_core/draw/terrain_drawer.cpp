@@ -247,8 +247,8 @@ const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEn
                                               const TerrainDrawInput& input) const {
     TerrainBands bands;
     if (input.warning_colors)
-        bands =
-            bands_within(design_.warning_bands, input.aircraft_msl_m, input.gear_down, entry.min_height_m, entry.max_height_m);
+        bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
+                             entry.min_height_m, entry.max_height_m);
     std::size_t n = 0;
     while (kBandsOfProgram[n] < bands.count) ++n;
     const gl::Program& program = programs_[n][baked ? 1 : 0];

@@ -77,6 +77,16 @@ TEST(FrameRecordJson, TellsTheLight) {
     }
 }
 
+TEST(FrameRecordJson, TellsByHowMuchTheBandsAreLowered) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.bands = {25, 10, 11, false, true};
+    EXPECT_EQ(parsed(result)["warning_bands"], Json({{"lowered_m", 25.0},
+                                                     {"position_sigma_m", 10.0},
+                                                     {"terrain_sigma_m", 11.0},
+                                                     {"position_assumed", false},
+                                                     {"terrain_assumed", true}}));
+}
+
 TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
     FrameResult result = test_support::frame_result(0, 3);
     EXPECT_EQ(parsed(result)["flags"], Json::array());
