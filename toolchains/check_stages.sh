@@ -16,7 +16,7 @@ stage() {
     if ! $held; then failed=$((failed + 1)); fi
 }
 
-# test_stage NAME BUILD_FOLDER EXCLUDED_LABELS (a regular expression, or ""): like stage, and adds ctest's counts to the sum.
+# test_stage NAME BUILD_FOLDER EXCLUDED_LABELS (a regular expression): like stage, and adds ctest's counts to the sum.
 test_stage() {
     local name=$1 folder=$2 excluded=$3 log counts
     log="$logs/${name// /-}.log"
@@ -58,8 +58,7 @@ print_summary() {
 
 run_tests() {
     # Targets that a sanitizer preset leaves out appear as <target>_NOT_BUILT.
-    local arguments=(--test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error -E '_NOT_BUILT$')
-    [ -z "$2" ] || arguments+=(-LE "$2")
+    local arguments=(--test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error -E '_NOT_BUILT$' -LE "$2")
     ctest "${arguments[@]}"
 }
 

@@ -56,6 +56,21 @@ Json aspect_json(const display::AspectRecord& aspect) {
     return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
 }
 
+Json light_json(const display::TerrainLight& light) {
+    static constexpr const char* kSources[] = {"fixed", "sun", "fixed_no_date", "fixed_sun_too_low"};
+    return {{"source", kSources[static_cast<std::size_t>(light.source)]},
+            {"azimuth_deg", base::degrees(light.azimuth_rad)},
+            {"elevation_deg", base::degrees(light.elevation_rad)}};
+}
+
+Json bands_json(const design::BandWidening& bands) {
+    return {{"lowered_m", bands.lowered_m},
+            {"position_sigma_m", bands.position_sigma_m},
+            {"terrain_sigma_m", bands.terrain_sigma_m},
+            {"position_assumed", bands.position_assumed},
+            {"terrain_assumed", bands.terrain_assumed}};
+}
+
 Json flags_json(const display::FrameRecord& record) {
     Json json = Json::array();
     for (const display::Name& flag : record.flags) json.push_back(text(flag.view()));
@@ -84,6 +99,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["flags"] = flags_json(record);
     json["view"] = {{"mode", text(design::kViewModeNames[static_cast<std::size_t>(record.view.mode)])},
                     {"transition", record.view.transition}};
+    json["light"] = light_json(record.light);
+    json["warning_bands"] = bands_json(record.bands);
     json["terrain"] = {{"tau_px", record.terrain.tau_px},
                        {"tau_reached_px", record.terrain.tau_reached_px},
                        {"limit", text(record.terrain.limit.view())},

@@ -94,6 +94,13 @@ void read_custom_bands(ConfigSection& section, WarningBands& bands) {
     fault_of(band, "lower_ft", "must lie below the band before it, gear up and gear down; sort the bands from high to low");
 }
 
+void read_widening(ConfigSection section, WideningSettings& widening) {
+    widening.enabled = section.boolean("enabled", widening.enabled);
+    widening.coverage = section.number("coverage", 0.5, 0.9999, widening.coverage);
+    widening.position_accuracy_m = section.number("position_accuracy_m", 0, 1000, widening.position_accuracy_m);
+    widening.terrain_accuracy_m = section.number("terrain_accuracy_m", 0, 1000, widening.terrain_accuracy_m);
+}
+
 void read_warning(ConfigSection section, DesignSettings& design) {
     design.warning_colors = section.boolean("enabled", design.warning_colors);
     static constexpr std::string_view kProfiles[] = {"egpws", "garmin", "custom"};
@@ -102,6 +109,7 @@ void read_warning(ConfigSection section, DesignSettings& design) {
         read_custom_bands(section, design.warning_bands);
     else
         design.warning_bands = profile == 0 ? egpws_bands() : garmin_bands();
+    read_widening(section.section("widening"), design.widening);
 }
 
 void read_limits(ConfigSection degradation, ConfigSection attitude, DesignSettings& design) {

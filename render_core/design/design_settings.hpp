@@ -13,6 +13,7 @@
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/design/band_widening.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/terrain_style.hpp"
@@ -95,6 +96,7 @@ struct DesignSettings {
     SkySettings sky;
     bool warning_colors = true;
     WarningBands warning_bands;
+    WideningSettings widening;
     DegradationLimits degradation;
     UnusualAttitudeLimits unusual_attitude;
     SymbologySettings symbology;

@@ -1,5 +1,6 @@
 #include "render_core/design/terrain_style.hpp"
 
+#include "render_core/base/utc_time.hpp"
 #include "render_core/design/config_values.hpp"
 
 namespace tedavis::design {
@@ -46,12 +47,23 @@ void read_lights(ConfigSection& section, ShadeSettings& shade) {
     for (std::size_t n = 0; n < shade.light_count; ++n) shade.lights[n] = read_light(section.table_at("light", n), {});
 }
 
+void read_sun(ConfigSection& section, ShadeSettings& shade) {
+    shade.follows_sun = section.boolean("follows_sun", shade.follows_sun);
+    if (shade.follows_sun && shade.technique == TerrainShade::light_map)
+        fault_of(section, "follows_sun", "cannot move the baked light of light_map; choose another technique");
+    if (!section.has("sun_utc")) return;
+    shade.sun_is_fixed = base::parse_utc(section.text("sun_utc"), shade.sun_utc);
+    if (!shade.sun_is_fixed)
+        fault_of(section, "sun_utc", "is no instant of UTC between 1970 and 2199; write it as \"2026-06-01T14:00:00Z\"");
+    if (!shade.follows_sun) fault_of(section, "sun_utc", "has no effect; set follows_sun = true with it");
+}
+
 void read_shade(ConfigSection section, ShadeSettings& shade) {
     read_choice(section, kTerrainShadeNames, shade.technique);
     read_lights(section, shade);
     read_share(section, "ambient", shade.ambient);
     shade.baked_normals = section.choice("normals", kNormalNames, shade.baked_normals ? 1 : 0) == 1;
-    shade.follows_sun = section.boolean("follows_sun", shade.follows_sun);
+    read_sun(section, shade);
     shade.cast_shadows = section.boolean("cast_shadows", shade.cast_shadows);
     read_share(section, "ambient_occlusion", shade.ambient_occlusion);
     read_share(section, "openness", shade.openness);

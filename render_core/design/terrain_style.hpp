@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "render_core/base/config_reader.hpp"
+#include "render_core/base/time.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/design/color.hpp"
 
@@ -56,9 +57,11 @@ struct ShadeSettings {
     TerrainShade technique = TerrainShade::lambert;
     DirectedLight lights[kMaxLights];
     std::size_t light_count = 1;
-    double ambient = 0.35;         ///< 0..1 of full light that reaches slopes in the shade
-    bool baked_normals = false;    ///< normals a pixel from the attribute pages; else those of the mesh's vertices
-    bool follows_sun = false;      ///< the first light is the sun of date, time and place
+    double ambient = 0.35;       ///< 0..1 of full light that reaches slopes in the shade
+    bool baked_normals = false;  ///< normals a pixel from the attribute pages; else those of the mesh's vertices
+    bool follows_sun = false;    ///< the first light is the sun of date, time and place; as stated where there is none
+    bool sun_is_fixed = false;   ///< at `sun_utc` instead of the time of the source
+    base::Time sun_utc;
     bool cast_shadows = false;     ///< of the first light, from the baked horizons
     double ambient_occlusion = 0;  ///< 0..1: how much the baked sky view darkens
     double openness = 0;           ///< 0..1: how much baked positive openness darkens

@@ -26,12 +26,6 @@ Name style_name(const design::TerrainStyle& style) {
     return name;
 }
 
-glm::dvec3 light_direction(const design::DirectedLight& light, const glm::dmat3& north_east_down) {
-    const double c = std::cos(light.elevation_rad);
-    return north_east_down *
-           glm::dvec3(c * std::cos(light.azimuth_rad), c * std::sin(light.azimuth_rad), -std::sin(light.elevation_rad));
-}
-
 }  // namespace
 
 std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
@@ -202,6 +196,7 @@ void Display::begin_record(base::Time now) {
     record_.view.mode = settings_.design.view.mode;
     record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
+    record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
     for (const auto& name : decisions_.flags) flag(name.view());
 }
 
@@ -244,6 +239,7 @@ void Display::plan_terrain() {
         terrain_.rest();
         return;
     }
+    widen_bands();
     const TerrainPlan plan = terrain_.plan(eye_, settings_.design);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
@@ -253,6 +249,17 @@ void Display::plan_terrain() {
     if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
     conditions_.terrain_is_coarse = true;
     decide_again();
+}
+
+void Display::widen_bands() {
+    if (!decisions_.show_warning_colors) return;
+    design::HeightAccuracy accuracy;
+    if (state_.is_valid(Signal::vertical_accuracy, record_.time))
+        accuracy.position_m = state_[Signal::vertical_accuracy].value_or(0);
+    accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
+    record_.bands = design::band_widening(settings_.design.widening, accuracy);
+    if (record_.bands.position_assumed) flag("vertical_accuracy.assumed");
+    if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed");
 }
 
 void Display::record_terrain(const TerrainPlan& plan) {
@@ -290,6 +297,7 @@ void Display::note_effects() {
     const bool warning = decisions_.show_terrain && decisions_.show_warning_colors;
     note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
     note_silhouettes();
+    note_sun();
     record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(settings_.design.terrain.style) : Name("none");
     record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
     record_.terrain_aspect.weight = 1;
@@ -305,6 +313,25 @@ void Display::note_silhouettes() {
                          : has_silhouettes()   ? "asked for by the design"
                                                : "from above nothing hides anything");
     if (silhouettes_replaced_) effect.replaced_by = Name("ridges");
+    static_cast<void>(record_.effects.try_push_back(effect));
+}
+
+void Display::note_sun() {
+    if (record_.light.source == LightSource::fixed) return;
+    EffectRecord effect;
+    effect.name = Name("moving_sun");
+    effect.state = EffectState::replaced;
+    effect.replaced_by = Name("fixed_light");
+    if (record_.light.source == LightSource::no_date) {
+        effect.reason.append("the time of the source is no date; name sun_utc in the design");
+    } else if (record_.light.source == LightSource::sun_too_low) {
+        effect.reason.append("the sun stands below 3 degrees");
+    } else {
+        effect.state = EffectState::run;
+        effect.replaced_by = Name();
+        effect.reason.append("asked for by the design");
+    }
+    if (!decisions_.show_terrain) effect.state = EffectState::skipped;
     static_cast<void>(record_.effects.try_push_back(effect));
 }
 
@@ -362,8 +389,8 @@ draw::PictureInput Display::picture_input() const {
     input.has_void = terrain_has_void_;
     input.heights = terrain.heights;
     if (terrain.warning_colors)
-        input.bands =
-            draw::bands_within(settings_.design.warning_bands, terrain.aircraft_msl_m, terrain.gear_down, -kAny_m, kAny_m);
+        input.bands = draw::bands_within(settings_.design.warning_bands, terrain.aircraft_msl_m - terrain.bands_lowered_m,
+                                         terrain.gear_down, -kAny_m, kAny_m);
     input.haze_per_m = terrain.haze_per_m;
     return input;
 }
@@ -389,11 +416,12 @@ void Display::draw_symbology() {
     draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design,
                                                                 settings_.width_px, settings_.height_px, aircraft_msl_m_);
     const design::TerrainSettings& terrain = settings_.design.terrain;
-    if (!design::colors_by_palette(terrain.style.texture)) symbology.legend.tint = false;
     if (terrain_.is_started() && terrain.palette.kind == design::PaletteKind::hypsometric) {
         symbology.legend.lowest = static_cast<double>(terrain_.database().header().min_height_m);
         symbology.legend.highest = static_cast<double>(terrain_.database().header().max_height_m);
     }
+    symbology.legend.bands_lowered_m = record_.bands.lowered_m;
+    symbology.legend.accuracy_assumed = record_.bands.position_assumed || record_.bands.terrain_assumed;
     symbology.over = transition_.is_under_way() ? draw::SymbolGround::moving
                      : conditions_.is_map       ? draw::SymbolGround::map
                                                 : draw::SymbolGround::perspective;
@@ -408,11 +436,13 @@ draw::TerrainDrawInput Display::terrain_input() const {
     input.view = eye_.view;
     input.haze_per_m = eye_.haze_per_m;
     const earth::Geodetic& place = record_.own_ship.position;
-    const glm::dmat3 axes = earth::north_east_down(place.latitude_rad, place.longitude_rad);
     const design::ShadeSettings& shade = settings_.design.terrain.style.shade;
-    for (std::size_t n = 0; n < shade.light_count; ++n) input.light_direction[n] = light_direction(shade.lights[n], axes);
+    for (std::size_t n = 0; n < shade.light_count; ++n)
+        input.light_direction[n] = towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
+    input.light_direction[0] = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, place);
     input.warning_colors = decisions_.show_warning_colors;
     input.aircraft_msl_m = aircraft_msl_m_;
+    input.bands_lowered_m = record_.bands.lowered_m;
     if (terrain_.is_started()) {
         const terrain::FileHeader& header = terrain_.database().header();
         input.heights = {double{header.min_height_m}, double{header.max_height_m}};

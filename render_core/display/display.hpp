@@ -93,11 +93,13 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
+    void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
     void decide_again();
     void note_effects();
     void note_silhouettes();
+    void note_sun();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void flag(std::string_view name);

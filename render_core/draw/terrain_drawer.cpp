@@ -255,8 +255,8 @@ const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEn
     }
     TerrainBands bands;
     if (input.warning_colors)
-        bands =
-            bands_within(design_.warning_bands, input.aircraft_msl_m, input.gear_down, entry.min_height_m, entry.max_height_m);
+        bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
+                             entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
     const gl::Program& program = programs_[n][baked ? 1 : 0];
     program.use(gl);

@@ -26,7 +26,8 @@ struct TerrainDrawInput {
     /// Towards each light of the style, ECEF.
     glm::dvec3 light_direction[design::kMaxLights];
     bool warning_colors = false;
-    double aircraft_msl_m = 0;  ///< for warning colours
+    double aircraft_msl_m = 0;   ///< for warning colours
+    double bands_lowered_m = 0;  ///< by so much their limits go down
     bool gear_down = false;
     HeightSpan heights;  ///< of the whole database, for codes
 };

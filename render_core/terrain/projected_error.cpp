@@ -46,6 +46,30 @@ double distance_to(const Box& box) {
     return std::sqrt(squared);
 }
 
+/// No point of the box that lies ahead has side >= -tangent * depth. A wider view holds all that a narrower one holds: where the
+/// box reaches behind the eye, some wider view may show it sooner, and the answer is that of the widest which does. The greatest
+/// side + tangent * depth over the box is convex in the tangent, with a bend for each axis.
+bool is_beyond(const Box& box, const glm::dvec3& forward, const glm::dvec3& side, double tangent) {
+    double along[3], across[3];
+    for (int a = 0; a < 3; ++a) {
+        along[a] = box.half[a] * glm::dot(box.axis[a], forward);
+        across[a] = box.half[a] * glm::dot(box.axis[a], side);
+    }
+    const double depth = glm::dot(box.centre, forward), beside = glm::dot(box.centre, side);
+    const auto greatest = [&](double t) {
+        double sum = depth * t + beside;
+        for (int a = 0; a < 3; ++a) sum += std::abs(along[a] * t + across[a]);
+        return sum;
+    };
+    if (greatest(tangent) < 0) return true;
+    double slope = depth;
+    for (int a = 0; a < 3; ++a) slope += along[a] * tangent + across[a] < 0 ? -along[a] : along[a];
+    if (slope >= 0) return false;
+    for (int a = 0; a < 3; ++a)
+        if (const double bend = -across[a] / along[a]; bend > tangent && greatest(bend) < 0) return true;
+    return false;
+}
+
 }  // namespace
 
 bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
@@ -54,12 +78,9 @@ bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
     if (depth + reach_along(box, view.forward) < view.near_m) return true;
     const double tangents[2] = {view.half_width_tangent(), view.half_height_tangent()};
     const glm::dvec3 sides[2] = {view.right, view.down};
-    for (int a = 0; a < 2; ++a) {
-        for (const double sign : {-1.0, 1.0}) {
-            const glm::dvec3 inward = view.forward * tangents[a] + sides[a] * sign;
-            if (glm::dot(box.centre, inward) + reach_along(box, inward) < 0) return true;
-        }
-    }
+    for (int a = 0; a < 2; ++a)
+        for (const double sign : {-1.0, 1.0})
+            if (is_beyond(box, view.forward, sides[a] * sign, tangents[a])) return true;
     return false;
 }
 

@@ -1,5 +1,6 @@
-// What the colours mean: above, the values of the palette with samples of sea and missing data; below, the warning bands with the
-// heights relative to the own ship at which they begin. Stacked at the foot of its box; the layout gives it room on every
+// What the colours mean: above, the values of the palette with samples of sea, missing data and the outside of the database;
+// below, the warning bands with the heights relative to the own ship at which they begin and by how much they are lowered for the
+// vertical uncertainty. Stacked at the foot of its box; the layout gives it room on every
 // screen, for the bar of values gives way to the bands.
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,10 @@ constexpr float kInset = 0.3f;
 constexpr float kSampleWidth = 1.2f;
 constexpr float kNumberSize = 0.75f;
 constexpr float kNumberPitch = 1.0f;  // numbers on the bar stand at least so far apart
+
+// Missing data as terrain.frag hatches it: bright and dark stripes of equal width, this many pixels apart along a row.
+constexpr float kHatchPitch_px = 12;
+constexpr double kHatchDark = 0.4;
 
 constexpr int kBarSlices = 32;
 constexpr int kBandSlices = 5;
@@ -79,21 +84,24 @@ public:
 
     void build() {
         const Rect& box = painter_.layout().legend;
-        const float fixed = tint_height(0) + bands_height();
+        const float fixed = samples_height() + bar_height(0) + bands_height();
         const float bar = std::min(kTallestBar * t_, box.height - fixed);
-        const float height = tint_height(bar) + bands_height();
+        const float height = samples_height() + bar_height(bar) + bands_height();
         plate_ = {box.x, box.bottom() - height, box.width, height};
         y_ = plate_.y;
         painter_.batch().box(plate_, kTapeGround);
-        build_tint(bar);
+        if (legend_.tint) build_tint(bar);
+        build_samples();
         if (legend_.bands) build_bands();
     }
 
 private:
-    [[nodiscard]] float tint_height(float bar) const { return (kTitle + 2 * kPad + 2 * kSample + kInset) * t_ + bar; }
+    [[nodiscard]] float samples_height() const { return (3 * kSample + 2 * kInset) * t_; }
+    [[nodiscard]] float bar_height(float bar) const { return legend_.tint ? (kTitle + 2 * kPad - kInset) * t_ + bar : 0; }
     [[nodiscard]] float bands_height() const {
         if (!legend_.bands) return 0;
-        return (kTitle + 2 * kPad + kBand * static_cast<float>(legend_.warning_bands.size())) * t_;
+        const float notes = legend_.bands_lowered_m <= 0 ? 0.0f : legend_.accuracy_assumed ? 2.0f : 1.0f;
+        return (kTitle + 2 * kPad + kBand * static_cast<float>(legend_.warning_bands.size()) + kSample * notes) * t_;
     }
     [[nodiscard]] Rect sample(float y, float height) const { return {plate_.x + kInset * t_, y, kSampleWidth * t_, height}; }
 
@@ -119,9 +127,14 @@ private:
         const Rect bar = sample(y_, bar_height);
         build_bar(bar);
         build_numbers(bar);
-        y_ = bar.bottom() + kPad * t_;
+        y_ = bar.bottom() + (kPad - kInset) * t_;
+    }
+
+    void build_samples() {
+        y_ += kInset * t_;
         build_sample("SEA", legend_.sea);
-        build_sample("NO DATA", legend_.unknown);
+        hatch(build_sample("NO DATA", legend_.unknown));
+        build_sample("OUTSIDE", legend_.unknown);
         y_ += kInset * t_;
     }
 
@@ -150,12 +163,25 @@ private:
         }
     }
 
-    void build_sample(std::string_view name, Color color) {
+    /// Returns where the sample stands.
+    Rect build_sample(std::string_view name, Color color) {
         const Rect at = sample(y_ + 0.1f * t_, (kSample - 0.2f) * t_);
         painter_.batch().box(at, color);
         painter_.batch().frame(at, painter_.stroke_px(), kScaleColor);
         note(name, at.center().y);
         y_ += kSample * t_;
+        return at;
+    }
+
+    /// Dark stripes down to the right, inside the frame.
+    void hatch(const Rect& at) const {
+        constexpr float kHalfRoot = 0.70710678f;
+        const Rect inside = at.shrunk(painter_.stroke_px());
+        painter_.batch().set_clip(inside);
+        for (float x = inside.x - inside.height; x < inside.right() + kHatchPitch_px; x += kHatchPitch_px)
+            painter_.batch().line({x, inside.y}, {x + inside.height, inside.bottom()}, kHatchPitch_px / 2 * kHalfRoot,
+                                  blended({0, 0, 0}, legend_.unknown, kHatchDark));
+        painter_.batch().lift_clip();
     }
 
     void build_bands() {
@@ -170,6 +196,17 @@ private:
         }
         painter_.batch().frame(whole, painter_.stroke_px(), kScaleColor);
         y_ += kPad * t_;
+        if (legend_.bands_lowered_m <= 0) return;
+        base::FixedString<31> lowered("LOWERED ");
+        lowered.append(whole_number(legend_.bands_lowered_m * written_metre(legend_.unit)).view());
+        remark(lowered.view());
+        if (legend_.accuracy_assumed) remark("ASSUMED");
+    }
+
+    void remark(std::string_view text) {
+        const Rect row{plate_.x, y_, plate_.width, kSample * t_};
+        painter_.fitted_text(text, row, TextAnchor::center, kNumberSize, kScaleColor);
+        y_ += row.height;
     }
 
     /// As it is displayed over the terrain's colours, from the lowest on the left to the highest.
@@ -177,8 +214,9 @@ private:
         for (int n = 0; n < kBandSlices; ++n) {
             const double value = scale_.low + (scale_.high - scale_.low) * n / (kBandSlices - 1);
             const float left = at.x + at.width * static_cast<float>(n) / kBandSlices;
-            painter_.batch().box({left, at.y, at.right() - left, at.height},
-                                 blended(color_of_value(legend_.palette, value), band.color, band.strength));
+            painter_.batch().box(
+                {left, at.y, at.right() - left, at.height},
+                blended(legend_.tint ? color_of_value(legend_.palette, value) : legend_.plain, band.color, band.strength));
         }
     }
 
@@ -193,7 +231,7 @@ private:
 }  // namespace
 
 void build_legend(const Painter& painter, const SymbologyInput& input) {
-    if (!input.legend.tint || input.decisions.unusual_attitude) return;
+    if (!input.legend.ground || input.decisions.unusual_attitude) return;
     LegendBuilder(painter, input.legend).build();
 }
 

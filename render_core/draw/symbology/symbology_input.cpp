@@ -16,9 +16,11 @@ double shown_value(const flight::AircraftState& state, const display::DisplayDec
 
 LegendInput make_legend_input(const display::DisplayDecisions& decisions, const design::DesignSettings& design) {
     LegendInput legend;
-    legend.tint = decisions.show_terrain;
+    legend.ground = decisions.show_terrain;
+    legend.tint = decisions.show_terrain && design::colors_by_palette(design.terrain.style.texture);
     legend.bands = decisions.show_terrain && decisions.show_warning_colors;
     legend.palette = design.terrain.palette;
+    legend.plain = design.terrain.style.plain;
     legend.sea = design.terrain.sea;
     legend.unknown = design.terrain.unknown;
     legend.warning_bands = design.warning_bands;

@@ -11,14 +11,17 @@
 
 namespace tedavis::draw {
 
-/// What the colours of the picture mean. Nothing is coloured by what is not `tint` or `bands`.
+/// What the colours of the picture mean. Nothing is coloured by what is not `ground`, `tint` or `bands`.
 struct LegendInput {
-    bool tint = false;   ///< the ground by `palette`, sea and missing data by their colours
-    bool bands = false;  ///< warning colours over it
+    bool ground = false;  ///< terrain: sea, missing data and what lies outside the database by their colours
+    bool tint = false;    ///< the ground by `palette`; else it has the colour `plain`
+    bool bands = false;   ///< warning colours over it
     design::Palette palette;
     double lowest = 0, highest = 0;  ///< values on the terrain, in the palette's unit; equal: the palette's own ends
-    design::Color sea, unknown;
+    design::Color plain, sea, unknown;
     design::WarningBands warning_bands;
+    double bands_lowered_m = 0;     ///< by the vertical uncertainty; 0: not at all
+    bool accuracy_assumed = false;  ///< the uncertainty, or a part of it, is the design's guess
     design::HeightUnit unit = design::HeightUnit::feet;
 };
 

@@ -65,6 +65,28 @@ TEST(FrameRecordJson, TellsTheMapAndTheWayToIt) {
     EXPECT_EQ(parsed(result)["view"], Json({{"mode", "map"}, {"transition", 0.25}}));
 }
 
+TEST(FrameRecordJson, TellsTheLight) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.light = {display::LightSource::fixed, 0, base::kPi / 2};
+    EXPECT_EQ(parsed(result)["light"], Json({{"source", "fixed"}, {"azimuth_deg", 0.0}, {"elevation_deg", 90.0}}));
+    for (const auto& [source, name] : {std::pair{display::LightSource::sun, "sun"},
+                                       {display::LightSource::no_date, "fixed_no_date"},
+                                       {display::LightSource::sun_too_low, "fixed_sun_too_low"}}) {
+        result.record.light.source = source;
+        EXPECT_EQ(parsed(result)["light"]["source"], name);
+    }
+}
+
+TEST(FrameRecordJson, TellsByHowMuchTheBandsAreLowered) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.bands = {25, 10, 11, false, true};
+    EXPECT_EQ(parsed(result)["warning_bands"], Json({{"lowered_m", 25.0},
+                                                     {"position_sigma_m", 10.0},
+                                                     {"terrain_sigma_m", 11.0},
+                                                     {"position_assumed", false},
+                                                     {"terrain_assumed", true}}));
+}
+
 TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
     FrameResult result = test_support::frame_result(0, 3);
     EXPECT_EQ(parsed(result)["flags"], Json::array());

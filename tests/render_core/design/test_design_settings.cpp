@@ -72,6 +72,10 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     EXPECT_EQ(file.sky.haze_distance_m, built_in.sky.haze_distance_m);
     EXPECT_EQ(file.degradation.vertical_accuracy_m, built_in.degradation.vertical_accuracy_m);
     EXPECT_EQ(file.degradation.terrain_error_px, built_in.degradation.terrain_error_px);
+    EXPECT_EQ(file.widening.enabled, built_in.widening.enabled);
+    EXPECT_EQ(file.widening.coverage, built_in.widening.coverage);
+    EXPECT_EQ(file.widening.position_accuracy_m, built_in.widening.position_accuracy_m);
+    EXPECT_EQ(file.widening.terrain_accuracy_m, built_in.widening.terrain_accuracy_m);
     EXPECT_EQ(file.terrain.palette.name, built_in.terrain.palette.name);
     EXPECT_EQ(file.symbology.legend, built_in.symbology.legend);
     EXPECT_EQ(file.symbology.legend_unit, built_in.symbology.legend_unit);
@@ -124,6 +128,7 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
          "[[warning.band]]\nlower_ft = 10\ncolor = '#000000'\nstrength = 1\n",
          "d.toml:9: 'lower_ft' must lie below"},
         {"name = 'x'\n[symbology]\nphase = 1\n", "d.toml:3: 'phase' must be true or false"},
+        {"name = 'x'\n[warning.widening]\ncoverage = 1\n", "d.toml:3: 'coverage'"},
         {"name = ''\n", "d.toml:1: 'name'"},
         {"name = 'x'\nname = 'y'\n", "d.toml:2: "},
         {"", "name"},

@@ -56,6 +56,21 @@ TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
     EXPECT_DOUBLE_EQ(got.style.shade.lights[1].weight, 1);
 }
 
+TEST(TerrainStyle, TheSunMovesByTheSourceOrStandsAtAnInstant) {
+    const ReadStyle moving = read("[terrain.shade]\nfollows_sun = true\n");
+    EXPECT_EQ(moving.error, "");
+    EXPECT_TRUE(moving.style.shade.follows_sun);
+    EXPECT_FALSE(moving.style.shade.sun_is_fixed);
+    const ReadStyle fixed = read("[terrain.shade]\nfollows_sun = true\nsun_utc = '2026-06-21T10:00:00Z'\n");
+    EXPECT_EQ(fixed.error, "");
+    EXPECT_TRUE(fixed.style.shade.sun_is_fixed);
+    EXPECT_EQ(fixed.style.shade.sun_utc.ns, 1'782'036'000'000'000'000);
+    EXPECT_NE(read("[terrain.shade]\nfollows_sun = true\nsun_utc = 'noon'\n").error.find("d.toml:3"), std::string::npos);
+    EXPECT_NE(read("[terrain.shade]\nsun_utc = '2026-06-21T10:00:00Z'\n").error.find("follows_sun = true"), std::string::npos);
+    EXPECT_NE(read("[terrain.shade]\ntechnique = 'light_map'\nfollows_sun = true\n").error.find("baked light"),
+              std::string::npos);
+}
+
 TEST(TerrainStyle, FaultsNameFileLineAndWhatToDo) {
     EXPECT_NE(read("[terrain.texture]\ntechnique = 'velvet'\n").error.find("d.toml:2"), std::string::npos);
     EXPECT_NE(read("[terrain.sketch]\nridges = 1.5\n").error.find("d.toml:2"), std::string::npos);

@@ -113,6 +113,47 @@ TEST(Display, TheSameStateGivesTheSameBits) {
     EXPECT_NE(a, picture_of(second.display, aircraft_at(2001))) << "control";
 }
 
+/// Pixels whose colour differs from that of the same picture without warning colours.
+std::size_t coloured_pixels(const flight::AircraftState& state, bool widened, design::BandWidening* record = nullptr) {
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.symbology.legend = false;
+    design.widening.enabled = widened;
+    const auto drawn = [&](bool warning) {
+        design.warning_colors = warning;
+        test_support::MemoryBytes bytes(hills().image);
+        HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes, design);
+        const Picture picture = picture_of(display, state);
+        if (warning && record != nullptr) *record = display.display().record().bands;
+        return picture;
+    };
+    const Picture with = drawn(true), without = drawn(false);
+    std::size_t different = 0;
+    for (std::size_t p = 0; p < with.rgba.size(); p += 4)
+        different += std::equal(with.rgba.begin() + p, with.rgba.begin() + p + 4, without.rgba.begin() + p) ? 0 : 1;
+    return different;
+}
+
+TEST(Display, WarningColoursReachFurtherTheLessIsKnownOfTheHeight) {
+    flight::AircraftState state = aircraft_at(2000);  // tops reach the lowest limit, 2000 ft below
+    const auto at_accuracy = [&](double metres, design::BandWidening* record = nullptr) {
+        state[Signal::vertical_accuracy] = {metres, kNow};
+        return coloured_pixels(state, true, record);
+    };
+    const std::size_t none = coloured_pixels(state, false);
+    design::BandWidening good, poor;
+    const std::size_t with_good = at_accuracy(2, &good), with_poor = at_accuracy(28, &poor);
+    EXPECT_GT(with_good, none);
+    EXPECT_GT(with_poor, with_good);
+    EXPECT_TRUE(poor.terrain_assumed) << "the hills' database states no accuracy";
+    EXPECT_FALSE(poor.position_assumed);
+    EXPECT_NEAR(poor.lowered_m, 1.644854 * std::hypot(28 / 1.959964, 30 / 1.644854), 1e-3);
+    EXPECT_LT(good.lowered_m, poor.lowered_m);
+    state[Signal::vertical_accuracy] = {};
+    design::BandWidening unknown;
+    static_cast<void>(coloured_pixels(state, true, &unknown));
+    EXPECT_TRUE(unknown.position_assumed);
+}
+
 TEST(Display, SkyAboveAndTerrainBelowTheHorizonInEverySizeAndLane) {
     struct Case {
         const char* device;

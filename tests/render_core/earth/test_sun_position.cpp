@@ -22,6 +22,18 @@ TEST(SunPosition, AgreesWithTheWorkedExampleOfMeeus) {
     EXPECT_NEAR(degrees(sun.declination_rad), -7.78507, 1e-4);
 }
 
+/// Reda, Andreas, "Solar position algorithm for solar radiation applications", NREL/TP-560-34302, table A5.1: 2003-10-17
+/// 12:30:30 at UTC-7, topocentric elevation without refraction 39.872046, azimuth 194.340241 degrees. The centre of the Earth
+/// sees the sun higher by its parallax, 0.0019 degrees.
+TEST(SunPosition, AgreesWithTheExampleOfTheSolarPositionAlgorithm) {
+    const double utc_s = 1066419030;
+    const SunPosition sun = sun_position(utc_s, radians(39.742476), radians(-105.1786));
+    EXPECT_NEAR(degrees(sun.elevation_rad), 39.872046 + 0.0019, 0.01);
+    EXPECT_NEAR(degrees(sun.azimuth_rad), 194.340241, 0.015);
+    EXPECT_GT(std::fabs(degrees(sun_position(utc_s + 60, radians(39.742476), radians(-105.1786)).azimuth_rad) - 194.340241), 0.1)
+        << "control: a minute later";
+}
+
 TEST(SunPosition, SummerSolsticeStandsOverTheTropic) {
     double highest_deg = -90;
     for (double hour = 0; hour < 24; hour += 0.05)

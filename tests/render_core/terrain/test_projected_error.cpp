@@ -49,6 +49,29 @@ TEST(ProjectedError, AChunkWithAVisiblePointIsNeverOutside) {
     EXPECT_GT(outside, 100) << "a test that never rejects proves nothing";
 }
 
+/// Else what a wider view asks for would not do for a narrower one.
+TEST(ProjectedError, WhatIsOutsideAViewIsOutsideEveryNarrowerOne) {
+    int outside = 0, behind = 0;
+    for (const View& view : test_support::some_views(rough(), 400, 11, 0.1))
+        for (const ChunkKey& key : rough().keys()) {
+            const ChunkEntry& entry = rough().entry(key);
+            bool was_outside = false;
+            for (const std::uint32_t percent : {300u, 200u, 125u, 100u, 50u, 10u}) {
+                View narrowed = view;
+                narrowed.width = view.width * percent / 100;
+                narrowed.height = view.height * percent / 100;
+                const bool is_outside = is_outside_view(entry, narrowed);
+                EXPECT_TRUE(is_outside || !was_outside) << percent;
+                was_outside = is_outside;
+            }
+            outside += was_outside ? 1 : 0;
+            const bool centre_behind = glm::dot(in_box(entry, 0, 0, 0) - view.eye, view.forward) < 0;
+            behind += centre_behind && !is_outside_view(entry, view) ? 1 : 0;
+        }
+    EXPECT_GT(outside, 1000);
+    EXPECT_GT(behind, 20) << "boxes that reach behind the eye are the hard ones";
+}
+
 TEST(ProjectedError, StretchingUpwardsBringsIntoViewWhatLiesBelowIt) {
     View view = test_support::view_from(rough(), 64, 127, 3000, 0, 20);
     const ChunkEntry& entry = rough().entry({0, 2, 0});

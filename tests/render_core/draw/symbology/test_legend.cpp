@@ -37,10 +37,14 @@ std::string legend_text(const SymbologyInput& input) {
 
 TEST(Legend, NamesWhatIsOnThePicture) {
     SymbologyInput input = calm_input();
-    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATARELATIVEFT+2000+1000-500-1000-2000");
+    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATAOUTSIDERELATIVEFT+2000+1000-500-1000-2000");
     input.legend.bands = false;
-    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATA");
+    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATAOUTSIDE");
     input.legend.tint = false;
+    EXPECT_EQ(legend_text(input), "SEANODATAOUTSIDE") << "whatever gives the ground its colour";
+    input.legend.bands = true;
+    EXPECT_EQ(legend_text(input), "SEANODATAOUTSIDERELATIVEFT+2000+1000-500-1000-2000");
+    input.legend.ground = false;
     EXPECT_EQ(legend_text(input), "") << "no terrain, no colours";
     input = calm_input();
     input.decisions.unusual_attitude = true;
@@ -49,19 +53,32 @@ TEST(Legend, NamesWhatIsOnThePicture) {
     display::DisplayConditions conditions = test_support::scene_conditions();
     EXPECT_TRUE(calm_input().legend.tint);
     conditions.terrain = display::TerrainSource::none;
-    EXPECT_FALSE(test_support::scene_input(test_support::scene_state(30, 2, 0), 640, 480, conditions).legend.tint);
+    EXPECT_FALSE(test_support::scene_input(test_support::scene_state(30, 2, 0), 640, 480, conditions).legend.ground);
+}
+
+TEST(Legend, SaysByHowMuchTheBandsAreLowered) {
+    SymbologyInput input = calm_input();
+    input.legend.bands_lowered_m = 30.48;
+    const std::string known = legend_text(input);
+    EXPECT_NE(known.find("-2000LOWERED100"), std::string::npos) << known;
+    input.legend.accuracy_assumed = true;
+    EXPECT_EQ(legend_text(input), known + "ASSUMED");
+    input.legend.unit = design::HeightUnit::metres;
+    EXPECT_NE(legend_text(input).find("LOWERED30A"), std::string::npos);
+    input.legend.bands = false;
+    EXPECT_EQ(legend_text(input).find("LOWERED"), std::string::npos);
 }
 
 TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {
     SymbologyInput input = calm_input();
     input.legend.unit = design::HeightUnit::metres;
-    EXPECT_EQ(legend_text(input), "ELEVATIONM0500100015002000SEANODATARELATIVEM+610+305-152-305-610");
+    EXPECT_EQ(legend_text(input), "ELEVATIONM0500100015002000SEANODATAOUTSIDERELATIVEM+610+305-152-305-610");
     input.legend.bands = false;
     input.legend.lowest = input.legend.highest = 0;
     input.legend.palette = test_support::ShippedPalettes().find("slope").value();
-    EXPECT_EQ(legend_text(input), "SLOPEDEG0102030405060SEANODATA");
+    EXPECT_EQ(legend_text(input), "SLOPEDEG0102030405060SEANODATAOUTSIDE");
     input.legend.palette = test_support::ShippedPalettes().find("local_relief").value();
-    EXPECT_EQ(legend_text(input), "RELIEFM-60-40-200204060SEANODATA");
+    EXPECT_EQ(legend_text(input), "RELIEFM-60-40-200204060SEANODATAOUTSIDE");
     input.legend.palette.unit = design::PaletteUnit::one;
     EXPECT_EQ(legend_text(input).substr(0, 9), "RELIEF-60");
 }
@@ -105,6 +122,8 @@ TEST(Legend, HasRoomOnEveryScreenWithEveryBandAndRangeOfHeights) {
     };
     SymbologyInput input = calm_input();
     input.legend.warning_bands = most_bands();
+    input.legend.bands_lowered_m = 40;
+    input.legend.accuracy_assumed = true;
     for (const Screen& screen : {Screen{320, 240},
                                  {240, 320},
                                  {640, 480},
@@ -130,7 +149,7 @@ TEST(Legend, HasRoomOnEveryScreenWithEveryBandAndRangeOfHeights) {
                 for (const QuadVertex& v : store.batch.vertices())
                     ASSERT_TRUE(room.contains(Point{v.x, v.y})) << what << " at " << v.x << ", " << v.y;
                 const std::vector<float> rows = text_rows(store.batch, layout.text_px);
-                EXPECT_GE(rows.size(), 13u) << what << ": two titles, eight bands, two samples and a value";
+                EXPECT_GE(rows.size(), 16u) << what << ": two titles, eight bands, three samples, two remarks and a value";
                 for (std::size_t i = 1; i < rows.size(); ++i)
                     EXPECT_GT(rows[i] - rows[i - 1], 0.7f * layout.text_px) << what << ": lines run into each other";
             }
@@ -159,8 +178,8 @@ TEST(Legend, EachNumberStandsAtItsColour) {
     const int x = static_cast<int>(layout.legend.x + 0.7f * t);
     BatchStore store;
     build_legend(Painter(store.batch, layout), input);
-    const std::vector<float> rows = text_rows(store.batch, layout.text_px);  // title, 6000 .. 0 ft, SEA, NO DATA
-    ASSERT_EQ(rows.size(), 10u);
+    const std::vector<float> rows = text_rows(store.batch, layout.text_px);  // title, 6000 .. 0 ft, SEA, NO DATA, OUTSIDE
+    ASSERT_EQ(rows.size(), 11u);
     for (int n = 1; n <= 5; ++n) {  // the lowest stands on the frame
         const double height_m = (7 - n) * 1000 * kFoot;
         const Color shown = picture.at(x, static_cast<int>(rows[static_cast<std::size_t>(n)]));
@@ -168,7 +187,33 @@ TEST(Legend, EachNumberStandsAtItsColour) {
         EXPECT_GT(distance(shown, color_of_value(input.legend.palette, height_m + 300)), 6) << "control";
     }
     EXPECT_EQ(picture.at(x, static_cast<int>(rows[8])), input.legend.sea);
-    EXPECT_EQ(picture.at(x, static_cast<int>(rows[9])), input.legend.unknown);
+    EXPECT_EQ(picture.at(x, static_cast<int>(rows[10])), input.legend.unknown);
+}
+
+/// As terrain.frag draws missing data: stripes 12 pixels apart, half of them dark, the same along every diagonal.
+TEST(Legend, MissingDataIsHatchedAndTheOutsideIsPlain) {
+    const Layout layout = make_layout(1280, 960, 96);
+    SymbologyInput input = calm_input();
+    input.legend.bands = input.legend.tint = false;
+    const Picture picture = drawn(input, layout);
+    BatchStore store;
+    build_legend(Painter(store.batch, layout), input);
+    const std::vector<float> rows = text_rows(store.batch, layout.text_px);
+    ASSERT_EQ(rows.size(), 3u);
+    const float t = layout.text_px;
+    const int left = static_cast<int>(layout.legend.x + 0.3f * t) + 5, right = static_cast<int>(layout.legend.x + 1.5f * t) - 5;
+    const Color dark = blended({0, 0, 0}, input.legend.unknown, 0.4);
+    const auto count = [&](float row, Color wanted) {
+        int found = 0;
+        for (int y = static_cast<int>(row) - 6; y <= static_cast<int>(row) + 6; ++y)
+            for (int x = left; x < right; ++x) found += distance(picture.at(x, y), wanted) <= 2 ? 1 : 0;
+        return found;
+    };
+    const int all = 13 * (right - left);
+    EXPECT_GT(count(rows[1], dark), all / 4);
+    EXPECT_GT(count(rows[1], input.legend.unknown), all / 4);
+    EXPECT_EQ(count(rows[2], input.legend.unknown), all);
+    EXPECT_EQ(count(rows[0], input.legend.sea), all);
 }
 
 TEST(Legend, BandsLookAsTheyDoOverTheTerrain) {

@@ -1,0 +1,43 @@
+#include "render_core/display/terrain_light.hpp"
+
+#include <cmath>
+
+#include "render_core/earth/sun_position.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+constexpr base::Time kFirstUtc{946'684'800 * kNanosecondsPerSecond}, kLastUtc{4'102'444'800 * kNanosecondsPerSecond};
+
+}  // namespace
+
+bool can_be_utc(base::Time time) noexcept { return kFirstUtc <= time && time <= kLastUtc; }
+
+TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place, base::Time now) noexcept {
+    TerrainLight light;
+    light.azimuth_rad = shade.lights[0].azimuth_rad;
+    light.elevation_rad = shade.lights[0].elevation_rad;
+    if (!shade.follows_sun) return light;
+    const base::Time utc = shade.sun_is_fixed ? shade.sun_utc : now;
+    if (!can_be_utc(utc)) {
+        light.source = LightSource::no_date;
+        return light;
+    }
+    const double utc_s = static_cast<double>(utc.ns) / static_cast<double>(kNanosecondsPerSecond);
+    const earth::SunPosition sun = earth::sun_position(utc_s, place.latitude_rad, place.longitude_rad);
+    light.source = sun.elevation_rad < kLowestSun_rad ? LightSource::sun_too_low : LightSource::sun;
+    if (light.source == LightSource::sun_too_low) return light;
+    light.azimuth_rad = sun.azimuth_rad;
+    light.elevation_rad = sun.elevation_rad;
+    return light;
+}
+
+glm::dvec3 towards_light(double azimuth_rad, double elevation_rad, const earth::Geodetic& place) noexcept {
+    const double c = std::cos(elevation_rad);
+    return earth::north_east_down(place.latitude_rad, place.longitude_rad) *
+           glm::dvec3(c * std::cos(azimuth_rad), c * std::sin(azimuth_rad), -std::sin(elevation_rad));
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,39 @@
+#include "render_core/base/utc_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <ctime>
+
+namespace tedavis::base {
+namespace {
+
+TEST(UtcTime, AgreesWithTheLibraryOnEveryDay) {
+    for (std::int64_t s = 0; s < 7'258'118'400; s += 86400 + 3661) {  // to the end of 2199
+        const std::time_t instant = s;
+        std::tm parts{};
+        gmtime_r(&instant, &parts);
+        char text[32];
+        std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+        Time time;
+        ASSERT_TRUE(parse_utc(text, time)) << text;
+        ASSERT_EQ(time.ns, s * 1'000'000'000) << text;
+    }
+}
+
+TEST(UtcTime, WhatIsNoInstantIsRefusedAndChangesNothing) {
+    for (const char* text :
+         {"", "2026-06-01", "2026-06-01T14:00:00", "2026-06-01 14:00:00Z", "2026-06-01T14:00:00+", "x026-06-01T14:00:00Z",
+          "2026-13-01T14:00:00Z", "2026-00-01T14:00:00Z", "2026-06-31T14:00:00Z", "2025-02-29T14:00:00Z", "2100-02-29T14:00:00Z",
+          "2026-06-00T14:00:00Z", "2026-06-01T24:00:00Z", "2026-06-01T14:60:00Z", "2026-06-01T14:00:60Z", "1969-12-31T23:59:59Z",
+          "2200-01-01T00:00:00Z", "2026-06-01T14:00:00Zz"}) {
+        Time time{42};
+        EXPECT_FALSE(parse_utc(text, time)) << text;
+        EXPECT_EQ(time.ns, 42) << text;
+    }
+    Time time{42};
+    EXPECT_TRUE(parse_utc("2024-02-29T14:00:00Z", time)) << "control";
+}
+
+}  // namespace
+}  // namespace tedavis::base
