@@ -58,7 +58,7 @@ struct ShadeSettings {
     DirectedLight lights[kMaxLights];
     std::size_t light_count = 1;
     double ambient = 0.35;       ///< 0..1 of full light that reaches slopes in the shade
-    bool baked_normals = false;  ///< normals a pixel from the attribute pages; else those of the mesh's vertices
+    bool baked_normals = false;  ///< a pixel's normals come from the attribute pages, as with shadows; else from the mesh
     bool follows_sun = false;    ///< the first light is the sun of date, time and place; as stated where there is none
     bool sun_is_fixed = false;   ///< at `sun_utc` instead of the time of the source
     base::Time sun_utc;

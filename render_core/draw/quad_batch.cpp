@@ -52,6 +52,7 @@ QuadBatch::QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> 
 void QuadBatch::clear() {
     vertex_count_ = 0;
     index_count_ = 0;
+    runs_.clear();
     use_.in_use = 0;
     clipped_ = false;
 }
@@ -61,8 +62,11 @@ void QuadBatch::set_clip(const Rect& clip) {
     clipped_ = true;
 }
 
-bool QuadBatch::has_room(std::size_t vertices, std::size_t indices) {
-    if (vertex_count_ + vertices <= use_.capacity && index_count_ + indices <= indices_.size()) return true;
+/// For a shape, whose run begins here unless the last one goes on.
+bool QuadBatch::has_room(std::size_t vertices, std::size_t indices, bool large) {
+    const bool goes_on = !runs_.empty() && runs_.back().large == large;
+    const bool fits = vertex_count_ + vertices <= use_.capacity && index_count_ + indices <= indices_.size();
+    if (fits && (goes_on || runs_.try_push_back({static_cast<std::uint32_t>(index_count_), large}))) return true;
     ++use_.refused;
     return false;
 }
@@ -74,8 +78,8 @@ QuadVertex& QuadBatch::add_vertex(Point at, Point uv, float extent_x, float exte
     return vertex;
 }
 
-bool QuadBatch::add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color) {
-    if (!has_room(4, 6)) return false;
+bool QuadBatch::add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, bool large) {
+    if (!has_room(4, 6, large)) return false;
     const auto first = static_cast<std::uint16_t>(vertex_count_);
     for (const Corner& corner : corners) add_vertex(corner.at, corner.uv, extent_x, extent_y, color);
     for (unsigned offset : {0u, 1u, 2u, 0u, 2u, 3u}) indices_[index_count_++] = static_cast<std::uint16_t>(first + offset);
@@ -128,7 +132,7 @@ bool QuadBatch::box(const Rect& rect, design::Color color) {
         const float v = i >= 2 ? reach_v : -reach_v;
         corners[i] = {{middle.x + u, middle.y + v}, {u, v}};
     }
-    return add_quad(corners, half_width, half_height, color);
+    return add_quad(corners, half_width, half_height, color, seen.width * seen.height >= kLargeBox_px2);
 }
 
 bool QuadBatch::frame(const Rect& rect, float width_px, design::Color color) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/resource_use.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/design/color.hpp"
@@ -37,6 +38,14 @@ struct TextStyle {
     design::Color halo_color{0, 0, 0, 255};
 };
 enum class TextAnchor : std::uint8_t { left, center, right };
+
+/// Triangles that follow each other and are drawn alike.
+struct QuadRun {
+    std::uint32_t first_index = 0;
+    bool large = false;  ///< boxes that cover so much of the screen that they are worth a program without glyphs
+};
+inline constexpr std::size_t kMaxQuadRuns = 256;
+inline constexpr float kLargeBox_px2 = 4096;
 
 class QuadBatch {
 public:
@@ -65,6 +74,8 @@ public:
 
     [[nodiscard]] base::Span<const QuadVertex> vertices() const { return {vertices_.data(), vertex_count_}; }
     [[nodiscard]] base::Span<const std::uint16_t> indices() const { return {indices_.data(), index_count_}; }
+    /// In drawing order; the last one ends with the indices.
+    [[nodiscard]] base::Span<const QuadRun> runs() const { return {runs_.data(), runs_.size()}; }
     /// In vertices.
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
 
@@ -72,14 +83,15 @@ private:
     struct Corner {
         Point at, uv;
     };
-    bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color);
+    bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, bool large = false);
     [[nodiscard]] bool is_cut(std::string_view text, Point pen, const TextStyle& style, Point along) const;
-    bool has_room(std::size_t vertices, std::size_t indices);
+    bool has_room(std::size_t vertices, std::size_t indices, bool large = false);
     bool glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color, Point along);
     QuadVertex& add_vertex(Point at, Point uv, float extent_x, float extent_y, design::Color color);
 
     base::Span<QuadVertex> vertices_;
     base::Span<std::uint16_t> indices_;
+    base::FixedVector<QuadRun, kMaxQuadRuns> runs_;
     std::size_t vertex_count_ = 0;
     std::size_t index_count_ = 0;
     Rect clip_;

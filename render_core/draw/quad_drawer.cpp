@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "render_core/base/fixed_string.hpp"
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
@@ -55,11 +56,20 @@ gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std:
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
     if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
 
-    auto program =
-        gl::build_program(gl, {"symbology", shader_text(k_symbology_vert), shader_text(k_symbology_frag),
-                               base::Span<const gl::AttributeBinding>(kAttributes), base::Span<const char* const>(kUniforms)});
-    if (!program.ok()) return program.error();
-    program_ = static_cast<gl::Program&&>(program.value());
+    for (const bool large : {false, true}) {
+        base::FixedString<kMaxShaderText> fragment(large ? "" : "#define GLYPHS 1\n");
+        fragment.append(shader_text(k_symbology_frag));
+        gl::ProgramSource source;
+        source.name = "symbology";
+        source.vertex = shader_text(k_symbology_vert);
+        source.fragment = fragment.view();
+        source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
+        source.uniforms = base::Span<const char* const>(kUniforms);
+        source.some_unused = large;
+        auto program = gl::build_program(gl, source);
+        if (!program.ok()) return program.error();
+        (large ? large_program_ : program_) = static_cast<gl::Program&&>(program.value());
+    }
     return {};
 }
 
@@ -74,22 +84,31 @@ std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t he
     gl->Disable(GL_CULL_FACE);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    for (const gl::Program* program : {&program_, &large_program_}) {
+        program->use(gl);
+        gl->Uniform2f(program->uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
+    }
     program_.use(gl);
-    gl->Uniform2f(program_.uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
     gl->Uniform1i(program_.uniform(kAtlas), 0);
     atlas_.bind(gl, 0);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->EnableVertexAttribArray(attribute);
     point_attributes(gl);
-    gl::draw_triangles(gl, {0, static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(vertices.size() - 1)});
+    const base::Span<const QuadRun> runs = batch_.runs();
+    for (std::size_t n = 0; n < runs.size(); ++n) {
+        const std::uint32_t end = n + 1 < runs.size() ? runs[n + 1].first_index : static_cast<std::uint32_t>(indices.size());
+        (runs[n].large ? large_program_ : program_).use(gl);
+        gl::draw_triangles(gl, {runs[n].first_index, end - runs[n].first_index, static_cast<std::uint32_t>(vertices.size() - 1)});
+    }
     for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->DisableVertexAttribArray(attribute);
     gl->Disable(GL_BLEND);
-    return 1;
+    return static_cast<std::uint32_t>(runs.size());
 }
 
 void QuadDrawer::destroy(gl::Gl& gl) {
     program_.destroy(gl);
+    large_program_.destroy(gl);
     vertices_.destroy(gl);
     indices_.destroy(gl);
     atlas_.destroy(gl);

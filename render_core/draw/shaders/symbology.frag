@@ -1,5 +1,7 @@
 // Coverage of a box or of a glyph by its distance to the edge (quad_batch.hpp).
+#ifdef GLYPHS
 uniform sampler2D atlas;
+#endif
 
 VARYING vec2 v_uv;
 VARYING vec2 v_extent;
@@ -7,8 +9,10 @@ VARYING vec4 v_color;
 
 void main() {
     vec2 room = v_extent - abs(v_uv);
-    float box = min(room.x, room.y) + 0.5;
+    float coverage = min(room.x, room.y) + 0.5;
+#ifdef GLYPHS
     float glyph = (TEXTURE2D(atlas, v_uv).r - 0.5) * v_extent.y - v_extent.x - 0.5;
-    float coverage = clamp(v_extent.x < 0.0 ? glyph : box, 0.0, 1.0);
-    FRAGMENT_COLOR = vec4(v_color.rgb, v_color.a * coverage);
+    coverage = v_extent.x < 0.0 ? glyph : coverage;
+#endif
+    FRAGMENT_COLOR = vec4(v_color.rgb, v_color.a * clamp(coverage, 0.0, 1.0));
 }

@@ -177,7 +177,8 @@ TEST_P(PageAtlasTest, TheHorizonIsMixedOfTheTwoNearestDirections) {
 }
 
 TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
-    design::TerrainStyle style;  // Lambert: normals
+    design::TerrainStyle style;
+    style.shade.baked_normals = true;
     ASSERT_EQ(atlas_.start(at_.gl, line_, style, kSlots, staging_).sentence.view(), "");
     EXPECT_TRUE(atlas_.is_started());
     EXPECT_TRUE(atlas_.has(BakedMap::form));
