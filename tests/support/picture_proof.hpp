@@ -22,7 +22,10 @@ struct PictureProof {
                 int turned_px = 0) {
         const terrain::View view = resized(pose.view, headless.surface().width(), headless.surface().height());
         const TerrainPicture picture(headless, view, truth.middle());
-        const TrueView seen(truth, view);
+        include(picture, TrueView(truth, view), number, turned_px);
+        return picture.enclosed_background();
+    }
+    void include(const TerrainPicture& picture, const TrueView& seen, std::uint32_t number, int turned_px = 0) {
         const display::TerrainRecord& terrain = picture.record().terrain;
         ++pictures;
         met += terrain.limit.view() == "met" ? 1 : 0;
@@ -30,7 +33,6 @@ struct PictureProof {
         for (int column = 2; column < picture.width() - 2; ++column)
             include_column(picture, seen, terrain.tau_reached_px, column, turned_px, number);
         include_cracks(picture, seen, static_cast<int>(std::ceil(terrain.tau_reached_px)) + 1);
-        return picture.enclosed_background();
     }
     [[nodiscard]] std::string text() const {
         return std::to_string(pictures) + " pictures, " + std::to_string(met) + " met tau, " + std::to_string(columns) +
@@ -54,7 +56,8 @@ private:
         for (int n = -std::min(reach, column); n <= std::min(reach, picture.width() - 1 - column); ++n)
             highest = std::min<double>(highest, picture.skyline(column + n).value_or(picture.height()));
         if (truth + reach_px + 0.5 < bottom && highest - 0.5 > truth + reach_px + kRasterising_px) ++too_low;
-        if (truth + 0.5 < bottom && drawn - 0.5 > truth + kRasterising_px) ++below_true;
+        const double lowest = seen.lowest_at_centre(column + turned_px);
+        if (lowest + 0.5 < bottom && drawn - 0.5 > std::max(lowest, 0.0) + kRasterising_px) ++below_true;
         const double off_px = truth < bottom && drawn < bottom ? std::abs(drawn - truth) - 0.5 : 0;
         if (off_px > worst_px) worst_px = off_px, worst_pose = pose;
     }

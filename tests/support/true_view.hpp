@@ -2,27 +2,31 @@
 /// the pixels whose centres they cover.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <vector>
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/terrain/view.hpp"
-#include "tests/support/gdal_terrain.hpp"
 
 namespace tedavis::test_support {
 
 class TrueView {
 public:
-    static constexpr int kSamples = 4;  ///< a pixel
+    static constexpr int kSamples = 5;  ///< a pixel; odd, so that one is at its centre
 
-    TrueView(const GdalTerrain& terrain, const terrain::View& view)
-        : terrain_(terrain),
-          view_(view),
+    /// A terrain has columns(), rows() and the ECEF place(i, j) of each post, NaN where it is void.
+    template <class Terrain>
+    TrueView(const Terrain& terrain, const terrain::View& view)
+        : view_(view),
           top_(std::size_t{view.width} * kSamples, std::numeric_limits<double>::infinity()),
           covered_(std::size_t{view.width} * view.height, 0) {
-        std::vector<glm::dvec3> row = place_row(0);
+        std::vector<glm::dvec3> row = place_row(terrain, 0);
         for (int j = 1; j < terrain.rows(); ++j) {
-            std::vector<glm::dvec3> below = place_row(j);
+            std::vector<glm::dvec3> below = place_row(terrain, j);
             for (std::size_t i = 0; i + 1 < row.size(); ++i) {
                 if (std::isnan(row[i].z + row[i + 1].z + below[i].z + below[i + 1].z)) continue;
                 include({row[i], below[i], row[i + 1]});
@@ -34,8 +38,11 @@ public:
     }
 
     /// Pixels from the top edge of the picture at a column's centre; infinite where there is no terrain.
-    [[nodiscard]] double at_centre(int column) const {
-        return 0.5 * (sample(column * kSamples + kSamples / 2 - 1) + sample(column * kSamples + kSamples / 2));
+    [[nodiscard]] double at_centre(int column) const { return sample(column * kSamples + kSamples / 2); }
+    /// The lowest within a fifth of a pixel of it: where a near summit ends, moving a vertex to the rasteriser's grid tells.
+    [[nodiscard]] double lowest_at_centre(int column) const {
+        return std::max(
+            {at_centre(column), sample(column * kSamples + kSamples / 2 - 1), sample(column * kSamples + kSamples / 2 + 1)});
     }
     /// The highest place that a point can be moved to which lies on or below the skyline and moves by `reach_px` at most, over
     /// the column's centre.
@@ -59,10 +66,11 @@ public:
 
 private:
     /// Posts in the view's axes: right, down, forward.
-    [[nodiscard]] std::vector<glm::dvec3> place_row(int j) const {
+    template <class Terrain>
+    [[nodiscard]] std::vector<glm::dvec3> place_row(const Terrain& terrain, int j) const {
         std::vector<glm::dvec3> row;
-        for (int i = 0; i < terrain_.columns(); ++i) {
-            const glm::dvec3 d = terrain_.place(i, j) - view_.eye;
+        for (int i = 0; i < terrain.columns(); ++i) {
+            const glm::dvec3 d = terrain.place(i, j) - view_.eye;
             row.emplace_back(glm::dot(d, view_.right), glm::dot(d, view_.down), glm::dot(d, view_.forward));
         }
         return row;
@@ -145,7 +153,6 @@ private:
         return sums_[static_cast<std::size_t>(row) * (view_.width + 1) + static_cast<std::size_t>(column)];
     }
 
-    const GdalTerrain& terrain_;
     const terrain::View& view_;
     std::vector<double> top_;
     std::vector<char> covered_;
