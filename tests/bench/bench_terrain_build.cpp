@@ -10,9 +10,9 @@
 #include <map>
 #include <string>
 
-#include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "tests/bench/bench_result.hpp"
+#include "tests/support/fractal_posts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
@@ -22,28 +22,6 @@ using namespace tedavis::host_sim;
 using bench::BenchResult;
 
 constexpr double kTargetPostsAMinute = 20e6, kTargetMiB = 512;
-
-class FractalPosts final : public PostReader {
-public:
-    explicit FractalPosts(std::uint32_t side) {
-        grid_.columns = grid_.rows = side;
-        grid_.west_deg = 10;
-        grid_.north_deg = 47;
-        grid_.step_lon_deg = grid_.step_lat_deg = 1.0 / 3600;
-        grid_.source = "fractal";
-    }
-    [[nodiscard]] const PostGrid& grid() const override { return grid_; }
-    void read(std::uint32_t i, std::uint32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m,
-              base::Span<terrain::PostClass> classes) override {
-        terrain_.read(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), columns, rows, heights_m);
-        for (std::size_t n = 0; n < heights_m.size(); ++n)
-            classes[n] = heights_m[n] == 0 ? terrain::PostClass::sea : terrain::PostClass::land;
-    }
-
-private:
-    FractalTerrain terrain_{1};
-    PostGrid grid_;
-};
 
 double seconds_of(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
@@ -72,7 +50,7 @@ std::vector<BenchResult> measure(std::uint32_t side, std::uint32_t threads) {
         processor_s[std::string(stage)] += now.processor_s - last.processor_s;
         last = now;
     };
-    build_terrain(PostReaderFactory([side] { return std::make_unique<FractalPosts>(side); }), folder.file("t.tdb"), options);
+    build_terrain(test_support::fractal_posts(side), folder.file("t.tdb"), options);
     const Spent end = Spent::now();
     const double rate = posts / (end.wall_s - first.wall_s) * 60,
                  microseconds = 1e6 * (end.processor_s - first.processor_s) / posts;

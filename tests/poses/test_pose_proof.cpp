@@ -4,8 +4,8 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 
+#include "tests/poses/grounds.hpp"
 #include "tests/support/pose_proof.hpp"
 #include "tests/support/terrain_image.hpp"
 
@@ -18,21 +18,6 @@ using test_support::PoseProof;
 using test_support::PoseProver;
 
 constexpr std::uint32_t kPoses = 10'000, kSpeakEvery = 500;
-
-struct Ground {
-    const char* name;
-    std::string file;
-};
-
-/// The shipped one, and real ones where they are at hand.
-std::vector<Ground> grounds() {
-    std::vector<Ground> all{{"default", std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif"}};
-    const std::string folder = std::string(TEDAVIS_REAL_DATA) + "/terrain/";
-    for (const Ground& real : {Ground{"davos", folder + "davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif"},
-                               Ground{"pyrenees_with_voids", folder + "N42E001_pyrenees_andorra_srtm3.hgt.zip"}})
-        if (std::filesystem::exists(real.file)) all.push_back(real);
-    return all;
-}
 
 class PoseProofOf : public ::testing::TestWithParam<Ground> {};
 

@@ -72,6 +72,9 @@ private:
     }
 };
 
+using SurfaceWrapper = std::unique_ptr<base::Surface> (*)(std::unique_ptr<base::Surface>);
+inline std::unique_ptr<base::Surface> as_it_is(std::unique_ptr<base::Surface> surface) { return surface; }
+
 /// A started display; throws what start() says. `terrain` must outlive it and may be null.
 class HeadlessDisplay {
 public:
@@ -79,10 +82,10 @@ public:
                     base::ByteSource* terrain)
         : HeadlessDisplay(backend, device, width, height, terrain, shipped_design("default")) {}
     HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
-                    base::ByteSource* terrain, const design::DesignSettings& design)
-        : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design) {}
+                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is)
+        : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design, wrap) {}
     HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
-                    base::ByteSource* terrain, const design::DesignSettings& design) {
+                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is) {
         display::DisplaySettings settings;
         settings.device = device;
         settings.design = design;
@@ -93,7 +96,7 @@ public:
         auto made =
             platform::make_surface(backend, {width, height, es2 ? platform::ContextLane::es2 : platform::ContextLane::es3});
         if (!made.ok()) throw std::runtime_error(made.error().sentence.c_str());
-        surface_ = std::move(made.value());
+        surface_ = wrap(std::move(made.value()));
         if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
         reservation_ = std::move(
             platform::reserve_memory(display::Display::bytes_needed(settings.device), platform::Residency::lazy).value());

@@ -18,6 +18,9 @@
 #include <string>
 #include <vector>
 
+#include "render_core/base/units.hpp"
+#include "render_core/earth/geodetic.hpp"
+
 namespace tedavis::test_support {
 
 /// One band of doubles; voids are NaN.
@@ -78,6 +81,11 @@ public:
     [[nodiscard]] int rows() const { return posts_.rows; }
     [[nodiscard]] double latitude_deg(double j) const { return posts_.north_deg - posts_.step_lat_deg * j; }
     [[nodiscard]] double longitude_deg(double i) const { return posts_.west_deg + posts_.step_lon_deg * i; }
+
+    /// A kilometre above the sea.
+    [[nodiscard]] earth::Geodetic middle() const {
+        return {base::radians(latitude_deg(0.5 * rows())), base::radians(longitude_deg(0.5 * columns())), {1000}};
+    }
 
     /// Above the ellipsoid at a place between posts; NaN outside and where a corner of the cell is void.
     [[nodiscard]] double surface_m(double i, double j) const {

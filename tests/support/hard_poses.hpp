@@ -38,6 +38,25 @@ enum class PoseKind {
     return kNames[static_cast<int>(kind)];
 }
 
+/// Above a place of the lattice, 1024 x 768, 60 degrees wide.
+[[nodiscard]] inline terrain::View view_from_above(const GdalTerrain& terrain, double i, double j, double above_m,
+                                                   double heading_deg, double pitch_deg, double roll_deg = 0) {
+    const double latitude_deg = terrain.latitude_deg(j), longitude_deg = terrain.longitude_deg(i);
+    const double ground_m = terrain.surface_m(i, j);
+    const glm::dmat3 body = earth::body_axes(base::radians(latitude_deg), base::radians(longitude_deg),
+                                             base::radians(heading_deg), base::radians(pitch_deg), base::radians(roll_deg));
+    terrain::View view;
+    view.eye = GdalTerrain::ecef(latitude_deg, longitude_deg, (std::isnan(ground_m) ? 0 : ground_m) + above_m);
+    view.forward = body[0];
+    view.right = body[1];
+    view.down = body[2];
+    view.width = 1024;
+    view.height = 768;
+    view.focal_px = 512 / std::tan(base::radians(30));
+    view.near_m = std::clamp(0.02 * above_m, 1.0, 50.0);
+    return view;
+}
+
 class HardPose {
 public:
     HardPose(const GdalTerrain& terrain, std::uint32_t seed, std::uint32_t number)
@@ -109,20 +128,8 @@ private:
     }
     [[nodiscard]] double horizon_dip_deg() const { return base::degrees(std::acos(6.37e6 / (6.37e6 + above_m_))); }
     void make_view() {
-        const double latitude_deg = terrain_.latitude_deg(j_), longitude_deg = terrain_.longitude_deg(i_);
-        const double ground_m = terrain_.surface_m(i_, j_);
-        view.eye = GdalTerrain::ecef(latitude_deg, longitude_deg, (std::isnan(ground_m) ? 0 : ground_m) + above_m_);
-        const glm::dmat3 body =
-            earth::body_axes(base::radians(latitude_deg), base::radians(longitude_deg), base::radians(heading_deg_),
-                             base::radians(pitch_deg_), base::radians(roll_deg_));
-        view.forward = body[0];
-        view.right = body[1];
-        view.down = body[2];
-        view.width = 1024;
-        view.height = 768;
-        const double field_deg = random_() % 4 == 0 ? uniform(20, 110) : 60;
-        view.focal_px = 512 / std::tan(base::radians(field_deg / 2));
-        view.near_m = std::clamp(0.02 * above_m_, 1.0, 50.0);
+        view = view_from_above(terrain_, i_, j_, above_m_, heading_deg_, pitch_deg_, roll_deg_);
+        if (random_() % 4 == 0) view.focal_px = 512 / std::tan(base::radians(uniform(20, 110) / 2));
     }
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 

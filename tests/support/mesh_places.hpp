@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <random>
 
+#include "render_core/terrain/view.hpp"
 #include "tests/support/gdal_terrain.hpp"
 #include "tests/support/memory_terrain.hpp"
 
@@ -16,14 +18,48 @@ struct DrawnPlace {
     double error_m = 0;  ///< drawn above true
 };
 
-/// Places by GeographicLib; false where there is no true surface.
-[[nodiscard]] inline bool make_drawn_place(const GdalTerrain& terrain, const glm::dvec3& drawn, DrawnPlace& place) {
+/// Places by GeographicLib; false where there is no true surface, which the terrain gives with surface_at(latitude, longitude).
+template <class Terrain>
+[[nodiscard]] bool make_drawn_place(const Terrain& terrain, const glm::dvec3& drawn, DrawnPlace& place) {
     double latitude_deg = 0, longitude_deg = 0, height_m = 0;
     GeographicLib::Geocentric::WGS84().Reverse(drawn.x, drawn.y, drawn.z, latitude_deg, longitude_deg, height_m);
     const double truth_m = terrain.surface_at(latitude_deg, longitude_deg);
     if (std::isnan(truth_m)) return false;
     place = {drawn, GdalTerrain::ecef(latitude_deg, longitude_deg, truth_m), height_m - truth_m};
     return true;
+}
+
+[[nodiscard]] inline bool is_in_picture(const terrain::View& view, const glm::dvec3& point) {
+    const glm::dvec3 d = point - view.eye;
+    const double depth = glm::dot(d, view.forward);
+    return depth >= view.near_m && std::abs(glm::dot(d, view.right)) <= depth * view.half_width_tangent() &&
+           std::abs(glm::dot(d, view.down)) <= depth * view.half_height_tangent();
+}
+
+/// Between the projections of the drawn and the true point; a true one before the near plane counts as on it.
+[[nodiscard]] inline double displacement_px(const terrain::View& view, const DrawnPlace& place) {
+    const glm::dvec3 d = place.drawn - view.eye, t = place.truth - view.eye;
+    const double depth = glm::dot(d, view.forward), true_depth = std::max(glm::dot(t, view.forward), view.near_m);
+    return view.focal_px * std::hypot(glm::dot(d, view.right) / depth - glm::dot(t, view.right) / true_depth,
+                                      glm::dot(d, view.down) / depth - glm::dot(t, view.down) / true_depth);
+}
+
+/// Somewhere in one of the triangles; `up_m` says by how much a vertex is raised.
+template <class UpM>
+[[nodiscard]] glm::dvec3 random_point(const ChunkTriangles& mesh, std::mt19937& random, const UpM& up_m) {
+    const std::size_t triangle = 3 * (random() % (mesh.indices.size() / 3));
+    const auto unit = [&random] { return std::uniform_real_distribution<double>(0, 1)(random); };
+    const double weights[3] = {unit(), unit(), unit()};
+    const double sum = weights[0] + weights[1] + weights[2];
+    glm::dvec3 point = mesh.centre;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const terrain::ChunkVertex& v = mesh.vertices[mesh.indices[triangle + k]];
+        point += (glm::dvec3(double{v.x}, double{v.y}, double{v.z}) + up_m(v)) * (weights[k] / sum);
+    }
+    return point;
+}
+[[nodiscard]] inline glm::dvec3 random_point(const ChunkTriangles& mesh, std::mt19937& random) {
+    return random_point(mesh, random, [](const terrain::ChunkVertex&) { return glm::dvec3(0); });
 }
 
 class MeshPlaces {

@@ -157,27 +157,17 @@ private:
                 const std::uint32_t which = n < kChunksForThem / 2 ? n % chunks_ : random_() % chunks_;
                 const terrain::SelectedChunk& chunk = selected_[which];
                 const ChunkTriangles mesh = prover_.drawn_.triangles(chunk.key, *chunk.entry, chunk.coarser_edges, *scratch_);
+                const auto raised = [&](const terrain::ChunkVertex& v) {
+                    return double{terrain::vertex_lift_m(chunk.lift, mesh.posts, v)} * up_at(mesh, v);
+                };
                 for (int k = 0; k < kRandomPoints / kChunksForThem; ++k) {
                     DrawnPlace place;
-                    if (!make_drawn_place(prover_.truth_, random_point(mesh, chunk), place)) continue;
+                    if (!make_drawn_place(prover_.truth_, random_point(mesh, random_, raised), place)) continue;
                     worst_px = std::max(worst_px, error_px(view, place, proof));
                     if (lifted) proof.deepest_lifted_m = std::max(proof.deepest_lifted_m, -place.error_m);
                 }
             }
             return worst_px;
-        }
-        glm::dvec3 random_point(const ChunkTriangles& mesh, const terrain::SelectedChunk& chunk) {
-            const std::size_t triangle = 3 * (random_() % (mesh.indices.size() / 3));
-            const auto unit = [this] { return std::uniform_real_distribution<double>(0, 1)(random_); };
-            double weights[3] = {unit(), unit(), unit()};
-            const double sum = weights[0] + weights[1] + weights[2];
-            glm::dvec3 point = mesh.centre;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const terrain::ChunkVertex& v = mesh.vertices[mesh.indices[triangle + k]];
-                const double lift_m = double{terrain::vertex_lift_m(chunk.lift, mesh.posts, v)};
-                point += (glm::dvec3(double{v.x}, double{v.y}, double{v.z}) + lift_m * up_at(mesh, v)) * (weights[k] / sum);
-            }
-            return point;
         }
         [[nodiscard]] glm::dvec3 up_at(const ChunkTriangles& mesh, const terrain::ChunkVertex& v) const {
             const double latitude = base::radians(prover_.truth_.latitude_deg(mesh.posts.j0 + v.j)),
@@ -186,15 +176,9 @@ private:
         }
 
         static double error_px(const terrain::View& view, const DrawnPlace& place, PoseProof& proof) {
-            const glm::dvec3 d = place.drawn - view.eye, t = place.truth - view.eye;
-            const double depth = glm::dot(d, view.forward), right = glm::dot(d, view.right), down = glm::dot(d, view.down);
-            if (depth < view.near_m || std::abs(right) > depth * view.half_width_tangent() ||
-                std::abs(down) > depth * view.half_height_tangent())
-                return 0;
+            if (!is_in_picture(view, place.drawn)) return 0;
             ++proof.points;
-            const double true_depth = std::max(glm::dot(t, view.forward), view.near_m);
-            return view.focal_px * std::hypot(right / depth - glm::dot(t, view.right) / true_depth,
-                                              down / depth - glm::dot(t, view.down) / true_depth);
+            return displacement_px(view, place);
         }
 
         static void note(const terrain::LodResult& stated, const FoundFrame& frame, PoseProof& proof) {
