@@ -70,21 +70,20 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const des
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
     if (!opened.ok()) return database_error(opened.error());
     database_ = opened.value();
-    if (gl::GlError error = start_store(input, design.terrain.style, memory); !error.sentence.empty()) return error;
+    if (gl::GlError error = start_store(input, memory); !error.sentence.empty()) return error;
     if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
     if (gl::GlError error = drawer_.start(gl, store_, design, device, memory.staging, output); !error.sentence.empty())
         return error;
+    store_.fetch_attributes(drawer_.reads_pages());
     started_ = true;
     return {};
 }
 
-gl::GlError TerrainScene::start_store(const TerrainInput& input, const design::TerrainStyle& style, const TerrainMemory& memory) {
-    terrain::StoreSettings settings = store_settings(*device_, input.arrival);
-    if (!design::needs_any_map(style)) settings.attribute_slots = 0;
+gl::GlError TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
     if (!heights_.start(database_, memory.payloads))
         return gl::make_error("the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
-    const terrain::TdbFailure failure =
-        store_.start(database_, *input.reader, settings, {memory.index, memory.records, memory.payloads, memory.attributes});
+    const terrain::TdbFailure failure = store_.start(database_, *input.reader, store_settings(*device_, input.arrival),
+                                                     {memory.index, memory.records, memory.payloads, memory.attributes});
     if (failure.error == terrain::TdbError::too_large)
         return gl::make_error(
             "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights' and 'terrain_attributes' do not hold "

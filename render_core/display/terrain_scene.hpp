@@ -66,8 +66,7 @@ public:
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
 
 private:
-    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const design::TerrainStyle& style,
-                                          const TerrainMemory& memory);
+    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
     [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
 
     effects::DeviceSettings* device_ = nullptr;

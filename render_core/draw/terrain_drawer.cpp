@@ -19,6 +19,8 @@ constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVerti
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
 constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
+enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
+
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
 void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
@@ -32,6 +34,11 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainNormal, 3, GL_BYTE, GL_TRUE, kStride, at(offsetof(ChunkVertex, normal)));
     gl->VertexAttribPointer(kTerrainKind, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(ChunkVertex, kind)));
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
+}
+
+bool is_coast(const terrain::ChunkEntry& entry) {
+    constexpr unsigned kBoth = terrain::kChunkHasSea | terrain::kChunkHasLand;
+    return (entry.flags & kBoth) == kBoth;
 }
 
 }  // namespace
@@ -95,12 +102,13 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
 
 gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
-    if (slots == 0) return {};
+    if (slots == 0 || !reads_pages()) return {};
     page_slots_ = staging.allocate_array<PageSlot>(slots);
     if (page_slots_.empty())
         return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
     for (PageSlot& slot : page_slots_) slot = PageSlot{};
-    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, slots, staging);
+    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, database_has_coast(), slots,
+                        staging);
 }
 
 gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
@@ -109,14 +117,17 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     variant.lifted = design_.terrain.conservative_up;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
-        for (const bool second : {false, true}) {
-            if (second && output_ != TerrainOutput::code && !atlas_.is_started()) continue;
+        for (std::size_t pages = 0; pages < kPageVariants; ++pages) {
+            const bool land_codes = output_ == TerrainOutput::code && pages == kWithPages;
+            if (pages > 0 && !atlas_.is_started() && !land_codes) continue;
+            if (pages == kWithCoast && !database_has_coast()) continue;
             variant.bands = kBandsOfVariant[bands];
-            variant.baked = second;
-            variant.classes = second;
+            variant.baked = pages > 0;
+            variant.coast = pages == kWithCoast;
+            variant.classes = !land_codes;
             auto program = build_terrain_program(gl, design_.terrain.style, variant);
             if (!program.ok()) return program.error();
-            programs_[bands][second ? 1 : 0] = program.value();
+            programs_[bands][pages] = program.value();
         }
     return {};
 }
@@ -197,13 +208,28 @@ TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) c
     return {};
 }
 
+bool TerrainDrawer::reads_pages() const { return design::needs_any_map(design_.terrain.style) || database_has_coast(); }
+
+/// The coarsest chunks, which never leave the store, know what lies in all below them.
+bool TerrainDrawer::database_has_coast() const {
+    const terrain::Lattice& lattice = store_->lattice();
+    const std::uint32_t top = lattice.levels() - 1;
+    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
+        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i)
+            if (const terrain::SlotIndex slot = store_->available_slot({top, i, j});
+                slot != terrain::kNoSlot && is_coast(store_->entry(slot)))
+                return true;
+    return false;
+}
+
 bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input) {
     const PageChoice page = page_of(chunk.key);
     if (page.slot == terrain::kNoSlot) return true;
     PageSlot& slot = page_slots_[page.slot];
     const terrain::AttributePage& attributes = store_->attributes(page.slot);
     const bool is_new = slot.generation != store_->attribute_generation(page.slot);
-    if (is_new && !atlas_.upload(gl, page.slot, attributes)) return false;
+    const bool coast = is_coast(store_->attribute_pages().entry(page.slot));
+    if (is_new && !atlas_.upload(gl, page.slot, attributes, coast)) return false;
     slot.generation = store_->attribute_generation(page.slot);
     if (!atlas_.has(BakedMap::horizon)) return true;
     const double azimuth = azimuth_at(store_->attribute_pages().entry(page.slot), input.light_direction[0]);
@@ -245,20 +271,20 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
 }
 
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool baked) const {
+    if (baked && is_coast(entry)) return kWithCoast;
+    if (output_ != TerrainOutput::code) return baked ? kWithPages : kWithoutPages;
+    return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
+}
+
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
                                               const TerrainDrawInput& input) const {
-    if (output_ == TerrainOutput::code) {
-        const bool land_alone = (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0;
-        const gl::Program& program = programs_[0][land_alone ? 0 : 1];
-        program.use(gl);
-        return program;
-    }
     TerrainBands bands;
-    if (input.warning_colors)
+    if (input.warning_colors && output_ != TerrainOutput::code)
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
-    const gl::Program& program = programs_[n][baked ? 1 : 0];
+    const gl::Program& program = programs_[n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
@@ -273,10 +299,16 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     if (!slot.indexed) return;
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
-    const gl::Program& program = use_program(gl, *chunk.entry, baked, input);
+    const std::size_t pages = page_variant(*chunk.entry, baked);
+    const gl::Program& program = use_program(gl, *chunk.entry, pages, input);
     const terrain::Lattice& lattice = store_->lattice();
     set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
     if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);
+    // Between land and missing data a filtered class would pass for sea.
+    if (pages == kWithCoast) {
+        const bool has_void = (store_->attribute_pages().entry(page.slot).flags & terrain::kChunkHasVoid) != 0;
+        gl->Uniform1f(program.uniform(kCoastSharp), has_void ? 1.0f : 0.0f);
+    }
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});

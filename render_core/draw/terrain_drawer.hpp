@@ -42,6 +42,10 @@ struct TerrainDrawResult {
 
 class TerrainDrawer {
 public:
+    /// For chunks without attribute pages, with them, and with a coast as well. Of codes: sea and void by the vertices, land
+    /// alone, a coast by the pages.
+    static constexpr std::size_t kPageVariants = 3;
+
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
                                     effects::DeviceSettings& device, base::Arena& staging,
                                     TerrainOutput output = TerrainOutput::color);
@@ -56,6 +60,8 @@ public:
               const DepthRange& range, TerrainDrawResult& result);
     /// The index list that a chunk is drawn with; after prepare().
     [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk);
+    /// Whether the style, or a coast in the database, asks for attribute pages; after start().
+    [[nodiscard]] bool reads_pages() const;
     void destroy(gl::Gl& gl);
 
 private:
@@ -82,16 +88,17 @@ private:
     [[nodiscard]] bool upload_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk);
     [[nodiscard]] bool upload_page(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input);
     [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
+    [[nodiscard]] bool database_has_coast() const;
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
-    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+    [[nodiscard]] std::size_t page_variant(const terrain::ChunkEntry& entry, bool baked) const;
+    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
                                                  const TerrainDrawInput& input) const;
     void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
     const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
     TerrainOutput output_ = TerrainOutput::color;
-    /// By bands; the second is for chunks with attribute pages. Of codes: one for land, the second for sea and void as well.
-    gl::Program programs_[kBandVariants][2];
+    gl::Program programs_[kBandVariants][kPageVariants];
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
     PageAtlas atlas_;

@@ -20,8 +20,8 @@ const char* const kTerrainUniformNames[kTerrainUniforms] = {
     "page_window",  "stroke_window",   "form_map",     "light_map",   "aperture_map", "horizon_map",   "page_origin",
     "page_scale",   "drape_map",       "drape_origin", "drape_scale", "palette",      "palette_range", "plain_color",
     "sea_color",    "unknown_color",   "haze_color",   "pixel",       "grid_lines",   "lights",        "light",
-    "occlusion",    "line_color",      "form_lines",   "contour",     "strokes",      "page_texel",    "band_color",
-    "band_lower",   "height_range"};
+    "occlusion",    "line_color",      "form_lines",   "contour",     "strokes",      "page_texel",    "coast_sharp",
+    "band_color",   "band_lower",      "height_range"};
 
 namespace {
 
@@ -88,6 +88,8 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
     if (style.shade.technique != TerrainShade::none)
         defines.add_number("LIGHTS", style.shade.technique == TerrainShade::lights ? style.shade.light_count : std::size_t{1});
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    const bool coast = variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
+    defines.add_if(coast, "#define COAST 1\n");
     defines.add_if(variant.classes, "#define CLASSES 1\n");
     return defines.text();
 }
@@ -108,8 +110,13 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
     add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
     defines.add_if(variant.baked, "#define BAKED 1\n");
-    for (std::size_t map = 0; map < design::kBakedMaps; ++map)
-        defines.add_if(variant.baked && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
+    const bool coast = variant.baked && variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
+    defines.add_if(coast, "#define COAST 1\n");
+    for (std::size_t map = 0; map < design::kBakedMaps; ++map) {
+        const bool is_read =
+            needs_map(style, static_cast<BakedMap>(map)) || (coast && static_cast<BakedMap>(map) == BakedMap::light);
+        defines.add_if(variant.baked && variant.maps[map] && is_read, kMapDefines[map]);
+    }
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");

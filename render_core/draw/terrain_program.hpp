@@ -53,6 +53,7 @@ enum TerrainUniform : std::size_t {
     kContour,
     kStrokes,
     kPageTexel,
+    kCoastSharp,
     kBandColor,
     kBandLower,
     kHeightRange,
@@ -72,8 +73,9 @@ enum class TerrainOutput : std::uint8_t {
 struct TerrainVariant {
     std::size_t bands = 0;  ///< warning bands that it tells apart
     bool baked = false;     ///< the chunk has attribute pages
-    bool lifted = false;    ///< never below the true terrain
+    bool coast = false;     ///< the chunk has sea and land; what a pixel is comes from its pages
     bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
+    bool lifted = false;    ///< never below the true terrain
     TerrainOutput output = TerrainOutput::color;
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };

@@ -6,6 +6,8 @@
 /// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
 ///             forbid tau, refinement starts again with error times visibility in that order, and passes over splits that do not
 ///             fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
+/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst error,
+///             and after true errors where budgets end the refinement.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
 ///             chunk's own lift; on borders and corners by the largest of all chunks that share them, so that shared vertices
 ///             agree (chunk_lift.hpp).

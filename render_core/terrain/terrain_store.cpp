@@ -99,7 +99,7 @@ void TerrainStore::begin_frame() {
 
 void TerrainStore::want(base::Span<const WantedChunk> chunks) {
     payloads_.want(chunks);
-    if (attribute_list_.empty()) return;
+    if (attribute_list_.empty() || !attributes_wanted_) return;
     // Level-0 chunks use their parents' pages, and parents are wanted too.
     std::size_t count = 0;
     for (const WantedChunk& chunk : chunks)

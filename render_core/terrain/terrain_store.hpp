@@ -39,6 +39,8 @@ public:
     /// the roots and one more.
     [[nodiscard]] TdbFailure start(const TerrainDatabase& database, base::AsyncReader& reader, const StoreSettings& settings,
                                    const StoreMemory& memory);
+    /// Attribute pages that nobody reads need not be fetched; they are, until told.
+    void fetch_attributes(bool wanted) { attributes_wanted_ = wanted; }
     void begin_frame();
     /// Most urgent first, ancestors before their descendants. Attribute pages are wanted along with the chunks.
     void want(base::Span<const WantedChunk> chunks);
@@ -83,6 +85,7 @@ private:
     DirectoryCache directory_;
     PartCache payloads_, attributes_;
     base::Span<WantedChunk> attribute_list_;
+    bool attributes_wanted_ = true;
 };
 
 }  // namespace tedavis::terrain

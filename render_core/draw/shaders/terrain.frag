@@ -47,6 +47,9 @@ uniform vec4 page_origin;        // first texel of the page in the atlas of maps
 uniform vec2 page_scale;         // 1 / size of each
 uniform vec2 page_texel;         // metres east and south of a texel
 #endif
+#ifdef COAST
+uniform float coast_sharp;       // 1: the class of the nearest texel, 0: filtered
+#endif
 #ifdef WARNING_BANDS
 uniform vec4 band_color[WARNING_BANDS];      // alpha: strength
 uniform float band_lower[WARNING_BANDS];     // height above MSL from which the band holds, ascending
@@ -147,7 +150,13 @@ void main() {
     float along_parallel = line_at(cell.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m), 0.8);
     color = mix(color, color * 0.35, max(along_meridian, along_parallel));
 #endif
+#ifdef COAST
+    // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1.
+    float class_here = TEXTURE2D(light_map, map_place(mix(v_page, floor(v_page + 0.5), coast_sharp))).a;
+    float sea = step(0.16667, class_here) * step(class_here, 0.5);
+#else
     float sea = step(0.999, v_class.x);
+#endif
     color = mix(color, sea_color, sea);
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
@@ -199,7 +208,11 @@ void main() {
 #ifdef SKETCH
     float ink = 0.0;
 #ifdef CONTOURS
-    float per_pixel = max(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m), 1e-3) * contour.x;
+    // Mesh and map do not know the same slope; the smaller one, or where a flat triangle lies on a slope lines would run into blots.
+    vec3 bare = normalize(v_normal);
+    float rise = min(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m),
+                     reach_of(vec3(0.0, 0.0, 1.0), bare, ray, max(-dot(bare, ray), 0.03), pixel_m));
+    float per_pixel = max(rise, 1e-3) * contour.x;
     float phase = v_height * contour.x;
     float line = floor(phase + 0.5);
     float strong = step(abs(line - contour.y * floor(line / contour.y + 0.5)), 0.25);

@@ -6,6 +6,11 @@ uniform vec4 lights[LIGHTS];   // towards each: east, north, up; its weight
 uniform vec4 light;            // ambient, 1 - ambient
 #endif
 
+#ifdef COAST
+uniform vec4 page_window;      // texels of the page = place * xy + zw
+VARYING vec2 v_page;
+#endif
+
 VARYING vec3 v_code;           // height in steps of 1/254 of the range, light, distance
 #ifdef CLASSES
 VARYING vec2 v_class;          // sea, void
@@ -27,6 +32,9 @@ void main() {
     v_code.x = clamp((height - height_range.x) * height_range.y, 0.0, kHighest) * 254.0;
     v_code.y = max(lit, 1.0 / 255.0);
     v_code.z = min(log2(1.0 + length(eye_relative) / 50.0) / 13.0, kFarthest);
+#ifdef COAST
+    v_page = place * page_window.xy + page_window.zw;
+#endif
 #ifdef CLASSES
     v_class = class_of_vertex();
 #endif

@@ -115,6 +115,7 @@ TEST(TerrainProgram, CodesCompileInBothLanes) {
 
 TEST(TerrainProgram, AMapThatIsNotThereIsNotRead) {
     TerrainStyle style;
+    style.shade.baked_normals = true;
     TerrainVariant variant;
     variant.baked = true;
     EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_"), std::string::npos);
