@@ -262,10 +262,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_view_uniforms(gl, program, input.view, range);
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
-    if (output_ == TerrainOutput::code) {
-        set_height_range(gl, program, input.heights);
-        return;
-    }
+    if (output_ == TerrainOutput::code) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));

@@ -193,7 +193,8 @@ TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
 }
 
 TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
-    const design::TerrainStyle style;
+    design::TerrainStyle style;
+    style.shade.baked_normals = true;
     ASSERT_EQ(atlas_.start(at_.gl, line_, style, true, kSlots, staging_).sentence.view(), "");
     EXPECT_TRUE(atlas_.has(BakedMap::light));
     EXPECT_FALSE(atlas_.has(BakedMap::aperture));
