@@ -16,7 +16,7 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
 constexpr const char* kUniformNames[kTerrainUniforms] = {
     "chunk_offset", "view_projection", "to_local",      "haze_per_m", "lift",          "place_end",
     "earth_centre", "page_window",     "stroke_window", "form_map",   "light_map",     "aperture_map",
-    "horizon_map",  "page_origin",     "page_scale",    "drape_map",  "drape_origin",  "drape_scale",
+    "horizon_map",  "page_origin",     "page_scale",    "drape_map",  "drape_window",  "drape_origin",
     "palette",      "palette_range",   "plain_color",   "sea_color",  "unknown_color", "haze_color",
     "pixel",        "grid_lines",      "lights",        "light",      "occlusion",     "line_color",
     "form_lines",   "contour",         "strokes",       "page_texel", "band_color",    "band_lower"};
@@ -89,7 +89,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
     defines.add_if(variant.baked, "#define BAKED 1\n");
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
-        defines.add_if(variant.baked && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
+        defines.add_if((variant.baked || static_cast<BakedMap>(map) == BakedMap::drape) && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.outlined, "#define DISTANCE_IN_ALPHA 1\n");
