@@ -12,8 +12,8 @@
 #include "host_sim/reports/contact_sheet.hpp"
 #include "host_sim/reports/sheet_page.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "host_sim/terrain_builder/generated_image.hpp"
 #include "host_sim/temporary_folder.hpp"
+#include "host_sim/terrain_builder/generated_image.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {

@@ -198,8 +198,8 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
     } else {
         std::uint64_t pages = 0;
         for (const LevelSummary& level : summarise_levels(open)) pages += level.drape_pages;
-        text << "  image drape of " << pages << " pages, texels of " << std::lround(drape_texel_deg(h) * kMetresPerDegree * 10) / 10.0
-             << " m at the finest";
+        text << "  image drape of " << pages << " pages, texels of "
+             << std::lround(drape_texel_deg(h) * kMetresPerDegree * 10) / 10.0 << " m at the finest";
     }
     return text.str();
 }

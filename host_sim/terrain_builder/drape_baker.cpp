@@ -62,7 +62,7 @@ void mean_texel(const FinerPages& finer, std::int64_t x, std::int64_t y, std::ui
 }
 
 bool shows_nothing(const DrapePage& page) {
-    return std::none_of(std::begin(page.rgba), std::end(page.rgba), [](const std::uint8_t (&texel)[4]) { return texel[3] != 0; });
+    return std::none_of(std::begin(page.rgba), std::end(page.rgba), [](const std::uint8_t(&texel)[4]) { return texel[3] != 0; });
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ std::optional<BakedPage> DrapeBaker::run(std::uint32_t level, std::uint32_t task
         reduce(level, i, j, *page);
     if (shows_nothing(*page)) return std::nullopt;
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(page.get());
-    return BakedPage{{level + base_level_, i, j}, {0, sizeof *page, checksum(bytes, sizeof *page)}, {bytes, bytes + sizeof *page}};
+    return BakedPage{
+        {level + base_level_, i, j}, {0, sizeof *page, checksum(bytes, sizeof *page)}, {bytes, bytes + sizeof *page}};
 }
 
 void DrapeBaker::reduce(std::uint32_t level, std::uint32_t i, std::uint32_t j, DrapePage& page) const {

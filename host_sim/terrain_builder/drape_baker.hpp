@@ -19,7 +19,8 @@ public:
 
     /// `coarse` is the plan of the coarse posts; its level 0 is the database's `base_level`. Pages are read back from the store.
     /// Throws UserError.
-    DrapeBaker(const BuildPlan& coarse, std::uint32_t base_level, const DrapeOptions& options, const PartStore& store, PlaceOf place_of);
+    DrapeBaker(const BuildPlan& coarse, std::uint32_t base_level, const DrapeOptions& options, const PartStore& store,
+               PlaceOf place_of);
 
     /// Levels of the coarse lattice, first_level() to end_level() - 1, each after the one before it.
     [[nodiscard]] std::uint32_t first_level() const { return sampler_.finest_level(); }

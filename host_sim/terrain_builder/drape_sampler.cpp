@@ -17,13 +17,13 @@ using terrain::kDrapePosts;
 
 constexpr std::uint32_t kSteps = kDrapePosts - 1;
 constexpr double kTexelsPerPost = kSteps / double{terrain::kChunkCells};
-constexpr std::uint32_t kKnot = 16;                  // texels between places that others are interpolated from
-constexpr double kKnotAccuracy = 0.05;               // pixels; else every place is transformed
-constexpr double kNearlyAsFine = 1.01;               // a texel a hundredth larger than a pixel is as fine
-constexpr int kProbes = 17;                          // places along each side of terrain and image that look for the other
-constexpr double kMove = 1.0 / 64;                   // posts
-constexpr std::size_t kStripBytes = 4u << 20;        // of pixels read at once
-constexpr std::int64_t kMostBlocks = 8'000'000;      // of a page; only where a map projection tears it apart
+constexpr std::uint32_t kKnot = 16;              // texels between places that others are interpolated from
+constexpr double kKnotAccuracy = 0.05;           // pixels; else every place is transformed
+constexpr double kNearlyAsFine = 1.01;           // a texel a hundredth larger than a pixel is as fine
+constexpr int kProbes = 17;                      // places along each side of terrain and image that look for the other
+constexpr double kMove = 1.0 / 64;               // posts
+constexpr std::size_t kStripBytes = 4u << 20;    // of pixels read at once
+constexpr std::int64_t kMostBlocks = 8'000'000;  // of a page; only where a map projection tears it apart
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 struct Pixel {
@@ -72,7 +72,8 @@ public:
         const double turn = 360 / image.transform()[1];
         if (image.crs().IsGeographic() != 0 && image.transform()[2] == 0) columns_round_ = std::abs(turn);
         const double whole = std::round(columns_round_);
-        if (columns_round_ > 0 && std::abs(whole - columns_round_) < 0.01 && image.columns() >= whole) goes_round_ = static_cast<int>(whole);
+        if (columns_round_ > 0 && std::abs(whole - columns_round_) < 0.01 && image.columns() >= whole)
+            goes_round_ = static_cast<int>(whole);
     }
 
     /// Longitudes and latitudes in degrees to pixels, NaN where there is none.
@@ -178,7 +179,8 @@ struct DrapeSampler::Blocks {
             const std::int64_t inside = round != 0 ? (c % round + round) % round : c;
             const std::int64_t count = inside < 0 ? -inside : inside < across ? across - inside : end - c;
             const std::int64_t next = std::min(end, c + count);
-            if (inside >= 0 && inside < across) read_columns(reader.image, c, static_cast<int>(inside), static_cast<int>(next - c));
+            if (inside >= 0 && inside < across)
+                read_columns(reader.image, c, static_cast<int>(inside), static_cast<int>(next - c));
             c = next;
         }
         const float share = 1.0f / (static_cast<float>(width) * static_cast<float>(height));
@@ -196,7 +198,8 @@ struct DrapeSampler::Blocks {
         const auto n = static_cast<std::size_t>(j * columns + i), below = n + static_cast<std::size_t>(columns);
         std::array<float, 4> color{};
         for (std::size_t c = 0; c < 4; ++c)
-            color[c] = (mean[n][c] * (1 - x) + mean[n + 1][c] * x) * (1 - y) + (mean[below][c] * (1 - x) + mean[below + 1][c] * x) * y;
+            color[c] =
+                (mean[n][c] * (1 - x) + mean[n + 1][c] * x) * (1 - y) + (mean[below][c] * (1 - x) + mean[below + 1][c] * x) * y;
         return color;
     }
 
@@ -208,13 +211,16 @@ private:
         const int top = static_cast<int>(std::clamp<std::int64_t>(row * height, 0, image.rows()));
         const int bottom = static_cast<int>(std::clamp<std::int64_t>((row + rows) * height, 0, image.rows()));
         const int most = std::max(1, static_cast<int>(kStripBytes / 4 / static_cast<std::size_t>(count)));
-        std::vector<std::uint8_t> strip(std::size_t{4} * static_cast<std::size_t>(count) * static_cast<std::size_t>(std::min(most, std::max(bottom - top, 1))));
+        std::vector<std::uint8_t> strip(std::size_t{4} * static_cast<std::size_t>(count) *
+                                        static_cast<std::size_t>(std::min(most, std::max(bottom - top, 1))));
         for (int r = top; r < bottom; r += most) {
             const int lines = std::min(most, bottom - r);
             image.read(inside, r, count, lines, strip.data());
             for (int line = 0; line < lines; ++line)
                 for (int n = 0; n < count; ++n)
-                    add(c + n, r + line, &strip[std::size_t{4} * (static_cast<std::size_t>(line) * static_cast<std::size_t>(count) + static_cast<std::size_t>(n))]);
+                    add(c + n, r + line,
+                        &strip[std::size_t{4} *
+                               (static_cast<std::size_t>(line) * static_cast<std::size_t>(count) + static_cast<std::size_t>(n))]);
         }
     }
     void add(std::int64_t c, std::int64_t r, const std::uint8_t* rgba) {
@@ -223,7 +229,9 @@ private:
         for (std::size_t n = 0; n < 3; ++n) sum[n] += coverage * static_cast<float>(rgba[n]);
         sum[3] += static_cast<float>(rgba[3]);
     }
-    static std::int64_t floor_of(std::int64_t n, std::int64_t divisor) { return n >= 0 ? n / divisor : -((-n + divisor - 1) / divisor); }
+    static std::int64_t floor_of(std::int64_t n, std::int64_t divisor) {
+        return n >= 0 ? n / divisor : -((-n + divisor - 1) / divisor);
+    }
 };
 
 DrapeSampler::DrapeSampler(const BuildPlan& plan, const DrapeOptions& options) : plan_(plan), options_(options) {
@@ -237,7 +245,9 @@ DrapeSampler::~DrapeSampler() = default;
 double DrapeSampler::latitude_deg(double row) const {
     const terrain::Lattice& lattice = plan_.lattice;
     const auto last = static_cast<double>(lattice.rows() - 1);
-    if (row >= last) return std::max(-90.0, base::degrees(lattice.latitude_rad(lattice.rows() - 1)) - plan_.header.step_lat_deg * (row - last));
+    if (row >= last)
+        return std::max(-90.0,
+                        base::degrees(lattice.latitude_rad(lattice.rows() - 1)) - plan_.header.step_lat_deg * (row - last));
     const auto above = static_cast<std::uint32_t>(row);
     const double share = row - above;
     return base::degrees(lattice.latitude_rad(above)) * (1 - share) + base::degrees(lattice.latitude_rad(above + 1)) * share;

@@ -1,6 +1,7 @@
 /// The image of a drape at the texels of a terrain's finest drape pages.
 ///
-/// Texels  of level k (of the coarse posts' lattice) stand 2^k / 4 posts apart, on posts where those coincide. The finest level is
+/// Texels  of level k (of the coarse posts' lattice) stand 2^k / 4 posts apart, on posts where those coincide. The finest level
+/// is
 ///         the coarsest whose texels are no farther apart than the image's pixels, 0 at the finest.
 /// Colours bilinear between pixels. Where pixels are finer than half a texel, blocks of them are averaged first, so that nothing
 ///         falls between the texels. Beyond the image, and where it has no data, coverage is 0.

@@ -25,18 +25,22 @@ constexpr double kDistrict_m = 2400, kParcelLength_m = 420, kParcelWidth_m = 210
 constexpr double kVillage_m = 330, kHouse_m = 46;
 constexpr double kWoodsFrom = 0.12, kWoodsTo = 0.34;  // slope, with some chance between
 constexpr Color kWater{38, 58, 66}, kRoad{188, 182, 170}, kHedge{58, 78, 44}, kGarden{104, 124, 70};
-constexpr Color kCrops[] = {{118, 146, 74}, {164, 158, 92}, {196, 178, 118}, {136, 112, 82}, {92, 128, 62}, {178, 184, 104}, {150, 136, 98}};
+constexpr Color kCrops[] = {{118, 146, 74}, {164, 158, 92},  {196, 178, 118}, {136, 112, 82},
+                            {92, 128, 62},  {178, 184, 104}, {150, 136, 98}};
 constexpr Color kRoofs[] = {{206, 198, 190}, {168, 96, 74}, {142, 132, 126}, {224, 220, 212}};
 
 /// 64 bits of chance for a place.
 std::uint64_t chance_bits(std::int64_t a, std::int64_t b, std::uint64_t what) {
-    std::uint64_t z = static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(b) * 0xD1B54A32D192ED03u + what * 0xA0761D6478BD642Fu;
+    std::uint64_t z = static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(b) * 0xD1B54A32D192ED03u +
+                      what * 0xA0761D6478BD642Fu;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return z ^ (z >> 31);
 }
 /// 0..1
-double chance(std::int64_t a, std::int64_t b, std::uint64_t what) { return static_cast<double>(chance_bits(a, b, what) >> 11) * 0x1p-53; }
+double chance(std::int64_t a, std::int64_t b, std::uint64_t what) {
+    return static_cast<double>(chance_bits(a, b, what) >> 11) * 0x1p-53;
+}
 
 std::int64_t cell_of(double metres, double size_m) { return static_cast<std::int64_t>(std::floor(metres / size_m)); }
 
@@ -92,7 +96,8 @@ Color parcels(const District& d) {
     const std::int64_t row = cell_of(y, kParcelWidth_m);
     const double shifted = x + kParcelLength_m * chance(row, d.i, 4);
     const std::int64_t column = cell_of(shifted, kParcelLength_m);
-    const double inside_x = shifted - static_cast<double>(column) * kParcelLength_m, inside_y = y - static_cast<double>(row) * kParcelWidth_m;
+    const double inside_x = shifted - static_cast<double>(column) * kParcelLength_m,
+                 inside_y = y - static_cast<double>(row) * kParcelWidth_m;
     if (std::min({inside_x, kParcelLength_m - inside_x, inside_y, kParcelWidth_m - inside_y}) < kHedge_m) return kHedge;
     const std::uint64_t crop = chance_bits(column + 131 * d.i, row + 131 * d.j, 5);
     const double furrows = cell_of(inside_y, 30) % 2 == 0 ? 1.03 : 0.97;
@@ -146,14 +151,17 @@ GeneratedImage::Ground GeneratedImage::ground(int column, int row) const {
     const double here = height(static_cast<int>(std::floor(u + 0.5)), static_cast<int>(std::floor(v + 0.5)));
     for (int b = -2; b <= 2; ++b)
         for (int a = -2; a <= 2; ++a)
-            g.is_level = g.is_level && std::abs(height(static_cast<int>(std::floor(u + 0.5)) + a, static_cast<int>(std::floor(v + 0.5)) + b) - here) < 0.5;
+            g.is_level = g.is_level &&
+                         std::abs(height(static_cast<int>(std::floor(u + 0.5)) + a, static_cast<int>(std::floor(v + 0.5)) + b) -
+                                  here) < 0.5;
     return g;
 }
 
 std::array<std::uint8_t, 3> GeneratedImage::pixel(int column, int row) const {
     const Ground g = ground(column, row);
     // Borders of what grows do not follow the map's axes.
-    const double x = g.east_m + 120 * lumps(g.east_m, g.south_m, 900, 11), y = g.south_m + 120 * lumps(g.east_m, g.south_m, 900, 12);
+    const double x = g.east_m + 120 * lumps(g.east_m, g.south_m, 900, 11),
+                 y = g.south_m + 120 * lumps(g.east_m, g.south_m, 900, 12);
     const District district = district_at(x, y);
     const double slope = std::hypot(g.east_slope, g.north_slope);
     const double wooded = (slope - kWoodsFrom) / (kWoodsTo - kWoodsFrom) + 0.9 * lumps(g.east_m, g.south_m, 700, 13);
@@ -183,7 +191,7 @@ void write_generated_image(const std::string& raster_file, const std::string& pa
         if (written) {
             const double step_lon = raster.step_lon_deg / GeneratedImage::kPixelsPerPost,
                          step_lat = raster.step_lat_deg / GeneratedImage::kPixelsPerPost;
-            double transform[6] = {raster.west_deg - 0.5 * raster.step_lon_deg, step_lon, 0,
+            double transform[6] = {raster.west_deg - 0.5 * raster.step_lon_deg,  step_lon, 0,
                                    raster.north_deg + 0.5 * raster.step_lat_deg, 0,        -step_lat};
             file->SetGeoTransform(transform);
             OGRSpatialReference wgs84;
@@ -196,7 +204,8 @@ void write_generated_image(const std::string& raster_file, const std::string& pa
                 const std::array<std::uint8_t, 3> rgb = image.pixel(column, row);
                 std::copy(rgb.begin(), rgb.end(), line.begin() + 3 * column);
             }
-            written = file->RasterIO(GF_Write, 0, row, columns, 1, line.data(), columns, 1, GDT_Byte, 3, nullptr, 3, 0, 1) == CE_None;
+            written =
+                file->RasterIO(GF_Write, 0, row, columns, 1, line.data(), columns, 1, GDT_Byte, 3, nullptr, 3, 0, 1) == CE_None;
         }
     }  // closing it writes what is left
     if (!written || CPLGetLastErrorType() >= CE_Failure)

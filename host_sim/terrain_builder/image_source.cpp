@@ -86,7 +86,8 @@ void ImageSource::find_bands() {
 void ImageSource::find_place(const DrapeOptions& options) {
     std::array<double, 6> t{};
     const bool stated = dataset_->GetGeoTransform(t.data()) == CE_None &&
-                        std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); }) && t[1] * t[5] - t[2] * t[4] != 0;
+                        std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); }) &&
+                        t[1] * t[5] - t[2] * t[4] != 0;
     if (stated && options.extent)
         throw UserError("--drape-extent: " + file_ + " says itself where it lies; leave the option out");
     if (!stated && !options.extent)
@@ -132,8 +133,8 @@ void ImageSource::read(int column, int row, int columns, int rows, std::uint8_t*
 bool ImageSource::read_colours(int column, int row, int columns, int rows, std::uint8_t* rgba) const {
     std::array<int, 3> bands = colour_bands_;
     const GSpacing line = static_cast<GSpacing>(kPixelBytes) * columns;
-    return dataset_->RasterIO(GF_Read, column, row, columns, rows, rgba, columns, rows, GDT_Byte, 3, bands.data(), kPixelBytes, line,
-                              1) == CE_None;
+    return dataset_->RasterIO(GF_Read, column, row, columns, rows, rgba, columns, rows, GDT_Byte, 3, bands.data(), kPixelBytes,
+                              line, 1) == CE_None;
 }
 
 /// Alpha, and colours of palettes.
@@ -145,8 +146,8 @@ bool ImageSource::read_coverage(int column, int row, int columns, int rows, std:
     GDALRasterBand* mask = alpha_band_ != 0 ? dataset_->GetRasterBand(alpha_band_) : nullptr;
     if (mask == nullptr && (flags & GMF_PER_DATASET) != 0) mask = first->GetMaskBand();
     const GSpacing line = static_cast<GSpacing>(kPixelBytes) * columns;
-    if (mask != nullptr && mask->RasterIO(GF_Read, column, row, columns, rows, rgba + 3, columns, rows, GDT_Byte, kPixelBytes, line,
-                                          nullptr) != CE_None)
+    if (mask != nullptr && mask->RasterIO(GF_Read, column, row, columns, rows, rgba + 3, columns, rows, GDT_Byte, kPixelBytes,
+                                          line, nullptr) != CE_None)
         return false;
     for (std::size_t n = 0; n < pixels; ++n) {
         std::uint8_t* const p = rgba + kPixelBytes * n;

@@ -54,9 +54,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 const Display::MemoryCut Display::kCuts[] = {
     {effects::kTerrainHeights, &Display::heights_memory_},  {effects::kTerrainIndex, &Display::index_memory_},
     {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kTerrainAttributes, &Display::attributes_memory_},
-    {effects::kTerrainDrape, &Display::drape_memory_},
-    {effects::kStaging, &Display::staging_memory_},         {effects::kLodScratch, &Display::lod_memory_},
-    {effects::kSymbology, &Display::symbology_memory_}};
+    {effects::kTerrainDrape, &Display::drape_memory_},      {effects::kStaging, &Display::staging_memory_},
+    {effects::kLodScratch, &Display::lod_memory_},          {effects::kSymbology, &Display::symbology_memory_}};
 
 gl::GlError Display::cut_memory(base::Arena& memory) {
     for (const MemoryCut& cut : kCuts) {

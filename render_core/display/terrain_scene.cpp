@@ -70,7 +70,7 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const des
 void TerrainScene::decide_drape(const design::DesignSettings& design) {
     if (!needs_map(design.terrain.style, design::BakedMap::drape)) return;
     const terrain::FileHeader& h = database_.header();
-    drape_ = h.drape_posts == 0         ? DrapeState::not_in_database
+    drape_ = h.drape_posts == 0          ? DrapeState::not_in_database
              : device_->drape_pages == 0 ? DrapeState::not_on_device
                                          : DrapeState::shown;
     if (drape_ != DrapeState::shown) return;
@@ -88,7 +88,8 @@ gl::GlError TerrainScene::start_store(const TerrainInput& input, const TerrainMe
         database_, *input.reader, settings, {memory.index, memory.records, memory.payloads, memory.attributes, &memory.drape});
     if (failure.error == terrain::TdbError::too_large)
         return gl::make_error(
-            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights', 'terrain_attributes' and 'terrain_drape' "
+            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights', 'terrain_attributes' and "
+            "'terrain_drape' "
             "do not hold max_chunk_slots, attribute_pages and drape_pages; raise them in the device file");
     return failure.error == terrain::TdbError::none ? gl::GlError{} : database_error(failure);
 }

@@ -4,7 +4,8 @@
 /// sum is the correctly rounded one of the same real number in every chunk that shares the vertex.
 ///
 /// Memory    GPU slots, one a payload slot of the store, from the lines terrain_vertices and terrain_indices; pages from
-///           terrain_pages and terrain_drape_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives one sentence.
+///           terrain_pages and terrain_drape_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives
+///           one sentence.
 #pragma once
 
 #include "render_core/design/design_settings.hpp"

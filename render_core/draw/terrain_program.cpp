@@ -89,7 +89,9 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
     defines.add_if(variant.baked, "#define BAKED 1\n");
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
-        defines.add_if((variant.baked || static_cast<BakedMap>(map) == BakedMap::drape) && variant.maps[map] && needs_map(style, static_cast<BakedMap>(map)), kMapDefines[map]);
+        defines.add_if((variant.baked || static_cast<BakedMap>(map) == BakedMap::drape) && variant.maps[map] &&
+                           needs_map(style, static_cast<BakedMap>(map)),
+                       kMapDefines[map]);
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.outlined, "#define DISTANCE_IN_ALPHA 1\n");

@@ -17,7 +17,7 @@ public:
 
     /// Starts anew. Boxes count as in view if they are when stretched upwards by `reach_m`. False when the roots alone do not
     /// fit; `stop()` says what they exceed. `with_image`: where tau is met everywhere, what budgets leave goes to the image.
-    [[nodiscard]] bool run(Priority priority, double reach_m, bool with_image);
+    [[nodiscard]] bool run(Priority priority, double reach_m, bool with_image = true);
     /// The last run split chunks for the sake of the image.
     [[nodiscard]] bool refined_image() const { return refines_image_; }
 

@@ -58,9 +58,8 @@ bool ranges_hold(const FileHeader& h) {
     for (std::uint32_t level = 0; level < kMaxLevels; ++level)
         errors = errors && (level >= h.levels || within(h.tolerance_m[level], 0, kLargestError_m));
     const bool names = h.source[sizeof h.source - 1] == 0 && h.vertical_datum[sizeof h.vertical_datum - 1] == 0;
-    const bool pictures =
-        (h.drape_posts == 0 || (h.drape_posts == kDrapePosts && h.drape_level < h.levels)) &&
-        within(h.light_azimuth_deg, -360, 360) && within(h.light_elevation_deg, -90, 90);
+    const bool pictures = (h.drape_posts == 0 || (h.drape_posts == kDrapePosts && h.drape_level < h.levels)) &&
+                          within(h.light_azimuth_deg, -360, 360) && within(h.light_elevation_deg, -90, 90);
     return h.header_bytes == sizeof h && heights && errors && names && pictures &&
            h.void_posts <= std::uint64_t{h.columns} * h.rows;
 }

@@ -28,10 +28,10 @@ inline constexpr std::uint32_t kMaxDirectoryPages = 1024;
 
 /// Arenas by budget line. `attributes` may be empty when there are no attribute slots, `drape` is null without drape slots.
 struct StoreMemory {
-    base::Arena& index;       ///< terrain_index, after the database took its part
-    base::Arena& records;     ///< terrain_chunk_slots
-    base::Arena& payloads;    ///< terrain_heights
-    base::Arena& attributes;  ///< terrain_attributes
+    base::Arena& index;            ///< terrain_index, after the database took its part
+    base::Arena& records;          ///< terrain_chunk_slots
+    base::Arena& payloads;         ///< terrain_heights
+    base::Arena& attributes;       ///< terrain_attributes
     base::Arena* drape = nullptr;  ///< terrain_drape: pages and their records
 };
 

@@ -59,10 +59,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 program.value().destroy(session.gl);
             }
         // A misspelt name would never be found.
-        for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) {
-                EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
-            }
+        for (std::size_t n = 0; n < kTerrainUniforms; ++n) EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
         session.gl.seal();
         session.gl.retire();
     }
@@ -88,6 +85,16 @@ TEST(TerrainProgram, AMapThatIsNotThereIsNotRead) {
     EXPECT_NE(std::string(terrain_defines(style, variant).view()).find("#define MAP_FORM 1\n"), std::string::npos);
     variant.baked = false;
     EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_"), std::string::npos);
+}
+
+TEST(TerrainProgram, TheImageNeedsNoAttributePages) {
+    TerrainStyle style;
+    style.texture = TerrainTexture::image;
+    TerrainVariant variant;
+    variant.maps[static_cast<std::size_t>(design::BakedMap::drape)] = true;
+    EXPECT_NE(std::string(terrain_defines(style, variant).view()).find("#define MAP_DRAPE 1\n"), std::string::npos);
+    style.texture = TerrainTexture::slope;
+    EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_DRAPE"), std::string::npos);
 }
 
 TEST(TerrainProgram, TheLongestListOfDefinesIsNotCut) {
