@@ -37,13 +37,13 @@ double lifted_error_px(const ChunkEntry& entry, const View& view, std::uint8_t c
 bool LodRefinement::run(Priority priority, double reach_m, bool with_image) {
     priority_ = priority;
     reach_m_ = reach_m;
+    refines_image_ = false;
     queued_ = 0;
     triangles_ = chunks_ = 0;
     stop_ = LodStop::met;
     largest_lift_m_ = 0;
     tree_.clear(catalogue_.lattice());
     if (!add_roots()) return false;
-    refines_image_ = false;
     refine_with_causes();
     refines_image_ = with_image && settings_.drape.texel_m > 0 && stop_ == LodStop::met;
     if (refines_image_) {

@@ -33,6 +33,10 @@ StoreSettings settings(ArrivalMode mode) {
     s.payload_slots = 20;
     s.directory_pages = 8;
     s.attribute_slots = 6;
+    return s;
+}
+StoreSettings with_drape(ArrivalMode mode) {
+    StoreSettings s = settings(mode);
     s.drape_slots = 5;
     return s;
 }
@@ -95,7 +99,7 @@ TEST(TerrainStore, ChunksAndTheirAttributePagesArriveWhenReplaySaysSo) {
 }
 
 TEST(TerrainStore, DrapePagesArriveAlongWithTheChunksThatHaveOne) {
-    StartedStore s(tdb().bytes, settings(ArrivalMode::exact));
+    StartedStore s(tdb().bytes, with_drape(ArrivalMode::exact));
     for (int n = 0; n < 2; ++n) {
         frame(s.store, kPath);
         EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot) << "frame " << n;
@@ -112,20 +116,20 @@ TEST(TerrainStore, DrapePagesArriveAlongWithTheChunksThatHaveOne) {
 }
 
 TEST(TerrainStore, WithoutDrapeSlotsNoPageIsRead) {
-    StoreSettings without = settings(ArrivalMode::exact);
+    StoreSettings without = with_drape(ArrivalMode::exact);
     without.drape_slots = 0;
     StartedStore s(tdb().bytes, without);
     ASSERT_EQ(s.failure.error, TdbError::none);
     EXPECT_EQ(TerrainStore::drape_bytes(without), 0u);
     for (int n = 0; n < 4; ++n) frame(s.store, kPath);
     EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot);
-    EXPECT_LT(TerrainStore::reader_tickets(without), TerrainStore::reader_tickets(settings(ArrivalMode::exact)));
+    EXPECT_LT(TerrainStore::reader_tickets(without), TerrainStore::reader_tickets(with_drape(ArrivalMode::exact)));
 }
 
 TEST(TerrainStore, ADamagedDrapePageIsMissedAndSaid) {
     std::vector<std::uint8_t> bytes = tdb().bytes;
     bytes[static_cast<std::size_t>(tdb().entry({1, 1, 1}).drape.offset) + 777] ^= 1;
-    StartedStore s(bytes, settings(ArrivalMode::exact));
+    StartedStore s(bytes, with_drape(ArrivalMode::exact));
     for (int n = 0; n < 4; ++n) frame(s.store, kPath);
     EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot);
     EXPECT_NE(s.store.drape_slot({2, 0, 0}), kNoSlot);
