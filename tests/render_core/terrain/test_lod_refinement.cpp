@@ -118,7 +118,7 @@ const WrittenTdb& draped() {
 
 LodSettings with_image() {
     LodSettings settings;
-    settings.drape = {2 * 92.7 / 4, 1};
+    settings.drape = {92.7 / 4, 1};
     return settings;
 }
 
