@@ -23,7 +23,7 @@ constexpr double kNearlyAsFine = 1.01;           // a texel a hundredth larger t
 constexpr int kProbes = 17;                      // places along each side of terrain and image that look for the other
 constexpr double kMove = 1.0 / 64;               // posts
 constexpr std::size_t kStripBytes = 4u << 20;    // of pixels read at once
-constexpr std::int64_t kMostBlocks = 8'000'000;  // of a page; only where a map projection tears it apart
+constexpr std::int64_t kMostBlocks = 1'000'000;  // of a page; only where a map projection tears it apart
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 struct Pixel {

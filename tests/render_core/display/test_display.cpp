@@ -452,9 +452,10 @@ std::size_t image_pixels(const Picture& picture) {
 
 TEST(Display, AnImageIsShownWithinItsBudgetOnEveryDevice) {
     const host_sim::Raster raster = test_support::make_rough_raster(241, 241);
-    test_support::MemoryBytes bytes(test_support::draped_image(raster, test_support::image_over(raster, 2, [](int, int) {
-                                                                   return test_support::Rgba{10, 40, 250, 255};
-                                                               })));
+    const std::vector<std::uint8_t> image = test_support::draped_image(raster, test_support::image_over(raster, 2, [](int, int) {
+                                                                           return test_support::Rgba{10, 40, 250, 255};
+                                                                       }));
+    test_support::MemoryBytes bytes(image);
     for (const char* device : {"es2-small", "es3-mid", "desktop"}) {
         HeadlessDisplay display("egl", device, 320, 240, &bytes, image_design());
         const Picture picture = picture_of(display, aircraft_at(2500, 30, -15));
@@ -485,9 +486,10 @@ TEST(Display, WhereTheDatabaseHasNoImageThePlainColourIsDrawnAndSaid) {
 
 TEST(Display, OtherStylesReadNoImage) {
     const host_sim::Raster raster = test_support::make_rough_raster(241, 241);
-    test_support::MemoryBytes bytes(test_support::draped_image(raster, test_support::image_over(raster, 2, [](int, int) {
-                                                                   return test_support::Rgba{10, 40, 250, 255};
-                                                               })));
+    const std::vector<std::uint8_t> image = test_support::draped_image(raster, test_support::image_over(raster, 2, [](int, int) {
+                                                                           return test_support::Rgba{10, 40, 250, 255};
+                                                                       }));
+    test_support::MemoryBytes bytes(image);
     HeadlessDisplay draped("egl", "es3-mid", 320, 240, &bytes);
     OverHills without;
     EXPECT_EQ(picture_of(draped, aircraft_at(2500)), picture_of(without.display, aircraft_at(2500)));

@@ -104,6 +104,8 @@ public:
         session_.gl.begin_frame();
         EXPECT_TRUE(drawer_.prepare(session_.gl, terrain_.selected(), input));
         gl::bind_surface(session_.gl, *session_.surface);
+        // Beyond the terrain the plain colour as well.
+        session_.gl->ClearColor(kPlain.red / 255.0f, kPlain.green / 255.0f, kPlain.blue / 255.0f, 1);
         session_.gl->Clear(GL_COLOR_BUFFER_BIT);
         session_.gl->Enable(GL_DEPTH_TEST);
         session_.gl->Enable(GL_CULL_FACE);
@@ -163,7 +165,7 @@ TEST_P(TerrainDrape, EverySquareOfAChequeredImageIsSeenWhereItLies) {
                 beside += picture.is(at->x, at->y, {next[0], next[1], next[2]}, 3) ? 1 : 0;
                 ++seen;
             }
-        EXPECT_GT(seen, 30);
+        EXPECT_GT(seen, 15);
         EXPECT_EQ(beside, 0) << "control: the square beside it has another colour";
     }
 }
@@ -305,7 +307,7 @@ private:
     [[nodiscard]] double image_at(double i, double j) const {
         const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
         const double u = i - static_cast<double>(a), v = j - static_cast<double>(b);
-        const auto n = [&](std::size_t x, std::size_t y) { return double{noise[y * 400 + x]}; };
+        const auto n = [&](std::size_t x, std::size_t y) { return static_cast<double>(noise[y * 400 + x]); };
         return (n(a, b) * (1 - u) + n(a + 1, b) * u) * (1 - v) + (n(a, b + 1) * (1 - u) + n(a + 1, b + 1) * u) * v;
     }
 };
