@@ -16,7 +16,7 @@ using Stages = std::vector<BuildStage>;
 // Processor time, microseconds a post; only the proportions count.
 namespace cost {
 constexpr double kImport = 0.2, kPyramid = 0.03, kVoids = 0.03, kBorders = 0.05, kSlopes = 0.02, kChunks = 2.2, kCoarse = 0.03,
-                 kProof = 0.25, kAttributes = 1.6, kDrape = 1, kDirectory = 0.02, kVerification = 0.3;
+                 kProof = 0.25, kAttributes = 1.6, kDrape = 1.8, kDirectory = 0.02, kVerification = 0.3;
 }
 
 double posts_of(const BuildPlan& plan) { return static_cast<double>(plan.header.columns) * plan.header.rows; }

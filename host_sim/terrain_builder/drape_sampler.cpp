@@ -26,9 +26,32 @@ constexpr std::size_t kStripBytes = 4u << 20;    // of pixels read at once
 constexpr std::int64_t kMostBlocks = 1'000'000;  // of a page; only where a map projection tears it apart
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
-struct Pixel {
-    double x = kNowhere, y = kNowhere;  // whole numbers at corners
+using Pixel = DrapeSampler::Pixel;
+
+struct PixelBounds {
+    double west = 1e300, east = -1e300, north = 1e300, south = -1e300;
+
+    void cut_columns(double first, double last) {
+        west = std::max(west, first);
+        east = std::min(east, last);
+    }
+    void cut_rows(double first, double last) {
+        north = std::max(north, first);
+        south = std::min(south, last);
+    }
 };
+
+PixelBounds bounds_of(const std::vector<Pixel>& places) {
+    PixelBounds bounds;
+    for (const Pixel& p : places) {
+        if (std::isnan(p.x)) continue;
+        bounds.west = std::min(bounds.west, p.x);
+        bounds.east = std::max(bounds.east, p.x);
+        bounds.north = std::min(bounds.north, p.y);
+        bounds.south = std::max(bounds.south, p.y);
+    }
+    return bounds;
+}
 
 /// From places every half knot, those between all knots, if the ones in the middle prove that good enough.
 bool interpolate(const std::vector<Pixel>& halves, std::vector<Pixel>& pixels) {
@@ -129,13 +152,6 @@ private:
     int goes_round_ = 0;
 };
 
-/// Where the texels of a page lie in the image.
-struct DrapeSampler::Places {
-    std::vector<Pixel> pixels;
-
-    [[nodiscard]] const Pixel& at(std::uint32_t a, std::uint32_t b) const { return pixels[std::size_t{b} * kDrapePosts + a]; }
-};
-
 /// Means of blocks of pixels, in a window: RGB times coverage and coverage, 0..255.
 struct DrapeSampler::Blocks {
     std::int64_t column = 0, row = 0;
@@ -144,28 +160,18 @@ struct DrapeSampler::Blocks {
     std::vector<std::array<float, 4>> mean;
 
     /// Those that a page needs; none where it lies beside the image.
-    static Blocks needed(const Places& places, const Reader& reader, int width, int height) {
-        double west = 1e300, east = -1e300, north = 1e300, south = -1e300;
-        for (const Pixel& p : places.pixels) {
-            if (std::isnan(p.x)) continue;
-            west = std::min(west, p.x);
-            east = std::max(east, p.x);
-            north = std::min(north, p.y);
-            south = std::max(south, p.y);
-        }
+    static Blocks needed(const std::vector<Pixel>& places, const Reader& reader, int width, int height) {
+        PixelBounds bounds = bounds_of(places);
+        if (reader.goes_round() == 0) bounds.cut_columns(-kNearImage * width, reader.image.columns() + kNearImage * width);
+        bounds.cut_rows(-kNearImage * height, reader.image.rows() + kNearImage * height);
         Blocks blocks;
-        if (reader.goes_round() == 0) {
-            west = std::max(west, -double{kNearImage} * width);
-            east = std::min(east, reader.image.columns() + double{kNearImage} * width);
-        }
-        north = std::max(north, -double{kNearImage} * height);
-        south = std::min(south, reader.image.rows() + double{kNearImage} * height);
-        if (!(west <= east && north <= south)) return blocks;
+        if (!(bounds.west <= bounds.east && bounds.north <= bounds.south)) return blocks;
         for (blocks.width = width, blocks.height = height;; blocks.width *= 2, blocks.height *= 2) {
-            blocks.column = static_cast<std::int64_t>(std::floor(west / blocks.width - 0.5));
-            blocks.row = static_cast<std::int64_t>(std::floor(north / blocks.height - 0.5));
-            blocks.columns = static_cast<std::int64_t>(std::floor(east / blocks.width - 0.5)) + 2 - blocks.column;
-            blocks.rows = static_cast<std::int64_t>(std::floor(south / blocks.height - 0.5)) + 2 - blocks.row;
+            const auto first = [](double edge, int size) { return static_cast<std::int64_t>(std::floor(edge / size - 0.5)); };
+            blocks.column = first(bounds.west, blocks.width);
+            blocks.row = first(bounds.north, blocks.height);
+            blocks.columns = first(bounds.east, blocks.width) + 2 - blocks.column;
+            blocks.rows = first(bounds.south, blocks.height) + 2 - blocks.row;
             if (blocks.columns * blocks.rows <= kMostBlocks) break;
         }
         blocks.mean.resize(static_cast<std::size_t>(blocks.columns * blocks.rows));
@@ -308,7 +314,7 @@ void DrapeSampler::choose_level() {
 }
 
 /// Each knot is transformed, the texels between are interpolated; all are transformed where that is not accurate.
-void DrapeSampler::place_texels(const Reader& reader, std::uint32_t i, std::uint32_t j, Places& places) const {
+std::vector<DrapeSampler::Pixel> DrapeSampler::place_texels(const Reader& reader, std::uint32_t i, std::uint32_t j) const {
     const auto degrees_of = [&](std::uint32_t step, std::vector<double>& x, std::vector<double>& y) {
         const double texel = std::ldexp(1 / kTexelsPerPost, static_cast<int>(finest_level_));
         for (std::uint32_t b = 0; b < kDrapePosts; b += step)
@@ -318,14 +324,15 @@ void DrapeSampler::place_texels(const Reader& reader, std::uint32_t i, std::uint
             }
     };
     std::vector<double> x, y;
-    std::vector<Pixel> knots;
+    std::vector<Pixel> knots, places;
     degrees_of(kKnot / 2, x, y);
     reader.to_pixels(x, y, knots);
-    if (interpolate(knots, places.pixels)) return;
+    if (interpolate(knots, places)) return places;
     x.clear();
     y.clear();
     degrees_of(1, x, y);
-    reader.to_pixels(x, y, places.pixels);
+    reader.to_pixels(x, y, places);
+    return places;
 }
 
 std::unique_ptr<DrapeSampler::Reader> DrapeSampler::take_reader() {
@@ -342,12 +349,11 @@ std::unique_ptr<DrapeSampler::Reader> DrapeSampler::take_reader() {
 
 void DrapeSampler::sample(std::uint32_t i, std::uint32_t j, terrain::DrapePage& page) {
     std::unique_ptr<Reader> reader = take_reader();
-    Places places;
-    place_texels(*reader, i, j, places);
+    const std::vector<Pixel> places = place_texels(*reader, i, j);
     Blocks blocks = Blocks::needed(places, *reader, block_columns_, block_rows_);
     blocks.read(*reader);
-    for (std::size_t n = 0; n < places.pixels.size(); ++n) {
-        const std::array<float, 4> color = blocks.at(places.pixels[n]);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        const std::array<float, 4> color = blocks.at(places[n]);
         for (std::size_t c = 0; c < 4; ++c) page.rgba[n][c] = static_cast<std::uint8_t>(std::lround(color[c]));
     }
     const std::lock_guard lock(mutex_);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -25,12 +26,16 @@ public:
     ~DrapeSampler();
 
     [[nodiscard]] std::uint32_t finest_level() const { return finest_level_; }
+    /// A place in the image, whole numbers at the corners of pixels; NaN where there is none.
+    struct Pixel {
+        double x = std::numeric_limits<double>::quiet_NaN(), y = std::numeric_limits<double>::quiet_NaN();
+    };
+
     /// The page of chunk (i, j) of the finest level. Any thread. Throws UserError where the file is damaged.
     void sample(std::uint32_t i, std::uint32_t j, terrain::DrapePage& page);
 
 private:
     class Reader;
-    struct Places;
     struct Blocks;
     struct Post {
         double column, row;
@@ -38,7 +43,7 @@ private:
 
     [[nodiscard]] std::vector<Post> probes(const Reader& reader) const;
     void choose_level();
-    void place_texels(const Reader& reader, std::uint32_t i, std::uint32_t j, Places& places) const;
+    [[nodiscard]] std::vector<Pixel> place_texels(const Reader& reader, std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] double latitude_deg(double row) const;
     [[nodiscard]] std::unique_ptr<Reader> take_reader();
 
