@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -490,12 +491,15 @@ TEST(Display, OtherStylesReadNoImage) {
                                                                            return test_support::Rgba{10, 40, 250, 255};
                                                                        }));
     test_support::MemoryBytes bytes(image);
-    HeadlessDisplay draped("egl", "es3-mid", 320, 240, &bytes);
-    OverHills without;
-    EXPECT_EQ(picture_of(draped, aircraft_at(2500)), picture_of(without.display, aircraft_at(2500)));
-    EXPECT_EQ(effect_of(draped, "drape"), nullptr);
-    EXPECT_EQ(draped.display().record().bytes.gpu, without.display.display().record().bytes.gpu);
-    EXPECT_FALSE(has_flag(draped, "terrain.no_image"));
+    const auto shown = [](test_support::MemoryBytes& database) {
+        HeadlessDisplay display("egl", "es3-mid", 320, 240, &database);
+        const Picture picture = picture_of(display, aircraft_at(2500));
+        EXPECT_EQ(effect_of(display, "drape"), nullptr);
+        EXPECT_FALSE(has_flag(display, "terrain.no_image"));
+        return std::pair(picture.rgba, display.display().record().bytes.gpu);
+    };
+    test_support::MemoryBytes without(hills().image);
+    EXPECT_EQ(shown(bytes), shown(without));
 }
 
 TEST(Display, HeightAboveTerrainIsFromTheSurfaceThatIsDrawn) {
