@@ -176,6 +176,11 @@ void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
         ->add_option("--encoding", o.encoding,
                      "how the colours of RGB rasters hold heights: terrain-rgb (Mapbox) or terrarium (Mapzen)")
         ->check(CLI::IsMember({"terrain-rgb", "terrarium"}));
+    command->add_option("--drape", o.drape, "image to drape the terrain with: colour, grey or palette, georeferenced");
+    command->add_option("--drape-crs", o.drape_crs, "coordinate system of that image where it does not state it");
+    command->add_option(
+        "--drape-extent", o.drape_extent,
+        "W,S,E,N: outer edges of an image that does not say where it lies, in units of --drape-crs, else in degrees");
     add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
     command->add_option("--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(from_zero());
 }

@@ -13,6 +13,7 @@
 #include "host_sim/reports/sheet_page.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/temporary_folder.hpp"
+#include "host_sim/terrain_builder/generated_image.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -24,7 +25,14 @@ struct SheetJob {
     SheetPlan plan;
     PictureOptions picture;
     AircraftPose pose;
+    bool has_generated_image = false;
 };
+
+bool shows_drape(const FrameResult& result) {
+    for (const display::EffectRecord& effect : result.record.effects)
+        if (effect.name.view() == "drape") return effect.state == display::EffectState::run;
+    return false;
+}
 
 PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture) {
     PictureOptions options = job.picture;
@@ -50,9 +58,14 @@ void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
     TerrainBuildOptions build;
     build.rasters = {shipped_root() + "/configs/data/" + job.plan.terrain};
     build.output = folder + "/" + std::filesystem::path(job.plan.terrain).stem().string() + ".tdb";
+    if (job.plan.generated_image) {
+        build.drape = folder + "/generated_image.tif";
+        write_generated_image(build.rasters.front(), build.drape);
+    }
     Console only_notes = console.without_result();
     (void)run_terrain_build(build, only_notes);
     job.picture.terrain = build.output;
+    job.has_generated_image = job.plan.generated_image;
 }
 
 /// Draws one picture into `drawn`; a sentence where a part of the terrain failed.
@@ -63,6 +76,7 @@ std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned,
     drawn.file = planned.file;
     drawn.result = posed_frame(session, job.pose, {});
     drawn.pixels = upright(session.pixels());
+    if (job.has_generated_image && shows_drape(drawn.result)) drawn.title += " (generated)";
     gl = session.gl_description();
     return session.terrain_fault();
 }

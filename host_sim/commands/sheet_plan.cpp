@@ -62,6 +62,7 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     plan.title = read_title(root);
     plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
     plan.terrain = std::string(root.text("terrain"));
+    plan.generated_image = root.boolean("generated_image", false);
     plan.size.width = static_cast<std::uint32_t>(root.integer("width_px", 64, 4096));
     plan.size.height = static_cast<std::uint32_t>(root.integer("height_px", 48, 4096));
     plan.symbology = root.boolean("symbology", false);

@@ -22,9 +22,10 @@ struct SheetPlan {
     };
     std::string title;
     std::uint32_t columns = 0;
-    std::string terrain;     ///< raster in configs/data that the sheet shows unless a database is given
-    PictureSize size;        ///< of each picture, unless --size says another
-    bool symbology = false;  ///< PictureOptions::symbology
+    std::string terrain;           ///< raster in configs/data that the sheet shows unless a database is given
+    bool generated_image = false;  ///< an invented image is draped over that terrain
+    PictureSize size;              ///< of each picture, unless --size says another
+    bool symbology = false;        ///< PictureOptions::symbology
     AircraftPose pose;
     std::vector<Group> groups;
 

@@ -27,6 +27,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kMetresPerDegree = 111132;  // of latitude, mean
+
 GeoBounds parse_bounds(const std::string& text) {
     const std::vector<double> n = parse_number_list(text, ',');
     const GeoBounds b = n.size() == 4 ? GeoBounds{n[0], n[1], n[2], n[3]} : GeoBounds();
@@ -37,12 +39,14 @@ GeoBounds parse_bounds(const std::string& text) {
     return b;
 }
 
-MapExtent parse_extent(const std::string& text) {
+/// `option` is "--extent" or "--drape-extent", and `crs` the option beside it.
+MapExtent parse_extent(const std::string& option, const std::string& crs, const std::string& text) {
     const std::vector<double> n = parse_number_list(text, ',');
     if (n.size() != 4 || !(n[0] < n[2]) || !(n[1] < n[3]))
-        throw UserError("--extent " + text +
+        throw UserError(option + " " + text +
                         ": not W,S,E,N with W < E and S < N; write the outer edges of the raster, in degrees "
-                        "or in units of the system named with --crs");
+                        "or in units of the system named with " +
+                        crs);
     return {n[0], n[1], n[2], n[3]};
 }
 
@@ -62,7 +66,7 @@ RasterOptions raster_options(const TerrainBuildOptions& options) {
     if (!options.bounds.empty()) raster.bounds = parse_bounds(options.bounds);
     raster.void_value = options.void_value;
     if (!std::isfinite(options.accuracy_m)) throw UserError("--accuracy: must be a number of metres, 0 for unknown");
-    if (!options.extent.empty()) raster.extent = parse_extent(options.extent);
+    if (!options.extent.empty()) raster.extent = parse_extent("--extent", "--crs", options.extent);
     raster.vertical_datum = parse_choice<VerticalDatum>("--vertical-datum", options.vertical_datum,
                                                         {"egm96", VerticalDatum::egm96}, {"ellipsoid", VerticalDatum::ellipsoid});
     raster.encoding = parse_choice<HeightEncoding>("--encoding", options.encoding, {"terrain-rgb", HeightEncoding::terrain_rgb},
@@ -76,10 +80,29 @@ void report_progress(std::string_view what, std::uint64_t done, std::uint64_t to
     if (interrupt.requested()) throw Interrupted(std::string("interrupted; ") + left_behind);
 }
 
+std::optional<DrapeOptions> drape_options(const TerrainBuildOptions& options) {
+    if (options.drape.empty()) {
+        if (!options.drape_crs.empty() || !options.drape_extent.empty())
+            throw UserError("--drape-crs and --drape-extent speak of an image; name it with --drape");
+        return std::nullopt;
+    }
+    DrapeOptions drape;
+    drape.file = options.drape;
+    if (!options.drape_crs.empty()) drape.crs = options.drape_crs;
+    if (!options.drape_extent.empty()) drape.extent = parse_extent("--drape-extent", "--drape-crs", options.drape_extent);
+    return drape;
+}
+
+std::vector<std::string> files_of(const TerrainBuildOptions& options) {
+    std::vector<std::string> files = options.rasters;
+    if (!options.drape.empty()) files.push_back(options.drape);
+    return files;
+}
+
 /// A build goes on where files of the same names, sizes and times and the same options are given.
 std::string identity_of(const TerrainBuildOptions& options) {
     std::ostringstream text;
-    for (const std::string& file : options.rasters) {
+    for (const std::string& file : files_of(options)) {
         std::error_code ignored;
         text << std::filesystem::weakly_canonical(file, ignored).string() << '\n'
              << std::filesystem::file_size(file, ignored) << ' '
@@ -89,7 +112,9 @@ std::string identity_of(const TerrainBuildOptions& options) {
          << options.extent << '\n'
          << options.bounds << '\n'
          << options.vertical_datum << '\n'
-         << options.encoding;
+         << options.encoding << '\n'
+         << options.drape_crs << '\n'
+         << options.drape_extent;
     if (options.void_value) text << '\n' << std::hexfloat << *options.void_value;
     return text.str();
 }
@@ -110,10 +135,15 @@ TerrainSources sources_of(const TerrainBuildOptions& options, Console& console) 
     std::vector<std::string> notes;
     TerrainSources sources = sources_of_files(options.rasters, raster_options(options), notes);
     for (const std::string& note : notes) console.note("note: " + note);
+    sources.drape = drape_options(options);
     return sources;
 }
 
 double south_deg(const terrain::Lattice& lattice) { return base::degrees(lattice.latitude_rad(lattice.rows() - 1)); }
+
+double drape_texel_deg(const terrain::FileHeader& h) {
+    return h.step_lat_deg * std::ldexp(double{terrain::kChunkCells} / (terrain::kDrapePosts - 1), h.drape_level);
+}
 
 Json describe_levels(const std::vector<LevelSummary>& levels) {
     Json json = Json::array();
@@ -122,6 +152,7 @@ Json describe_levels(const std::vector<LevelSummary>& levels) {
                         {"vertices", level.vertices},
                         {"triangles", level.triangles},
                         {"bytes", level.payload_bytes},
+                        {"drape_pages", level.drape_pages},
                         {"worst_error_m", level.worst_error_m},
                         {"worst_bound_m", level.worst_bound_m}});
     return json;
@@ -146,6 +177,8 @@ Json describe(const OpenDatabase& open) {
     json["chunks"] = h.chunk_count;
     json["bytes"] = h.file_bytes;
     json["tolerance_m"] = std::vector<float>(h.tolerance_m, h.tolerance_m + h.levels);
+    json["drape"] = nullptr;
+    if (h.drape_posts != 0) json["drape"] = {{"texel_deg", drape_texel_deg(h)}, {"finest_level", h.drape_level}};
     json["by_level"] = describe_levels(summarise_levels(open));
     return json;
 }
@@ -159,7 +192,15 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
          << h.west_deg + h.step_lon_deg * (h.columns - 1) << " E, heights " << h.min_height_m << " .. " << h.max_height_m
          << " m above MSL (EGM96)\n"
          << "  " << h.void_posts << " void posts, " << h.chunk_count << " chunks on " << h.levels << " levels, " << h.file_bytes
-         << " bytes";
+         << " bytes\n";
+    if (h.drape_posts == 0) {
+        text << "  no image drape";
+    } else {
+        std::uint64_t pages = 0;
+        for (const LevelSummary& level : summarise_levels(open)) pages += level.drape_pages;
+        text << "  image drape of " << pages << " pages, texels of "
+             << std::lround(drape_texel_deg(h) * kMetresPerDegree * 10) / 10.0 << " m at the finest";
+    }
     return text.str();
 }
 
@@ -168,7 +209,7 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const TerrainSources sources = sources_of(options, console);
-    require_other_file(options.output, options.rasters);
+    require_other_file(options.output, files_of(options));
     build_terrain(sources, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
     console.progress_done();
     const OpenDatabase built(options.output);

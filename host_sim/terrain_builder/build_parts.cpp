@@ -10,11 +10,12 @@ using namespace terrain;
 constexpr std::uint32_t kBuilderVersion = 2;  // another one makes other files: work folders are not taken over
 
 /// What makes two builds the same: posts, options and the program.
-std::uint64_t key_of_build(const TerrainPlan& plan, const BuildOptions& options) {
+std::uint64_t key_of_build(const TerrainPlan& plan, const std::optional<DrapeOptions>& drape, const BuildOptions& options) {
     base::Fnv1a64 hash;
     hash.add_u32_little_endian(kBuilderVersion);
     hash.add(&plan.fine.header, sizeof plan.fine.header);
     for (const PostRange& region : plan.coverage.regions()) hash.add(&region, sizeof region);
+    if (drape) hash.add(drape->file.data(), drape->file.size());
     hash.add(options.identity.data(), options.identity.size());
     return hash.value();
 }
@@ -44,7 +45,7 @@ BuildParts::BuildParts(const TerrainSources& from, const std::string& in, const 
       folder(in),
       plan(from, options),
       layout(plan.coarse, plan.fine.lattice, plan.coverage),
-      journal(folder, key_of_build(plan, options)),
+      journal(folder, key_of_build(plan, sources.drape, options)),
       record(journal.last()),
       posts(folder + "/posts", plan.coarse.header.columns, plan.coarse.header.rows, plan.coarse.lattice.is_closed()),
       import(plan.coarse, sources.open, posts),
@@ -64,6 +65,9 @@ BuildParts::BuildParts(const TerrainSources& from, const std::string& in, const 
       baker(plan.fine, layout, plan.coverage, inset_pyramid, store),
       directory{plan.fine, plan.coverage, layout, entries} {
     regions = make_regions(*this);
+    if (sources.drape)
+        drape = std::make_unique<DrapeBaker>(plan.coarse, plan.coverage.base_level(), *sources.drape, store,
+                                             [this](const ChunkKey& key) { return entries.read(key).drape; });
     if (!journal.resumes()) record.end = layout.open_parts;
 }
 

@@ -11,6 +11,7 @@
 #include "host_sim/terrain_builder/build_journal.hpp"
 #include "host_sim/terrain_builder/coarse_proof.hpp"
 #include "host_sim/terrain_builder/directory_writer.hpp"
+#include "host_sim/terrain_builder/drape_baker.hpp"
 #include "host_sim/terrain_builder/inset_region.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
 
@@ -64,6 +65,7 @@ public:
     std::vector<std::unique_ptr<InsetRegion>> regions;
     InsetPyramid inset_pyramid;
     AttributeBaker baker;
+    std::unique_ptr<DrapeBaker> drape;  ///< null: no image was given
     const DirectorySources directory;
 
 private:

@@ -30,7 +30,7 @@ inline constexpr std::uint32_t kMostThreads = 6;
 /// A unit is the domain of one chunk of this level: what one thread works on, with its posts in memory.
 inline constexpr std::uint32_t kUnitLevel = 5;
 /// Meshes up to this level are made from all posts, those above from the vertices of the meshes so many levels below, whose
-/// tolerance is 16 times as fine.
+/// tolerance is 16 times as fine; above the units also from posts spread over the chunk.
 inline constexpr std::uint32_t kLevelsBelow = 3;
 inline constexpr std::uint32_t kUnitCells = terrain::kChunkCells << kUnitLevel;
 

@@ -1,5 +1,6 @@
 #include "host_sim/terrain_builder/build_stages.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "host_sim/terrain_builder/inset_stages.hpp"
@@ -15,7 +16,7 @@ using Stages = std::vector<BuildStage>;
 // Processor time, microseconds a post; only the proportions count.
 namespace cost {
 constexpr double kImport = 0.2, kPyramid = 0.03, kVoids = 0.03, kBorders = 0.05, kSlopes = 0.02, kChunks = 2.2, kCoarse = 0.03,
-                 kProof = 0.25, kAttributes = 1.6, kDirectory = 0.02, kVerification = 0.3;
+                 kProof = 0.25, kAttributes = 1.6, kDrape = 1.8, kDirectory = 0.02, kVerification = 0.3;
 }
 
 double posts_of(const BuildPlan& plan) { return static_cast<double>(plan.header.columns) * plan.header.rows; }
@@ -110,6 +111,25 @@ void keep_pages(BuildParts& p, const std::vector<BakedPage>& pages) {
     }
 }
 
+void keep_drape(BuildParts& p, const std::optional<BakedPage>& page) {
+    if (!page) return;
+    ChunkEntry entry = p.entries.read(page->chunk);
+    entry.drape = page->place;
+    entry.drape.offset = p.append(ChunkPart::drape, page->chunk, page->place, {page->bytes.data(), page->bytes.size()});
+    p.entries.write(entry);
+}
+
+/// A level is made from the whole one below it.
+void add_drape_stages(BuildParts& p, Stages& stages) {
+    if (p.drape == nullptr) return;
+    double part = std::exp2(-2.0 * p.drape->first_level());  // of the texels of level 0
+    for (std::uint32_t level = p.drape->first_level(); level < p.drape->end_level(); ++level, part /= 4)
+        stages.push_back({"drape", cost::kDrape * part, [&p, level] { return p.drape->task_count(level); },
+                          [&p, level](std::uint32_t task) {
+                              return Finish([&p, page = p.drape->run(level, task)] { keep_drape(p, page); });
+                          }});
+}
+
 void write_header(BuildParts& p) {
     p.database.resize(p.record.end);
     const PostStatistics& statistics = p.record.statistics;
@@ -119,12 +139,17 @@ void write_header(BuildParts& p) {
     header.min_height_m = statistics.min_height_m;
     header.max_height_m = statistics.max_height_m;
     header.file_bytes = p.record.end;
+    if (p.drape != nullptr) {
+        header.drape_posts = kDrapePosts;
+        header.drape_level = static_cast<std::uint16_t>(p.drape->first_level() + p.plan.coverage.base_level());
+    }
     write_frame(p.directory, header, p.database);
 }
 
 void add_directory_stages(BuildParts& p, Stages& stages) {
     stages.push_back({"attributes", cost::kAttributes, [&p] { return p.baker.task_count(); },
                       [&p](std::uint32_t task) { return Finish([&p, pages = p.baker.run(task)] { keep_pages(p, pages); }); }});
+    add_drape_stages(p, stages);
     add_inset_entry_stages(p, stages);
     const Lattice& lattice = p.plan.fine.lattice;
     for (std::uint32_t level = p.plan.coverage.base_level(); level < p.plan.fine.levels(); ++level)

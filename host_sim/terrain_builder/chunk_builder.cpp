@@ -26,8 +26,9 @@ std::uint16_t count_strips(const ChunkDraft& draft, const std::vector<std::uint1
 }
 
 // Of the tolerance. Where all posts are candidates, what may be missed between them: tighter costs triangles. Where candidates
-// are vertices of finer meshes, other posts are between them too. Without posts at hand, candidates leave room for the others.
-constexpr double kMissOfPosts = 1.25, kMissOfVertices = 1.0, kUnseenPosts = 0.8;
+// are vertices of finer meshes, other posts are between them too.
+constexpr double kMissOfPosts = 1.27, kMissOfVertices = 1.0;
+constexpr double kUsualSlope = 0.5;  // of the steepest of a chunk, which few of its triangles have
 constexpr double kLoosen = 1.25;
 constexpr int kMostAttempts = 6;
 
@@ -42,7 +43,7 @@ struct GroundOfChunk {
         const auto& chunk = *static_cast<const GroundOfChunk*>(context);
         const std::uint32_t j = chunk.posts.j0 + row;
         const CurvatureBound bound = curvature_bound(chunk.plan.lattice, posts_east, j, j + posts_south, 0);
-        return bound.down_m + chunk.slope * bound.shift_m;
+        return bound.down_m + kUsualSlope * chunk.slope * bound.shift_m;
     }
     static TinMiss miss(const void* context, const TinPost& a, const TinPost& b, const TinPost& c) {
         const auto& chunk = *static_cast<const GroundOfChunk*>(context);
@@ -109,7 +110,6 @@ Tin triangulate_chunk(const BuildPlan& plan, const Steepness& slopes, const Chun
     if (surface != nullptr) input.miss = &GroundOfChunk::miss;
     input.context = &ground;
     const double tolerance_m = plan.tolerance_m(key.level, key.j);
-    if (surface == nullptr) return within_capacity(input, kUnseenPosts * tolerance_m, 1);
     return within_capacity(input, tolerance_m, key.level <= kLevelsBelow ? kMissOfPosts : kMissOfVertices);
 }
 

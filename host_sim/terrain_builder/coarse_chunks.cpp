@@ -15,6 +15,8 @@ namespace {
 
 using namespace terrain;
 
+constexpr std::uint32_t kSpreadLevel = 4;  // chunks have as many spread posts as those of this level have posts
+
 /// A chunk as it was put into the store.
 ChunkDraft load_draft(const ChunkSources& s, const ChunkEntry& entry) {
     std::vector<std::uint8_t> bytes(entry.payload.bytes);
@@ -79,9 +81,9 @@ TinPost tin_post(const PostRange& posts, const Neighbourhood& around, std::uint3
 }
 
 /// Vertices of the meshes some levels below, each once.
-std::vector<TinPost> candidates(const ChunkSources& s, const EntriesFile& entries, const ChunkKey& key, const PostRange& posts) {
+void add_vertices_below(const ChunkSources& s, const EntriesFile& entries, const ChunkKey& key, const PostRange& posts,
+                        std::vector<TinPost>& result) {
     const std::uint32_t level = key.level - kLevelsBelow, side = 1u << kLevelsBelow;
-    std::vector<TinPost> result;
     for (std::uint32_t j = key.j * side; j < std::min((key.j + 1) * side, s.plan.lattice.grid_rows(level)); ++j)
         for (std::uint32_t i = key.i * side; i < std::min((key.i + 1) * side, s.plan.lattice.grid_columns(level)); ++i) {
             const ChunkDraft draft = load_draft(s, entries.read({level, i, j}));
@@ -95,6 +97,30 @@ std::vector<TinPost> candidates(const ChunkSources& s, const EntriesFile& entrie
                                   static_cast<float>(surfaces[n]), v.post_class()});
             }
         }
+}
+
+/// Posts of every so many rows and columns: where sides of coarse triangles cross a ridge between two of the vertices below,
+/// these show it.
+void add_spread_posts(const ChunkSources& s, const ChunkKey& key, const PostRange& posts, std::vector<TinPost>& result) {
+    const std::uint32_t step = 1u << (key.level - kSpreadLevel);
+    LatticeWindow row;
+    row.i0 = posts.i0;
+    row.columns = posts.i1 - posts.i0 + 1;
+    row.rows = 1;
+    for (std::uint32_t j = posts.j0 + step; j < posts.j1; j += step) {
+        row.j0 = j;
+        s.posts.read(row);
+        add_undulation(s.plan, row);
+        for (std::uint32_t i = posts.i0 + step; i < posts.i1; i += step)
+            result.push_back({static_cast<std::uint16_t>(i - posts.i0), static_cast<std::uint16_t>(j - posts.j0),
+                              row.surface_m[row.at(i, j)], row.post_class[row.at(i, j)]});
+    }
+}
+
+std::vector<TinPost> candidates(const ChunkSources& s, const EntriesFile& entries, const ChunkKey& key, const PostRange& posts) {
+    std::vector<TinPost> result;
+    add_vertices_below(s, entries, key, posts, result);
+    add_spread_posts(s, key, posts, result);
     return result;
 }
 

@@ -15,8 +15,13 @@
 namespace tedavis::host_sim {
 
 /// Borders keep closer than their level's meshes: a mesh can be no better than its border, and between a chord and the posts of
-/// the next row it is worse. At level 1 they keep every post that is not on a straight line.
-[[nodiscard]] constexpr double border_tolerance(std::uint32_t level) { return level == 1 ? 0.0 : level == 2 ? 0.06 : 0.12; }
+/// the next row it is worse. At level 1 they keep every post that is not on a straight line. Chunks of higher levels have fewer
+/// vertices, of which borders would take an ever larger share. Of the level's tolerance.
+[[nodiscard]] constexpr double border_tolerance(std::uint32_t level) {
+    constexpr double kTolerances[] = {0, 0, 0.06, 0.12, 0.15, 0.2, 0.4};
+    constexpr std::uint32_t kLast = sizeof kTolerances / sizeof kTolerances[0] - 1;
+    return kTolerances[level < kLast ? level : kLast];
+}
 /// Between two corners of the level below; with four sides of two halves each a third of a chunk's vertices at most.
 inline constexpr std::uint32_t kMostBorderInsertions = 127;
 

@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-enum class ChunkPart { regular, irregular, attributes };
+enum class ChunkPart { regular, irregular, attributes, drape };
 
 class PartStore {
 public:
@@ -16,7 +16,7 @@ public:
     /// `place` is where the part belongs in a database that is built. Any thread; different parts at once. Throws UserError.
     virtual void put(ChunkPart part, const terrain::ChunkKey& chunk, const terrain::PartPlace& place,
                      base::Span<const std::uint8_t> bytes) = 0;
-    /// An irregular payload that was put before, place.bytes of it.
+    /// An irregular payload or a drape page that was put before, place.bytes of it.
     virtual void get(const terrain::PartPlace& place, std::uint8_t* bytes) const = 0;
 };
 

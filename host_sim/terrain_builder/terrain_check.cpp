@@ -89,6 +89,14 @@ private:
         Bytes bytes;
         if (const char* fault = read(stated_.attributes, bytes); *fault != 0) return {name_ + " attributes", fault, 0};
         if (bytes != fresh_.read_part(expected_.attributes)) return {name_ + " attributes", "differ from the rasters", 0};
+        return drape();
+    }
+    [[nodiscard]] ChunkViolation drape() const {
+        Bytes bytes;
+        if (const char* fault = read(stated_.drape, bytes); *fault != 0) return {name_ + " drape", fault, 0};
+        // Without the image nobody can say what the drape should be.
+        const bool is_known = fresh_.database().header().drape_posts != 0;
+        if (is_known && bytes != fresh_.read_part(expected_.drape)) return {name_ + " drape", "differs from the image", 0};
         return {name_, "", 0};
     }
 
@@ -135,6 +143,10 @@ struct StatedFile {
 
 /// Places, names and what the user said of the sources are the file's own; everything else follows from the rasters.
 bool same_header(FileHeader stated, FileHeader expected) {
+    if (expected.drape_posts == 0 && stated.drape_posts != 0) {  // the image was not given: its pages are the file's own
+        stated.drape_posts = stated.drape_level = 0;
+        stated.file_bytes = expected.file_bytes;
+    }
     for (FileHeader* h : {&stated, &expected}) {
         h->page_table_crc = h->header_crc = 0;
         std::memset(h->source, 0, sizeof h->source);

@@ -24,6 +24,7 @@ struct TerrainCheck {
 };
 inline constexpr std::size_t kMostReported = 1000;
 
+/// A database with a drape is checked with or without the image: without it only the drape's checksums are.
 /// Finds damaged checksums, vertices, classes, triangles and attributes that differ from the rasters (also where checksums were
 /// rewritten to match), and errors that are larger than stated. Streams; work files lie in the folder `<database>.check`, as
 /// large as a build's, and are removed. Throws UserError when the file is no database or was not built from posts of this

@@ -1,11 +1,13 @@
-/// What a terrain is built from: a raster over all of it, and finer ones over parts of it.
+/// What a terrain is built from: a raster over all of it, finer ones over parts of it, and an image to drape it with.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/image_source.hpp"
 #include "host_sim/terrain_builder/inset_coverage.hpp"
 #include "host_sim/terrain_builder/inset_import.hpp"
 
@@ -14,6 +16,7 @@ namespace tedavis::host_sim {
 struct TerrainSources {
     PostReaderFactory open;
     std::vector<PostReaderFactory> insets;  ///< later ones lie over earlier ones
+    std::optional<DrapeOptions> drape;      ///< the image over it
 
     TerrainSources(PostReaderFactory whole) : open(std::move(whole)) {}  // a raster alone is a terrain. NOLINT(*-explicit-*)
     TerrainSources(PostReaderFactory whole, std::vector<PostReaderFactory> parts)

@@ -99,6 +99,7 @@ std::vector<LevelSummary> summarise_levels(const OpenDatabase& open) {
         level.vertices += entry.vertex_count;
         level.triangles += entry.triangle_count;
         level.payload_bytes += entry.payload.bytes;
+        level.drape_pages += entry.drape.bytes != 0 ? 1 : 0;
         level.worst_error_m = std::max({level.worst_error_m, entry.above_m, entry.below_m});
         level.worst_bound_m = std::max(level.worst_bound_m, entry.bound_m);
     });

@@ -39,7 +39,7 @@ void verify_database(const OpenDatabase& open, const std::function<void(std::uin
 
 /// Chunks of one level together.
 struct LevelSummary {
-    std::uint64_t chunks = 0, vertices = 0, triangles = 0, payload_bytes = 0;
+    std::uint64_t chunks = 0, vertices = 0, triangles = 0, payload_bytes = 0, drape_pages = 0;
     float worst_error_m = 0, worst_bound_m = 0;
 };
 /// From the directory, finest level first. Throws UserError.

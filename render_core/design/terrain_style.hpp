@@ -22,7 +22,7 @@ enum class TerrainTexture : std::uint8_t {
     slope,         ///< the slope palette over the angle
     local_relief,  ///< the relief palette over the height above the surroundings (Hesse 2010)
     openness,      ///< the openness palette over positive openness (Doneus 2013)
-    image,         ///< the drape baked into the database; plain where it has none
+    image,         ///< the drape baked into the database; plain where it has none. On slopes it does not stretch: terrain.frag
     material,      ///< rock, scree, grass and snow by slope and height
     lines,         ///< a grid of meridians and parallels on the plain colour
 };

@@ -41,8 +41,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
-        const TerrainMemory lines{index_memory_,      slots_memory_, heights_memory_,
-                                  attributes_memory_, lod_memory_,   staging_memory_};
+        const TerrainMemory lines{index_memory_, slots_memory_, heights_memory_, attributes_memory_,
+                                  drape_memory_, lod_memory_,   staging_memory_};
         const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, lines, output());
         if (!error.sentence.empty()) return error;
     }
@@ -54,8 +54,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 const Display::MemoryCut Display::kCuts[] = {
     {effects::kTerrainHeights, &Display::heights_memory_},  {effects::kTerrainIndex, &Display::index_memory_},
     {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kTerrainAttributes, &Display::attributes_memory_},
-    {effects::kStaging, &Display::staging_memory_},         {effects::kLodScratch, &Display::lod_memory_},
-    {effects::kSymbology, &Display::symbology_memory_}};
+    {effects::kTerrainDrape, &Display::drape_memory_},      {effects::kStaging, &Display::staging_memory_},
+    {effects::kLodScratch, &Display::lod_memory_},          {effects::kSymbology, &Display::symbology_memory_}};
 
 gl::GlError Display::cut_memory(base::Arena& memory) {
     for (const MemoryCut& cut : kCuts) {
@@ -246,6 +246,8 @@ void Display::plan_terrain() {
         return;
     }
     record_terrain(plan);
+    if (terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device)
+        flag("terrain.no_image");
     if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
     conditions_.terrain_is_coarse = true;
     decide_again();
@@ -298,7 +300,11 @@ void Display::note_effects() {
     note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
     note_silhouettes();
     note_sun();
-    record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(settings_.design.terrain.style) : Name("none");
+    note_drape();
+    design::TerrainStyle shown = settings_.design.terrain.style;
+    if (terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device)
+        shown.texture = design::TerrainTexture::plain;
+    record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(shown) : Name("none");
     record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
     record_.terrain_aspect.weight = 1;
 }
@@ -332,6 +338,20 @@ void Display::note_sun() {
         effect.reason.append("asked for by the design");
     }
     if (!decisions_.show_terrain) effect.state = EffectState::skipped;
+    static_cast<void>(record_.effects.try_push_back(effect));
+}
+
+void Display::note_drape() {
+    const DrapeState drape = terrain_.drape();
+    if (drape == DrapeState::not_asked_for) return;
+    const bool runs = drape == DrapeState::shown && decisions_.show_terrain;
+    EffectRecord effect;
+    effect.name = Name("drape");
+    effect.state = runs ? EffectState::run : EffectState::skipped;
+    effect.reason.append(drape == DrapeState::not_in_database ? "the terrain database has no image; the plain colour is drawn"
+                         : drape == DrapeState::not_on_device ? "the device has no room for an image; the plain colour is drawn"
+                         : runs                               ? "asked for by the design"
+                                                              : "removed by the failure policy");
     static_cast<void>(record_.effects.try_push_back(effect));
 }
 

@@ -83,7 +83,7 @@ private:
         std::string_view line;
         base::Arena Display::*arena;
     };
-    static const MemoryCut kCuts[7];
+    static const MemoryCut kCuts[8];
 
     [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
     [[nodiscard]] gl::GlError start_drawers();
@@ -100,6 +100,7 @@ private:
     void note_effects();
     void note_silhouettes();
     void note_sun();
+    void note_drape();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void flag(std::string_view name);
@@ -115,7 +116,7 @@ private:
 
     DisplaySettings settings_;
     gl::Gl gl_;
-    base::Arena heights_memory_, index_memory_, slots_memory_, attributes_memory_, staging_memory_, lod_memory_,
+    base::Arena heights_memory_, index_memory_, slots_memory_, attributes_memory_, drape_memory_, staging_memory_, lod_memory_,
         symbology_memory_;
     TerrainScene terrain_;
     draw::PicturePass picture_;

@@ -36,21 +36,9 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
     settings.mode = mode;
     settings.payload_slots = device.max_chunk_slots;
     settings.attribute_slots = device.attribute_pages;
+    settings.drape_slots = device.drape_pages;
     settings.arrival_frames = device.arrival_frames;
     return settings;
-}
-
-terrain::LodSettings lod_settings(const effects::DeviceSettings& device, const design::DesignSettings& design, const Eye& eye) {
-    terrain::LodSettings lod;
-    lod.tau_px = design.terrain.tau_px;
-    lod.max_triangles = device.triangle_budget;
-    lod.max_chunks = device.max_chunk_slots * 2 / 3;  // the others hold ancestors
-    if (device.terrain_ms > 0) lod.max_ms = device.terrain_ms;
-    lod.cost = {device.ns_per_triangle, device.us_per_chunk};
-    lod.haze_per_m = eye.haze_per_m;
-    lod.height_weight = eye.height_weight;
-    lod.conservative_up = design.terrain.conservative_up;
-    return lod;
 }
 
 gl::GlError database_error(const terrain::TdbFailure& failure) {
@@ -70,6 +58,7 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const des
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
     if (!opened.ok()) return database_error(opened.error());
     database_ = opened.value();
+    decide_drape(design);
     if (gl::GlError error = start_store(input, memory); !error.sentence.empty()) return error;
     if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
     if (gl::GlError error = drawer_.start(gl, store_, design, device, memory.staging, output); !error.sentence.empty())
@@ -79,15 +68,31 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const des
     return {};
 }
 
+/// Pages are read only where the style shows them.
+void TerrainScene::decide_drape(const design::DesignSettings& design) {
+    if (!needs_map(design.terrain.style, design::BakedMap::drape)) return;
+    const terrain::FileHeader& h = database_.header();
+    drape_ = h.drape_posts == 0          ? DrapeState::not_in_database
+             : device_->drape_pages == 0 ? DrapeState::not_on_device
+                                         : DrapeState::shown;
+    if (drape_ != DrapeState::shown) return;
+    const terrain::ChunkKey middle{h.drape_level, database_.lattice().grid_columns(h.drape_level) / 2,
+                                   database_.lattice().grid_rows(h.drape_level) / 2};
+    drape_detail_ = {draw::drape_texel_size(database_.lattice(), middle).north_m, h.drape_level};
+}
+
 gl::GlError TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
     if (!heights_.start(database_, memory.payloads))
         return gl::make_error("the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
-    const terrain::TdbFailure failure = store_.start(database_, *input.reader, store_settings(*device_, input.arrival),
-                                                     {memory.index, memory.records, memory.payloads, memory.attributes});
+    terrain::StoreSettings settings = store_settings(*device_, input.arrival);
+    if (drape_ != DrapeState::shown) settings.drape_slots = 0;
+    const terrain::TdbFailure failure = store_.start(
+        database_, *input.reader, settings, {memory.index, memory.records, memory.payloads, memory.attributes, &memory.drape});
     if (failure.error == terrain::TdbError::too_large)
         return gl::make_error(
-            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights' and 'terrain_attributes' do not hold "
-            "max_chunk_slots and attribute_pages; raise them in the device file");
+            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights', 'terrain_attributes' and "
+            "'terrain_drape' "
+            "do not hold max_chunk_slots, attribute_pages and drape_pages; raise them in the device file");
     return failure.error == terrain::TdbError::none ? gl::GlError{} : database_error(failure);
 }
 
@@ -110,8 +115,22 @@ terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double long
     return heights_.at(latitude_rad, longitude_rad);
 }
 
+terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& design, const Eye& eye) const {
+    terrain::LodSettings lod;
+    lod.tau_px = design.terrain.tau_px;
+    lod.max_triangles = device_->triangle_budget;
+    lod.max_chunks = device_->max_chunk_slots * 2 / 3;  // the others hold ancestors
+    if (device_->terrain_ms > 0) lod.max_ms = device_->terrain_ms;
+    lod.cost = {device_->ns_per_triangle, device_->us_per_chunk};
+    lod.haze_per_m = eye.haze_per_m;
+    lod.height_weight = eye.height_weight;
+    lod.conservative_up = design.terrain.conservative_up;
+    lod.drape = drape_detail_;
+    return lod;
+}
+
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
-    const terrain::LodSettings lod = lod_settings(*device_, design, eye);
+    const terrain::LodSettings lod = lod_settings(design, eye);
     store_.begin_frame();
     static_cast<void>(selector_.select(store_, seen_soon(eye.view), needed_soon(lod), SelectionKind::ideal, selected_));
     store_.want({wanted_.data(), selector_.wanted(wanted_)});

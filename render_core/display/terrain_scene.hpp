@@ -24,7 +24,15 @@ struct TerrainInput {
 
 /// By budget line.
 struct TerrainMemory {
-    base::Arena &index, &records, &payloads, &attributes, &lod, &staging;
+    base::Arena &index, &records, &payloads, &attributes, &drape, &lod, &staging;
+};
+
+/// What becomes of the image drape that a style asks for.
+enum class DrapeState : std::uint8_t {
+    not_asked_for,
+    shown,
+    not_in_database,  ///< it was built without an image: the plain colour is drawn
+    not_on_device,    ///< which has no room for its pages
 };
 
 /// What plan() found; plain data.
@@ -47,6 +55,7 @@ public:
     [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
     void destroy(gl::Gl& gl);
 
+    [[nodiscard]] DrapeState drape() const { return drape_; }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
 
@@ -66,6 +75,8 @@ public:
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
 
 private:
+    void decide_drape(const design::DesignSettings& design);
+    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
     [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
 
@@ -77,6 +88,8 @@ private:
     draw::TerrainDrawer drawer_;
     base::Span<terrain::SelectedChunk> selected_;
     base::Span<terrain::WantedChunk> wanted_;
+    DrapeState drape_ = DrapeState::not_asked_for;
+    terrain::DrapeDetail drape_detail_;
     std::uint32_t chunks_ = 0;
     bool started_ = false;
 };

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "render_core/gl/draw_triangles.hpp"
+#include "render_core/terrain/projected_error.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -17,6 +18,7 @@ using terrain::SelectedChunk;
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
+constexpr double kSmallestTexel_px = 0.7;
 constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
 enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
@@ -71,6 +73,7 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     output_ = output;
     if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
+    if (gl::GlError error = start_drape(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
     upload_palette(gl);
     return {};
@@ -111,11 +114,22 @@ gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& devi
                         staging);
 }
 
+gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
+    const auto slots = static_cast<std::uint32_t>(store_->drape_pages().use().capacity);
+    if (slots == 0) return {};
+    drape_generations_ = staging.allocate_array<std::uint32_t>(slots);
+    if (drape_generations_.empty())
+        return gl::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
+    for (std::uint32_t& generation : drape_generations_) generation = 0;
+    return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
+}
+
 gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     TerrainVariant variant;
     variant.output = output_;
     variant.lifted = design_.terrain.conservative_up;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
+    variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
         for (std::size_t pages = 0; pages < kPageVariants; ++pages) {
             const bool land_codes = output_ == TerrainOutput::code && pages == kWithPages;
@@ -135,6 +149,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
 void TerrainDrawer::destroy(gl::Gl& gl) {
     for (auto& of_bands : programs_)
         for (gl::Program& program : of_bands) program.destroy(gl);
+    drape_.destroy(gl);
     atlas_.destroy(gl);
     palette_.destroy(gl);
     indices_.destroy(gl);
@@ -166,7 +181,9 @@ void TerrainDrawer::upload_palette(gl::Gl& gl) {
 
 bool TerrainDrawer::prepare(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input) {
     for (const SelectedChunk& chunk : selected)
-        if (chunk.slot == terrain::kNoSlot || !upload_chunk(gl, chunk) || !upload_page(gl, chunk, input)) return false;
+        if (chunk.slot == terrain::kNoSlot || !upload_chunk(gl, chunk) || !upload_page(gl, chunk, input) ||
+            !upload_drape(gl, chunk, input.view))
+            return false;
     return true;
 }
 
@@ -239,6 +256,31 @@ bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const Te
     return atlas_.upload_horizon(gl, page.slot, attributes, azimuth, texel.east_m, texel.north_m);
 }
 
+/// The finest page that is there and whose texels are no smaller than pixels where the chunk is nearest: coarser ones have the
+/// mean of what would else flicker.
+TerrainDrawer::PageChoice TerrainDrawer::drape_of(const SelectedChunk& chunk, const terrain::View& view) const {
+    const terrain::Lattice& lattice = store_->lattice();
+    const double pixel_m = terrain::box_distance_m(*chunk.entry, view) / view.focal_px;
+    PageChoice finest;
+    for (terrain::ChunkKey owner = chunk.key; owner.level < lattice.levels(); owner = owner.parent()) {
+        const terrain::SlotIndex slot = store_->drape_slot(owner);
+        if (slot == terrain::kNoSlot) continue;
+        finest = {slot, owner};
+        if (drape_texel_size(lattice, owner).north_m >= kSmallestTexel_px * pixel_m) break;
+    }
+    return finest;
+}
+
+bool TerrainDrawer::upload_drape(gl::Gl& gl, const SelectedChunk& chunk, const terrain::View& view) {
+    if (!drape_.is_started()) return true;
+    const PageChoice page = drape_of(chunk, view);
+    if (page.slot == terrain::kNoSlot) return true;
+    const std::uint32_t generation = store_->drape_generation(page.slot);
+    if (drape_generations_[page.slot] == generation) return true;
+    drape_generations_[page.slot] = generation;
+    return drape_.upload(gl, page.slot, store_->drape(page.slot));
+}
+
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
     for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
@@ -246,6 +288,7 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
             if (program.valid()) set_frame_uniforms(gl, program, input, range);
     palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
+    if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
@@ -305,6 +348,13 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     if (pages == kWithCoast) {
         const bool has_void = (store_->attribute_pages().entry(page.slot).flags & terrain::kChunkHasVoid) != 0;
         gl->Uniform1f(program.uniform(kCoastSharp), has_void ? 1.0f : 0.0f);
+    }
+    if (drape_.is_started()) {
+        const PageChoice image = drape_of(chunk, input.view);
+        if (image.slot != terrain::kNoSlot)
+            set_drape_uniforms(gl, program, lattice, chunk.key, image.owner, drape_, image.slot);
+        else
+            set_no_drape(gl, program, drape_);
     }
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,

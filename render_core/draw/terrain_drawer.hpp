@@ -4,11 +4,13 @@
 /// sum is the correctly rounded one of the same real number in every chunk that shares the vertex.
 ///
 /// Memory    GPU slots, one a payload slot of the store, from the lines terrain_vertices and terrain_indices; pages from
-///           terrain_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives one sentence.
+///           terrain_pages and terrain_drape_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives
+///           one sentence.
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/drape_atlas.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
 #include "render_core/draw/terrain_uniforms.hpp"
@@ -82,6 +84,7 @@ private:
     };
     [[nodiscard]] gl::GlError start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
     [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
+    [[nodiscard]] gl::GlError start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
     [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
     void upload_palette(gl::Gl& gl);
     [[nodiscard]] terrain::MeshCount build_indices(const terrain::SelectedChunk& chunk);
@@ -89,6 +92,8 @@ private:
     [[nodiscard]] bool upload_page(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input);
     [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
     [[nodiscard]] bool database_has_coast() const;
+    [[nodiscard]] PageChoice drape_of(const terrain::SelectedChunk& chunk, const terrain::View& view) const;
+    [[nodiscard]] bool upload_drape(gl::Gl& gl, const terrain::SelectedChunk& chunk, const terrain::View& view);
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] std::size_t page_variant(const terrain::ChunkEntry& entry, bool baked) const;
     [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
@@ -102,8 +107,10 @@ private:
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
     PageAtlas atlas_;
+    DrapeAtlas drape_;
     base::Span<GpuSlot> slots_;
     base::Span<PageSlot> page_slots_;
+    base::Span<std::uint32_t> drape_generations_;  ///< by slot: what was uploaded
     base::Span<std::uint16_t> index_staging_;
     terrain::ChunkMeshScratch* scratch_ = nullptr;
 };

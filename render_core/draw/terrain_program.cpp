@@ -16,11 +16,11 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
 }  // namespace
 
 const char* const kTerrainUniformNames[kTerrainUniforms] = {
-    "chunk_offset", "view_projection", "to_local",     "haze_per_m",  "lift",         "place_end",     "earth_centre",
-    "page_window",  "stroke_window",   "form_map",     "light_map",   "aperture_map", "horizon_map",   "page_origin",
-    "page_scale",   "drape_map",       "drape_origin", "drape_scale", "palette",      "palette_range", "plain_color",
-    "sea_color",    "unknown_color",   "haze_color",   "pixel",       "grid_lines",   "lights",        "light",
-    "occlusion",    "line_color",      "form_lines",   "contour",     "strokes",      "page_texel",    "coast_sharp",
+    "chunk_offset", "view_projection", "to_local",     "haze_per_m",   "lift",         "place_end",     "earth_centre",
+    "page_window",  "stroke_window",   "form_map",     "light_map",    "aperture_map", "horizon_map",   "page_origin",
+    "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
+    "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
+    "occlusion",    "line_color",      "form_lines",   "contour",      "strokes",      "page_texel",    "coast_sharp",
     "band_color",   "band_lower",      "height_range"};
 
 namespace {
@@ -112,10 +112,10 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.baked, "#define BAKED 1\n");
     const bool coast = variant.baked && variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
     defines.add_if(coast, "#define COAST 1\n");
-    for (std::size_t map = 0; map < design::kBakedMaps; ++map) {
-        const bool is_read =
-            needs_map(style, static_cast<BakedMap>(map)) || (coast && static_cast<BakedMap>(map) == BakedMap::light);
-        defines.add_if(variant.baked && variant.maps[map] && is_read, kMapDefines[map]);
+    for (std::size_t n = 0; n < design::kBakedMaps; ++n) {
+        const auto map = static_cast<BakedMap>(n);
+        const bool is_there = variant.maps[n] && (variant.baked || map == BakedMap::drape);
+        defines.add_if(is_there && (needs_map(style, map) || (coast && map == BakedMap::light)), kMapDefines[n]);
     }
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");

@@ -1,6 +1,7 @@
 /// The shader program of one terrain style, for chunks with or without attribute pages and for a number of warning bands, or
 /// the one that writes codes.
 ///
+/// The image has pages of its own: chunks without one read a transparent place.
 /// A technique that the style does not ask for is not compiled. Without pages the vertex normal shades, and what only a page
 /// knows is left out (catalogue of replacements: README of this folder).
 /// Memory  none of ours. Thread  the GL thread. Failure  one sentence.
@@ -35,8 +36,8 @@ enum TerrainUniform : std::size_t {
     kPageOrigin,
     kPageScale,
     kDrapeMap,
+    kDrapeWindow,
     kDrapeOrigin,
-    kDrapeScale,
     kPalette,
     kPaletteRange,
     kPlainColor,

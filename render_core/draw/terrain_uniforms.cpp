@@ -92,6 +92,18 @@ void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of
                   static_cast<float>(std::fmod(posts.j0 * cell.north_m, period_m)));
 }
 
+/// Of so many posts, in the middle of a chunk.
+GroundSize post_size(const terrain::Lattice& lattice, const terrain::ChunkKey& chunk, double posts) {
+    const terrain::PostRange range = lattice.posts_of(chunk);
+    const std::uint32_t j = std::max((range.j0 + range.j1) / 2, 1u);
+    const double latitude = lattice.latitude_rad(j);
+    const double step_lon = lattice.longitude_rad(1) - lattice.longitude_rad(0);
+    const double step_lat = lattice.latitude_rad(j - 1) - latitude;
+    // At a pole columns meet; a millimetre keeps the azimuths defined.
+    const double east_m = step_lon * earth::prime_vertical_radius_m(latitude) * std::cos(latitude);
+    return {posts * std::fmax(east_m, 1e-3), posts * step_lat * earth::meridian_radius_m(latitude)};
+}
+
 }  // namespace
 
 void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range) {
@@ -161,15 +173,31 @@ void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::La
     gl->Uniform2f(program.uniform(kPageTexel), static_cast<float>(texel.east_m), static_cast<float>(texel.north_m));
 }
 
+void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
+                        const terrain::ChunkKey& owner, const DrapeAtlas& atlas, std::uint32_t slot) {
+    const terrain::PostRange posts = lattice.posts_of(chunk), page = lattice.posts_of(owner);
+    constexpr float kTexelsPerPost = (terrain::kDrapePosts - 1) / static_cast<float>(terrain::kChunkCells);
+    const float texels_per_post = kTexelsPerPost / static_cast<float>(1u << owner.level);
+    gl->Uniform3f(program.uniform(kDrapeWindow), texels_per_post, static_cast<float>(posts.i0 - page.i0) * texels_per_post,
+                  static_cast<float>(posts.j0 - page.j0) * texels_per_post);
+    const DrapeOrigin origin = atlas.origin(slot);
+    const GroundSize texel = drape_texel_size(lattice, owner);
+    gl->Uniform4f(program.uniform(kDrapeOrigin), origin.x, origin.y, static_cast<float>(texel.east_m / texel.north_m),
+                  atlas.scale());
+}
+
+void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atlas) {
+    gl->Uniform3f(program.uniform(kDrapeWindow), 0, 0, 0);
+    gl->Uniform4f(program.uniform(kDrapeOrigin), atlas.nowhere().x, atlas.nowhere().y, 1, atlas.scale());
+}
+
 GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {
-    const terrain::PostRange posts = lattice.posts_of(owner);
-    const std::uint32_t j = std::max((posts.j0 + posts.j1) / 2, 1u);
-    const double latitude = lattice.latitude_rad(j);
-    const double step_lon = lattice.longitude_rad(1) - lattice.longitude_rad(0), spacing = 1u << (owner.level - 1);
-    const double step_lat = lattice.latitude_rad(j - 1) - latitude;
-    // At a pole columns meet; a millimetre keeps the azimuths defined.
-    const double east_m = step_lon * earth::prime_vertical_radius_m(latitude) * std::cos(latitude);
-    return {spacing * std::fmax(east_m, 1e-3), spacing * step_lat * earth::meridian_radius_m(latitude)};
+    return post_size(lattice, owner, std::ldexp(0.5, static_cast<int>(owner.level)));
+}
+
+GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {
+    constexpr double kPostsPerTexel = terrain::kChunkCells / (terrain::kDrapePosts - 1.0);
+    return post_size(lattice, owner, std::ldexp(kPostsPerTexel, static_cast<int>(owner.level)));
 }
 
 float greatest_lift_m(const terrain::ChunkLift& lift) {

@@ -7,6 +7,7 @@
 
 #include "render_core/draw/color_table.hpp"
 #include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/drape_atlas.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_program.hpp"
 #include "render_core/terrain/lod_selection.hpp"
@@ -34,11 +35,18 @@ void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUnifo
 void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
                        const terrain::ChunkKey& owner, const PageAtlas& atlas, std::uint32_t slot);
 
+/// Where a chunk lies in the drape page of `owner`, itself or an ancestor.
+void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
+                        const terrain::ChunkKey& owner, const DrapeAtlas& atlas, std::uint32_t slot);
+/// For a chunk without such a page.
+void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atlas);
+
 struct GroundSize {
     double east_m = 0, north_m = 0;
 };
-/// Spacing of the texels of a chunk's attribute page, at its middle.
+/// Spacing of the texels of a chunk's attribute page, at its middle; and of its drape page.
 [[nodiscard]] GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
+[[nodiscard]] GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
 
 [[nodiscard]] float greatest_lift_m(const terrain::ChunkLift& lift);
 

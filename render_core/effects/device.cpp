@@ -19,7 +19,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kSymbologyVertices, base::MemoryKind::gpu}, {kFontAtlas, base::MemoryKind::gpu},
     {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
     {kLodScratch, base::MemoryKind::cpu},        {kTerrainAttributes, base::MemoryKind::cpu},
-    {kTerrainPages, base::MemoryKind::gpu}};
+    {kTerrainPages, base::MemoryKind::gpu},      {kTerrainDrape, base::MemoryKind::cpu},
+    {kTerrainDrapePages, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxCallExceptions> names;
@@ -99,6 +100,7 @@ base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string
     device.triangle_budget = static_cast<std::uint32_t>(root.integer("triangle_budget", 1000, 100'000'000));
     device.max_chunk_slots = static_cast<std::uint32_t>(root.integer("max_chunk_slots", 8, 65536));
     device.attribute_pages = static_cast<std::uint32_t>(root.integer("attribute_pages", 0, 1024, 0));
+    device.drape_pages = static_cast<std::uint32_t>(root.integer("drape_pages", 0, 1024, 0));
     device.arrival_frames = static_cast<std::uint32_t>(root.integer("arrival_frames", 1, 8, device.arrival_frames));
     read_costs(root.section("terrain_cost"), device);
     if (!root.has("gl")) root.fault("gl", "the table [gl] is missing; add it");

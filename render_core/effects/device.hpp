@@ -22,6 +22,8 @@ inline constexpr std::string_view kTerrainVertices = "terrain_vertices";
 inline constexpr std::string_view kTerrainIndices = "terrain_indices";
 inline constexpr std::string_view kTerrainAttributes = "terrain_attributes";
 inline constexpr std::string_view kTerrainPages = "terrain_pages";
+inline constexpr std::string_view kTerrainDrape = "terrain_drape";
+inline constexpr std::string_view kTerrainDrapePages = "terrain_drape_pages";
 inline constexpr std::string_view kSymbology = "symbology";
 inline constexpr std::string_view kSymbologyVertices = "symbology_vertices";
 inline constexpr std::string_view kFontAtlas = "font_atlas";
@@ -38,6 +40,7 @@ struct DeviceSettings {
     std::uint32_t triangle_budget = 0;             ///< terrain triangles a frame
     std::uint32_t max_chunk_slots = 0;             ///< terrain chunks resident at once, drawn ones and their ancestors
     std::uint32_t attribute_pages = 0;             ///< baked pages resident at once; 0: none are read, vertex normals must do
+    std::uint32_t drape_pages = 0;                 ///< pages of an image drape resident at once; 0: none are read
     std::uint32_t arrival_frames = 2;              ///< in replay a chunk arrives so many frames after it was asked for
     double terrain_ms = 0;                         ///< budget of the terrain pass; 0: none
     double ns_per_triangle = 0, us_per_chunk = 0;  ///< what terrain costs on this device, for that budget

@@ -45,18 +45,23 @@ double lifted_error_px(const ChunkEntry& entry, const View& view, std::uint8_t c
     return error_in_box_px(entry, view, double{above_m} + double{lift_m}, double{lift_m});
 }
 
-bool LodRefinement::run(Priority priority, double reach_m) {
+bool LodRefinement::run(Priority priority, double reach_m, bool with_image) {
     priority_ = priority;
     reach_m_ = reach_m;
+    refines_image_ = false;
     queued_ = 0;
     triangles_ = chunks_ = 0;
     stop_ = LodStop::met;
     largest_lift_m_ = 0;
     tree_.clear(catalogue_.lattice());
     if (!add_roots()) return false;
-    do {
-        refine();
-    } while (queue_causes_of_errors());
+    refine_with_causes();
+    refines_image_ = with_image && settings_.drape.texel_m > 0 && stop_ == LodStop::met;
+    if (refines_image_) {
+        for (NodeIndex n = 0; n < tree_.size(); ++n)
+            if (tree_.node(n).is_leaf && tree_.node(n).is_visible && !tree_.node(n).is_tried) push_large_texels(n);
+        refine_with_causes();
+    }
     if (settings_.conservative_up) poles_ = lift_leaves(tree_);
     return true;
 }
@@ -79,6 +84,12 @@ bool LodRefinement::add_roots() {
     return stop_ == LodStop::met;
 }
 
+void LodRefinement::refine_with_causes() {
+    do {
+        refine();
+    } while (queue_causes_of_errors());
+}
+
 /// Splits the worst first. What cannot be split is left, and what is less urgent may still fit.
 void LodRefinement::refine() {
     while (queued_ > 0) {
@@ -89,7 +100,7 @@ void LodRefinement::refine() {
         node.is_tried = true;
         node.blocked = static_cast<std::uint8_t>(reason);
         if (reason == LodStop::met || reason == LodStop::not_arrived || reason == LodStop::at_data_limit) continue;
-        if (stop_ == LodStop::met) stop_ = reason;
+        if (stop_ == LodStop::met && node.priority >= 0) stop_ = reason;
     }
 }
 
@@ -188,7 +199,21 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
     ++chunks_;
     node.error_px = mesh_error_px(*child.entry);
     // A comparison that NaN refuses refines.
-    if (!(node.error_px <= settings_.tau_px)) push(n, node.error_px);
+    if (!(node.error_px <= settings_.tau_px)) return push(n, node.error_px);
+    if (refines_image_) push_large_texels(n);
+}
+
+/// Priorities below zero: after all that have an error, the largest texels first.
+void LodRefinement::push_large_texels(NodeIndex n) {
+    if (const double texel = texel_px(tree_.node(n)); texel > kLargestTexel_px) push(n, -1 / texel);
+}
+
+/// Of the image as the node shows it, where it is nearest; 0 where no finer pages are to be had.
+double LodRefinement::texel_px(const LodNode& node) const {
+    const DrapeDetail& drape = settings_.drape;
+    if (!(drape.texel_m > 0) || node.key.level <= drape.level || node.entry->drape.bytes == 0) return 0;
+    const double texel_m = drape.texel_m * std::exp2(node.key.level - drape.level);
+    return texel_m * view_.focal_px / std::fmax(box_distance_m(*node.entry, view_), view_.near_m);
 }
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.
@@ -215,7 +240,7 @@ void LodRefinement::push(NodeIndex n, double error_px) {
     LodNode& node = tree_.node(n);
     node.is_queued = true;
     node.priority = error_px;
-    if (priority_ == Priority::seen_error)
+    if (priority_ == Priority::seen_error && error_px > 0)
         node.priority *= std::fmax(kLeastVisibility, std::exp(-settings_.haze_per_m * box_distance_m(*node.entry, view_)));
     heap_[queued_++] = n;
     std::push_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });

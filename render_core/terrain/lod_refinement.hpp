@@ -16,8 +16,10 @@ public:
         : catalogue_(catalogue), view_(view), settings_(settings), kind_(kind), tree_(tree), heap_(heap) {}
 
     /// Starts anew. Boxes count as in view if they are when stretched upwards by `reach_m`. False when the roots alone do not
-    /// fit; `stop()` says what they exceed.
-    [[nodiscard]] bool run(Priority priority, double reach_m);
+    /// fit; `stop()` says what they exceed. `with_image`: where tau is met everywhere, what budgets leave goes to the image.
+    [[nodiscard]] bool run(Priority priority, double reach_m, bool with_image = true);
+    /// The last run split chunks for the sake of the image.
+    [[nodiscard]] bool refined_image() const { return refines_image_; }
 
     /// Why the error of a leaf is what it is: it, the leaf that raises it or a coarser neighbour of them could not be split.
     [[nodiscard]] LodStop reason_for(NodeIndex leaf, NodeIndex raised_by) const;
@@ -45,6 +47,7 @@ private:
     };
 
     [[nodiscard]] bool add_roots();
+    void refine_with_causes();
     void refine();
     [[nodiscard]] LodStop try_split(NodeIndex node);
     [[nodiscard]] LodStop gather(NodeIndex node);
@@ -53,6 +56,7 @@ private:
     [[nodiscard]] LodStop exceeded_by_group() const;
     void split_group();
     void add(const Child& child, NodeIndex parent);
+    void push_large_texels(NodeIndex node);
     void push(NodeIndex node, double error_px);
     [[nodiscard]] NodeIndex pop();
     [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;
@@ -63,6 +67,7 @@ private:
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
     [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;
+    [[nodiscard]] double texel_px(const LodNode& node) const;
     [[nodiscard]] double milliseconds(std::int64_t triangles, std::int64_t chunks) const;
     [[nodiscard]] LodStop exceeded(std::int64_t triangles, std::int64_t chunks) const;
 
@@ -73,6 +78,7 @@ private:
     LodTree& tree_;
     base::Span<NodeIndex> heap_;
     double reach_m_ = 0;
+    bool refines_image_ = false;
     Priority priority_ = Priority::error;
     std::size_t queued_ = 0;
     std::int64_t triangles_ = 0, chunks_ = 0;

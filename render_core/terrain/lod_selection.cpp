@@ -85,8 +85,11 @@ LodResult LodSelector::select(ChunkCatalogue& catalogue, const View& view, const
 
 /// Where a budget ends the refinement, once more in the order in which errors are seen.
 bool LodSelector::refine(LodRefinement& refinement, const LodSettings& settings, double reach_m) {
-    if (!refinement.run(Priority::error, reach_m)) return false;
-    return refinement.stop() == LodStop::met || settings.haze_per_m == 0 || refinement.run(Priority::seen_error, reach_m);
+    if (!refinement.run(Priority::error, reach_m, true)) return false;
+    // A finer image must not cost accuracy.
+    const bool spoilt = refinement.stop() != LodStop::met && refinement.refined_image();
+    if (spoilt && !refinement.run(Priority::error, reach_m, false)) return false;
+    return refinement.stop() == LodStop::met || settings.haze_per_m == 0 || refinement.run(Priority::seen_error, reach_m, false);
 }
 
 void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,

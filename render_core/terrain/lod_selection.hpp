@@ -8,6 +8,8 @@
 ///             fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
 /// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst error,
 ///             and after true errors where budgets end the refinement.
+/// Image       where a drape is shown and tau is met everywhere, chunks are split whose texels are large in view, the largest
+///             first, with what the budgets leave. Should that take an error over tau, all is chosen again without.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
 ///             chunk's own lift; on borders and corners by the largest of all chunks that share them, so that shared vertices
 ///             agree (chunk_lift.hpp).
@@ -38,6 +40,13 @@ struct CostModel {
     double us_per_chunk = 0;
 };
 
+/// An image over the terrain. Chunks are split for its sake while its texels are larger on the screen than kLargestTexel_px.
+struct DrapeDetail {
+    double texel_m = 0;       ///< of the finest pages; 0: no image is shown
+    std::uint32_t level = 0;  ///< of the finest pages
+};
+inline constexpr double kLargestTexel_px = 2;
+
 struct LodSettings {
     double tau_px = 1;
     std::uint32_t max_triangles = 250000;
@@ -49,6 +58,8 @@ struct LodSettings {
     /// 0..1: how much an error of height counts as such, in pixels of its length, down to kFinestCell_px: where colours and lines
     /// show heights though their errors do not displace the picture, as on a map. No part of the worst error.
     double height_weight = 0;
+    /// What budgets leave after tau is spent on it. No part of any error.
+    DrapeDetail drape;
 };
 
 struct SelectedChunk {

@@ -39,6 +39,10 @@ inline constexpr std::uint32_t kAttributePosts = 65;
 inline constexpr std::uint32_t kHorizonPosts = 33;
 inline constexpr int kHorizonDirections = 16;
 
+/// Drape pages belong to chunks of FileHeader::drape_level and above; a chunk below uses its part of an ancestor's. 128 steps
+/// across 32 cells, a power of two: texels of a level lie on every second one of the level below, and on posts.
+inline constexpr std::uint32_t kDrapePosts = 129;
+
 enum class PostClass : std::uint8_t {
     land,
     sea,
@@ -76,7 +80,8 @@ struct FileHeader {
     std::uint32_t page_table_crc;
     char source[160];                              ///< names of the rasters, zero-terminated
     char vertical_datum[16];                       ///< of the source: "egm96" or "ellipsoid"
-    std::uint32_t drape_posts;                     ///< texels along the side of a drape page; 0: no drape
+    std::uint16_t drape_posts;                     ///< texels along the side of a drape page, kDrapePosts; 0: no drape
+    std::uint16_t drape_level;                     ///< finest level with drape pages: as fine as the image is
     float light_azimuth_deg, light_elevation_deg;  ///< of the baked light map
     std::uint32_t header_crc;                      ///< over all bytes before it
 };
@@ -92,7 +97,7 @@ struct PartPlace {
 struct ChunkEntry {
     PartPlace payload;
     PartPlace attributes;  ///< AttributePage (attribute_page.hpp)
-    PartPlace drape;       ///< RGB, drape_posts^2 texels
+    PartPlace drape;       ///< DrapePage; none where the image covers nothing of the chunk
     std::uint32_t i, j;    ///< chunk coordinates at its level
     std::uint8_t level;
     std::uint8_t flags;     ///< ChunkFlag
@@ -153,5 +158,14 @@ struct AttributePage {
     std::uint8_t horizon[kHorizonDirections][kHorizonPosts * kHorizonPosts];
 };
 static_assert(std::is_trivially_copyable_v<AttributePage>);
+
+/// The image over a chunk's whole domain, texel (0,0) at the north-west corner post, row by row, the last row and column being
+/// the neighbours' first. RGB times coverage, and coverage (0: the image has no data there): so a linear filter and a mean of
+/// texels stay right where the image ends. RGBA8 because 16-bit formats have no room for coverage or show steps of colour, and
+/// because every lane filters it; it is uploaded as it is.
+struct DrapePage {
+    std::uint8_t rgba[kDrapePosts * kDrapePosts][4];
+};
+static_assert(std::is_trivially_copyable_v<DrapePage>);
 
 }  // namespace tedavis::terrain

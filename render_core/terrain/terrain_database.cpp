@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t kMaxPosts = 1u << 24;  // a side; 2^24 posts of 1" circle the Earth twelve times
 constexpr std::uint32_t kMaxUndulationSide = 1u << 13;
-constexpr std::uint32_t kMaxDrapePosts = 1u << 12;
 constexpr double kHighest_m = 12000, kFarthest_m = 1e7;
 constexpr double kLargestError_m = 1e31;  // above what the builder states where every post is needed
 constexpr double kRounding_deg = 1e-6;
@@ -59,8 +58,8 @@ bool ranges_hold(const FileHeader& h) {
     for (std::uint32_t level = 0; level < kMaxLevels; ++level)
         errors = errors && (level >= h.levels || within(h.tolerance_m[level], 0, kLargestError_m));
     const bool names = h.source[sizeof h.source - 1] == 0 && h.vertical_datum[sizeof h.vertical_datum - 1] == 0;
-    const bool pictures =
-        h.drape_posts <= kMaxDrapePosts && within(h.light_azimuth_deg, -360, 360) && within(h.light_elevation_deg, -90, 90);
+    const bool pictures = (h.drape_posts == 0 || (h.drape_posts == kDrapePosts && h.drape_level < h.levels)) &&
+                          within(h.light_azimuth_deg, -360, 360) && within(h.light_elevation_deg, -90, 90);
     return h.header_bytes == sizeof h && heights && errors && names && pictures &&
            h.void_posts <= std::uint64_t{h.columns} * h.rows;
 }
@@ -126,7 +125,7 @@ bool parts_hold(const ChunkEntry& e, const FileHeader& h) {
         e.vertex_count * sizeof(ChunkVertex) + (regular ? 0 : e.triangle_count * 3 * sizeof(std::uint16_t));
     return e.payload.bytes != 0 && part_fits(e.payload, payload, h) &&
            part_fits(e.attributes, e.level == 0 ? 0 : sizeof(AttributePage), h) &&
-           part_fits(e.drape, std::uint64_t{h.drape_posts} * h.drape_posts * 3, h);
+           part_fits(e.drape, h.drape_posts == 0 || e.level < h.drape_level ? 0 : sizeof(DrapePage), h);
 }
 
 bool entry_holds(const ChunkEntry& e, const ChunkKey& key, const FileHeader& h, const Lattice& lattice) {

@@ -5,7 +5,7 @@
 namespace tedavis::terrain {
 namespace {
 
-/// Tickets: payload slots, then attribute slots, then directory pages.
+/// Tickets: payload slots, then attribute slots, drape slots, directory pages.
 PartCacheSettings payload_settings(const StoreSettings& s) {
     PartCacheSettings part;
     part.slots = s.payload_slots;
@@ -31,11 +31,23 @@ PartCacheSettings attribute_settings(const StoreSettings& s) {
     return part;
 }
 
+PartCacheSettings drape_settings(const StoreSettings& s) {
+    PartCacheSettings part = payload_settings(s);
+    part.slots = s.drape_slots;
+    part.slot_bytes = sizeof(DrapePage);
+    part.part = &ChunkEntry::drape;
+    part.holds = nullptr;
+    part.first_ticket = s.payload_slots + s.attribute_slots;
+    return part;
+}
+
 std::uint32_t most_pages(const StoreSettings& s) { return s.directory_pages != 0 ? s.directory_pages : kMaxDirectoryPages; }
 
 }  // namespace
 
-std::uint32_t TerrainStore::reader_tickets(const StoreSettings& s) { return s.payload_slots + s.attribute_slots + most_pages(s); }
+std::uint32_t TerrainStore::reader_tickets(const StoreSettings& s) {
+    return s.payload_slots + s.attribute_slots + s.drape_slots + most_pages(s);
+}
 
 std::uint64_t TerrainStore::index_bytes(const StoreSettings& s) { return DirectoryCache::bytes_needed(most_pages(s)); }
 
@@ -52,6 +64,12 @@ std::uint64_t TerrainStore::attribute_bytes(const StoreSettings& s) {
     return s.attribute_slots == 0 ? 0 : PartCache::part_bytes(attribute_settings(s));
 }
 
+std::uint64_t TerrainStore::drape_bytes(const StoreSettings& s) {
+    if (s.drape_slots == 0) return 0;
+    const PartCacheSettings part = drape_settings(s);
+    return PartCache::record_bytes(part) + PartCache::part_bytes(part);
+}
+
 TdbFailure TerrainStore::start(const TerrainDatabase& database, base::AsyncReader& reader, const StoreSettings& settings,
                                const StoreMemory& memory) {
     database_ = &database;
@@ -62,7 +80,7 @@ TdbFailure TerrainStore::start(const TerrainDatabase& database, base::AsyncReade
         --directory.pages;
     directory.mode = settings.mode;
     directory.retry_frames = settings.retry_frames;
-    directory.first_ticket = settings.payload_slots + settings.attribute_slots;
+    directory.first_ticket = settings.payload_slots + settings.attribute_slots + settings.drape_slots;
     if (directory.first_ticket + directory.pages > reader.capacity()) return {TdbError::too_large, 0};
     if (const TdbFailure failure = directory_.start(database, &reader, directory, memory.index); failure.error != TdbError::none)
         return failure;
@@ -75,6 +93,9 @@ TdbFailure TerrainStore::start(const TerrainDatabase& database, base::AsyncReade
             !attributes_.start(database, reader, attribute_settings(settings), memory.records, memory.attributes))
             return {TdbError::too_large, 0};
     }
+    if (settings.drape_slots != 0 &&
+        (memory.drape == nullptr || !drape_.start(database, reader, drape_settings(settings), *memory.drape, *memory.drape)))
+        return {TdbError::too_large, 0};
     return pin_roots();
 }
 
@@ -95,10 +116,12 @@ void TerrainStore::begin_frame() {
     directory_.begin_frame();
     payloads_.begin_frame();
     if (!attribute_list_.empty()) attributes_.begin_frame();
+    if (drape_.use().capacity != 0) drape_.begin_frame();
 }
 
 void TerrainStore::want(base::Span<const WantedChunk> chunks) {
     payloads_.want(chunks);
+    if (drape_.use().capacity != 0) drape_.want(chunks);
     if (attribute_list_.empty() || !attributes_wanted_) return;
     // Level-0 chunks use their parents' pages, and parents are wanted too.
     std::size_t count = 0;
@@ -119,15 +142,22 @@ const AttributePage& TerrainStore::attributes(SlotIndex slot) const {
     return *reinterpret_cast<const AttributePage*>(attributes_.bytes(slot).data());
 }
 
-bool TerrainStore::is_failing() const {
-    return directory_.failing() != 0 || payloads_.failing() != 0 || attributes_.failing() != 0;
+const DrapePage& TerrainStore::drape(SlotIndex slot) const {
+    return *reinterpret_cast<const DrapePage*>(drape_.bytes(slot).data());
 }
 
-std::uint64_t TerrainStore::failures() const { return directory_.failures() + payloads_.failures() + attributes_.failures(); }
+bool TerrainStore::is_failing() const {
+    return directory_.failing() != 0 || payloads_.failing() != 0 || attributes_.failing() != 0 || drape_.failing() != 0;
+}
+
+std::uint64_t TerrainStore::failures() const {
+    return directory_.failures() + payloads_.failures() + attributes_.failures() + drape_.failures();
+}
 
 const TdbFailure& TerrainStore::last_failure() const {
     if (payloads_.failures() != 0) return payloads_.last_failure();
-    return directory_.failures() != 0 ? directory_.last_failure() : attributes_.last_failure();
+    if (directory_.failures() != 0) return directory_.last_failure();
+    return attributes_.failures() != 0 ? attributes_.last_failure() : drape_.last_failure();
 }
 
 }  // namespace tedavis::terrain

@@ -1,4 +1,4 @@
-/// What of a database is in memory: directory pages, chunk payloads, attribute pages; all in fixed slots.
+/// What of a database is in memory: directory pages, chunk payloads, attribute pages, drape pages; all in fixed slots.
 ///
 /// A frame    begin_frame(); select ideally, with everything at hand; want() what that selection asks for; select again from what
 ///            is available; draw.
@@ -18,6 +18,7 @@ struct StoreSettings {
     std::uint32_t payload_slots = 0;  ///< roots included; half as many again as chunks are drawn lets ancestors stay beside them
     std::uint32_t directory_pages = 0;  ///< 0: as many as the index arena holds after the database, at most kMaxDirectoryPages
     std::uint32_t attribute_slots = 0;  ///< 0: attribute pages are not read
+    std::uint32_t drape_slots = 0;      ///< 0: drape pages are not read
     std::uint32_t arrival_frames = 2, window_frames = 8;
     std::uint32_t max_in_flight = 16;
     std::uint32_t retry_frames = 30, late_frames = 30;
@@ -25,12 +26,13 @@ struct StoreSettings {
 
 inline constexpr std::uint32_t kMaxDirectoryPages = 1024;
 
-/// Arenas by budget line. `attributes` may be empty when there are no attribute slots.
+/// Arenas by budget line. `attributes` may be empty when there are no attribute slots, `drape` is null without drape slots.
 struct StoreMemory {
-    base::Arena& index;       ///< terrain_index, after the database took its part
-    base::Arena& records;     ///< terrain_chunk_slots
-    base::Arena& payloads;    ///< terrain_heights
-    base::Arena& attributes;  ///< terrain_attributes
+    base::Arena& index;            ///< terrain_index, after the database took its part
+    base::Arena& records;          ///< terrain_chunk_slots
+    base::Arena& payloads;         ///< terrain_heights
+    base::Arena& attributes;       ///< terrain_attributes
+    base::Arena* drape = nullptr;  ///< terrain_drape: pages and their records
 };
 
 class TerrainStore final : public ChunkCatalogue {
@@ -42,7 +44,7 @@ public:
     /// Attribute pages that nobody reads need not be fetched; they are, until told.
     void fetch_attributes(bool wanted) { attributes_wanted_ = wanted; }
     void begin_frame();
-    /// Most urgent first, ancestors before their descendants. Attribute pages are wanted along with the chunks.
+    /// Most urgent first, ancestors before their descendants. Attribute and drape pages are wanted along with the chunks.
     void want(base::Span<const WantedChunk> chunks);
 
     [[nodiscard]] const Lattice& lattice() const override { return database_->lattice(); }
@@ -62,14 +64,20 @@ public:
     [[nodiscard]] const AttributePage& attributes(SlotIndex slot) const;
     [[nodiscard]] std::uint32_t attribute_generation(SlotIndex slot) const { return attributes_.generation(slot); }
 
+    /// Slot of a chunk's drape page; kNoSlot when it has none, or it is not available.
+    [[nodiscard]] SlotIndex drape_slot(const ChunkKey& key) const { return drape_.slot_of(key); }
+    [[nodiscard]] const DrapePage& drape(SlotIndex slot) const;
+    [[nodiscard]] std::uint32_t drape_generation(SlotIndex slot) const { return drape_.generation(slot); }
+
     [[nodiscard]] std::uint32_t pending() const { return payloads_.pending(); }  ///< chunks wanted and not available
-    [[nodiscard]] bool is_late() const { return payloads_.late() != 0 || attributes_.late() != 0; }
+    [[nodiscard]] bool is_late() const { return payloads_.late() != 0 || attributes_.late() != 0 || drape_.late() != 0; }
     [[nodiscard]] bool is_failing() const;
     [[nodiscard]] std::uint64_t failures() const;
     [[nodiscard]] const TdbFailure& last_failure() const;
     [[nodiscard]] const DirectoryCache& directory() const { return directory_; }
     [[nodiscard]] const PartCache& payloads() const { return payloads_; }
     [[nodiscard]] const PartCache& attribute_pages() const { return attributes_; }
+    [[nodiscard]] const PartCache& drape_pages() const { return drape_; }
 
     [[nodiscard]] static std::uint32_t reader_tickets(const StoreSettings& settings);
     /// Bytes that start() takes; of the index arena without the database, with settings.directory_pages or the most there can be.
@@ -77,13 +85,14 @@ public:
     [[nodiscard]] static std::uint64_t record_bytes(const StoreSettings& settings);
     [[nodiscard]] static std::uint64_t payload_bytes(const StoreSettings& settings);
     [[nodiscard]] static std::uint64_t attribute_bytes(const StoreSettings& settings);
+    [[nodiscard]] static std::uint64_t drape_bytes(const StoreSettings& settings);
 
 private:
     [[nodiscard]] TdbFailure pin_roots();
 
     const TerrainDatabase* database_ = nullptr;
     DirectoryCache directory_;
-    PartCache payloads_, attributes_;
+    PartCache payloads_, attributes_, drape_;
     base::Span<WantedChunk> attribute_list_;
     bool attributes_wanted_ = true;
 };

@@ -7,13 +7,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
 namespace tedavis::bench {
 
-/// Heights row by row; posts that are not valid have no error.
+struct FieldPost {
+    std::int32_t i = 0, j = 0;
+
+    [[nodiscard]] bool operator==(const FieldPost& o) const { return i == o.i && j == o.j; }
+};
+
+/// Heights row by row. Posts that are not valid have no error, but must be seen: a triangle over some of them gets one as a
+/// corner before anything else is refined, as chunks do it.
 struct HeightField {
     std::int32_t columns = 0, rows = 0;
     std::vector<float> height_m;
@@ -22,12 +30,7 @@ struct HeightField {
     [[nodiscard]] std::size_t at(std::int32_t i, std::int32_t j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i);
     }
-};
-
-struct FieldPost {
-    std::int32_t i = 0, j = 0;
-
-    [[nodiscard]] bool operator==(const FieldPost& o) const { return i == o.i && j == o.j; }
+    [[nodiscard]] std::size_t at(FieldPost post) const { return at(post.i, post.j); }
 };
 
 /// Positive when a, b, c turn clockwise seen from above (j runs south).
@@ -40,16 +43,11 @@ struct WorstPost {
     FieldPost post;
 };
 
-/// Of the valid posts in a triangle with its corners on the field, either winding.
-[[nodiscard]] inline WorstPost worst_post(const HeightField& field, FieldPost a, FieldPost b, FieldPost c) {
-    WorstPost worst;
-    const auto area = static_cast<double>(cross(a, b, c));
-    if (area == 0) return worst;
-    const double za = field.height_m[field.at(a.i, a.j)], zb = field.height_m[field.at(b.i, b.j)] - za,
-                 zc = field.height_m[field.at(c.i, c.j)] - za;
-    const double per_i = (zb * (c.j - a.j) - zc * (b.j - a.j)) / area, per_j = (zc * (b.i - a.i) - zb * (c.i - a.i)) / area;
+/// Calls f with every post in a triangle and on its sides; the corners have an area and either winding.
+template <class F>
+void for_posts(FieldPost a, FieldPost b, FieldPost c, F f) {
     for (std::int32_t j = std::min({a.j, b.j, c.j}); j <= std::max({a.j, b.j, c.j}); ++j) {
-        double first = field.columns, last = -1;
+        double first = std::numeric_limits<double>::max(), last = -1;
         for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
             if (p.j == q.j || j < std::min(p.j, q.j) || j > std::max(p.j, q.j)) continue;
             const double i = p.i + static_cast<double>(q.i - p.i) * (j - p.j) / (q.j - p.j);
@@ -57,18 +55,46 @@ struct WorstPost {
             last = std::max(last, i);
         }
         // A quotient of whole numbers below 2^20 that is not whole itself is further from one than this.
-        for (auto i = static_cast<std::int32_t>(std::ceil(first - 1e-7)); i <= last + 1e-7; ++i) {
-            const double error = std::abs(za + per_i * (i - a.i) + per_j * (j - a.j) - field.height_m[field.at(i, j)]);
-            if (error > worst.error_m && field.valid[field.at(i, j)] != 0) worst = {error, {i, j}};
-        }
+        for (auto i = static_cast<std::int32_t>(std::ceil(first - 1e-7)); i <= last + 1e-7; ++i) f(FieldPost{i, j});
     }
+}
+
+/// Of the valid posts in a triangle.
+[[nodiscard]] inline WorstPost worst_post(const HeightField& field, FieldPost a, FieldPost b, FieldPost c) {
+    WorstPost worst;
+    const auto area = static_cast<double>(cross(a, b, c));
+    if (area == 0) return worst;
+    const double za = field.height_m[field.at(a)], zb = field.height_m[field.at(b)] - za, zc = field.height_m[field.at(c)] - za;
+    const double per_i = (zb * (c.j - a.j) - zc * (b.j - a.j)) / area, per_j = (zc * (b.i - a.i) - zb * (c.i - a.i)) / area;
+    for_posts(a, b, c, [&](FieldPost post) {
+        const double error = std::abs(za + per_i * (post.i - a.i) + per_j * (post.j - a.j) - field.height_m[field.at(post)]);
+        if (error > worst.error_m && field.valid[field.at(post)] != 0) worst = {error, post};
+    });
     return worst;
+}
+
+/// The void post nearest to the middle of a triangle that has some, but none at its corners, infinitely wrong. Error 0: it is
+/// not such a triangle.
+[[nodiscard]] inline WorstPost hidden_void(const HeightField& field, FieldPost a, FieldPost b, FieldPost c) {
+    WorstPost hidden;
+    for (const FieldPost corner : {a, b, c})
+        if (field.valid[field.at(corner)] == 0) return hidden;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for_posts(a, b, c, [&](FieldPost post) {
+        if (field.valid[field.at(post)] != 0) return;
+        const std::int64_t di = 3 * std::int64_t{post.i} - a.i - b.i - c.i, dj = 3 * std::int64_t{post.j} - a.j - b.j - c.j;
+        if (di * di + dj * dj >= least) return;
+        least = di * di + dj * dj;
+        hidden = {std::numeric_limits<double>::infinity(), post};
+    });
+    return hidden;
 }
 
 class ReferenceTriangulation {
 public:
     /// The field must live as long.
-    explicit ReferenceTriangulation(const HeightField& field) : field_(field) {
+    explicit ReferenceTriangulation(const HeightField& field)
+        : field_(field), has_voids_(std::find(field.valid.begin(), field.valid.end(), 0) != field.valid.end()) {
         const FieldPost nw{0, 0}, ne{field.columns - 1, 0}, sw{0, field.rows - 1}, se{field.columns - 1, field.rows - 1};
         triangles_ = {{{nw, ne, se}, {-1, -1, 1}}, {{nw, se, sw}, {0, -1, -1}}};
         change_.assign(2, 0);
@@ -164,11 +190,15 @@ private:
     void measure(std::int32_t t) {
         const Triangle& triangle = at(t);
         const std::uint32_t change = ++change_[static_cast<std::size_t>(t)];
-        const WorstPost worst = worst_post(field_, triangle.corner[0], triangle.corner[1], triangle.corner[2]);
+        const auto& [a, b, c] = triangle.corner;
+        WorstPost worst;
+        if (has_voids_) worst = hidden_void(field_, a, b, c);
+        if (worst.error_m == 0) worst = worst_post(field_, a, b, c);
         if (worst.error_m > 0) open_.push({worst, t, change});
     }
 
     const HeightField& field_;
+    const bool has_voids_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> change_;  // of a triangle, so that an old measurement is known as such
     std::priority_queue<Open> open_;

@@ -52,7 +52,7 @@ inline void sign_chunks(std::vector<std::uint8_t>& image) {
         terrain::DirectoryPage page;
         std::memcpy(&page, image.data() + offset, sizeof page);
         for (terrain::ChunkEntry& entry : page.entries)
-            for (terrain::PartPlace* part : {&entry.payload, &entry.attributes})
+            for (terrain::PartPlace* part : {&entry.payload, &entry.attributes, &entry.drape})
                 if (part->bytes != 0) part->crc = base::crc32(image.data() + part->offset, part->bytes);
         page.crc = base::crc32(&page.level, sizeof page - offsetof(terrain::DirectoryPage, level));
         std::memcpy(image.data() + offset, &page, sizeof page);

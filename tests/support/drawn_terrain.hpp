@@ -16,20 +16,24 @@ namespace tedavis::test_support {
 
 class DrawnTerrain {
 public:
-    /// `source` must outlive it. Without attribute slots no attribute pages are read.
-    explicit DrawnTerrain(base::ByteSource& source, std::uint32_t slots = 512, std::uint32_t attribute_slots = 0)
-        : attributes_(attribute_slots * (sizeof(terrain::AttributePage) + 64) + 64), reader_(source, base::kMaxReadTickets) {
+    /// `source` must outlive it. Without attribute or drape slots no such pages are read.
+    explicit DrawnTerrain(base::ByteSource& source, std::uint32_t slots = 512, std::uint32_t attribute_slots = 0,
+                          std::uint32_t drape_slots = 0)
+        : attributes_(attribute_slots * (sizeof(terrain::AttributePage) + 64) + 64),
+          drape_(drape_slots * (sizeof(terrain::DrapePage) + 4096) + 64),
+          reader_(source, base::kMaxReadTickets) {
         terrain::StoreSettings settings;
         settings.payload_slots = slots;
         settings.attribute_slots = attribute_slots;
+        settings.drape_slots = drape_slots;
         settings.directory_pages = 512;
         settings.arrival_frames = 1;
         auto opened = terrain::TerrainDatabase::open(source, index_.arena);
         EXPECT_TRUE(opened.ok());
         if (!opened.ok()) return;
         database_ = opened.value();
-        const terrain::TdbFailure failure =
-            store_.start(database_, reader_, settings, {index_.arena, records_.arena, payloads_.arena, attributes_.arena});
+        const terrain::TdbFailure failure = store_.start(
+            database_, reader_, settings, {index_.arena, records_.arena, payloads_.arena, attributes_.arena, &drape_.arena});
         EXPECT_EQ(failure.error, terrain::TdbError::none) << to_string(failure.error);
         EXPECT_TRUE(selector_.start(records_.arena, 8 * slots));
         selected_.resize(slots);
@@ -74,7 +78,7 @@ private:
     };
     base::Span<terrain::SelectedChunk> span() { return {selected_.data(), selected_.size()}; }
 
-    Block index_{16u << 20}, records_{32u << 20}, payloads_{96u << 20}, attributes_;
+    Block index_{16u << 20}, records_{32u << 20}, payloads_{96u << 20}, attributes_, drape_;
     base::SynchronousReader reader_;
     terrain::TerrainDatabase database_;
     terrain::TerrainStore store_;

@@ -51,8 +51,6 @@ struct GdalBand {
         if (has_void != 0) std::replace(value.begin(), value.end(), void_value, std::nan(""));
     }
     [[nodiscard]] double at(std::int64_t i, std::int64_t j) const { return value[static_cast<std::size_t>(j * columns + i)]; }
-
-private:
     /// Of an archive, the only file in it.
     [[nodiscard]] static std::string path_of(const std::string& file) {
         if (file.size() < 4 || file.compare(file.size() - 4, 4, ".zip") != 0) return file;

@@ -16,12 +16,13 @@ struct PictureProof {
     double worst_px = 0;            ///< of columns, beyond half a pixel
     std::uint32_t worst_pose = 0;
 
-    /// Draws a pose's view as large as the display. `turned_px` moves the true skyline sideways: the control. Returns the
-    /// background pixels that are enclosed by ground.
+    /// Draws a pose's view as large as the display, and leaves it out where void ground is in it. `turned_px` moves the true
+    /// skyline sideways: the control. Returns the background pixels that are enclosed by ground.
     int include(HeadlessDisplay& headless, const GdalTerrain& truth, const HardPose& pose, std::uint32_t number,
                 int turned_px = 0) {
         const terrain::View view = resized(pose.view, headless.surface().width(), headless.surface().height());
         const TerrainPicture picture(headless, view, truth.middle());
+        if (shows_void(picture)) return 0;
         include(picture, TrueView(truth, view), number, turned_px);
         return picture.enclosed_background();
     }
@@ -42,6 +43,13 @@ struct PictureProof {
     }
 
 private:
+    /// Ground without data is drawn, is no part of the true surface and hides what lies behind it.
+    [[nodiscard]] static bool shows_void(const TerrainPicture& picture) {
+        for (const display::Name& flag : picture.record().flags)
+            if (flag.view() == "terrain.void") return true;
+        return false;
+    }
+
     static constexpr double kRasterising_px = 0.02;
 
     void include_column(const TerrainPicture& picture, const TrueView& seen, double reach_px, int column, int turned_px,

@@ -350,6 +350,8 @@ void WrittenTdb::assemble() {
     header_.min_height_m = static_cast<float>(*std::min_element(heights_.begin(), heights_.end()));
     header_.max_height_m = static_cast<float>(*std::max_element(heights_.begin(), heights_.end()));
     header_.page_count = lattice_.page_count();
+    header_.drape_posts = spec_.drape_level ? kDrapePosts : 0;
+    header_.drape_level = static_cast<std::uint16_t>(spec_.drape_level.value_or(0));
     header_.undulation_west_deg = -180;
     header_.undulation_north_deg = 90;
     header_.undulation_step_deg = kGridStep_deg;
@@ -380,6 +382,11 @@ void WrittenTdb::assemble() {
             const std::vector<std::uint8_t> page(sizeof(AttributePage), static_cast<std::uint8_t>(key.packed() % 251));
             chunk.entry.attributes = {bytes.size(), static_cast<std::uint32_t>(page.size()),
                                       base::crc32(page.data(), page.size())};
+            append(bytes, page.data(), page.size());
+        }
+        if (spec_.drape_level && key.level >= *spec_.drape_level) {
+            const std::vector<std::uint8_t> page(sizeof(DrapePage), drape_code(key));
+            chunk.entry.drape = {bytes.size(), static_cast<std::uint32_t>(page.size()), base::crc32(page.data(), page.size())};
             append(bytes, page.data(), page.size());
         }
         auto& page = pages[lattice_.page_index(key)];

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render_core/terrain/terrain_database.hpp"
@@ -22,7 +23,8 @@ struct TdbSpec {
     std::function<terrain::PostClass(std::uint32_t, std::uint32_t)> post_class;  ///< null: land
     std::function<bool(const terrain::ChunkKey&)> is_exact;                      ///< above level 0; null: none
     bool attributes = false;
-    bool measured = true;  ///< false: no errors are measured, all are 0; for tests that only read
+    std::optional<std::uint32_t> drape_level;  ///< chunks from this level up have drape pages, of the texel drape_code()
+    bool measured = true;                      ///< false: no errors are measured, all are 0; for tests that only read
 };
 
 /// A spec round the whole Earth, with both poles: closed columns and polar rows.
@@ -57,6 +59,8 @@ public:
     [[nodiscard]] terrain::TdbFailure reopen();
 
     static double undulation_m(double latitude_rad);
+    /// Every byte of a chunk's drape page.
+    static std::uint8_t drape_code(const terrain::ChunkKey& key) { return static_cast<std::uint8_t>(1 + key.packed() % 241); }
 
     std::vector<std::uint8_t> bytes;  ///< the file
 

@@ -47,20 +47,26 @@ inline host_sim::PostReaderFactory posts_of(const host_sim::Raster& raster) {
     return [&raster] { return std::make_unique<RasterPosts>(raster); };
 }
 
-inline std::vector<std::uint8_t> build_image(const host_sim::PostReaderFactory& open,
+inline std::vector<std::uint8_t> build_image(const host_sim::TerrainSources& sources,
                                              const host_sim::BuildOptions& options = {}) {
     const TemporaryFolder folder;
-    host_sim::build_terrain(open, folder.file("t.tdb"), options);
+    host_sim::build_terrain(sources, folder.file("t.tdb"), options);
     std::ifstream file(folder.file("t.tdb"), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+inline std::vector<std::uint8_t> build_image(const host_sim::PostReaderFactory& open,
+                                             const host_sim::BuildOptions& options = {}) {
+    return build_image(host_sim::TerrainSources(open), options);
 }
 inline std::vector<std::uint8_t> build_image(const host_sim::Raster& raster, const host_sim::BuildOptions& options = {}) {
     return build_image(posts_of(raster), options);
 }
 inline std::vector<std::uint8_t> build_image_of_file(const std::string& raster, const host_sim::BuildOptions& options = {}) {
-    return build_image(
-        [&raster] { return std::make_unique<host_sim::FilePosts>(std::vector<std::string>{raster}, host_sim::RasterOptions()); },
-        options);
+    return build_image(host_sim::PostReaderFactory([&raster] {
+                           return std::make_unique<host_sim::FilePosts>(std::vector<std::string>{raster},
+                                                                        host_sim::RasterOptions());
+                       }),
+                       options);
 }
 
 }  // namespace tedavis::test_support

@@ -18,8 +18,9 @@ public:
     TerrainOnSurface(const std::string& device, std::uint32_t width, std::uint32_t height, base::ByteSource& terrain,
                      const design::DesignSettings& design)
         : session_("egl", device, width, height), reader_(terrain, base::kMaxReadTickets), design_(design) {
-        const display::TerrainMemory memory{arena("terrain_index"),      arena("terrain_chunk_slots"), arena("terrain_heights"),
-                                            arena("terrain_attributes"), arena("lod_scratch"),         arena("staging")};
+        const display::TerrainMemory memory{
+            arena("terrain_index"), arena("terrain_chunk_slots"), arena("terrain_heights"), arena("terrain_attributes"),
+            arena("terrain_drape"), arena("lod_scratch"),         arena("staging")};
         const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
         const draw::TerrainOutput output = draw::output_of(design_.terrain.style, session_.device.capability.depth24_targets);
         const gl::GlError error = scene_.start(session_.gl, input, design_, session_.device, memory, output);

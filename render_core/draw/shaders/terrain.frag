@@ -14,8 +14,7 @@ uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
 #endif
 #ifdef MAP_DRAPE
 uniform sampler2D drape_map;
-uniform vec2 drape_origin;
-uniform vec2 drape_scale;        // texels a page texel, 1 / size
+uniform vec4 drape_origin;       // first texel of the page; width of a texel in parts of its height; 1 / size of the atlas
 #endif
 #ifdef PALETTE
 uniform sampler2D palette;       // colour by the texture's quantity
@@ -63,13 +62,36 @@ VARYING float v_haze;
 #ifdef BAKED
 VARYING vec2 v_page;
 #endif
+#ifdef MAP_DRAPE
+VARYING vec2 v_drape;
+#endif
 #ifdef STROKES
 VARYING vec2 v_ground;
 #endif
 
-#ifdef BAKED
+#if defined(BAKED) || defined(MAP_DRAPE)
 // Whole fractions of a texel: with atlases of 2^n texels every sum is exact, so a page looks the same wherever it lies.
 vec2 whole(vec2 texels) { return floor(texels * 256.0 + 0.5) / 256.0; }
+#endif
+#ifdef MAP_DRAPE
+// RGB times coverage, and coverage; between the middles of the page's outermost texels, so nothing else is read.
+vec4 drape_at(vec2 texels) {
+    return TEXTURE2D(drape_map, (whole(clamp(texels, 0.0, 128.0)) + drape_origin.xy) * drape_origin.w);
+}
+
+// On a slope a texel is stretched down the fall line by 1 / n.z. Read as it is, the image would show streaks there. So it is read
+// over as much ground along the contour line: a texel's variance, 1/6, grows by tan^2 / 6, which five places a step of
+// tan / sqrt(12) apart give it. The image gets coarser on steep ground, and has the same grain in every direction.
+vec4 drape_of(vec2 texels, vec3 n) {
+    float level = length(n.xy);
+    float steep = min(level / max(n.z, 0.01), 6.0);
+    if (steep < 0.25) return drape_at(texels);
+    vec2 along = vec2(n.y / drape_origin.z, n.x) / level * (steep * 0.28867513);
+    return 0.2 * (drape_at(texels) + drape_at(texels + along) + drape_at(texels - along) + drape_at(texels + 2.0 * along) +
+                  drape_at(texels - 2.0 * along));
+}
+#endif
+#ifdef BAKED
 vec2 map_place(vec2 texels) { return (whole(texels) + page_origin.xy) * page_scale.x; }
 #endif
 
@@ -134,7 +156,8 @@ void main() {
 #elif defined(TEXTURE_OPENNESS) && defined(MAP_LIGHT)
     color = palette_color((1.0 + signed_root(baked.g)) * 1.5707963);
 #elif defined(TEXTURE_IMAGE) && defined(MAP_DRAPE)
-    color = TEXTURE2D(drape_map, (whole(v_page) * drape_scale.x + drape_origin) * drape_scale.y).rgb;
+    vec4 image = drape_of(v_drape, n);
+    color = color * (1.0 - image.a) + image.rgb;
 #elif defined(TEXTURE_MATERIAL)
     // Meadows on gentle ground, woods on slopes up to the tree line, above it grass and snow; scree and rock where it is steep.
     float grain = hash(floor(v_ground / 32.0)) * 0.5 + hash(floor(v_ground / 128.0)) * 0.5 - 0.5;

@@ -4,6 +4,10 @@ uniform float haze_per_m;      // 1 / distance, 0 for none
 uniform vec4 page_window;      // texels of the page = place * xy + zw
 VARYING vec2 v_page;
 #endif
+#ifdef MAP_DRAPE
+uniform vec3 drape_window;     // texels of the page = place * x + yz
+VARYING vec2 v_drape;
+#endif
 #ifdef STROKES
 uniform vec4 stroke_window;    // metres east and south, modulo a whole number of strokes = place * xy + zw
 VARYING vec2 v_ground;
@@ -25,6 +29,9 @@ void main() {
     v_haze = 1.0 - exp(-length(eye_relative) * haze_per_m);
 #ifdef BAKED
     v_page = place * page_window.xy + page_window.zw;
+#endif
+#ifdef MAP_DRAPE
+    v_drape = place * drape_window.x + drape_window.yz;
 #endif
 #ifdef STROKES
     v_ground = place * stroke_window.xy + stroke_window.zw;

@@ -93,6 +93,23 @@ TEST(SheetCommand, WithoutTerrainTheDefaultIsBuilt) {
         EXPECT_NE(entry.path().extension(), ".tdb") << "the database was only a step";
 }
 
+TEST(SheetCommand, AGeneratedImageIsShownAndSaid) {
+    SheetOptions o = options("image");
+    const std::string plain = sheet_of("styles/aerial_image");
+    o.sheet = files().folder.write("image.toml", "generated_image = true\n" + plain);
+    o.picture.terrain.clear();
+    o.pose = AircraftPose{36.55, -84.2, 1200, 320, -8, 0};
+    const auto shown = run(o, true).json().at("pictures");
+    EXPECT_EQ(shown.at(0).at("title"), "One light") << "the others are as they were";
+    EXPECT_EQ(shown.at(1).at("title"), "Heights (generated)");
+    o.sheet = files().folder.write("plain.toml", plain);
+    const auto without = run(o, true).json().at("pictures");
+    EXPECT_EQ(without.at(1).at("title"), "Heights");
+    EXPECT_THAT(without.at(1).at("flags").dump(), HasSubstr("terrain.no_image"));
+    EXPECT_NE(without.at(1).at("hash"), shown.at(1).at("hash"));
+    EXPECT_EQ(without.at(0).at("hash"), shown.at(0).at("hash"));
+}
+
 TEST(SheetCommand, WrongInputLeavesNothing) {
     SheetOptions o = options("none");
     o.sheet = "no-such-sheet";

@@ -29,6 +29,8 @@ TEST(SheetPlan, ReadsWhatTheFileSays) {
     EXPECT_EQ(plan.size.width, 320u);
     EXPECT_EQ(plan.size.height, 240u);
     EXPECT_FALSE(plan.symbology);
+    EXPECT_FALSE(plan.generated_image);
+    EXPECT_TRUE(parse_sheet_plan("generated_image = true\n" + kHead + kGroup + picture("A", "a"), "s.toml").generated_image);
     EXPECT_EQ(plan.pose.latitude_deg, 47.03);
     EXPECT_EQ(plan.pose.pitch_deg, -6);
     EXPECT_EQ(plan.pose.roll_deg, 0) << "level where nothing is said";

@@ -6,6 +6,7 @@
 #include "host_sim/terrain_builder/raster.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/image_file.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -134,6 +135,73 @@ TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
     refuses("--accuracy", [](TerrainBuildOptions& o) { o.accuracy_m = std::nan(""); });
     refuses("is also an input", [&](TerrainBuildOptions& o) { o.output = raster_; });
     EXPECT_TRUE(std::filesystem::exists(raster_));
+}
+
+/// Over the raster of the fixture.
+test_support::ImageFile image_file() {
+    test_support::ImageFile image;
+    image.transform = {9.6, 0.0025, 0, 47.1, 0, -0.0025};
+    image.columns = 280;
+    image.rows = 200;
+    return image;
+}
+
+TEST_F(TerrainCommand, AnImageIsDrapedDescribedAndChecked) {
+    (void)build();
+    EXPECT_TRUE(info().json()["drape"].is_null());
+    EXPECT_THAT(build().results, HasSubstr("no image drape"));
+    build_.drape = image_file().write(place_.file("i.tif"));
+    EXPECT_THAT(build().results, HasSubstr("image drape of"));
+    const auto json = info().json();
+    EXPECT_EQ(json["drape"]["finest_level"], 0);
+    EXPECT_NEAR(json["drape"]["texel_deg"].get<double>(), 0.0025, 1e-12);
+    EXPECT_GT(json["by_level"][0]["drape_pages"], 5);
+    EXPECT_EQ(check(build_).code, 0);
+    TerrainBuildOptions without = build_;
+    without.drape.clear();
+    EXPECT_EQ(check(without).code, 0);
+    const std::string first = place_.read("t.tdb");
+    (void)build();
+    EXPECT_EQ(place_.read("t.tdb"), first);
+}
+
+TEST_F(TerrainCommand, AnImageWithoutAPlaceGetsItFromOptions) {
+    test_support::ImageFile image = image_file();
+    image.placed = false;
+    image.crs.clear();
+    build_.drape = image.write(place_.file("bare.tif"));
+    build_.drape_crs = "EPSG:4326";
+    build_.drape_extent = "9.6,46.6,10.3,47.1";
+    EXPECT_EQ(build().code, 0);
+    EXPECT_EQ(info().json()["drape"]["finest_level"], 0);
+}
+
+TEST_F(TerrainCommand, ImagesThatCannotBeDrapedAreRefusedAndNothingIsLeft) {
+    const auto refuses = [&](const std::string& words) {
+        expect_user_error([&] { (void)build(); }, words);
+        EXPECT_FALSE(std::filesystem::exists(build_.output));
+        EXPECT_FALSE(std::filesystem::exists(build_.output + ".part"));
+    };
+    build_.drape = raster_;
+    refuses("r.tif: its values are no 8-bit colours");
+    build_.drape = place_.file("none.png");
+    refuses("none.png: no such file");
+    test_support::ImageFile image = image_file();
+    image.crs.clear();
+    build_.drape = image.write(place_.file("i.tif"));
+    refuses("i.tif: the image names no coordinate system on Earth");
+    image = image_file();
+    image.transform[0] = 50;
+    build_.drape = image.write(place_.file("far.tif"));
+    refuses("far.tif: the image shows nothing of r.tif");
+    build_.drape_extent = "1,2,3";
+    refuses("--drape-extent 1,2,3: not W,S,E,N");
+    build_.drape.clear();
+    refuses("name it with --drape");
+    build_.drape_extent.clear();
+    build_.drape = image_file().write(place_.file("t.tdb"));
+    expect_user_error([&] { (void)build(); }, "t.tdb");
+    EXPECT_TRUE(std::filesystem::exists(build_.output)) << "the image is not overwritten";
 }
 
 TEST_F(TerrainCommand, InfoTellsOfEveryLevel) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "tests/support/image_file.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
 
@@ -27,6 +30,25 @@ TEST(BuildStages, ComeInTheirOrder) {
     std::vector<std::string> with_proof = expected;
     with_proof.insert(with_proof.begin() + 6, "proof");
     EXPECT_EQ(names_of(build_stages(more)), with_proof) << "chunks above the units have a proof of their own";
+}
+
+TEST(BuildStages, AnImageAddsAStageForEveryLevelOfItsPages) {
+    const test_support::TemporaryFolder folder;
+    const Raster raster = test_support::make_rough_raster(150, 110);
+    TerrainSources sources(test_support::posts_of(raster));
+    test_support::ImageFile image;
+    image.transform = {9.6, 0.5 / 1200, 0, 47.1, 0, -0.5 / 1200};
+    sources.drape = DrapeOptions{image.write(folder.file("i.tif")), {}, {}};
+    BuildParts parts(sources, folder.file("a"), {});
+    const std::vector<BuildStage> stages = build_stages(parts);
+    const std::vector<std::string> names = names_of(stages);
+    const auto attributes = std::find(names.begin(), names.end(), "attributes");
+    ASSERT_NE(attributes, names.end());
+    EXPECT_EQ(*(attributes + 1), "drape");
+    std::vector<std::uint32_t> tasks;
+    for (const BuildStage& stage : stages)
+        if (stage.name == "drape") tasks.push_back(stage.count());
+    EXPECT_EQ(tasks, (std::vector<std::uint32_t>{3 * 2, 2 * 1, 1})) << "levels 1 to 3";
 }
 
 TEST(BuildStages, InsetsAddTheirs) {

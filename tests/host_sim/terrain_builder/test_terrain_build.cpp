@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
 
 #include "host_sim/user_error.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
-#include "tests/support/built_database.hpp"
+#include "tests/support/draped_database.hpp"
 #include "tests/support/expect_user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -50,15 +51,19 @@ TEST(TerrainBuild, GivesTheSameBytesForAnyNumberOfThreads) {
 class Interruption : public ::testing::Test {
 protected:
     /// How often the progress of a whole build is told.
-    int steps_of(const Raster& raster) {
+    int steps_of(const TerrainSources& sources) {
         int steps = 0;
         BuildOptions options;
         options.progress = [&steps](std::string_view, std::uint64_t, std::uint64_t) { ++steps; };
-        whole_ = build_image(raster, options);
+        whole_ = build_image(sources, options);
         return steps;
     }
+    int steps_of(const Raster& raster) { return steps_of(TerrainSources(test_support::posts_of(raster))); }
     /// Stops at step n and again at each n-th step, until the build is whole.
     std::string build_in_pieces(const Raster& raster, int n, std::chrono::milliseconds between_records) {
+        return build_in_pieces(TerrainSources(test_support::posts_of(raster)), n, between_records);
+    }
+    std::string build_in_pieces(const TerrainSources& sources, int n, std::chrono::milliseconds between_records) {
         std::filesystem::remove(folder_.file("t.tdb"));
         BuildOptions options;
         options.threads = 2;
@@ -69,7 +74,7 @@ protected:
                 if (--left == 0) throw Stop();
             };
             try {
-                build_terrain(test_support::posts_of(raster), folder_.file("t.tdb"), options);
+                build_terrain(sources, folder_.file("t.tdb"), options);
                 return folder_.read("t.tdb");
             } catch (const Stop&) {
                 EXPECT_FALSE(std::filesystem::exists(folder_.file("t.tdb"))) << "a part of a database";
@@ -96,6 +101,28 @@ TEST_F(Interruption, AtEveryStepChangesNothing) {
     const Raster raster = varied_raster(66, 60);
     (void)steps_of(raster);
     EXPECT_TRUE(build_in_pieces(raster, 1, std::chrono::milliseconds(0)) == std::string(whole_.begin(), whole_.end()));
+}
+
+TEST_F(Interruption, OfADrapeChangesNothingEither) {
+    const Raster raster = varied_raster(150, 90);
+    test_support::TemporaryFolder images;
+    TerrainSources sources(test_support::posts_of(raster));
+    sources.drape = DrapeOptions{test_support::image_over(raster, 2, test_support::wavy(17)).write(images.file("i.tif")), {}, {}};
+    const int steps = steps_of(sources);
+    const std::string whole(whole_.begin(), whole_.end());
+    ASSERT_NE(whole, std::string());
+    for (const int n : {7, steps / 2}) EXPECT_TRUE(build_in_pieces(sources, n, std::chrono::milliseconds(0)) == whole) << n;
+    BuildOptions one;
+    one.threads = 1;
+    EXPECT_EQ(build_image(sources, one), whole_);
+    const std::vector<std::uint8_t> plain = build_image(raster);
+    EXPECT_GT(whole_.size(), plain.size() + sizeof(DrapePage));
+    FileHeader header;
+    std::memcpy(&header, plain.data(), sizeof header);
+    EXPECT_EQ(header.drape_posts, 0);
+    std::memcpy(&header, whole_.data(), sizeof header);
+    EXPECT_EQ(header.drape_posts, kDrapePosts);
+    EXPECT_EQ(header.drape_level, 1) << "half a post a pixel";
 }
 
 /// A power loss: the folder as it was at some moment, also in the middle of a record.

@@ -9,6 +9,7 @@
 
 #include "render_core/base/hash.hpp"
 #include "tests/support/damaged_terrain.hpp"
+#include "tests/support/draped_database.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
@@ -31,7 +32,8 @@ const Raster& raster() {
 /// A database that somebody damages and then signs anew, so that no checksum tells.
 class Forgery {
 public:
-    Forgery() : bytes_(sound()) {
+    Forgery() : Forgery(sound()) {}
+    explicit Forgery(std::vector<std::uint8_t> database) : bytes_(std::move(database)) {
         test_support::for_entries(bytes_, [this](const ChunkEntry&, std::uint64_t page) {
             if (pages_.empty() || pages_.back() != page) pages_.push_back(page);
         });
@@ -60,7 +62,7 @@ public:
         for (const std::uint64_t offset : pages_) {
             auto page = read<DirectoryPage>(offset);
             for (ChunkEntry& e : page.entries)
-                for (terrain::PartPlace* part : {&e.payload, &e.attributes})
+                for (terrain::PartPlace* part : {&e.payload, &e.attributes, &e.drape})
                     if (part->bytes != 0) part->crc = base::crc32(bytes_.data() + part->offset, part->bytes);
             page.crc = base::crc32(&page.level, sizeof page - offsetof(DirectoryPage, level));
             write(offset, page);
@@ -71,10 +73,11 @@ public:
         h.header_crc = base::crc32(&h, offsetof(FileHeader, header_crc));
         write(0, h);
     }
-    [[nodiscard]] TerrainCheck check(const Raster& against = raster()) const {
+    [[nodiscard]] TerrainCheck check(const Raster& against = raster()) const { return check(test_support::posts_of(against)); }
+    [[nodiscard]] TerrainCheck check(const TerrainSources& against) const {
         const test_support::TemporaryFolder folder;
         const std::string path = folder.write("x.tdb", std::string(bytes_.begin(), bytes_.end()));
-        const TerrainCheck result = check_terrain(path, test_support::posts_of(against), {});
+        const TerrainCheck result = check_terrain(path, against, {});
         EXPECT_EQ(folder.entries(), 1u) << "work files are left behind";
         return result;
     }
@@ -173,6 +176,50 @@ TEST(TerrainCheck, AttributesAreProven) {
     const TerrainCheck check = forgery.check();
     ASSERT_EQ(check.violations, 1u);
     EXPECT_EQ(check.first[0].chunk, "1/0/0 attributes");
+}
+
+class DrapeCheck : public ::testing::Test {
+protected:
+    DrapeCheck() {
+        test_support::ImageFile image = test_support::image_over(raster(), 2, test_support::wavy(13));
+        with_image_.drape = DrapeOptions{image.write(folder_.file("i.tif")), {}, {}};
+        image.color = [](int, int) { return test_support::Rgba{1, 2, 3, 255}; };
+        with_another_.drape = DrapeOptions{image.write(folder_.file("other.tif")), {}, {}};
+        database_ = test_support::build_image(with_image_);
+    }
+    test_support::TemporaryFolder folder_;
+    TerrainSources with_image_{test_support::posts_of(raster())}, with_another_{test_support::posts_of(raster())};
+    std::vector<std::uint8_t> database_;
+};
+
+TEST_F(DrapeCheck, ASoundOneHoldsWithItsImageAndWithout) {
+    const Forgery sound(database_);
+    ASSERT_EQ(sound.read<FileHeader>(0).drape_posts, terrain::kDrapePosts);
+    EXPECT_EQ(sound.check(with_image_).violations, 0u);
+    EXPECT_EQ(sound.check().violations, 0u);
+}
+
+TEST_F(DrapeCheck, AChangedTexelIsFoundByItsChecksumOrByTheImage) {
+    Forgery forgery(database_);
+    const std::size_t place = forgery.entry(1).drape.offset + 4321;
+    forgery.write(place, static_cast<std::uint8_t>(forgery.read<std::uint8_t>(place) ^ 1));
+    ASSERT_EQ(forgery.check().violations, 1u);
+    EXPECT_EQ(forgery.check().first[0].chunk, "1/0/0 drape");
+    EXPECT_THAT(forgery.check().first[0].reason, HasSubstr("checksum does not match"));
+    forgery.sign();
+    EXPECT_EQ(forgery.check().violations, 0u) << "without the image nobody can tell";
+    const TerrainCheck check = forgery.check(with_image_);
+    ASSERT_EQ(check.violations, 1u);
+    EXPECT_EQ(check.first[0].chunk, "1/0/0 drape");
+    EXPECT_EQ(check.first[0].reason, "differs from the image");
+}
+
+TEST_F(DrapeCheck, AnotherImageOrNoneIsFoundInEveryPage) {
+    const TerrainCheck other = Forgery(database_).check(with_another_), none = Forgery().check(with_image_);
+    EXPECT_EQ(other.violations, 8u + 2 + 1) << "chunks of levels 1 to 3";
+    EXPECT_EQ(other.first[0].reason, "differs from the image");
+    EXPECT_EQ(none.violations, 8u + 2 + 1 + 1);
+    EXPECT_EQ(none.first[0].chunk, "header");
 }
 
 TEST(TerrainCheck, TheGeoidAndTheHeaderAreProven) {

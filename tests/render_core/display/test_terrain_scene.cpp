@@ -64,7 +64,8 @@ public:
             arenas_[n] = base::Arena(memory_[n].data(), memory_[n].size());
         }
         error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, design, at_.device,
-                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5]}, draw::TerrainOutput::color);
+                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5], arenas_[6]},
+                            draw::TerrainOutput::color);
         at_.gl.seal();
     }
     ~Stage() {
@@ -91,10 +92,10 @@ public:
     gl::GlError error;
 
 private:
-    static constexpr std::size_t kLines = 6;
-    static constexpr std::string_view kNames[kLines] = {effects::kTerrainIndex,   effects::kTerrainChunkSlots,
-                                                        effects::kTerrainHeights, effects::kTerrainAttributes,
-                                                        effects::kLodScratch,     effects::kStaging};
+    static constexpr std::size_t kLines = 7;
+    static constexpr std::string_view kNames[kLines] = {
+        effects::kTerrainIndex, effects::kTerrainChunkSlots, effects::kTerrainHeights, effects::kTerrainAttributes,
+        effects::kTerrainDrape, effects::kLodScratch,        effects::kStaging};
     static draw::TerrainDrawInput input(const Eye& eye) {
         draw::TerrainDrawInput input;
         input.view = eye.view;

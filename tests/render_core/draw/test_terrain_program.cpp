@@ -61,7 +61,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kHeightRange && n != kDrapeScale && n != kDrapeOrigin && n != kDrapeMap) {
+            if (n != kHeightRange) {
                 EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
             }
         session.gl.seal();
@@ -123,6 +123,16 @@ TEST(TerrainProgram, AMapThatIsNotThereIsNotRead) {
     EXPECT_NE(std::string(terrain_defines(style, variant).view()).find("#define MAP_FORM 1\n"), std::string::npos);
     variant.baked = false;
     EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_"), std::string::npos);
+}
+
+TEST(TerrainProgram, TheImageNeedsNoAttributePages) {
+    TerrainStyle style;
+    style.texture = TerrainTexture::image;
+    TerrainVariant variant;
+    variant.maps[static_cast<std::size_t>(design::BakedMap::drape)] = true;
+    EXPECT_NE(std::string(terrain_defines(style, variant).view()).find("#define MAP_DRAPE 1\n"), std::string::npos);
+    style.texture = TerrainTexture::slope;
+    EXPECT_EQ(std::string(terrain_defines(style, variant).view()).find("MAP_DRAPE"), std::string::npos);
 }
 
 TEST(TerrainProgram, TheLongestListOfDefinesIsNotCut) {

@@ -60,6 +60,9 @@ TEST(Device, ShippedBudgetsHoldTheirOwnPictureAndChunks) {
         EXPECT_GE(device.budget.find(kTerrainVertices)->bytes, device.max_chunk_slots * kChunkVertices * 12) << name;
         EXPECT_GE(device.budget.find(kTerrainIndices)->bytes, device.max_chunk_slots * kChunkTriangles * 6) << name;
         EXPECT_GE(device.capability.gl.max_texture_px, device.width_px) << name;
+        EXPECT_GE(device.drape_pages, 49u) << name;
+        EXPECT_GE(device.budget.find(kTerrainDrape)->bytes, device.drape_pages * std::uint64_t{129} * 129 * 4) << name;
+        EXPECT_GE(device.budget.find(kTerrainDrapePages)->bytes, device.drape_pages * std::uint64_t{129} * 129 * 4) << name;
         for (const base::BudgetLine& line : device.budget.lines()) {
             EXPECT_EQ(line.use.capacity, line.bytes);
             EXPECT_FALSE(line.owner.empty());

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tests/support/resident_tdb.hpp"
@@ -99,6 +101,82 @@ TEST(LodRefinement, ASplitBringsItsNeighboursWithinOneLevel) {
     EXPECT_TRUE(run.is_leaf({2, 3, 0})) << "and beside that level 2";
     EXPECT_TRUE(run.is_leaf({2, 2, 2})) << "only edges count, corners do not";
     EXPECT_FALSE(run.is_leaf({3, 1, 1}));
+}
+
+/// Flat, under an image as fine as a quarter of its posts.
+const WrittenTdb& draped() {
+    static const WrittenTdb tdb([] {
+        TdbSpec spec;
+        spec.columns = spec.rows = 513;
+        spec.height_m = [](std::uint32_t, std::uint32_t) { return 0.0; };
+        spec.measured = false;
+        spec.drape_level = 1;
+        return spec;
+    }());
+    return tdb;
+}
+
+LodSettings with_image() {
+    LodSettings settings;
+    settings.drape = {92.7 / 4, 1};
+    return settings;
+}
+
+double texel_px(const Refining& run, const LodNode& node) {
+    const double texel_m = run.settings.drape.texel_m * std::pow(2.0, node.key.level - 1.0);
+    return texel_m * run.view.focal_px / std::max(box_distance_m(*node.entry, run.view), run.view.near_m);
+}
+
+TEST(LodRefinement, AnImageSplitsLevelGroundUntilItsTexelsAreSmallOrAtTheirFinest) {
+    FlatTdb tdb(draped());
+    const View view = view_from(draped(), 200, 300, 9000, 30, -35);
+    Refining plain_run(tdb, view), run(tdb, view, with_image());
+    ASSERT_TRUE(plain_run.refinement->run(Priority::error, 0));
+    EXPECT_EQ(plain_run.tree.size(), 1u) << "control: tau asks for nothing";
+    ASSERT_TRUE(run.refinement->run(Priority::error, 0));
+    EXPECT_TRUE(run.refinement->refined_image());
+    std::set<std::uint32_t> levels;
+    for (NodeIndex n = 0; n < run.tree.size(); ++n) {
+        const LodNode& node = run.tree.node(n);
+        if (!node.is_leaf || !node.is_visible) continue;
+        levels.insert(node.key.level);
+        EXPECT_GE(node.key.level, 1u) << "below, there is nothing finer";
+        EXPECT_TRUE(node.key.level == 1 || texel_px(run, node) <= kLargestTexel_px) << texel_px(run, node);
+    }
+    EXPECT_GE(levels.size(), 2u);
+    ASSERT_TRUE(run.refinement->run(Priority::error, 0, false));
+    EXPECT_EQ(run.tree.size(), 1u);
+}
+
+TEST(LodRefinement, GroundThatTheImageDoesNotCoverIsNotSplitForIt) {
+    FlatTdb tdb(draped());
+    for (auto& [key, entry] : tdb.entries) entry.drape = {};
+    Refining run(tdb, view_from(draped(), 200, 300, 9000, 30, -35), with_image());
+    ASSERT_TRUE(run.refinement->run(Priority::error, 0));
+    EXPECT_EQ(run.tree.size(), 1u);
+}
+
+TEST(LodRefinement, TheImageGetsWhatErrorsLeaveTheLargestTexelsFirst) {
+    FlatTdb tdb(draped());
+    tdb.set_error({4, 0, 0}, 1000);
+    tdb.set_error({3, 1, 1}, 1000);
+    const View view = view_from(draped(), 200, 200, 9000, 0, -60);
+    Refining errors(tdb, view);
+    ASSERT_TRUE(errors.refinement->run(Priority::error, 0));
+    LodSettings settings = with_image();
+    settings.max_triangles = errors.refinement->triangles();
+    Refining nothing_left(tdb, view, settings);
+    ASSERT_TRUE(nothing_left.refinement->run(Priority::error, 0));
+    EXPECT_EQ(nothing_left.leaves(), errors.leaves());
+    EXPECT_EQ(nothing_left.refinement->stop(), LodStop::met) << "tau is met: that the image could be finer is no fault";
+    settings.max_triangles *= 2;
+    Refining some_left(tdb, view, settings), all(tdb, view, with_image());
+    ASSERT_TRUE(some_left.refinement->run(Priority::error, 0));
+    ASSERT_TRUE(all.refinement->run(Priority::error, 0));
+    EXPECT_LE(some_left.refinement->triangles(), settings.max_triangles);
+    EXPECT_GT(some_left.tree.size(), errors.tree.size());
+    EXPECT_LT(some_left.tree.size(), all.tree.size());
+    EXPECT_EQ(some_left.refinement->stop(), LodStop::met);
 }
 
 TEST(LodRefinement, RoundTheEarthAsWell) {

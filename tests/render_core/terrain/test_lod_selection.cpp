@@ -101,6 +101,38 @@ TEST(LodSelection, EveryVisiblePlaceIsCoveredOnceByChunksOneLevelApart) {
     }
 }
 
+// Whatever is left of the budgets: what errors need comes first, and what a finer image would spoil is undone.
+TEST(LodSelection, AFinerImageNeverCostsAccuracy) {
+    static const WrittenTdb tdb([] {
+        TdbSpec spec;
+        spec.columns = spec.rows = 225;
+        spec.step_lon_deg = spec.step_lat_deg = 1 / 3600.0;
+        spec.height_m = [](std::uint32_t i, std::uint32_t j) { return i < 120 ? rough_height(i, j) : 1200.0; };
+        spec.drape_level = 0;
+        return spec;
+    }());
+    ResidentTdb catalogue(tdb);
+    Selection without, with;
+    int finer = 0;
+    for (const bool lifted : {false, true})
+        for (const std::uint32_t triangles : {6000u, 20000u, 250000u})
+            for (const View& view : views_of(tdb, 8)) {
+                LodSettings settings;
+                settings.max_triangles = triangles;
+                settings.conservative_up = lifted;
+                settings.haze_per_m = 1e-5;
+                without.select(catalogue, view, settings);
+                settings.drape = {30.9 / 4, 0};
+                with.select(catalogue, view, settings);
+                EXPECT_EQ(with.result.within_budget, without.result.within_budget);
+                EXPECT_LE(with.result.tau_reached_px, without.result.tau_reached_px);
+                EXPECT_LE(with.result.triangles, std::max(triangles, without.result.triangles));
+                expect_balanced(tdb, with);
+                finer += with.result.triangles > without.result.triangles ? 1 : 0;
+            }
+    EXPECT_GT(finer, 5);
+}
+
 /// The largest distance in pixels between a true post in view and the drawn one.
 double drawn_error_px(const WrittenTdb& tdb, const View& view, const Selection& selection) {
     double worst = 0;

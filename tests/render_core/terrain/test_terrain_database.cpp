@@ -126,6 +126,11 @@ TEST(TerrainDatabase, HeadersThatCannotBeAreRefusedUnderARightChecksum) {
         [](FileHeader& h) { h.page_table_offset = ~0ull; },
         [](FileHeader& h) { h.max_height_m = -1; },
         [](FileHeader& h) { std::memset(h.source, 'x', sizeof h.source); },
+        [](FileHeader& h) { h.drape_posts = 128; },
+        [](FileHeader& h) {
+            h.drape_posts = kDrapePosts;
+            h.drape_level = static_cast<std::uint16_t>(h.levels);
+        },
     };
     EXPECT_EQ(error([](FileHeader&) {}), TdbError::none);
     int n = 0;

@@ -20,6 +20,7 @@ const WrittenTdb& tdb() {
         spec.levels = 3;  // 3 x 2 roots
         spec.height_m = [](std::uint32_t i, std::uint32_t j) { return 300.0 + i - j; };
         spec.attributes = true;
+        spec.drape_level = 1;
         spec.measured = false;
         return spec;
     }());
@@ -32,6 +33,11 @@ StoreSettings settings(ArrivalMode mode) {
     s.payload_slots = 20;
     s.directory_pages = 8;
     s.attribute_slots = 6;
+    return s;
+}
+StoreSettings with_drape(ArrivalMode mode) {
+    StoreSettings s = settings(mode);
+    s.drape_slots = 5;
     return s;
 }
 
@@ -90,6 +96,46 @@ TEST(TerrainStore, ChunksAndTheirAttributePagesArriveWhenReplaySaysSo) {
     EXPECT_EQ(s.store.pending(), 0u);
     EXPECT_FALSE(s.store.is_failing());
     EXPECT_FALSE(s.store.is_late());
+}
+
+TEST(TerrainStore, DrapePagesArriveAlongWithTheChunksThatHaveOne) {
+    StartedStore s(tdb().bytes, with_drape(ArrivalMode::exact));
+    for (int n = 0; n < 2; ++n) {
+        frame(s.store, kPath);
+        EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot) << "frame " << n;
+    }
+    frame(s.store, kPath);
+    for (const ChunkKey& key : kPath) {
+        const SlotIndex slot = s.store.drape_slot(key);
+        ASSERT_EQ(slot != kNoSlot, key.level >= 1);
+        if (slot == kNoSlot) continue;
+        EXPECT_EQ(s.store.drape(slot).rgba[kDrapePosts * kDrapePosts - 1][3], WrittenTdb::drape_code(key));
+        EXPECT_GE(s.store.drape_generation(slot), 1u);
+    }
+    EXPECT_FALSE(s.store.is_failing());
+}
+
+TEST(TerrainStore, WithoutDrapeSlotsNoPageIsRead) {
+    StoreSettings without = with_drape(ArrivalMode::exact);
+    without.drape_slots = 0;
+    StartedStore s(tdb().bytes, without);
+    ASSERT_EQ(s.failure.error, TdbError::none);
+    EXPECT_EQ(TerrainStore::drape_bytes(without), 0u);
+    for (int n = 0; n < 4; ++n) frame(s.store, kPath);
+    EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot);
+    EXPECT_LT(TerrainStore::reader_tickets(without), TerrainStore::reader_tickets(with_drape(ArrivalMode::exact)));
+}
+
+TEST(TerrainStore, ADamagedDrapePageIsMissedAndSaid) {
+    std::vector<std::uint8_t> bytes = tdb().bytes;
+    bytes[static_cast<std::size_t>(tdb().entry({1, 1, 1}).drape.offset) + 777] ^= 1;
+    StartedStore s(bytes, with_drape(ArrivalMode::exact));
+    for (int n = 0; n < 4; ++n) frame(s.store, kPath);
+    EXPECT_EQ(s.store.drape_slot({1, 1, 1}), kNoSlot);
+    EXPECT_NE(s.store.drape_slot({2, 0, 0}), kNoSlot);
+    EXPECT_NE(s.store.available_slot({1, 1, 1}), kNoSlot) << "the ground is there";
+    EXPECT_TRUE(s.store.is_failing());
+    EXPECT_EQ(s.store.last_failure().error, TdbError::chunk_damaged);
 }
 
 TEST(TerrainStore, WithoutAttributeSlotsNonePageIsRead) {

@@ -1,0 +1,15 @@
+// `terrain check` passes on the default terrain and finds one height that is a metre off. tests/poses does so for whole real
+// ones.
+#include <gtest/gtest.h>
+
+#include "tests/support/terrain_forgery.hpp"
+
+namespace tedavis {
+namespace {
+
+TEST(TerrainForgery, OfAMetreIsFoundInTheDefaultTerrain) {
+    test_support::expect_check_finds_a_metre(std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif");
+}
+
+}  // namespace
+}  // namespace tedavis

@@ -1,0 +1,156 @@
+#include "render_core/draw/drape_atlas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "render_core/gl/buffer.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using terrain::DrapePage;
+using terrain::kDrapePosts;
+using test_support::GlSession;
+
+constexpr std::uint32_t kSlots = 7;  // of a square of nine
+
+std::unique_ptr<DrapePage> noise_page(unsigned seed) {
+    auto page = std::make_unique<DrapePage>();
+    std::mt19937 random(seed);
+    for (auto& texel : page->rgba)
+        for (std::uint8_t& channel : texel) channel = static_cast<std::uint8_t>(random());
+    return page;
+}
+
+constexpr gl::AttributeBinding kAttributes[] = {{"corner", 0}};
+constexpr const char* kUniforms[] = {"image", "first", "shift"};
+
+/// A picture of one page: its pixel (x, y) from the bottom left is the texel (x, y), sampled as terrain.frag does.
+gl::ProgramSource page_source() {
+    gl::ProgramSource source;
+    source.name = "page";
+    source.vertex =
+        "VERTEX_IN vec2 corner;\nVARYING vec2 texel;\nvoid main() {\n"
+        "    texel = (corner * 0.5 + 0.5) * 129.0 - 0.5;\n    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
+    source.fragment =
+        "VARYING vec2 texel;\nuniform sampler2D image;\nuniform vec3 first;\nuniform vec2 shift;\n"
+        "void main() {\n    vec2 at = floor(clamp(texel * shift.y + shift.x, 0.0, 128.0) * 256.0 + 0.5) / 256.0;\n"
+        "    FRAGMENT_COLOR = TEXTURE2D(image, (at + first.xy) * first.z);\n}\n";
+    source.attributes = kAttributes;
+    source.uniforms = kUniforms;
+    return source;
+}
+
+class DrapeAtlasTest : public testing::TestWithParam<const char*> {
+protected:
+    DrapeAtlasTest() : at_("egl", GetParam(), kDrapePosts, kDrapePosts) {
+        line_.bytes = 4'000'000;
+        program_ = build_program(at_.gl, page_source()).value();
+        corners_ = std::move(gl::make_buffer(at_.gl, line_, gl::BufferKind::vertices, gl::BufferUse::fixed, 24).value());
+        const float triangle[] = {-1, -1, 3, -1, -1, 3};
+        EXPECT_TRUE(corners_.upload(at_.gl, 0, triangle, sizeof triangle));
+        before_ = line_.use.in_use;
+    }
+    ~DrapeAtlasTest() override {
+        at_.gl.retire();
+        atlas_.destroy(at_.gl);
+        corners_.destroy(at_.gl);
+        program_.destroy(at_.gl);
+    }
+    /// `scale` 0 reads the one place `origin`.
+    std::vector<std::uint8_t> picture(const DrapeOrigin& origin, float shift = 0, float scale = 1) {
+        gl::bind_surface(at_.gl, *at_.surface);
+        program_.use(at_.gl);
+        atlas_.bind(at_.gl, 5);
+        at_.gl->Uniform1i(program_.uniform(0), 5);
+        at_.gl->Uniform3f(program_.uniform(1), origin.x, origin.y, atlas_.scale());
+        at_.gl->Uniform2f(program_.uniform(2), shift, scale);
+        corners_.bind(at_.gl);
+        at_.gl->EnableVertexAttribArray(0);
+        at_.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        at_.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+        return at_.pixels();
+    }
+    int worst(std::uint32_t slot, const DrapePage& page) {
+        const std::vector<std::uint8_t> seen = picture(atlas_.origin(slot));
+        const auto* texels = reinterpret_cast<const std::uint8_t*>(&page);
+        int most = 0;
+        for (std::size_t n = 0; n < seen.size(); ++n) most = std::max(most, std::abs(seen[n] - texels[n]));
+        return most;
+    }
+
+    GlSession at_;
+    base::BudgetLine line_;
+    gl::Program program_;
+    gl::Buffer corners_;
+    DrapeAtlas atlas_;
+    std::uint64_t before_ = 0;
+};
+
+TEST_P(DrapeAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    std::vector<std::unique_ptr<DrapePage>> pages;
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
+        pages.push_back(noise_page(slot + 1));
+        ASSERT_TRUE(atlas_.upload(at_.gl, slot, *pages.back()));
+    }
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
+        EXPECT_LE(worst(slot, *pages[slot]), 2) << "slot " << slot;
+        EXPECT_GT(worst(slot, *pages[(slot + 1) % kSlots]), 100) << "control: another page";
+    }
+    const auto fresh = noise_page(99);
+    ASSERT_TRUE(atlas_.upload(at_.gl, 4, *fresh));
+    EXPECT_LE(worst(4, *fresh), 2) << "a slot is used again";
+    EXPECT_LE(worst(3, *pages[3]), 2);
+}
+
+// A frame must not depend on the frames before it, and those decide in which slot a page lies.
+TEST_P(DrapeAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    const auto page = noise_page(8);
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) ASSERT_TRUE(atlas_.upload(at_.gl, slot, *page));
+    for (const float shift : {0.0f, 0.171f, -0.43f, 3.5f}) {
+        const std::vector<std::uint8_t> first = picture(atlas_.origin(0), shift);
+        for (std::uint32_t slot = 1; slot < kSlots; ++slot)
+            EXPECT_EQ(picture(atlas_.origin(slot), shift), first) << "slot " << slot << " shifted by " << shift;
+    }
+}
+
+TEST_P(DrapeAtlasTest, NowhereIsTransparentWhateverThePagesHold) {
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    DrapePage white;
+    for (auto& texel : white.rgba)
+        for (std::uint8_t& channel : texel) channel = 255;
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) ASSERT_TRUE(atlas_.upload(at_.gl, slot, white));
+    // Steep ground reads some texels beside the place: before it is clamped to it, beyond it to the atlas's edge.
+    for (const float shift : {0.0f, -3.4f, 3.4f})
+        for (const std::uint8_t byte : picture(atlas_.nowhere(), shift, 0)) ASSERT_EQ(byte, 0) << shift;
+    for (const std::uint8_t byte : picture(atlas_.origin(6), 0, 0)) ASSERT_EQ(byte, 255) << "control";
+}
+
+TEST_P(DrapeAtlasTest, WhatItTakesIsWhatItSays) {
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    EXPECT_EQ(line_.use.in_use - before_, DrapeAtlas::bytes_needed(kSlots));
+    EXPECT_EQ(DrapeAtlas::bytes_needed(kSlots), 512u * 512u * 4);
+    EXPECT_EQ(DrapeAtlas::bytes_needed(49), 1024u * 1024u * 4) << "what device files with 49 pages state";
+    EXPECT_EQ(DrapeAtlas::bytes_needed(225), 2048u * 2048u * 4);
+}
+
+TEST_P(DrapeAtlasTest, WithoutRoomItIsRefused) {
+    line_.bytes = line_.use.in_use + DrapeAtlas::bytes_needed(kSlots) - 1;
+    EXPECT_NE(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    EXPECT_FALSE(atlas_.is_started());
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, DrapeAtlasTest, testing::Values("es2-small", "es3-mid"),
+                         [](const auto& lane) { return std::string(lane.param).substr(0, 3); });
+
+}  // namespace
+}  // namespace tedavis::draw
