@@ -20,15 +20,16 @@ struct PageOrigin {
 
 class PageAtlas {
 public:
-    /// `slots` 1 or more; `staging` holds one page of texels.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, const design::TerrainStyle& style, std::uint32_t slots,
-                                    base::Arena& staging);
-    [[nodiscard]] static std::uint64_t bytes_needed(const design::TerrainStyle& style, std::uint32_t slots);
+    /// `slots` 1 or more; `staging` holds one page of texels. With `coast`, the map that tells sea from land is there too.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, const design::TerrainStyle& style, bool coast,
+                                    std::uint32_t slots, base::Arena& staging);
+    [[nodiscard]] static std::uint64_t bytes_needed(const design::TerrainStyle& style, bool coast, std::uint32_t slots);
     [[nodiscard]] bool is_started() const { return slots_ > 0; }
     [[nodiscard]] bool has(design::BakedMap map) const { return textures_[static_cast<std::size_t>(map)].valid(); }
 
-    /// The maps of one page. `east_m`, `north_m`: its texels' spacing, for the azimuths of the baked directions.
-    [[nodiscard]] bool upload(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page);
+    /// The maps of one page; what only a coast needs is left out where `coast` says that there is none.
+    [[nodiscard]] bool upload(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page, bool coast);
+    /// `east_m`, `north_m`: its texels' spacing, for the azimuths of the baked directions.
     [[nodiscard]] bool upload_horizon(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page, double azimuth_rad,
                                       double east_m, double north_m);
     void bind(gl::Gl& gl) const;
@@ -42,6 +43,7 @@ public:
 private:
     gl::Texture textures_[design::kBakedMaps];
     std::uint32_t slots_ = 0;
+    bool light_is_for_coasts_ = false;  ///< the style itself does not read the light map
     base::Span<std::uint8_t> horizon_;
 };
 

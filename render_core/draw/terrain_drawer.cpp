@@ -22,6 +22,8 @@ constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles
 constexpr double kSmallestTexel_px = 0.7;
 constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
+enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
+
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
 /// Bands that a program can tell apart; most chunks meet two at most, and each costs every fragment.
@@ -38,6 +40,11 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainNormal, 3, GL_BYTE, GL_TRUE, kStride, at(offsetof(ChunkVertex, normal)));
     gl->VertexAttribPointer(kTerrainKind, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(ChunkVertex, kind)));
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
+}
+
+bool is_coast(const terrain::ChunkEntry& entry) {
+    constexpr unsigned kBoth = terrain::kChunkHasSea | terrain::kChunkHasLand;
+    return (entry.flags & kBoth) == kBoth;
 }
 
 }  // namespace
@@ -106,7 +113,8 @@ gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& devi
     if (page_slots_.empty())
         return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
     for (PageSlot& slot : page_slots_) slot = PageSlot{};
-    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, slots, staging);
+    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, database_has_coast(), slots,
+                        staging);
 }
 
 gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -126,13 +134,15 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < kBandVariants; ++bands)
-        for (const bool baked : {false, true}) {
-            if (baked && !atlas_.is_started()) continue;
+        for (std::size_t pages = 0; pages < kPageVariants; ++pages) {
+            if (pages > 0 && !atlas_.is_started()) continue;
+            if (pages == kWithCoast && !database_has_coast()) continue;
             variant.bands = kBandsOfProgram[bands];
-            variant.baked = baked;
+            variant.baked = pages > 0;
+            variant.coast = pages == kWithCoast;
             auto program = build_terrain_program(gl, design_.terrain.style, variant);
             if (!program.ok()) return program.error();
-            programs_[bands][baked ? 1 : 0] = program.value();
+            programs_[bands][pages] = program.value();
         }
     return {};
 }
@@ -216,13 +226,26 @@ TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) c
     return {};
 }
 
+/// The coarsest chunks, which never leave the store, know what lies in all below them.
+bool TerrainDrawer::database_has_coast() const {
+    const terrain::Lattice& lattice = store_->lattice();
+    const std::uint32_t top = lattice.levels() - 1;
+    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
+        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i)
+            if (const terrain::SlotIndex slot = store_->available_slot({top, i, j});
+                slot != terrain::kNoSlot && is_coast(store_->entry(slot)))
+                return true;
+    return false;
+}
+
 bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input) {
     const PageChoice page = page_of(chunk.key);
     if (page.slot == terrain::kNoSlot) return true;
     PageSlot& slot = page_slots_[page.slot];
     const terrain::AttributePage& attributes = store_->attributes(page.slot);
     const bool is_new = slot.generation != store_->attribute_generation(page.slot);
-    if (is_new && !atlas_.upload(gl, page.slot, attributes)) return false;
+    const bool coast = is_coast(store_->attribute_pages().entry(page.slot));
+    if (is_new && !atlas_.upload(gl, page.slot, attributes, coast)) return false;
     slot.generation = store_->attribute_generation(page.slot);
     if (!atlas_.has(BakedMap::horizon)) return true;
     const double azimuth = azimuth_at(store_->attribute_pages().entry(page.slot), input.light_direction[0]);
@@ -286,7 +309,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
 }
 
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
                                               const TerrainDrawInput& input) const {
     TerrainBands bands;
     if (input.warning_colors)
@@ -294,7 +317,7 @@ const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEn
                              entry.min_height_m, entry.max_height_m);
     std::size_t n = 0;
     while (kBandsOfProgram[n] < bands.count) ++n;
-    const gl::Program& program = programs_[n][baked ? 1 : 0];
+    const gl::Program& program = programs_[n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfProgram[n]);
@@ -309,7 +332,8 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     if (!slot.indexed) return;
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
-    const gl::Program& program = use_program(gl, *chunk.entry, baked, input);
+    const std::size_t pages = !baked ? kWithoutPages : is_coast(*chunk.entry) ? kWithCoast : kWithPages;
+    const gl::Program& program = use_program(gl, *chunk.entry, pages, input);
     const terrain::Lattice& lattice = store_->lattice();
     set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
     if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);
@@ -319,6 +343,11 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
             set_drape_uniforms(gl, program, lattice, chunk.key, image.owner, drape_, image.slot);
         else
             set_no_drape(gl, program, drape_);
+    }
+    // Between land and missing data a filtered class would pass for sea.
+    if (pages == kWithCoast) {
+        const bool has_void = (store_->attribute_pages().entry(page.slot).flags & terrain::kChunkHasVoid) != 0;
+        gl->Uniform1f(program.uniform(kCoastSharp), has_void ? 1.0f : 0.0f);
     }
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,

@@ -44,6 +44,7 @@ struct TerrainDrawResult {
 class TerrainDrawer {
 public:
     static constexpr std::size_t kBandVariants = 3;  ///< programs for no, few and all warning bands
+    static constexpr std::size_t kPageVariants = 3;  ///< for chunks without attribute pages, with them, and with a coast as well
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
                                     effects::DeviceSettings& device, base::Arena& staging);
@@ -87,14 +88,15 @@ private:
     [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
     [[nodiscard]] PageChoice drape_of(const terrain::SelectedChunk& chunk, const terrain::View& view) const;
     [[nodiscard]] bool upload_drape(gl::Gl& gl, const terrain::SelectedChunk& chunk, const terrain::View& view);
+    [[nodiscard]] bool database_has_coast() const;
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
-    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, bool baked,
+    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
                                                  const TerrainDrawInput& input) const;
     void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
     const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
-    gl::Program programs_[kBandVariants][2];  ///< by bands; the second is for chunks with attribute pages
+    gl::Program programs_[kBandVariants][kPageVariants];
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;
     PageAtlas atlas_;

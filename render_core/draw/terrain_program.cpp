@@ -14,12 +14,12 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"place", kTerrainPlace}};
 
 constexpr const char* kUniformNames[kTerrainUniforms] = {
-    "chunk_offset", "view_projection", "to_local",      "haze_per_m", "lift",          "place_end",
-    "earth_centre", "page_window",     "stroke_window", "form_map",   "light_map",     "aperture_map",
-    "horizon_map",  "page_origin",     "page_scale",    "drape_map",  "drape_window",  "drape_origin",
-    "palette",      "palette_range",   "plain_color",   "sea_color",  "unknown_color", "haze_color",
-    "pixel",        "grid_lines",      "lights",        "light",      "occlusion",     "line_color",
-    "form_lines",   "contour",         "strokes",       "page_texel", "band_color",    "band_lower"};
+    "chunk_offset", "view_projection", "to_local",     "haze_per_m",   "lift",         "place_end",     "earth_centre",
+    "page_window",  "stroke_window",   "form_map",     "light_map",    "aperture_map", "horizon_map",   "page_origin",
+    "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
+    "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
+    "occlusion",    "line_color",      "form_lines",   "contour",      "strokes",      "page_texel",    "coast_sharp",
+    "band_color",   "band_lower"};
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
@@ -88,10 +88,13 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
     add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
     defines.add_if(variant.baked, "#define BAKED 1\n");
-    for (std::size_t map = 0; map < design::kBakedMaps; ++map)
-        defines.add_if((variant.baked || static_cast<BakedMap>(map) == BakedMap::drape) && variant.maps[map] &&
-                           needs_map(style, static_cast<BakedMap>(map)),
-                       kMapDefines[map]);
+    const bool coast = variant.baked && variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
+    defines.add_if(coast, "#define COAST 1\n");
+    for (std::size_t map = 0; map < design::kBakedMaps; ++map) {
+        const auto kind = static_cast<BakedMap>(map);
+        const bool is_read = needs_map(style, kind) || (coast && kind == BakedMap::light);
+        defines.add_if((variant.baked || kind == BakedMap::drape) && variant.maps[map] && is_read, kMapDefines[map]);
+    }
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.outlined, "#define DISTANCE_IN_ALPHA 1\n");

@@ -52,6 +52,7 @@ enum TerrainUniform : std::size_t {
     kContour,
     kStrokes,
     kPageTexel,
+    kCoastSharp,
     kBandColor,
     kBandLower,
     kTerrainUniforms
@@ -60,6 +61,7 @@ enum TerrainUniform : std::size_t {
 struct TerrainVariant {
     std::size_t bands = 0;            ///< warning bands that it tells apart
     bool baked = false;               ///< the chunk has attribute pages
+    bool coast = false;               ///< the chunk has sea and land; what a pixel is comes from its pages
     bool lifted = false;              ///< never below the true terrain
     bool outlined = false;            ///< writes the distance for the pass that draws silhouettes
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have

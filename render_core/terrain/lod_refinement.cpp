@@ -21,6 +21,17 @@ double shown_height_error_px(const ChunkEntry& entry, const View& view, double t
     return std::fmin(by_height, tau_px * cell_m * px_per_m / (2 * kFinestCell_px));
 }
 
+/// How far the coast of a chunk with sea and land can lie beside the true one: half a texel of its attribute page, for its
+/// triangles know nothing of it. Pages of level 1 hold every post. True errors go first: never much over tau.
+double coast_error_px(const ChunkEntry& entry, const View& view, double tau_px) {
+    constexpr unsigned kBoth = kChunkHasSea | kChunkHasLand;
+    if ((entry.flags & kBoth) != kBoth || entry.level < 2) return 0;
+    const double px_per_m = view.focal_px / std::fmax(box_distance_m(entry, view), view.near_m);
+    const double side_m = 2 * double{larger(entry.half_extent_m[0], entry.half_extent_m[1])};
+    const double coast_px = 0.5 * side_m / (kAttributePosts - 1) * px_per_m;
+    return coast_px <= tau_px ? coast_px : tau_px * (1.25 - 0.25 * tau_px / coast_px);
+}
+
 }  // namespace
 
 double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges) {
@@ -209,8 +220,9 @@ double LodRefinement::texel_px(const LodNode& node) const {
 double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
     const double drawn_px =
         settings_.conservative_up ? lifted_error_px(entry, view_, 0, entry.below_m) : drawn_error_px(entry, view_, 0);
-    if (!(settings_.height_weight > 0)) return drawn_px;
-    return std::fmax(drawn_px, settings_.height_weight * shown_height_error_px(entry, view_, settings_.tau_px));
+    const double seen_px = std::fmax(drawn_px, coast_error_px(entry, view_, settings_.tau_px));
+    if (!(settings_.height_weight > 0)) return seen_px;
+    return std::fmax(seen_px, settings_.height_weight * shown_height_error_px(entry, view_, settings_.tau_px));
 }
 
 double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {

@@ -46,6 +46,9 @@ uniform vec4 page_origin;        // first texel of the page in the atlas of maps
 uniform vec2 page_scale;         // 1 / size of each
 uniform vec2 page_texel;         // metres east and south of a texel
 #endif
+#ifdef COAST
+uniform float coast_sharp;       // 1: the class of the nearest texel, 0: filtered
+#endif
 #ifdef WARNING_BANDS
 uniform vec4 band_color[WARNING_BANDS];      // alpha: strength
 uniform float band_lower[WARNING_BANDS];     // height above MSL from which the band holds, ascending
@@ -170,7 +173,13 @@ void main() {
     float along_parallel = line_at(cell.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m), 0.8);
     color = mix(color, color * 0.35, max(along_meridian, along_parallel));
 #endif
+#ifdef COAST
+    // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1.
+    float class_here = TEXTURE2D(light_map, map_place(mix(v_page, floor(v_page + 0.5), coast_sharp))).a;
+    float sea = step(0.16667, class_here) * step(class_here, 0.5);
+#else
     float sea = step(0.999, v_class.x);
+#endif
     color = mix(color, sea_color, sea);
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.

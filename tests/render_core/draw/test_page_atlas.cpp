@@ -115,11 +115,11 @@ protected:
 };
 
 TEST_P(PageAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
     std::vector<std::unique_ptr<AttributePage>> pages;
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
         pages.push_back(noise_page(slot + 1));
-        ASSERT_TRUE(atlas_.upload(at_.gl, slot, *pages.back()));
+        ASSERT_TRUE(atlas_.upload(at_.gl, slot, *pages.back(), false));
     }
     for (std::uint32_t slot = 0; slot < kSlots; ++slot)
         for (const BakedMap map : {BakedMap::form, BakedMap::light, BakedMap::aperture}) {
@@ -127,17 +127,17 @@ TEST_P(PageAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
             EXPECT_GT(worst(map, slot, *pages[(slot + 1) % kSlots]), 100) << "control: another page";
         }
     const auto fresh = noise_page(99);
-    ASSERT_TRUE(atlas_.upload(at_.gl, 4, *fresh));
+    ASSERT_TRUE(atlas_.upload(at_.gl, 4, *fresh, false));
     EXPECT_LE(worst(BakedMap::form, 4, *fresh), 2) << "a slot is used again";
     EXPECT_LE(worst(BakedMap::form, 3, *pages[3]), 2);
 }
 
 // A frame must not depend on the frames before it, and those decide in which slot a page lies.
 TEST_P(PageAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
     const auto page = noise_page(8);
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
-        ASSERT_TRUE(atlas_.upload(at_.gl, slot, *page));
+        ASSERT_TRUE(atlas_.upload(at_.gl, slot, *page, false));
         ASSERT_TRUE(atlas_.upload_horizon(at_.gl, slot, *page, 1, 60, 90));
     }
     for (const BakedMap map : {BakedMap::form, BakedMap::horizon})
@@ -156,7 +156,7 @@ TEST_P(PageAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
 }
 
 TEST_P(PageAtlasTest, TheHorizonIsMixedOfTheTwoNearestDirections) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
     const auto page = noise_page(5);
     const double east_m = 60, north_m = 90;
     for (int direction = 0; direction < terrain::kHorizonDirections; ++direction)
@@ -178,26 +178,42 @@ TEST_P(PageAtlasTest, TheHorizonIsMixedOfTheTwoNearestDirections) {
 
 TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
     design::TerrainStyle style;  // Lambert: normals
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style, false, kSlots, staging_).sentence.view(), "");
     EXPECT_TRUE(atlas_.is_started());
     EXPECT_TRUE(atlas_.has(BakedMap::form));
     for (const BakedMap map : {BakedMap::light, BakedMap::aperture, BakedMap::horizon, BakedMap::drape})
         EXPECT_FALSE(atlas_.has(map));
-    EXPECT_EQ(line_.use.in_use - before_, PageAtlas::bytes_needed(style, kSlots));
+    EXPECT_EQ(line_.use.in_use - before_, PageAtlas::bytes_needed(style, false, kSlots));
     EXPECT_EQ(line_.use.in_use - before_, 256u * 256u * 4) << "nine places of 65 posts";
-    EXPECT_GT(PageAtlas::bytes_needed(style_of_all_maps(), kSlots), 2 * PageAtlas::bytes_needed(style, kSlots));
+    EXPECT_GT(PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots), 2 * PageAtlas::bytes_needed(style, false, kSlots));
     const auto page = noise_page(1);
-    EXPECT_TRUE(atlas_.upload(at_.gl, 0, *page)) << "what is not there is passed over";
+    EXPECT_TRUE(atlas_.upload(at_.gl, 0, *page, true)) << "what is not there is passed over";
     EXPECT_TRUE(atlas_.upload_horizon(at_.gl, 0, *page, 1, 60, 90));
 }
 
+TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
+    const design::TerrainStyle style;
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style, true, kSlots, staging_).sentence.view(), "");
+    EXPECT_TRUE(atlas_.has(BakedMap::light));
+    EXPECT_FALSE(atlas_.has(BakedMap::aperture));
+    EXPECT_EQ(line_.use.in_use - before_, PageAtlas::bytes_needed(style, true, kSlots));
+    const auto page = noise_page(1);
+    const auto uploaded = [&](bool coast) {
+        at_.gl.begin_frame();
+        EXPECT_TRUE(atlas_.upload(at_.gl, 0, *page, coast));
+        return at_.gl.frame().uploaded_bytes;
+    };
+    EXPECT_EQ(uploaded(true), 2 * uploaded(false));
+}
+
 TEST_P(PageAtlasTest, WithoutRoomItIsRefused) {
-    line_.bytes = line_.use.in_use + PageAtlas::bytes_needed(style_of_all_maps(), kSlots) - 1;
-    EXPECT_NE(atlas_.start(at_.gl, line_, style_of_all_maps(), kSlots, staging_).sentence.view(), "");
+    line_.bytes = line_.use.in_use + PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots) - 1;
+    EXPECT_NE(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
     EXPECT_FALSE(atlas_.is_started());
     base::Arena none(memory_.data(), 100);
     PageAtlas other;
-    EXPECT_NE(std::string(other.start(at_.gl, line_, {}, kSlots, none).sentence.view()).find("'staging'"), std::string::npos);
+    EXPECT_NE(std::string(other.start(at_.gl, line_, {}, false, kSlots, none).sentence.view()).find("'staging'"),
+              std::string::npos);
     other.destroy(at_.gl);
 }
 

@@ -431,6 +431,66 @@ host_sim::Raster with_gaps() {
     return raster;
 }
 
+/// A bay and a headland of a shallow coast: the land rises by a centimetre a post, so that no mesh needs a vertex there.
+bool is_sea(double i, double j) { return i < 256 + 60 * std::sin(j / 25) + 12 * std::sin(j / 6); }
+host_sim::Raster shallow_coast() {
+    host_sim::Raster raster = test_support::make_raster(
+        513, 513, [](std::uint32_t i, std::uint32_t j) { return is_sea(i, j) ? 0.0f : 0.5f + 0.01f * static_cast<float>(i); });
+    for (std::uint32_t j = 0; j < 513; ++j)
+        for (std::uint32_t i = 0; i < 513; ++i)
+            if (is_sea(i, j)) raster.post_class[raster.at(i, j)] = terrain::PostClass::sea;
+    return raster;
+}
+
+/// Posts that are drawn as the other of sea and land though the true coast is more than `tolerance_px` and a post away.
+int wrong_posts(const Scene& scene, const Picture& picture, const terrain::View& view, Color sea, double tolerance_px) {
+    const host_sim::Raster& raster = scene.raster;
+    const auto sea_at = [&](std::uint32_t i, std::uint32_t j) {
+        return raster.post_class[raster.at(i, j)] == terrain::PostClass::sea;
+    };
+    constexpr std::uint32_t kReach = 8;
+    const auto is_near_coast = [&](std::uint32_t i, std::uint32_t j, const glm::dvec2& at) {
+        for (std::uint32_t b = j - kReach; b <= j + kReach; ++b)
+            for (std::uint32_t a = i - kReach; a <= i + kReach; ++a) {
+                if (sea_at(a, b) == sea_at(i, j)) continue;
+                if (a + 1 >= i && a <= i + 1 && b + 1 >= j && b <= j + 1) return true;
+                const auto other = pixel_of(view, scene.post(a, b));
+                if (other && glm::distance(at, *other) <= tolerance_px) return true;
+            }
+        return false;
+    };
+    int wrong = 0;
+    for (std::uint32_t j = kReach; j + kReach < raster.rows; ++j)
+        for (std::uint32_t i = kReach; i + kReach < raster.columns; ++i) {
+            const auto at = pixel_of(view, scene.post(i, j));
+            if (!at || at->y < 2 || picture.at(at->x, at->y - 1) == kBackground) continue;  // at the skyline
+            if ((difference(picture.at(at->x, at->y), sea) < 3) == sea_at(i, j)) continue;
+            wrong += is_near_coast(i, j, *at) ? 0 : 1;
+        }
+    return wrong;
+}
+
+TEST(TerrainDrawer, TheCoastIsWhereItIsAndNotWhereTrianglesAre) {
+    Scene scene(shallow_coast());
+    design::DesignSettings design = plain_design();
+    design.terrain.style.texture = design::TerrainTexture::plain;
+    design.terrain.style.plain = {255, 255, 255};
+    design.terrain.style.shade.technique = design::TerrainShade::none;
+    for (const bool from_above : {true, false}) {
+        const TerrainDrawInput input =
+            lit_from_above(from_above ? scene.view(256, 256, 20000, 0, -90) : scene.view(256, 420, 2500, 0, -15));
+        int wrong[2] = {};
+        for (const bool pages : {false, true}) {
+            Drawing drawing(scene, design, "egl", "es3-mid", pages);
+            const Picture picture = drawing.draw(input, 1);
+            wrong[pages ? 1 : 0] = wrong_posts(scene, picture, input.view, design.terrain.sea, 1.5);
+            EXPECT_LE(drawing.lod().worst_error_px, 1);
+        }
+        EXPECT_EQ(wrong[1], 0) << from_above;
+        EXPECT_GT(wrong[0], 100) << "control: by the triangles alone";
+    }
+}
+
 TEST(TerrainDrawer, VoidsAreHatchedInTheirColourInEveryStyleAndNeverLookLikeSea) {
     Scene scene(with_gaps());
     for (std::size_t texture = 0; texture < design::kTerrainTextures; ++texture) {
