@@ -41,8 +41,8 @@ struct AttributeTile {
 
 /// The light that is baked into the light map. Its parts add up to at most 1 where nothing is bounced.
 struct FixedLight {
-    double azimuth_rad = base::radians(315);  ///< clockwise from north
-    double elevation_rad = base::radians(45);
+    double azimuth_rad = base::radians(315);         ///< clockwise from north
+    double elevation_rad = base::radians(20);        ///< low: valleys lie in the shade, and the bounce is seen there
     double disc_radius_rad = base::radians(0.2665);  ///< the sun's mean; shadows are soft over the disc; positive
     double direct = 0.8;                             ///< on a surface that faces the light
     double sky = 0.2;                                ///< on level open ground

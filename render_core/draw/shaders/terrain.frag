@@ -231,7 +231,11 @@ void main() {
 #ifdef SKETCH
     float ink = 0.0;
 #ifdef CONTOURS
-    float per_pixel = max(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m), 1e-3) * contour.x;
+    // Mesh and map do not know the same slope; the smaller one, or where a flat triangle lies on a slope lines would run into blots.
+    vec3 bare = normalize(v_normal);
+    float rise = min(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m),
+                     reach_of(vec3(0.0, 0.0, 1.0), bare, ray, max(-dot(bare, ray), 0.03), pixel_m));
+    float per_pixel = max(rise, 1e-3) * contour.x;
     float phase = v_height * contour.x;
     float line = floor(phase + 0.5);
     float strong = step(abs(line - contour.y * floor(line / contour.y + 0.5)), 0.25);

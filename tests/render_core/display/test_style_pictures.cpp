@@ -1,0 +1,137 @@
+// Whatever the style: sea, land and missing data are told apart at a glance, and missing data are never blue.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "render_core/base/units.hpp"
+#include "render_core/display/display.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/gl/readback.hpp"
+#include "tests/support/built_database.hpp"
+#include "tests/support/default_flight.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using base::radians;
+using terrain::PostClass;
+
+constexpr std::uint32_t kWidth = 200, kHeight = 150, kSide = 193;
+constexpr base::Time kNow{1'700'000'000'000'000'000};
+constexpr double kEye_m = 14000, kFocal_px = 200;
+
+/// Sea in the west, hills in the middle, nothing known in the east.
+const test_support::BuiltDatabase& coast_and_gap() {
+    static const test_support::BuiltDatabase built([] {
+        host_sim::Raster raster = test_support::make_raster(kSide, kSide, [](std::uint32_t i, std::uint32_t j) {
+            return i < 64 ? 0.0f : 260.0f + 200.0f * std::sin(static_cast<float>(i) / 7) * std::cos(static_cast<float>(j) / 9);
+        });
+        for (std::uint32_t j = 0; j < kSide; ++j)
+            for (std::uint32_t i = 0; i < kSide; ++i) {
+                if (i < 64) raster.post_class[raster.at(i, j)] = PostClass::sea;
+                if (i < 128) continue;
+                raster.height_m[raster.at(i, j)] = std::nanf("");
+                raster.post_class[raster.at(i, j)] = PostClass::void_;
+                ++raster.void_posts;
+            }
+        return raster;
+    }());
+    return built;
+}
+
+flight::AircraftState aircraft() {
+    flight::AircraftState state;
+    const double latitude = radians(47.1 - kSide / 2 / 1200.0), longitude = radians(9.6 + kSide / 2 / 1200.0);
+    const double height_m = 900 + coast_and_gap().database.undulation(latitude, longitude).m;
+    for (const auto& [signal, value] : {std::pair{flight::Signal::latitude, latitude},
+                                        {flight::Signal::longitude, longitude},
+                                        {flight::Signal::ellipsoid_height, height_m},
+                                        {flight::Signal::pitch, 0.0},
+                                        {flight::Signal::roll, 0.0},
+                                        {flight::Signal::true_heading, 0.0},
+                                        {flight::Signal::true_altitude, 900.0}})
+        state[signal] = {value, kNow};
+    state.own_ship.position = {latitude, longitude, {height_m}};
+    state.own_ship.height_is_geometric = true;
+    state.own_ship.at = kNow;
+    state.own_ship.state = base::SignalState::valid;
+    return state;
+}
+
+/// Straight down, north up, without symbols.
+std::vector<std::uint8_t> picture_of(const design::DesignSettings& design, const std::string& device) {
+    test_support::MemoryBytes bytes(coast_and_gap().image);
+    test_support::HeadlessDisplay display("egl", device, kWidth, kHeight, &bytes, design);
+    const flight::AircraftState state = aircraft();
+    earth::Geodetic eye = state.own_ship.position;
+    eye.height.m += kEye_m;
+    const glm::dmat3 axes = earth::north_east_down(eye.latitude_rad, eye.longitude_rad);
+    display.display().set_free_view({earth::to_ecef(eye), axes[2], axes[1], -axes[0], kFocal_px, kWidth, kHeight, 100, 100000});
+    display.display().settle(state, {}, kNow);
+    display.display().update(state, {}, kNow);
+    display.display().draw(display.surface());
+    std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
+    EXPECT_TRUE(gl::read_pixels(display.display().gl(), kWidth, kHeight, {rgba.data(), rgba.size()}));
+    return rgba;
+}
+
+struct Region {
+    glm::dvec3 mean{0};
+    double blue_share = 0;     ///< of pixels that anybody would call blue
+    double striped_share = 0;  ///< of pixels as dark as the dark stripes of missing data
+};
+
+Region region_of(const std::vector<std::uint8_t>& rgba, std::uint32_t first, std::uint32_t last) {
+    Region region;
+    int count = 0;
+    for (std::uint32_t y = 10; y < kHeight - 10; ++y)
+        for (std::uint32_t x = first; x < last; ++x, ++count) {
+            const std::uint8_t* p = rgba.data() + (std::size_t{y} * kWidth + x) * 4;
+            region.mean += glm::dvec3(p[0], p[1], p[2]);
+            region.blue_share += p[2] > p[0] + 24 ? 1 : 0;
+            region.striped_share += p[0] < 120 && p[2] < 120 && p[1] < 60 ? 1 : 0;
+        }
+    region.mean /= count;
+    region.blue_share /= count;
+    region.striped_share /= count;
+    return region;
+}
+
+std::vector<std::string> shipped_styles() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(TEDAVIS_SOURCE_DIR) + "/configs/designs/styles"))
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class StylePictures : public testing::TestWithParam<std::string> {};
+
+TEST_P(StylePictures, SeaLandAndMissingDataAreToldApart) {
+    design::DesignSettings design = test_support::shipped_design("styles/" + GetParam());
+    design.sky.haze_distance_m = 0;
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        const std::vector<std::uint8_t> rgba = picture_of(design, device);
+        // A post is 63 m and nearly a pixel wide; the middle of each third.
+        const Region sea = region_of(rgba, 20, 50), land = region_of(rgba, 80, 118), gap = region_of(rgba, 145, 180);
+        EXPECT_GT(glm::distance(sea.mean, land.mean), 40) << device;
+        EXPECT_GT(glm::distance(gap.mean, land.mean), 40) << device;
+        EXPECT_GT(glm::distance(gap.mean, sea.mean), 40) << device;
+        EXPECT_GT(sea.blue_share, 0.9) << device;
+        EXPECT_EQ(gap.blue_share, 0) << device;
+        EXPECT_LT(land.blue_share, 0.1) << device;
+        EXPECT_GT(gap.striped_share, 0.3) << device << ": hatched";
+        EXPECT_LT(gap.striped_share, 0.6) << device;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, StylePictures, testing::ValuesIn(shipped_styles()),
+                         [](const auto& style) { return style.param; });
+
+}  // namespace
+}  // namespace tedavis::display
