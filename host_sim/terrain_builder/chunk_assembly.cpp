@@ -11,6 +11,10 @@ namespace {
 
 using namespace terrain;
 
+constexpr double kPlaceRounding_m = 1e-8;       // of places in space, computed in doubles
+constexpr double kHalfUlp = 0x1p-24;            // of heights above the ellipsoid, which are floats
+constexpr double kUndulationRounding_m = 5e-6;  // its grid holds floats below 128 m
+
 /// The box's axes as the file states them.
 std::array<glm::dvec3, 3> axes_of(const ChunkEntry& entry) {
     std::array<glm::dvec3, 3> axes;
@@ -33,6 +37,7 @@ ChunkAssembly::ChunkAssembly(const BuildPlan& plan, const ChunkKey& key) : plan_
 void ChunkAssembly::reserve(std::size_t vertices) {
     places_.reserve(vertices);
     draft_.vertices.reserve(vertices);
+    draft_.roundings.reserve(vertices);
 }
 
 void ChunkAssembly::add_border(const BorderPost& post, const LatticeWindow& window, const PostPlaces& places) {
@@ -48,9 +53,15 @@ void ChunkAssembly::add(std::uint32_t i, std::uint32_t j, std::uint32_t quantum_
                         const PostPlaces& places) {
     const std::size_t n = window.at(i, j);
     const double q = quantum_m_[quantum_level];
-    glm::dvec3 place = places.at(i, j, window.surface_m[n]);
+    const glm::dvec3 exact = places.at(i, j, window.surface_m[n]);
+    glm::dvec3 place = exact;
     for (int a = 0; a < 3; ++a) place[a] = std::round(place[a] / q) * q;
     places_.push_back(place);
+    const glm::dvec3 moved = place - exact, up = places.up(i, j);
+    const double moved_up_m = glm::dot(moved, up);
+    const double height_rounding_m = std::abs(double{window.surface_m[n]}) * kHalfUlp + kUndulationRounding_m;
+    draft_.roundings.push_back(
+        {std::abs(moved_up_m) + height_rounding_m + kPlaceRounding_m, glm::length(moved - up * moved_up_m) + kPlaceRounding_m});
     draft_.rounding_m = std::max(draft_.rounding_m, 0.5 * std::sqrt(3.0) * q);
     ChunkVertex v{};
     v.height_m = window.height_m[n];

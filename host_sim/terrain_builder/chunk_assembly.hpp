@@ -9,12 +9,18 @@
 
 namespace tedavis::host_sim {
 
+/// How far rounding of its place and of its height moved a vertex, at most.
+struct VertexRounding {
+    double up_m = 0, sideways_m = 0;
+};
+
 /// A chunk that is being made: its entry (without place), vertices and, unless it is regular, triangles.
 struct ChunkDraft {
     terrain::ChunkEntry entry{};
     std::vector<terrain::ChunkVertex> vertices;
     std::vector<std::uint16_t> triangles;
-    double rounding_m = 0;  ///< how far a vertex can lie from its post by rounding
+    double rounding_m = 0;                  ///< how far a vertex can lie from its post by rounding
+    std::vector<VertexRounding> roundings;  ///< of every vertex; empty where a chunk was read from a file
 };
 
 class ChunkAssembly {

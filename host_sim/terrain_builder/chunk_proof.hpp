@@ -1,7 +1,8 @@
 /// The exhaustive signed error of a chunk: of its own mesh, and of what coarser neighbours make of it.
 ///
 /// Every triangle that can ever be drawn of the chunk is measured against every post under it; to that comes what flat
-/// triangles miss of the curved Earth and what rounding moves the vertices.
+/// triangles miss of the curved Earth and what rounding moves the vertices. Exact chunks have nothing else, which is stated cell
+/// by cell: with the rise of a cell, the slopes round it and where its own four vertices went.
 #pragma once
 
 #include <array>
@@ -53,11 +54,15 @@ private:
     void add_triangles(const ChunkDraft& draft, const std::vector<double>& surface_m, const std::uint16_t* indices,
                        std::size_t count, bool in_strip);
     void add_regular(const ChunkDraft& draft);
+    [[nodiscard]] bool take_cells(const ChunkDraft& draft);
+    void include_cells(const PostWindowView& posts);
     void include_curvature(const Steepness& slopes);
 
     const BuildPlan& plan_;
     const terrain::PostRange domain_;
     const double rounding_m_;
+    double steepest_ = 0;
+    std::vector<VertexRounding> roundings_;  // of the posts of a chunk that is measured cell by cell, row by row
     std::vector<Triangle> triangles_;
     ChunkErrors errors_;
 };

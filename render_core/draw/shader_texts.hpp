@@ -8,7 +8,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr std::size_t kMaxShaderText = 16383;
+inline constexpr std::size_t kMaxShaderText = 20479;
 
 /// Embedded files end with a zero that is not part of the text.
 template <std::size_t N>

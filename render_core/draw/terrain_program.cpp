@@ -126,7 +126,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
 base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
-    base::FixedString<kMaxShaderText> vertex(defines.view()), fragment(defines.view());
+    base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view()), fragment(defines.view());
     const bool code = variant.output == TerrainOutput::code;
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));

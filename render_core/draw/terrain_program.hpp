@@ -81,7 +81,8 @@ struct TerrainVariant {
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 
-using TerrainDefines = base::FixedString<1023>;
+inline constexpr std::size_t kMaxTerrainDefines = 1023;
+using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
 /// The techniques of a style as the preprocessor's lines.
 [[nodiscard]] TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant);
 

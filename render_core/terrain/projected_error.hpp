@@ -10,8 +10,8 @@
 
 namespace tedavis::terrain {
 
-/// True when no point of the chunk's box, stretched upwards by `lift_m`, can be in the view. Never true for a visible one. What is
-/// outside a view is outside every narrower one of the same pose.
+/// True when no point of the chunk's box, stretched upwards by `lift_m`, can be in the view. Never true for a visible one. What
+/// is outside a view is outside every narrower one of the same pose.
 [[nodiscard]] bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m = 0);
 
 /// Largest number of pixels that a vertical error of `error_m` can be anywhere in the picture and in the chunk's box, stretched

@@ -23,6 +23,7 @@ constexpr std::uint32_t kSmallest = 1300, kMiddle = 3000;  // posts a side, of 1
 constexpr double kBytesOfAPost = 64;                       // a little less than generated terrain takes
 constexpr int kLegs = 8;
 constexpr double kMostOfTime = 1.1, kMostOfSlowest = 1.25;
+constexpr double kMostOfBytes = 1.01;  // the page table has 8 bytes for 64 chunks
 
 struct Arguments {
     bool json = false, right = true;
@@ -86,7 +87,7 @@ void compare(const Flown& flown, const Flown& smallest, std::vector<BenchResult>
     lines.push_back({name + ": 99 of 100 frames", flown.slowest_ms, "ms", kMostOfSlowest * smallest.slowest_ms,
                      flown.is_right() && slowest <= kMostOfSlowest, smallest.slowest_ms});
     lines.push_back({name + ": median frame / smallest", time, "ratio", kMostOfTime, time <= kMostOfTime, 1});
-    lines.push_back({name + ": bytes / smallest", memory, "ratio", 1, memory == 1, 1});
+    lines.push_back({name + ": bytes / smallest", memory, "ratio", kMostOfBytes, memory <= kMostOfBytes, 1});
     lines.push_back({name + ": bytes", flown.memory(), "bytes", 64 << 20, flown.memory() <= 64 << 20, smallest.memory()});
 }
 

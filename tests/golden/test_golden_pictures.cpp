@@ -18,6 +18,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/png_file.hpp"
 #include "host_sim/replay/posed_frame.hpp"
+#include "host_sim/terrain_builder/generated_image.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -51,6 +52,8 @@ std::string default_terrain(const test_support::TemporaryFolder& folder) {
     build.rasters = {root() + "/configs/data/" + plan().terrain};
     build.output = folder.file("golden.tdb");
     build.accuracy_m = 16;
+    build.drape = folder.file("generated_image.tif");
+    host_sim::write_generated_image(build.rasters.front(), build.drape);
     EXPECT_EQ(test_support::run_command([&](host_sim::Console& console) { return run_terrain_build(build, console); }).code, 0);
     return build.output;
 }

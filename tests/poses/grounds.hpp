@@ -11,14 +11,14 @@ namespace tedavis {
 struct Ground {
     const char* name;
     std::string file;
-    std::uint32_t pictures;  ///< poses to draw: the whole raster is projected for each
+    std::uint32_t pictures;  ///< poses to draw: the whole raster is projected for each without void ground
 };
 
 inline std::vector<Ground> grounds() {
     const std::string folder = std::string(TEDAVIS_REAL_DATA) + "/terrain/";
     std::vector<Ground> all{{"default", std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif", 320}};
     for (const Ground& real : {Ground{"davos", folder + "davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif", 48},
-                               Ground{"pyrenees_with_voids", folder + "N42E001_pyrenees_andorra_srtm3.hgt.zip", 96}})
+                               Ground{"pyrenees_with_voids", folder + "N42E001_pyrenees_andorra_srtm3.hgt.zip", 320}})
         if (std::filesystem::exists(real.file)) all.push_back(real);
     return all;
 }

@@ -42,7 +42,7 @@ TEST_P(PictureProofOf, SkylinesAreTheTrueOnesAndNothingShowsThrough) {
         EXPECT_EQ(proof.too_low, 0);
         EXPECT_EQ(proof.cracks, 0);
         EXPECT_EQ(proof.unsettled, 0);
-        EXPECT_GE(proof.pictures, 15);
+        EXPECT_GE(proof.pictures, 10);
     }
 }
 

@@ -84,6 +84,30 @@ void expect_stated_errors_hold(const Raster& raster, bool closed, int steps, std
 
 TEST(ChunkProof, HoldsOverRoughTerrain) { expect_stated_errors_hold(test_support::make_rough_raster(97, 80), false, 6); }
 
+/// What exact chunks state is honest and not much more than is found; a vertex that went a little further would be found.
+TEST(ChunkProof, ExactChunksStateLittleMoreThanTheirRounding) {
+    const Raster raster = test_support::make_raster(
+        97, 80, [](std::uint32_t i, std::uint32_t j) { return 1500 + 600.0f * std::sin(i * 0.4f) * std::cos(j * 0.3f); });
+    const BuiltDatabase built(raster);
+    const TrueSurface truth(raster, false);
+    double tightest = 0;
+    for (const ChunkKey& key : built.chunks()) {
+        if (key.level != 0) continue;
+        BuiltMesh mesh(built, key, 0);
+        const ChunkEntry& e = mesh.entry;
+        const Found found = sample(mesh, truth, 4);
+        EXPECT_LE(found.above_m, e.above_m);
+        EXPECT_LE(found.below_m, e.below_m);
+        tightest = std::max(tightest, found.above_m / e.above_m);
+        ChunkVertex& moved = mesh.vertices[e.border_count + 3u];
+        moved.x -= 2.5f * e.axes[6] * e.above_m;
+        moved.y -= 2.5f * e.axes[7] * e.above_m;
+        moved.z -= 2.5f * e.axes[8] * e.above_m;
+        EXPECT_GT(sample(mesh, truth, 4).above_m, e.above_m);
+    }
+    EXPECT_GT(tightest, 0.25);
+}
+
 TEST(ChunkProof, HoldsFarNorthWithCellsOfManyKilometres) {
     const Raster raster = test_support::make_raster(
         90, 70, [](std::uint32_t i, std::uint32_t j) { return 2000 + 1500.0f * std::sin(i * 0.3f) * std::cos(j * 0.2f); }, 5, 75,

@@ -51,9 +51,10 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
         GlSession session("egl", device);
         std::vector<int> seen(kTerrainUniforms, 0);
         for (const TerrainStyle& style : styles())
-            for (const bool baked : {true, false}) {
+            for (const int pages : {0, 1, 2}) {
                 TerrainVariant variant = full_variant();
-                variant.baked = baked;
+                variant.baked = pages > 0;
+                variant.coast = pages > 1;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
