@@ -91,7 +91,7 @@ TEST(CoarseChunks, AreWithinTheToleranceAtSpreadPosts) {
         for (std::uint32_t j = first_after(std::min({a.j, b.j, c.j})); j <= std::max({a.j, b.j, c.j}) && j < posts.j1; j += 4)
             for (std::uint32_t i = first_after(std::min({a.i, b.i, c.i})); i <= std::max({a.i, b.i, c.i}) && i < posts.i1;
                  i += 4) {
-                const double di = double{i} - a.i, dj = double{j} - a.j;
+                const double di = static_cast<double>(i) - a.i, dj = static_cast<double>(j) - a.j;
                 const double wb = area(di, dj, c.i - a.i, c.j - a.j) / whole, wc = area(b.i - a.i, b.j - a.j, di, dj) / whole;
                 if (wb < 0 || wc < 0 || wb + wc > 1) continue;
                 const double drawn_m = (1 - wb - wc) * surface(a.i, a.j) + wb * surface(b.i, b.j) + wc * surface(c.i, c.j);
