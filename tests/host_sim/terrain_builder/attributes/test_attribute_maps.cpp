@@ -113,7 +113,8 @@ TEST(AttributeMaps, TheMarksOfVoidsChangeNoByte) {
 
 TEST(AttributeMaps, PostsWithoutHeightAreAsLevelGround) {
     const AttributeTile tile = fractal_tile(37, 30, 50, 45);
-    const AttributeFields fields = measure_attributes(HeightPlanes(tile), {}, {});
+    const FixedLight light;
+    const AttributeFields fields = measure_attributes(HeightPlanes(tile), light, {});
     int voids = 0;
     for (int row = 0; row < tile.rows; ++row) {
         for (int column = 0; column < tile.columns; ++column) {
@@ -125,7 +126,8 @@ TEST(AttributeMaps, PostsWithoutHeightAreAsLevelGround) {
             EXPECT_EQ(fields.at(AttributeChannel::sky_view, column, row), 1);
             EXPECT_EQ(fields.at(AttributeChannel::curvature, column, row), 0);
             EXPECT_EQ(fields.at(AttributeChannel::local_relief, column, row), 0);
-            EXPECT_NEAR(fields.at(AttributeChannel::light, column, row), 0.8 * std::sqrt(0.5) + 0.2, 1e-6);
+            EXPECT_NEAR(fields.at(AttributeChannel::light, column, row), light.direct * std::sin(light.elevation_rad) + light.sky,
+                        1e-6);
         }
     }
     EXPECT_GT(voids, 30);
@@ -218,6 +220,7 @@ TEST(AttributeMaps, LightWithoutBounceAndSkyIsLambertsCosine) {
     const AttributeTile tile =
         make_tile(24, 20, 20, 25, [](int i, int j) { return 300 + 6 * std::sin(0.3 * i) + 5 * std::cos(0.2 * j + 0.1 * i); });
     FixedLight light;
+    light.elevation_rad = base::radians(45);
     light.albedo = light.sky = 0;
     light.direct = 1;
     const HeightPlanes planes(tile);
