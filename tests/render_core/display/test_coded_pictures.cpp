@@ -63,8 +63,8 @@ double share_apart(const std::vector<std::uint8_t>& a, const std::vector<std::ui
     return static_cast<double>(apart) / static_cast<double>(a.size() / 4);
 }
 
-/// Heights of 16 bits, light of 8 and distances in steps of 3.6 % explain three colour steps; a limit between two colours may
-/// fall on the other side of a pixel's middle.
+/// Light comes from the corners of a triangle instead of from each pixel's own normal, heights have 16 bits, distances steps of
+/// 3.6 %: a few colour steps. A limit between two colours may fall on the other side of a pixel's middle.
 TEST(CodedPictures, ShowWhatColoursDrawnAtOnceShow) {
     const design::DesignSettings design = design_without_silhouettes();
     const host_sim::AircraftPose poses[] = {
@@ -72,7 +72,8 @@ TEST(CodedPictures, ShowWhatColoursDrawnAtOnceShow) {
     for (const char* device : {"es2-small", "es3-mid"})
         for (const host_sim::AircraftPose& pose : poses) {
             const auto coded = picture(design, device, true, pose), direct = picture(design, device, false, pose);
-            EXPECT_LT(share_apart(coded, direct, 3), 0.002) << device << " heading " << pose.heading_deg;
+            EXPECT_LT(share_apart(coded, direct, 3), 0.02) << device << " heading " << pose.heading_deg;
+            EXPECT_LT(share_apart(coded, direct, 10), 0.002) << device << " heading " << pose.heading_deg;
         }
 }
 
@@ -80,9 +81,8 @@ TEST(CodedPictures, AnotherLightIsSeen) {
     design::DesignSettings other = design_without_silhouettes();
     other.terrain.style.shade.lights[0].azimuth_rad += 1;
     const host_sim::AircraftPose pose{47.0, 9.64, 2000, 30, -12, 0};
-    EXPECT_GT(
-        share_apart(picture(design_without_silhouettes(), "es3-mid", true, pose), picture(other, "es3-mid", true, pose), 10),
-        0.02);
+    EXPECT_GT(share_apart(picture(design_without_silhouettes(), "es3-mid", true, pose), picture(other, "es3-mid", true, pose), 3),
+              0.05);
 }
 
 }  // namespace
