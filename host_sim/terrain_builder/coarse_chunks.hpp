@@ -1,5 +1,5 @@
-/// Chunks above the units: their meshes from the vertices of the meshes below and from posts spread over them, their errors from all
-/// posts, unit by unit.
+/// Chunks above the units: their meshes from the vertices of the meshes below and from posts spread over them, their errors from
+/// all posts, unit by unit.
 #pragma once
 
 #include <vector>

@@ -93,7 +93,8 @@ bool draws_on_ground(const SketchSettings& sketch) {
 
 bool reads_form(const TerrainStyle& style) {
     const TerrainShade shade = style.shade.technique;
-    return draws_on_ground(style.sketch) || (shade != TerrainShade::none && (style.shade.baked_normals || style.shade.cast_shadows)) ||
+    return draws_on_ground(style.sketch) ||
+           (shade != TerrainShade::none && (style.shade.baked_normals || style.shade.cast_shadows)) ||
            shade == TerrainShade::aperture || style.shade.ambient_occlusion > 0 || style.texture == TerrainTexture::slope ||
            style.texture == TerrainTexture::material;
 }

@@ -6,7 +6,8 @@
 /// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
 ///             forbid tau, refinement starts again with error times visibility in that order, and passes over splits that do not
 ///             fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
-/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst error,
+/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst
+/// error,
 ///             and after true errors where budgets end the refinement.
 /// Image       where a drape is shown and tau is met everywhere, chunks are split whose texels are large in view, the largest
 ///             first, with what the budgets leave. Should that take an error over tau, all is chosen again without.
