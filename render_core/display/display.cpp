@@ -406,6 +406,7 @@ draw::PictureInput Display::picture_input() const {
     draw::PictureInput input;
     input.sky = sky_input();
     input.outlined = settings_.design.terrain.style.sketch.silhouettes > 0 && has_silhouettes();
+    input.ground = terrain_.drawn_part(eye_.view);
     input.has_void = terrain_has_void_;
     input.heights = terrain.heights;
     if (terrain.warning_colors)

@@ -1,9 +1,11 @@
 #include "render_core/display/terrain_scene.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "render_core/draw/terrain_uniforms.hpp"
+#include "render_core/terrain/projected_error.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -14,6 +16,8 @@ constexpr std::uint32_t kNodesPerSlot = 8;  // looked at by one selection: hidde
 // What will be needed when it has arrived: a wider view, and a little finer.
 constexpr std::uint32_t kAheadPercent = 125;
 constexpr double kAheadTau = 0.8;
+constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
+constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
 terrain::View seen_soon(const terrain::View& view) {
     terrain::View wider = view;
@@ -164,6 +168,20 @@ double TerrainScene::farthest_depth_m(const terrain::View& view) const {
     for (const terrain::SelectedChunk& chunk : selected())
         farthest = std::fmax(farthest, draw::depths_of(*chunk.entry, view, draw::greatest_lift_m(chunk.lift)).far_m);
     return farthest;
+}
+
+draw::ScreenPart TerrainScene::drawn_part(const terrain::View& view) const {
+    const glm::dvec3 up = glm::normalize(view.eye);
+    glm::dvec2 on_screen(glm::dot(up, view.right), glm::dot(up, view.down));
+    const double length = glm::length(on_screen);
+    on_screen = length > kLeastVertical ? on_screen / length : glm::dvec2(0, -1);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const terrain::SelectedChunk& chunk : selected())
+        highest = std::fmax(highest,
+                            terrain::highest_tangent(*chunk.entry, view, on_screen, double{draw::greatest_lift_m(chunk.lift)}));
+    return {static_cast<float>(on_screen.x * view.half_width_tangent()),
+            static_cast<float>(-on_screen.y * view.half_height_tangent()),
+            static_cast<float>(highest + kSkyMargin_px / view.focal_px)};
 }
 
 terrain::DrawnPoint TerrainScene::drawn_point(double latitude_rad, double longitude_rad) {

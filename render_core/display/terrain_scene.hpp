@@ -9,6 +9,7 @@
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/display/eye.hpp"
+#include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
 #include "render_core/terrain/height_query.hpp"
@@ -69,6 +70,9 @@ public:
 
     /// Depth of the farthest point that is drawn; 0 when nothing is.
     [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
+
+    /// The part of the screen that everything drawn lies in, bounded along the picture's vertical.
+    [[nodiscard]] draw::ScreenPart drawn_part(const terrain::View& view) const;
 
     /// The drawn surface at a place, for what stands on the ground; after prepare().
     [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);

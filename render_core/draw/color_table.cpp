@@ -16,6 +16,14 @@ std::size_t band_at(const TerrainBands& bands, double height_m) {
     return at;
 }
 
+/// Of a column of the sky's row.
+design::Color sky_at(const design::SkySettings& sky, std::uint32_t column) {
+    constexpr std::uint32_t kGround = ColorTable::kGroundAtHorizon, kSky = ColorTable::kSkyAtHorizon, kZenith = 255;
+    if (column <= kGround) return design::blended(sky.ground, sky.ground_horizon, column / double{kGround});
+    if (column <= kSky) return design::blended(sky.ground_horizon, sky.horizon, (column - kGround) / double{kSky - kGround});
+    return design::blended(sky.horizon, sky.zenith, (column - kSky) / double{kZenith - kSky});
+}
+
 void put(std::uint8_t* texel, design::Color color, const TerrainBands& bands, std::size_t band) {
     const float rgb[3] = {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
     const float* over = band > 0 ? bands.color + 4 * (band - 1) : nullptr;
@@ -35,6 +43,10 @@ bool same_in_row(const TerrainBands& a, const TerrainBands& b, const HeightSpan&
 
 bool same_colors(const TerrainBands& a, const TerrainBands& b) {
     return a.count == b.count && std::memcmp(a.color, b.color, a.count * 4 * sizeof(float)) == 0;
+}
+
+bool same_colors(const design::SkySettings& a, const design::SkySettings& b) {
+    return a.zenith == b.zenith && a.horizon == b.horizon && a.ground == b.ground && a.ground_horizon == b.ground_horizon;
 }
 
 bool same_limits(const TerrainBands& a, const TerrainBands& b) {
@@ -57,7 +69,7 @@ gl::GlError ColorTable::start(gl::Gl& gl, base::BudgetLine& line) {
 }
 
 void ColorTable::update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
-                        double haze_per_m) {
+                        const design::SkySettings& sky, double haze_per_m) {
     const bool all =
         !known_ || span.lowest_m != span_.lowest_m || span.highest_m != span_.highest_m || !same_colors(bands, bands_);
     if (all || !same_limits(bands, bands_)) {
@@ -65,10 +77,11 @@ void ColorTable::update(gl::Gl& gl, const design::TerrainSettings& terrain, cons
             if (all || !same_in_row(bands_, bands, span, row)) update_heights(gl, terrain, span, bands, row);
         update_sea(gl, terrain, bands);
     }
-    if (!known_ || haze_per_m != haze_per_m_) update_haze(gl, haze_per_m);
+    if (!known_ || haze_per_m != haze_per_m_ || !same_colors(sky, sky_)) update_sky(gl, sky, haze_per_m);
     known_ = true;
     span_ = span;
     bands_ = bands;
+    sky_ = sky;
     haze_per_m_ = haze_per_m;
 }
 
@@ -90,13 +103,15 @@ void ColorTable::update_sea(gl::Gl& gl, const design::TerrainSettings& terrain, 
     upload_row(gl, kSeaRow, texels);
 }
 
-void ColorTable::update_haze(gl::Gl& gl, double haze_per_m) const {
-    std::uint8_t texels[4 * kSide] = {};
+void ColorTable::update_sky(gl::Gl& gl, const design::SkySettings& sky, double haze_per_m) const {
+    std::uint8_t texels[4 * kSide];
     for (std::uint32_t code = 0; code < kSide; ++code) {
+        put(texels + 4 * code, sky_at(sky, code), {}, 0);
         const double distance_m = kDistanceCodeStart_m * (std::exp2(kDistanceCodeOctaves * code / 255.0) - 1);
         texels[4 * code + 3] = static_cast<std::uint8_t>(std::lround(255 * -std::expm1(-distance_m * haze_per_m)));
     }
-    upload_row(gl, kHazeRow, texels);
+    texels[4 * kSide - 1] = 0;  // the sky's own code
+    upload_row(gl, kSkyRow, texels);
 }
 
 void ColorTable::upload_row(gl::Gl& gl, std::uint32_t row, const std::uint8_t* texels) const {

@@ -1,8 +1,9 @@
 /// The colours of terrain codes (terrain_code.frag), one texel a code, so that no pixel mixes palette and warning bands itself.
 ///
 /// Rows 0..253 and columns are a height's steps of 1/254 of the span and of 1/255 of such a step: the palette or the plain colour
-/// under the warning bands of the moment. Row 254 is the sea. Row 255 holds in alpha the haze by distance code. Only the rows
-/// that a band entered or left since the last update are computed and uploaded again.
+/// under the warning bands of the moment. Row 254 is the sea. Row 255 holds in alpha the haze by distance code, and in its
+/// colours the sky: the ground to column 64, from there to 128 the horizon's pixels, to 255 the zenith. Only the rows that a band
+/// entered or left since the last update are computed and uploaded again.
 ///
 /// Memory    256 x 256 texels from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -23,12 +24,13 @@ struct HeightSpan {
 
 class ColorTable {
 public:
-    static constexpr std::uint32_t kSide = 256, kHeightRows = 254, kSeaRow = 254, kHazeRow = 255;
+    static constexpr std::uint32_t kSide = 256, kHeightRows = 254, kSeaRow = 254, kSkyRow = 255;
+    static constexpr std::uint32_t kGroundAtHorizon = 64, kSkyAtHorizon = 128;  ///< columns of the sky's row
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
     /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
-                double haze_per_m);
+                const design::SkySettings& sky, double haze_per_m);
     /// Of another design: the next update computes everything.
     void forget() { known_ = false; }
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
@@ -42,12 +44,13 @@ private:
     void update_heights(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
                         std::uint32_t row) const;
     void update_sea(gl::Gl& gl, const design::TerrainSettings& terrain, const TerrainBands& bands) const;
-    void update_haze(gl::Gl& gl, double haze_per_m) const;
+    void update_sky(gl::Gl& gl, const design::SkySettings& sky, double haze_per_m) const;
 
     gl::Texture texture_;
     bool known_ = false;
     HeightSpan span_;
     TerrainBands bands_;
+    design::SkySettings sky_;
     double haze_per_m_ = 0;
 };
 

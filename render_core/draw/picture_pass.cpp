@@ -52,26 +52,34 @@ gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint3
     return build_programs(gl, style);
 }
 
-gl::GlError PicturePass::build_programs(gl::Gl& gl, const design::TerrainStyle& style) {
+gl::GlError PicturePass::build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const {
     const UniformNames uniforms;
+    base::FixedString<kMaxShaderText> fragment(coded_ ? "#define CODED 1\n" : "");
+    fragment.append(defines);
+    fragment.append(shader_text(k_sky_color_frag));
+    fragment.append(shader_text(k_picture_frag));
+    gl::ProgramSource source;
+    source.name = "picture";
+    source.vertex = shader_text(k_screen_vert);
+    source.fragment = fragment.view();
+    source.attributes = base::Span<const gl::AttributeBinding>(kScreenAttributes);
+    source.uniforms = base::Span<const char* const>(uniforms.names);
+    source.some_unused = true;
+    auto built = gl::build_program(gl, source);
+    if (!built.ok()) return built.error();
+    program = built.value();
+    return {};
+}
+
+gl::GlError PicturePass::build_programs(gl::Gl& gl, const design::TerrainStyle& style) {
+    if (gl::GlError error = build_program(gl, "#define SKY 1\n", sky_); !error.sentence.empty()) return error;
     for (const bool hatched : {false, true})
         for (const bool outlined : {false, true}) {
             if ((hatched && !coded_) || (outlined && style.sketch.silhouettes == 0)) continue;
-            base::FixedString<kMaxShaderText> fragment(coded_ ? "#define CODED 1\n" : "");
-            if (hatched) fragment.append("#define HATCHED 1\n");
-            if (outlined) fragment.append("#define OUTLINED 1\n");
-            fragment.append(shader_text(k_sky_color_frag));
-            fragment.append(shader_text(k_picture_frag));
-            gl::ProgramSource source;
-            source.name = "picture";
-            source.vertex = shader_text(k_screen_vert);
-            source.fragment = fragment.view();
-            source.attributes = base::Span<const gl::AttributeBinding>(kScreenAttributes);
-            source.uniforms = base::Span<const char* const>(uniforms.names);
-            source.some_unused = true;
-            auto program = gl::build_program(gl, source);
-            if (!program.ok()) return program.error();
-            programs_[hatched ? 1 : 0][outlined ? 1 : 0] = program.value();
+            base::FixedString<40> defines(hatched ? "#define HATCHED 1\n" : "");
+            if (outlined) defines.append("#define OUTLINED 1\n");
+            gl::Program& program = programs_[hatched ? 1 : 0][outlined ? 1 : 0];
+            if (gl::GlError error = build_program(gl, defines.view(), program); !error.sentence.empty()) return error;
         }
     return {};
 }
@@ -84,21 +92,28 @@ void PicturePass::begin(gl::Gl& gl) const {
 
 void PicturePass::finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design,
                          const PictureInput& input) {
-    if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.haze_per_m);
+    if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.sky.colors, input.haze_per_m);
     gl::bind_surface(gl, surface);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
-    const gl::Program& program = programs_[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
-    program.use(gl);
     target_.color().bind(gl, 0);
+    const gl::Program& ground = programs_[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
+    use(gl, ground, design, input);
+    grid_.draw_cells(gl, input.ground, true);
+    use(gl, sky_, design, input);
+    grid_.draw_cells(gl, input.ground, false);
+}
+
+void PicturePass::use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design,
+                      const PictureInput& input) const {
+    program.use(gl);
     gl->Uniform1i(program.uniform(kScene), 0);
     const gl::TextureSettings& size = target_.color().settings();
     gl->Uniform2f(program.uniform(kSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
     set_sky_uniforms(gl, program, input.sky);
     if (input.outlined) set_outline(gl, program, design.terrain.style.sketch);
     if (coded_) set_colors(gl, program, design);
-    grid_.draw(gl);
 }
 
 void PicturePass::set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const {
@@ -116,6 +131,7 @@ void PicturePass::set_colors(gl::Gl& gl, const gl::Program& program, const desig
 void PicturePass::destroy(gl::Gl& gl) {
     for (auto& some : programs_)
         for (gl::Program& program : some) program.destroy(gl);
+    sky_.destroy(gl);
     colors_.destroy(gl);
     grid_.destroy(gl);
     target_.destroy(gl);

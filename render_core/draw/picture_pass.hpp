@@ -6,6 +6,8 @@
 /// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
 #pragma once
 
+#include <string_view>
+
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/draw/color_table.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -17,6 +19,7 @@ namespace tedavis::draw {
 struct PictureInput {
     SkyInput sky;
     bool outlined = false;  ///< with the silhouettes of the style
+    ScreenPart ground;      ///< beyond it nothing was drawn
     // For codes only.
     bool has_void = false;  ///< ground without data is in view
     HeightSpan heights;     ///< as the terrain was drawn with
@@ -40,7 +43,8 @@ public:
 
 private:
     [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, const design::TerrainStyle& style);
-    [[nodiscard]] const gl::Program& program_of(const PictureInput& input) const;
+    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const;
+    void use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, const PictureInput& input) const;
     void set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const;
     void set_colors(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) const;
 
@@ -48,6 +52,7 @@ private:
     ScreenGrid grid_;
     ColorTable colors_;
     gl::Program programs_[2][2];  ///< the second with what is not known; the second with silhouettes
+    gl::Program sky_;
     bool coded_ = false;
 };
 

@@ -30,6 +30,12 @@ struct GridShape {
     }
 };
 
+bool reaches(const ScreenPart& part, std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t least_x = part.right > 0 ? column : column + 1, least_y = part.up > 0 ? row : row + 1;
+    const float x = 2.0f * static_cast<float>(least_x) / kColumns - 1.0f, y = 2.0f * static_cast<float>(least_y) / kRows - 1.0f;
+    return !(x * part.right + y * part.up > part.limit);
+}
+
 }  // namespace
 
 gl::GlError ScreenGrid::start(gl::Gl& gl, base::BudgetTable& budget) {
@@ -47,12 +53,18 @@ gl::GlError ScreenGrid::start(gl::Gl& gl, base::BudgetTable& budget) {
     return {};
 }
 
-void ScreenGrid::draw(gl::Gl& gl) const {
+void ScreenGrid::draw_cells(gl::Gl& gl, const ScreenPart& part, bool inside) const {
     vertices_.bind(gl);
     indices_.bind(gl);
     gl->EnableVertexAttribArray(0);
     gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl::draw_triangles(gl, {0, kIndices, kVertices - 1});
+    constexpr std::uint32_t kCells = kColumns * kRows, kCellIndices = kIndices / kCells;
+    std::uint32_t first = 0;  // of the cells that follow each other without a gap
+    for (std::uint32_t cell = 0; cell <= kCells; ++cell) {
+        if (cell < kCells && reaches(part, cell % kColumns, cell / kColumns) == inside) continue;
+        gl::draw_triangles(gl, {first * kCellIndices, (cell - first) * kCellIndices, kVertices - 1});
+        first = cell + 1;
+    }
     gl->DisableVertexAttribArray(0);
 }
 

@@ -12,11 +12,18 @@ namespace tedavis::draw {
 
 inline constexpr gl::AttributeBinding kScreenAttributes[] = {{"position", 0}};
 
+/// The screen where x * right + y * up <= limit, x and y from -1 at the left and bottom to 1.
+struct ScreenPart {
+    float right = 0, up = 0, limit = 1;  ///< the whole screen
+};
+
 class ScreenGrid {
 public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
     /// With the program in use.
-    void draw(gl::Gl& gl) const;
+    void draw(gl::Gl& gl) const { draw_cells(gl, {}, true); }
+    /// The cells that reach into the part, or those that do not.
+    void draw_cells(gl::Gl& gl, const ScreenPart& part, bool inside) const;
     void destroy(gl::Gl& gl);
 
 private:

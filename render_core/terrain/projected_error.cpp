@@ -1,6 +1,7 @@
 #include "render_core/terrain/projected_error.hpp"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <initializer_list>
 #include <limits>
@@ -102,6 +103,31 @@ double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m
     const double depth = std::fmax(std::fmax(by_box, by_distance), view.near_m);
     const double error_px = error_m * view.focal_px * (across + off_axis * along) / depth;
     return std::isnan(error_px) ? std::numeric_limits<double>::infinity() : error_px;
+}
+
+double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dvec2& up, double lift_m) {
+    const Box box = box_of(entry, view, lift_m);
+    const glm::dvec3 up_axis = view.right * up.x + view.down * up.y;
+    const glm::dvec2 middle(glm::dot(box.centre, view.forward), glm::dot(box.centre, up_axis));
+    glm::dvec2 along[3], corners[8];  // depth, height over the axis
+    for (int a = 0; a < 3; ++a)
+        along[a] = box.half[a] * glm::dvec2(glm::dot(box.axis[a], view.forward), glm::dot(box.axis[a], up_axis));
+    for (unsigned n = 0; n < 8; ++n) {
+        corners[n] = middle;
+        for (unsigned a = 0; a < 3; ++a) corners[n] += (n >> a & 1u) != 0 ? along[a] : -along[a];
+    }
+    double highest = -std::numeric_limits<double>::infinity();
+    for (unsigned n = 0; n < 8; ++n) {
+        const glm::dvec2& from = corners[n];
+        if (!(from.x < view.near_m)) {
+            highest = std::fmax(highest, from.y / from.x);
+            continue;
+        }
+        for (unsigned a = 0; a < 3; ++a)  // where its edges pierce the near plane
+            if (const glm::dvec2& to = corners[n ^ (1u << a)]; to.x >= view.near_m)
+                highest = std::fmax(highest, glm::mix(from.y, to.y, (view.near_m - from.x) / (to.x - from.x)) / view.near_m);
+    }
+    return std::isfinite(middle.x + middle.y) ? highest : std::numeric_limits<double>::infinity();
 }
 
 float distance_m(const ChunkEntry& entry, const View& view) {

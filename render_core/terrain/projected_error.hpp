@@ -5,6 +5,8 @@
 /// (difference of the two projections). Boxes are ECEF; pure functions; any thread.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include "render_core/terrain/tdb_format.hpp"
 #include "render_core/terrain/view.hpp"
 
@@ -17,6 +19,11 @@ namespace tedavis::terrain {
 /// Largest number of pixels that a vertical error of `error_m` can be anywhere in the picture and in the chunk's box, stretched
 /// upwards by `lift_m`. Exactly 0 for no error; never NaN: what cannot be bounded is infinite.
 [[nodiscard]] double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m);
+
+/// How far up along `up` (unit, parts along the picture's right and down) any point of the chunk's box, stretched upwards by
+/// `lift_m`, is seen: its greatest off-axis tangent. Minus infinity for a box behind the near plane. Never NaN: what cannot be
+/// bounded is infinite.
+[[nodiscard]] double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dvec2& up, double lift_m);
 
 /// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);

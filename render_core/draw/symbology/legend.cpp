@@ -29,6 +29,7 @@ constexpr float kHatchPitch_px = 12;
 constexpr double kHatchDark = 0.4;
 
 constexpr int kBarSlices = 32;
+constexpr float kUnder_px = 1;  // by which a slice reaches under its neighbour
 constexpr int kBandSlices = 5;
 constexpr int kMaxNumbers = 16;
 
@@ -138,12 +139,13 @@ private:
         y_ += kInset * t_;
     }
 
-    /// Each slice reaches down to the foot, so that no seam shows between two.
+    /// Each slice reaches under the next one, so that no seam shows between two.
     void build_bar(const Rect& bar) const {
+        const float slice = bar.height / kBarSlices;
         for (int n = 0; n < kBarSlices; ++n) {
             const double share = 1 - (n + 0.5) / kBarSlices;
-            const float top = bar.y + bar.height * static_cast<float>(n) / kBarSlices;
-            painter_.batch().box({bar.x, top, bar.width, bar.bottom() - top},
+            const float top = bar.y + slice * static_cast<float>(n);
+            painter_.batch().box({bar.x, top, bar.width, std::min(slice + kUnder_px, bar.bottom() - top)},
                                  color_of_value(legend_.palette, scale_.low + (scale_.high - scale_.low) * share));
         }
         painter_.batch().frame(bar, painter_.stroke_px(), kScaleColor);
@@ -189,7 +191,7 @@ private:
         y_ += kPad * t_;
         const Rect whole = sample(y_, kBand * t_ * static_cast<float>(legend_.warning_bands.size()));
         for (const design::WarningBand& band : legend_.warning_bands) {
-            build_band(sample(y_, whole.bottom() - y_), band);
+            build_band(sample(y_, std::min(kBand * t_ + kUnder_px, whole.bottom() - y_)), band);
             y_ += kBand * t_;
             painter_.batch().box({whole.x, y_ - painter_.stroke_px() / 2, whole.width, painter_.stroke_px()}, kScaleColor);
             note(signed_number(band.lower_m * written_metre(legend_.unit)).view(), y_);
@@ -211,11 +213,12 @@ private:
 
     /// As it is displayed over the terrain's colours, from the lowest on the left to the highest.
     void build_band(const Rect& at, const design::WarningBand& band) const {
+        const float slice = at.width / kBandSlices;
         for (int n = 0; n < kBandSlices; ++n) {
             const double value = scale_.low + (scale_.high - scale_.low) * n / (kBandSlices - 1);
-            const float left = at.x + at.width * static_cast<float>(n) / kBandSlices;
+            const float left = at.x + slice * static_cast<float>(n);
             painter_.batch().box(
-                {left, at.y, at.right() - left, at.height},
+                {left, at.y, std::min(slice + kUnder_px, at.right() - left), at.height},
                 blended(legend_.tint ? color_of_value(legend_.palette, value) : legend_.plain, band.color, band.strength));
         }
     }

@@ -177,6 +177,34 @@ TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
     }
 }
 
+TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
+    Stage stage(plain_design());
+    int narrow = 0;
+    for (const double roll : {0.0, 25.0, -70.0, 180.0})
+        for (const double pitch : {-10.0, 4.0, -89.99}) {
+            Eye eye = eye_at(96, 96, 2600, 130, pitch);
+            const glm::dvec3 right = eye.view.right, down = eye.view.down;
+            eye.view.right = right * std::cos(radians(roll)) + down * std::sin(radians(roll));
+            eye.view.down = down * std::cos(radians(roll)) - right * std::sin(radians(roll));
+            static_cast<void>(stage.settled(eye));
+            const draw::ScreenPart part = stage.scene.drawn_part(eye.view);
+            narrow += part.limit < 0.9f * (std::abs(part.right) + std::abs(part.up)) ? 1 : 0;
+            for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
+                const glm::dvec3 centre(chunk.entry->centre_m[0], chunk.entry->centre_m[1], chunk.entry->centre_m[2]);
+                for (const terrain::ChunkVertex& v : hills().vertices(*chunk.entry)) {
+                    const glm::dvec3 place = centre + glm::dvec3(v.x, v.y, v.z) - eye.view.eye;
+                    const double depth_m = glm::dot(place, eye.view.forward);
+                    if (depth_m < eye.view.near_m) continue;
+                    const double x = glm::dot(place, eye.view.right) / depth_m / eye.view.half_width_tangent(),
+                                 y = -glm::dot(place, eye.view.down) / depth_m / eye.view.half_height_tangent();
+                    ASSERT_LT(x * double{part.right} + y * double{part.up}, double{part.limit} - 1 / eye.view.focal_px)
+                        << roll << ", " << pitch;
+                }
+            }
+        }
+    EXPECT_GT(narrow, 3) << "a part that is always the whole screen says nothing";
+}
+
 /// What stands on the ground stands on what is drawn: within tau of the true surface, by an oracle of its own.
 TEST(TerrainScene, DrawnPointsLieWithinTauOfTheTrueSurface) {
     Stage stage(plain_design());

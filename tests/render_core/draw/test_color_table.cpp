@@ -50,7 +50,7 @@ public:
         session_.gl.begin_frame();
         const TerrainBands bands =
             aircraft_m > 0 ? bands_within(design_.warning_bands, aircraft_m, false, -kAny_m, kAny_m) : TerrainBands();
-        table_.update(session_.gl, design_.terrain, span, bands, haze_per_m);
+        table_.update(session_.gl, design_.terrain, span, bands, design_.sky, haze_per_m);
         uploaded_ = session_.gl.frame().uploaded_bytes;
     }
     void forget() { table_.forget(); }
@@ -130,6 +130,10 @@ TEST(ColorTable, OnlyWhatChangedIsUploaded) {
     EXPECT_LT(table.uploaded(), 20u * 256 * 4) << "a few rows round each limit";
     table.update(1502, 2e-5);
     EXPECT_EQ(table.uploaded(), 256u * 4) << "the haze alone";
+    table.design().sky.ground.red ^= 255;
+    table.update(1502, 2e-5);
+    EXPECT_EQ(table.uploaded(), 256u * 4) << "the sky alone";
+    EXPECT_EQ(texel(table.texels(), ColorTable::kSkyRow, 0)[0], table.design().sky.ground.red);
     table.forget();
     table.update(1502, 2e-5);
     EXPECT_EQ(table.uploaded(), 256u * 256 * 4);
@@ -139,10 +143,30 @@ TEST(ColorTable, HazeFollowsTheDistanceCode) {
     Table table;
     table.update(0, 1.0 / 30'000);
     const auto texels = table.texels();
-    for (std::uint32_t code = 0; code < 256; ++code) {
+    for (std::uint32_t code = 0; code < 255; ++code) {
         const double distance_m = 50 * (std::pow(2.0, 13.0 * code / 255) - 1);
-        EXPECT_NEAR(texel(texels, ColorTable::kHazeRow, code)[3], 255 * (1 - std::exp(-distance_m / 30'000)), 0.51) << code;
+        EXPECT_NEAR(texel(texels, ColorTable::kSkyRow, code)[3], 255 * (1 - std::exp(-distance_m / 30'000)), 0.51) << code;
     }
+    EXPECT_EQ(texel(texels, ColorTable::kSkyRow, 255)[3], 0) << "where nothing was drawn is no haze";
+}
+
+TEST(ColorTable, TheSkyRunsFromTheGroundOverTheHorizonToTheZenith) {
+    Table table;
+    table.update(0, 1e-5);
+    const auto texels = table.texels();
+    const design::SkySettings& sky = table.design().sky;
+    const auto expect = [&](std::uint32_t column, design::Color color) {
+        const std::uint8_t* seen = texel(texels, ColorTable::kSkyRow, column);
+        EXPECT_NEAR(seen[0], color.red, 1) << column;
+        EXPECT_NEAR(seen[1], color.green, 1) << column;
+        EXPECT_NEAR(seen[2], color.blue, 1) << column;
+    };
+    expect(0, sky.ground);
+    expect(32, design::blended(sky.ground, sky.ground_horizon, 0.5));
+    expect(64, sky.ground_horizon);
+    expect(96, design::blended(sky.ground_horizon, sky.horizon, 0.5));
+    expect(128, sky.horizon);
+    expect(255, sky.zenith);
 }
 
 TEST(ColorTable, TheSeaHasItsColourAndItsBand) {

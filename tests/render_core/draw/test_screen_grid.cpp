@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "tests/support/gl_session.hpp"
@@ -52,6 +54,58 @@ TEST(ScreenGrid, CoversEveryPixelOnce) {
         program.value().destroy(session.gl);
         grid.destroy(session.gl);
     }
+}
+
+TEST(ScreenGrid, APartAndTheRestAreTheWholeAndThePartHoldsAllOfIts) {
+    constexpr std::uint32_t kWidth = 203, kHeight = 117;
+    test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
+    ScreenGrid grid;
+    ASSERT_EQ(grid.start(session.gl, session.device.budget).sentence.view(), "");
+    auto program = gl::build_program(session.gl, adding_source());
+    ASSERT_TRUE(program.ok());
+    session.gl.seal();
+    const auto cover = [&](const ScreenPart& part, bool inside, bool outside) {
+        session.gl.begin_frame();
+        session.gl->ClearColor(0, 0, 0, 0);
+        session.gl->Clear(GL_COLOR_BUFFER_BIT);
+        session.gl->Enable(GL_BLEND);
+        session.gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+        program.value().use(session.gl);
+        session.gl->Uniform1f(program.value().uniform(0), 1.0f);
+        if (inside) grid.draw_cells(session.gl, part, true);
+        if (outside) grid.draw_cells(session.gl, part, false);
+        return session.pixels();
+    };
+    const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
+    const ScreenPart parts[] = {{0, 1, 0.1f},   {0.3f, 0.7f, -0.2f}, {-0.6f, 0.2f, 0.3f}, {0.5f, -0.5f, 0},
+                                {0, -1, 0.44f}, {0, 1, -inf},        {0, 1, inf},         {nan, 1, 0}};
+    for (const ScreenPart& part : parts) {
+        const auto both = cover(part, true, true), within = cover(part, true, false);
+        std::size_t covered = 0;
+        for (std::size_t n = 0; n < both.size(); n += 4) {
+            ASSERT_NEAR(both[n + 2], 25.5, 0.6) << "pixel " << n / 4;
+            const float x = 2.0f * (static_cast<float>((n / 4) % kWidth) + 0.5f) / kWidth - 1,
+                        y = 2.0f * (static_cast<float>((n / 4) / kWidth) + 0.5f) / kHeight - 1;
+            const bool is_drawn = within[n + 2] > 0;
+            if (x * part.right + y * part.up <= part.limit) {
+                ASSERT_TRUE(is_drawn) << x << ", " << y;
+            }
+            covered += is_drawn ? 1 : 0;
+        }
+        const double share = static_cast<double>(covered) / (kWidth * kHeight);
+        if (std::isfinite(part.limit) && !std::isnan(part.right)) {
+            EXPECT_LT(share, 0.85) << part.right << ", " << part.up;
+        }
+        if (part.limit == -inf) {
+            EXPECT_EQ(covered, 0u);
+        }
+        if (std::isnan(part.right)) {
+            EXPECT_EQ(share, 1) << "what is not known is the whole screen";
+        }
+    }
+    session.gl.retire();
+    program.value().destroy(session.gl);
+    grid.destroy(session.gl);
 }
 
 TEST(ScreenGrid, ADeviceWithoutRoomIsRefused) {

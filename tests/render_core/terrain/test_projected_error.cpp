@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/terrain_views.hpp"
 
@@ -70,6 +71,47 @@ TEST(ProjectedError, WhatIsOutsideAViewIsOutsideEveryNarrowerOne) {
         }
     EXPECT_GT(outside, 1000);
     EXPECT_GT(behind, 20) << "boxes that reach behind the eye are the hard ones";
+}
+
+TEST(ProjectedError, NothingInTheBoxIsSeenHigherThanItsHighestTangent) {
+    int reached = 0, crossing = 0, behind = 0;
+    for (const View& view : test_support::some_views(rough(), 60))
+        for (const ChunkKey& key : rough().keys()) {
+            const ChunkEntry& entry = rough().entry(key);
+            for (const double turn : {0.0, 0.7, 2.9}) {
+                const glm::dvec2 up(std::sin(turn), -std::cos(turn));
+                const double bound = highest_tangent(entry, view, up, 0);
+                double highest = -std::numeric_limits<double>::infinity();
+                bool all_ahead = true;
+                for (double n = -1; n <= 1; n += 0.125)
+                    for (double e = -1; e <= 1; e += 0.125)
+                        for (double d = -1; d <= 1; d += 0.5) {
+                            const glm::dvec3 place = in_box(entry, n, e, d) - view.eye;
+                            const double depth = glm::dot(place, view.forward);
+                            all_ahead = all_ahead && depth >= view.near_m;
+                            if (depth < view.near_m) continue;
+                            const double tangent =
+                                (up.x * glm::dot(place, view.right) + up.y * glm::dot(place, view.down)) / depth;
+                            highest = std::fmax(highest, tangent);
+                        }
+                const double rounding = std::isfinite(bound) ? 1e-8 * std::fmax(1, std::abs(bound)) : 0;
+                ASSERT_LE(highest, bound + rounding) << "turned by " << turn;
+                reached += highest > bound - 1e-9 ? 1 : 0;
+                crossing += !all_ahead && highest > -1e9 ? 1 : 0;
+                behind += bound < -1e9 ? 1 : 0;
+            }
+        }
+    EXPECT_GT(reached, 1000) << "a bound that is far away proves nothing";
+    EXPECT_GT(crossing, 50);
+    EXPECT_GT(behind, 50);
+}
+
+TEST(ProjectedError, WhatCannotBeBoundedIsSeenInfinitelyHigh) {
+    View view = test_support::view_from(rough(), 64, 127, 3000, 0, 20);
+    const ChunkEntry& entry = rough().entry({0, 2, 0});
+    EXPECT_GT(highest_tangent(entry, view, {0, -1}, 500), highest_tangent(entry, view, {0, -1}, 0));
+    view.eye.x = std::nan("");
+    EXPECT_EQ(highest_tangent(entry, view, {0, -1}, 0), std::numeric_limits<double>::infinity());
 }
 
 TEST(ProjectedError, StretchingUpwardsBringsIntoViewWhatLiesBelowIt) {
