@@ -111,8 +111,7 @@ private:
         base::FixedString<31> text(name);
         if (!unit.empty()) text.append(" ");
         text.append(unit);
-        painter_.batch().box(row, kReadoutGround);
-        painter_.fitted_text(text.view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        painter_.plate(row, text.view(), 0.8f, kScaleColor);
         y_ += row.height;
     }
 

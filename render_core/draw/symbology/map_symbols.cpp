@@ -119,9 +119,7 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     if (position != ElementShow::flagged) return;
     const float t = painter.text_px();
     const Rect plate{box.center().x - 4.5f * t, box.bottom() - 1.4f * t, 9 * t, 1.4f * t};
-    painter.batch().box(plate, kReadoutGround);
-    painter.batch().frame(plate, painter.stroke_px(), kCautionColor);
-    painter.fitted_text("POSITION STALE", plate, TextAnchor::center, 0.85f, kCautionColor);
+    painter.framed_plate(plate, "POSITION STALE", 0.85f, kCautionColor);
 }
 
 }  // namespace tedavis::draw

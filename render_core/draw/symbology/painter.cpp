@@ -32,21 +32,34 @@ void Painter::polyline(base::Span<const Point> points, design::Color color, floa
     batch_.polyline(points, width, color, closed);
 }
 
-void Painter::text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color, float angle_rad) const {
+void Painter::text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color, float angle_rad,
+                   TextRim rim) const {
     TextStyle style;
     style.size_px = size * layout_.text_px;
     style.color = color;
-    style.halo_px = std::min(1.5f, 0.07f * style.size_px);
+    style.halo_px = rim == TextRim::dark ? std::min(1.5f, 0.07f * style.size_px) : 0;
     style.halo_color = kRimColor;
     batch_.text(text, at, anchor, style, angle_rad);
 }
 
-void Painter::fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color) const {
+void Painter::fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color,
+                          TextRim rim) const {
     const float pad = 0.2f * layout_.text_px;
     const float room = box.width - 2 * pad, wanted = text_width_px(text, size * layout_.text_px);
     const float fitting = wanted > room ? size * std::max(0.0f, room) / wanted : size;
     const float x = anchor == TextAnchor::left ? box.x + pad : anchor == TextAnchor::center ? box.center().x : box.right() - pad;
-    this->text(text, {x, box.center().y}, anchor, fitting, color);
+    this->text(text, {x, box.center().y}, anchor, fitting, color, 0, rim);
+}
+
+void Painter::plate(const Rect& box, std::string_view text, float size, design::Color color) const {
+    batch_.box(box, kReadoutGround);
+    fitted_text(text, box, TextAnchor::center, size, color, TextRim::none);
+}
+
+void Painter::framed_plate(const Rect& box, std::string_view text, float size, design::Color color) const {
+    batch_.box(box, kReadoutGround);
+    batch_.frame(box, layout_.stroke_px, color);
+    fitted_text(text, box, TextAnchor::center, size, color, TextRim::none);
 }
 
 void Painter::failed(const Rect& box, std::string_view text) const {
@@ -56,10 +69,7 @@ void Painter::failed(const Rect& box, std::string_view text) const {
     line({inner.x, inner.bottom()}, {inner.right(), inner.y}, kWarningColor, 1.5f);
     const float height = std::min(1.4f * layout_.text_px, inner.height);
     const float width = std::min(inner.width, text_width_px(text, layout_.text_px) + 0.8f * layout_.text_px);
-    const Rect plate{box.center().x - width / 2, box.center().y - height / 2, width, height};
-    batch_.box(plate, kReadoutGround);
-    batch_.frame(plate, layout_.stroke_px, kWarningColor);
-    fitted_text(text, plate, TextAnchor::center, 0.95f, kWarningColor);
+    framed_plate({box.center().x - width / 2, box.center().y - height / 2, width, height}, text, 0.95f, kWarningColor);
 }
 
 void Painter::crossed_out(const Rect& box, std::string_view text) const {
@@ -71,10 +81,7 @@ void Painter::crossed_out(const Rect& box, std::string_view text) const {
 }
 
 void Painter::readout(const Rect& box, std::string_view text, bool flagged) const {
-    const design::Color color = flagged ? kCautionColor : kScaleColor;
-    batch_.box(box, kReadoutGround);
-    batch_.frame(box, layout_.stroke_px, color);
-    fitted_text(text, box, TextAnchor::center, 1.15f, color);
+    framed_plate(box, text, 1.15f, flagged ? kCautionColor : kScaleColor);
 }
 
 design::Color label_color(display::ElementShow show) noexcept {

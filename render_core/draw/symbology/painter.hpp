@@ -1,6 +1,7 @@
 /// Strokes, texts and failure pictures that all symbols share: one style for the whole display.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "render_core/base/fixed_string.hpp"
@@ -27,6 +28,9 @@ using ShortText = base::FixedString<31>;
 /// Rounded to a whole number, with at least `digits` digits and a minus sign where it is negative.
 [[nodiscard]] ShortText whole_number(double value, int digits = 1) noexcept;
 
+/// Text on a black plate needs no dark rim.
+enum class TextRim : std::uint8_t { dark, none };
+
 class Painter {
 public:
     Painter(QuadBatch& batch, const Layout& layout) : batch_(batch), layout_(layout) {}
@@ -42,9 +46,13 @@ public:
                   bool closed = false) const;
     /// `size` in texts.
     void text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color = kScaleColor,
-              float angle_rad = 0) const;
+              float angle_rad = 0, TextRim rim = TextRim::dark) const;
     /// Shrunk to the width where it does not fit; middle of the height.
-    void fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color) const;
+    void fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color,
+                     TextRim rim = TextRim::dark) const;
+    /// Text in the middle of a black box, and with a frame of its colour.
+    void plate(const Rect& box, std::string_view text, float size, design::Color color) const;
+    void framed_plate(const Rect& box, std::string_view text, float size, design::Color color) const;
     /// The picture of failed information in its place: a dark box, a red cross and what failed.
     void failed(const Rect& box, std::string_view text) const;
     /// What is lost but replaced by something else: amber text over a red cross.

@@ -12,8 +12,7 @@ using display::NoticeLevel;
 void labelled_number(const Painter& painter, const Rect& box, std::string_view label, std::string_view number, ElementShow show) {
     const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
-    painter.batch().box(upper, kReadoutGround);
-    painter.fitted_text(label, upper, TextAnchor::center, 0.8f, label_color(show));
+    painter.plate(upper, label, 0.8f, label_color(show));
     painter.readout(lower, number, show == ElementShow::flagged);
 }
 
@@ -50,9 +49,7 @@ Rect notice_place(const Rect& box, std::size_t place, float gap) {
 }
 
 void build_notice(const Painter& painter, const Rect& place, std::string_view text, NoticeLevel level) {
-    painter.batch().box(place, kReadoutGround);
-    painter.batch().frame(place, painter.stroke_px(), notice_color(level));
-    painter.fitted_text(text, place, TextAnchor::center, 0.85f, notice_color(level));
+    painter.framed_plate(place, text, 0.85f, notice_color(level));
 }
 
 }  // namespace
@@ -91,10 +88,10 @@ void build_phase(const Painter& painter, const SymbologyInput& input) {
     if (!sub_phase.empty()) text.append(" ");
     append_upper(text, sub_phase);
     painter.batch().box(box, kReadoutGround);
-    painter.fitted_text(text.view(), upper, TextAnchor::left, 0.9f, uncertain ? kCautionColor : kEngagedColor);
+    painter.fitted_text(text.view(), upper, TextAnchor::left, 0.9f, uncertain ? kCautionColor : kEngagedColor, TextRim::none);
     base::FixedString<63> source("PHASE ");
     source.append(source_text(input.phase.source));
-    painter.fitted_text(source.view(), lower, TextAnchor::left, 0.8f, uncertain ? kCautionColor : kScaleColor);
+    painter.fitted_text(source.view(), lower, TextAnchor::left, 0.8f, uncertain ? kCautionColor : kScaleColor, TextRim::none);
 }
 
 void build_notices(const Painter& painter, const SymbologyInput& input) {

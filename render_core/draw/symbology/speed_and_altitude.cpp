@@ -91,8 +91,7 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input) {
     const Rect scale{box.x, label.bottom(), box.width, number.y - label.bottom()};
     const double fpm = limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -9990, 9990);
     const bool flagged = show == ElementShow::flagged;
-    painter.batch().box(label, kReadoutGround);
-    painter.fitted_text(flagged ? "STALE" : "FT/MIN", label, TextAnchor::center, 0.8f, label_color(show));
+    painter.plate(label, flagged ? "STALE" : "FT/MIN", 0.8f, label_color(show));
     painter.batch().box(scale, kTapeGround);
     build_vertical_speed_scale(painter, scale, fpm);
     painter.readout(number, whole_number(std::round(fpm / 10) * 10).view(), flagged);

@@ -33,8 +33,7 @@ void build_vertical_tape(const Painter& painter, const VerticalTape& tape) {
     const float t = painter.text_px();
     const Rect label{tape.box.x, tape.box.y, tape.box.width, kLabelHeight * t};
     const Rect scale{tape.box.x, label.bottom(), tape.box.width, tape.box.height - label.height};
-    painter.batch().box(label, kReadoutGround);
-    painter.fitted_text(tape.label, label, TextAnchor::center, 0.8f, label_color(tape.show));
+    painter.plate(label, tape.label, 0.8f, label_color(tape.show));
     painter.batch().box(scale, kTapeGround);
     painter.batch().set_clip(scale);
     build_ticks(painter, tape, scale);
@@ -45,8 +44,7 @@ void build_vertical_tape(const Painter& painter, const VerticalTape& tape) {
     painter.readout(readout, whole_number(rounded).view(), flagged);
     if (!flagged) return;
     const Rect old{readout.x, readout.bottom(), readout.width, 1.2f * t};
-    painter.batch().box(old, kReadoutGround);
-    painter.fitted_text("STALE", old, TextAnchor::center, 0.85f, kCautionColor);
+    painter.plate(old, "STALE", 0.85f, kCautionColor);
 }
 
 }  // namespace tedavis::draw
