@@ -125,24 +125,17 @@ void AttributeBaker::list_tasks(std::uint32_t first_level, std::uint32_t last_le
         for (const TileKey& tile : tiles_of(level)) tasks_.push_back({tile, level == with_those_below ? last_level : level});
 }
 
-std::unique_ptr<AttributeBaker::Sight> AttributeBaker::take_sight() {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) {
-        auto sight = std::make_unique<Sight>();
-        sight->levels.resize(heights_.level_count());
-        return sight;
-    }
-    std::unique_ptr<Sight> sight = std::move(idle_.back());
-    idle_.pop_back();
+std::unique_ptr<AttributeBaker::Sight> AttributeBaker::new_sight() const {
+    auto sight = std::make_unique<Sight>();
+    sight->levels.resize(heights_.level_count());
     return sight;
 }
 
 std::vector<BakedPage> AttributeBaker::run(std::uint32_t task) {
-    std::unique_ptr<Sight> sight = take_sight();
+    std::unique_ptr<Sight> sight = sights_.take([this] { return new_sight(); });
     std::vector<BakedPage> pages;
     bake(tasks_[task], *sight, pages);
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(sight));
+    sights_.give_back(std::move(sight));
     return pages;
 }
 

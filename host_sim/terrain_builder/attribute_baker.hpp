@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "host_sim/terrain_builder/attributes/attribute_maps.hpp"
 #include "host_sim/terrain_builder/height_levels.hpp"
+#include "host_sim/terrain_builder/idle_pool.hpp"
 #include "host_sim/terrain_builder/inset_coverage.hpp"
 #include "host_sim/terrain_builder/part_store.hpp"
 #include "host_sim/terrain_builder/tdb_layout.hpp"
@@ -68,7 +68,7 @@ private:
     void bake(const Task& task, Sight& sight, std::vector<BakedPage>& pages);
     void put_pages(const TileKey& tile, const AttributeMaps& maps, std::vector<BakedPage>& pages);
     [[nodiscard]] BakedPage placed(const terrain::ChunkKey& chunk, const terrain::AttributePage& page);
-    [[nodiscard]] std::unique_ptr<Sight> take_sight();
+    [[nodiscard]] std::unique_ptr<Sight> new_sight() const;
 
     const BuildPlan& plan_;
     const TdbLayout& layout_;
@@ -76,8 +76,7 @@ private:
     const HeightLevels& heights_;
     PartStore& store_;
     std::vector<Task> tasks_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Sight>> idle_;
+    IdlePool<Sight> sights_;
 };
 
 }  // namespace tedavis::host_sim

@@ -20,8 +20,8 @@ public:
     [[nodiscard]] std::uint32_t piece_count() const { return row_pieces() + column_pieces(); }
     void build_piece(const PostsFile& posts, std::uint32_t piece);
 
-    [[nodiscard]] std::vector<std::uint8_t> along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const override;
-    [[nodiscard]] std::vector<std::uint8_t> along_column(std::uint32_t i, std::uint32_t j, std::uint32_t count) const override;
+    [[nodiscard]] std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+                                                  std::uint32_t count) const override;
     void sync();
 
 private:

@@ -241,8 +241,9 @@ private:
 };
 
 DrapeSampler::DrapeSampler(const BuildPlan& plan, const DrapeOptions& options) : plan_(plan), options_(options) {
-    idle_.push_back(std::make_unique<Reader>(options_));
-    choose_level();
+    auto reader = std::make_unique<Reader>(options_);
+    choose_level(*reader);
+    readers_.give_back(std::move(reader));
 }
 
 DrapeSampler::~DrapeSampler() = default;
@@ -284,8 +285,7 @@ std::vector<DrapeSampler::Post> DrapeSampler::probes(const Reader& reader) const
 }
 
 /// By the size of pixels where the image meets the terrain.
-void DrapeSampler::choose_level() {
-    const Reader& reader = *idle_.front();
+void DrapeSampler::choose_level(const Reader& reader) {
     const double columns = reader.image.columns(), rows = reader.image.rows();
     double pixels_x = 0, pixels_y = 0;  // a post, where they are smallest
     for (const Post& post : probes(reader)) {
@@ -335,20 +335,8 @@ std::vector<DrapeSampler::Pixel> DrapeSampler::place_texels(const Reader& reader
     return places;
 }
 
-std::unique_ptr<DrapeSampler::Reader> DrapeSampler::take_reader() {
-    {
-        const std::lock_guard lock(mutex_);
-        if (!idle_.empty()) {
-            std::unique_ptr<Reader> reader = std::move(idle_.back());
-            idle_.pop_back();
-            return reader;
-        }
-    }
-    return std::make_unique<Reader>(options_);
-}
-
 void DrapeSampler::sample(std::uint32_t i, std::uint32_t j, terrain::DrapePage& page) {
-    std::unique_ptr<Reader> reader = take_reader();
+    std::unique_ptr<Reader> reader = readers_.take([this] { return std::make_unique<Reader>(options_); });
     const std::vector<Pixel> places = place_texels(*reader, i, j);
     Blocks blocks = Blocks::needed(places, *reader, block_columns_, block_rows_);
     blocks.read(*reader);
@@ -356,8 +344,7 @@ void DrapeSampler::sample(std::uint32_t i, std::uint32_t j, terrain::DrapePage& 
         const std::array<float, 4> color = blocks.at(places[n]);
         for (std::size_t c = 0; c < 4; ++c) page.rgba[n][c] = static_cast<std::uint8_t>(std::lround(color[c]));
     }
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(reader));
+    readers_.give_back(std::move(reader));
 }
 
 }  // namespace tedavis::host_sim

@@ -10,11 +10,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/idle_pool.hpp"
 #include "host_sim/terrain_builder/image_source.hpp"
 
 namespace tedavis::host_sim {
@@ -42,17 +41,15 @@ private:
     };
 
     [[nodiscard]] std::vector<Post> probes(const Reader& reader) const;
-    void choose_level();
+    void choose_level(const Reader& reader);
     [[nodiscard]] std::vector<Pixel> place_texels(const Reader& reader, std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] double latitude_deg(double row) const;
-    [[nodiscard]] std::unique_ptr<Reader> take_reader();
 
     const BuildPlan& plan_;
     const DrapeOptions options_;
     std::uint32_t finest_level_ = 0;
     int block_columns_ = 1, block_rows_ = 1;  ///< pixels that are averaged before
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Reader>> idle_;
+    IdlePool<Reader> readers_;
 };
 
 }  // namespace tedavis::host_sim

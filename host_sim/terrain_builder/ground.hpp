@@ -32,17 +32,18 @@ struct LineGrid {
     [[nodiscard]] std::uint32_t top_level(std::uint32_t post) const;
 };
 
+enum class LineWay : std::uint8_t { row, column };
+
 /// At which levels the posts of border lines stay.
 class LineLevels {
 public:
     LineLevels(const LineGrid& row_lines, const LineGrid& column_lines) : row_lines_(row_lines), column_lines_(column_lines) {}
     virtual ~LineLevels() = default;
 
-    /// Levels of `count` posts of a row line from column i on, and of a column line from row j on. Any thread.
-    [[nodiscard]] virtual std::vector<std::uint8_t> along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const = 0;
-    [[nodiscard]] virtual std::vector<std::uint8_t> along_column(std::uint32_t i, std::uint32_t j, std::uint32_t count) const = 0;
-    [[nodiscard]] const LineGrid& row_lines() const { return row_lines_; }
-    [[nodiscard]] const LineGrid& column_lines() const { return column_lines_; }
+    /// Levels of `count` posts of the row or column `line`, from its post `first` on. Any thread.
+    [[nodiscard]] virtual std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+                                                          std::uint32_t count) const = 0;
+    [[nodiscard]] const LineGrid& lines(LineWay way) const { return way == LineWay::row ? row_lines_ : column_lines_; }
 
 protected:
     LineGrid row_lines_, column_lines_;

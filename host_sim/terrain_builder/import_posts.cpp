@@ -86,24 +86,12 @@ ImportBlocks::Block ImportBlocks::at(std::uint32_t index) const {
     return {i, j, std::min(kBlockColumns, columns_ - i), std::min(block_rows_, rows_ - j)};
 }
 
-std::unique_ptr<PostReader> PostImport::take_reader() {
-    {
-        const std::lock_guard lock(mutex_);
-        if (!idle_.empty()) {
-            std::unique_ptr<PostReader> reader = std::move(idle_.back());
-            idle_.pop_back();
-            return reader;
-        }
-    }
-    return open_();
-}
-
 PostStatistics PostImport::import(std::uint32_t index) {
     const ImportBlocks::Block block = blocks_.at(index);
     const std::size_t count = std::size_t{block.columns} * block.rows;
     std::vector<float> heights(count);
     std::vector<PostClass> classes(count);
-    std::unique_ptr<PostReader> reader = take_reader();
+    std::unique_ptr<PostReader> reader = readers_.take(open_);
     reader->read(block.i, block.j, block.columns, block.rows, heights, classes);
     for (std::size_t n = 0; n < count; ++n)
         if (classes[n] == PostClass::void_) heights[n] = 0;
@@ -111,8 +99,7 @@ PostStatistics PostImport::import(std::uint32_t index) {
     if (plan_.lattice.is_closed() && block.i == 0) close_columns(block, heights, classes);
     PostStatistics statistics;
     statistics.include(heights, classes);
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(reader));
+    readers_.give_back(std::move(reader));
     return statistics;
 }
 

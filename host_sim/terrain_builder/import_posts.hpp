@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/idle_pool.hpp"
 #include "host_sim/terrain_builder/posts_file.hpp"
 
 namespace tedavis::host_sim {
@@ -48,7 +47,6 @@ public:
     [[nodiscard]] PostStatistics import(std::uint32_t block);
 
 private:
-    [[nodiscard]] std::unique_ptr<PostReader> take_reader();
     void close_columns(const ImportBlocks::Block& block, const std::vector<float>& heights_m,
                        const std::vector<terrain::PostClass>& classes);
 
@@ -56,8 +54,7 @@ private:
     const ImportBlocks blocks_;
     const PostReaderFactory& open_;
     PostsFile& posts_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<PostReader>> idle_;
+    IdlePool<PostReader> readers_;
 };
 
 /// A pole row has one height: the mean of the valid posts of the row beside it, or of its own where the source has it.

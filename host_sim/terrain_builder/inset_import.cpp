@@ -99,23 +99,6 @@ struct Stretch {
 
 }  // namespace
 
-std::unique_ptr<PostReader> InsetSampler::take_reader() {
-    {
-        const std::lock_guard lock(mutex_);
-        if (!idle_.empty()) {
-            std::unique_ptr<PostReader> reader = std::move(idle_.back());
-            idle_.pop_back();
-            return reader;
-        }
-    }
-    return open_();
-}
-
-void InsetSampler::give_back(std::unique_ptr<PostReader> reader) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(reader));
-}
-
 InsetSampler::Axis InsetSampler::east_axis(const PostGrid& grid) const {
     // The same meridian has many names; the inset nearest to the lattice's middle is meant.
     const FileHeader& h = fine_.header;
@@ -131,9 +114,9 @@ InsetSampler::Axis InsetSampler::south_axis(const PostGrid& grid) const {
 }
 
 PostRange InsetSampler::footprint() {
-    std::unique_ptr<PostReader> reader = take_reader();
+    std::unique_ptr<PostReader> reader = readers_.take(open_);
     const PostGrid grid = reader->grid();
-    give_back(std::move(reader));
+    readers_.give_back(std::move(reader));
     const auto within = [](const Axis& axis, std::uint32_t posts, std::uint32_t lattice_posts) {
         const double low = std::ceil(-axis.first / axis.step - kSnap),
                      high = std::floor((posts - 1 - axis.first) / axis.step + kSnap);
@@ -150,7 +133,7 @@ PostRange InsetSampler::footprint() {
 void InsetSampler::read(LatticeWindow& window) {
     window.height_m.assign(std::size_t{window.columns} * window.rows, 0.0f);
     window.post_class.assign(window.height_m.size(), PostClass::void_);
-    std::unique_ptr<PostReader> reader = take_reader();
+    std::unique_ptr<PostReader> reader = readers_.take(open_);
     const PostGrid& grid = reader->grid();
     const Axis east = east_axis(grid), south = south_axis(grid);
     const auto x_of = [&](std::int64_t i) { return snapped(east.first + east.step * static_cast<double>(i)); };
@@ -179,7 +162,7 @@ void InsetSampler::read(LatticeWindow& window) {
             window.height_m[window.at(i, j)] = static_cast<float>(sample.height_m);
             window.post_class[window.at(i, j)] = sample.sea ? PostClass::sea : PostClass::land;
         }
-    give_back(std::move(reader));
+    readers_.give_back(std::move(reader));
 }
 
 PostStatistics InsetImport::import(const PostRange& block) {

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "host_sim/terrain_builder/idle_pool.hpp"
 #include "host_sim/terrain_builder/import_posts.hpp"
 #include "host_sim/terrain_builder/inset_posts.hpp"
 #include "host_sim/terrain_builder/post_reader.hpp"
@@ -30,15 +30,12 @@ private:
     struct Axis {
         double first, step;  // of a lattice post in posts of the inset
     };
-    [[nodiscard]] std::unique_ptr<PostReader> take_reader();
-    void give_back(std::unique_ptr<PostReader> reader);
     [[nodiscard]] Axis east_axis(const PostGrid& grid) const;
     [[nodiscard]] Axis south_axis(const PostGrid& grid) const;
 
     const BuildPlan& fine_;
     PostReaderFactory open_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<PostReader>> idle_;
+    IdlePool<PostReader> readers_;
 };
 
 class InsetImport {

@@ -36,16 +36,16 @@ void InsetLines::build(const ChunkKey& block) {
     posts_.read(window);
     add_undulation(plan_, window);
     for (std::uint32_t j = range.j0; j <= range.j1; j = j == range.j1 ? j + 1 : std::min(j + kChunkCells, range.j1))
-        build_piece(window, {Way::row, j, range.i0, range.i1});
+        build_piece(window, {LineWay::row, j, range.i0, range.i1});
     for (std::uint32_t i = range.i0; i <= range.i1; i = i == range.i1 ? i + 1 : std::min(i + kChunkCells, range.i1))
-        build_piece(window, {Way::column, i, range.j0, range.j1});
+        build_piece(window, {LineWay::column, i, range.j0, range.j1});
 }
 
 void InsetLines::build_piece(const LatticeWindow& window, const Piece& piece) {
     std::vector<float> surface_m;
     std::vector<PostClass> classes;
     for (std::uint32_t n = piece.first; n <= piece.last; ++n) {
-        const std::size_t at = piece.way == Way::row ? window.at(n, piece.line) : window.at(piece.line, n);
+        const std::size_t at = piece.way == LineWay::row ? window.at(n, piece.line) : window.at(piece.line, n);
         surface_m.push_back(window.surface_m[at]);
         classes.push_back(window.post_class[at]);
     }
@@ -57,33 +57,23 @@ void InsetLines::build_piece(const LatticeWindow& window, const Piece& piece) {
     line.kept = {kept.data(), kept.size()};
     line.most = {most.data(), most.size()};
     const std::vector<std::uint8_t> levels = keep_levels(line);
-    const PostRange& region = posts_.region();
-    if (piece.way == Way::row) {
-        const std::uint64_t width = region.i1 - region.i0 + 1, n = (piece.line - region.j0 + kChunkCells - 1) / kChunkCells;
-        rows_.write(n * width + piece.first - region.i0, levels.data(), levels.size());
-    } else {
-        const std::uint64_t height = region.j1 - region.j0 + 1, n = (piece.line - region.i0 + kChunkCells - 1) / kChunkCells;
-        columns_.write(n * height + piece.first - region.j0, levels.data(), levels.size());
-    }
+    (piece.way == LineWay::row ? rows_ : columns_)
+        .write(place_of(piece.way, piece.line, piece.first), levels.data(), levels.size());
 }
 
 /// On lines that the coarse posts have, their levels; 0 elsewhere.
 std::vector<std::uint8_t> InsetLines::coarse_levels(const Piece& piece) const {
     std::vector<std::uint8_t> kept(piece.last - piece.first + 1, 0);
     const std::uint32_t shift = coverage_.base_level(), side = 1u << shift;
-    const LineGrid& coarse_grid = piece.way == Way::row ? coarse_.row_lines() : coarse_.column_lines();
-    if (piece.line % side != 0 || !coarse_grid.is_line(piece.line >> shift)) return kept;
+    if (piece.line % side != 0 || !coarse_.lines(piece.way).is_line(piece.line >> shift)) return kept;
     const std::uint32_t count = (piece.last - piece.first) / side + 1;
-    const std::vector<std::uint8_t> coarse = piece.way == Way::row
-                                                 ? coarse_.along_row(piece.line >> shift, piece.first >> shift, count)
-                                                 : coarse_.along_column(piece.line >> shift, piece.first >> shift, count);
+    const std::vector<std::uint8_t> coarse = coarse_.along(piece.way, piece.line >> shift, piece.first >> shift, count);
     for (std::uint32_t n = 0; n < count; ++n) kept[n * side] = static_cast<std::uint8_t>(coarse[n] + shift);
     return kept;
 }
 
 void InsetLines::stand_beside_exact(const Piece& piece, std::vector<std::uint8_t>& kept, std::vector<std::uint8_t>& most) const {
-    const LineGrid& grid = piece.way == Way::row ? row_lines_ : column_lines_;
-    const std::uint32_t top = std::min(grid.top_level(piece.line), coverage_.base_level() - 1);
+    const std::uint32_t top = std::min(lines(piece.way).top_level(piece.line), coverage_.base_level() - 1);
     for (std::uint32_t level = 1; level <= top; ++level)
         for (std::uint32_t first = piece.first; first < piece.last; first += kChunkCells << level) {
             if (!is_beside_exact(piece, level, first)) continue;
@@ -102,7 +92,7 @@ bool InsetLines::is_beside_exact(const Piece& piece, std::uint32_t level, std::u
     for (const std::uint32_t back : {0u, 1u}) {
         if (back > across) continue;
         const ChunkKey key =
-            piece.way == Way::row ? ChunkKey{level, along, across - back} : ChunkKey{level, across - back, along};
+            piece.way == LineWay::row ? ChunkKey{level, along, across - back} : ChunkKey{level, across - back, along};
         if (plan_.lattice.contains(key) && coverage_.is_exact(key)) return true;
     }
     return false;
@@ -110,10 +100,9 @@ bool InsetLines::is_beside_exact(const Piece& piece, std::uint32_t level, std::u
 
 LinePiece InsetLines::line_of(const Piece& piece) const {
     LinePiece line;
-    const bool is_row = piece.way == Way::row;
-    const LineGrid& grid = is_row ? row_lines_ : column_lines_;
+    const bool is_row = piece.way == LineWay::row;
     line.first = piece.first;
-    line.top_level = std::min(grid.top_level(piece.line), coverage_.base_level() - 1);
+    line.top_level = std::min(lines(piece.way).top_level(piece.line), coverage_.base_level() - 1);
     const std::uint32_t row = piece.line;
     line.tolerance_m = [this, is_row, row](std::uint32_t level, std::uint32_t post) {
         const std::uint32_t last = plan_.lattice.grid_rows(level) - 1;
@@ -126,19 +115,18 @@ LinePiece InsetLines::line_of(const Piece& piece) const {
     return line;
 }
 
-std::vector<std::uint8_t> InsetLines::along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const {
-    std::vector<std::uint8_t> levels(count);
+std::uint64_t InsetLines::place_of(LineWay way, std::uint32_t line, std::uint32_t post) const {
     const PostRange& region = posts_.region();
-    const std::uint64_t width = region.i1 - region.i0 + 1, n = (j - region.j0 + kChunkCells - 1) / kChunkCells;
-    rows_.read(n * width + i - region.i0, levels.data(), count);
-    return levels;
+    const bool is_row = way == LineWay::row;
+    const std::uint32_t first_line = is_row ? region.j0 : region.i0, first = is_row ? region.i0 : region.j0,
+                        last = is_row ? region.i1 : region.j1;
+    const std::uint64_t n = (line - first_line + kChunkCells - 1) / kChunkCells;
+    return n * (last - first + 1) + post - first;
 }
 
-std::vector<std::uint8_t> InsetLines::along_column(std::uint32_t i, std::uint32_t j, std::uint32_t count) const {
+std::vector<std::uint8_t> InsetLines::along(LineWay way, std::uint32_t line, std::uint32_t first, std::uint32_t count) const {
     std::vector<std::uint8_t> levels(count);
-    const PostRange& region = posts_.region();
-    const std::uint64_t height = region.j1 - region.j0 + 1, n = (i - region.i0 + kChunkCells - 1) / kChunkCells;
-    columns_.read(n * height + j - region.j0, levels.data(), count);
+    (way == LineWay::row ? rows_ : columns_).read(place_of(way, line, first), levels.data(), count);
     return levels;
 }
 

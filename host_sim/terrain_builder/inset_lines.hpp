@@ -24,14 +24,13 @@ public:
     void sync();
 
     /// Within the region.
-    [[nodiscard]] std::vector<std::uint8_t> along_row(std::uint32_t j, std::uint32_t i, std::uint32_t count) const override;
-    [[nodiscard]] std::vector<std::uint8_t> along_column(std::uint32_t i, std::uint32_t j, std::uint32_t count) const override;
+    [[nodiscard]] std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+                                                  std::uint32_t count) const override;
 
 private:
-    enum class Way { row, column };
     /// A line's posts within a block.
     struct Piece {
-        Way way;
+        LineWay way;
         std::uint32_t line, first, last;  ///< post of the line across, and its first and last post along
     };
     void build_piece(const LatticeWindow& window, const Piece& piece);
@@ -39,6 +38,8 @@ private:
     void stand_beside_exact(const Piece& piece, std::vector<std::uint8_t>& kept, std::vector<std::uint8_t>& most) const;
     [[nodiscard]] bool is_beside_exact(const Piece& piece, std::uint32_t level, std::uint32_t first) const;
     [[nodiscard]] LinePiece line_of(const Piece& piece) const;
+    /// Where a line's post is in its file.
+    [[nodiscard]] std::uint64_t place_of(LineWay way, std::uint32_t line, std::uint32_t post) const;
 
     const BuildPlan& plan_;
     const InsetCoverage& coverage_;

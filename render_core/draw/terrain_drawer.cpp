@@ -356,11 +356,6 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
         else
             set_no_drape(gl, program, drape_);
     }
-    // Between land and missing data a filtered class would pass for sea.
-    if (pages == kWithCoast) {
-        const bool has_void = (store_->attribute_pages().entry(page.slot).flags & terrain::kChunkHasVoid) != 0;
-        gl->Uniform1f(program.uniform(kCoastSharp), has_void ? 1.0f : 0.0f);
-    }
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});

@@ -1,0 +1,41 @@
+/// Things that are dear to make, such as open files: one a thread at a time, kept for whoever comes next.
+///
+/// Memory  as many as were ever in use at once. Thread  any. What is not given back (its user threw) is simply gone.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+template <class T>
+class IdlePool {
+public:
+    /// An idle one, else what `make()` returns, a std::unique_ptr<T>; it is called outside the lock, and what it throws passes.
+    template <class Make>
+    [[nodiscard]] std::unique_ptr<T> take(const Make& make) {
+        if (std::unique_ptr<T> idle = take_idle()) return idle;
+        return make();
+    }
+    /// `thing` is not null.
+    void give_back(std::unique_ptr<T> thing) {
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(thing));
+    }
+
+private:
+    [[nodiscard]] std::unique_ptr<T> take_idle() {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return nullptr;
+        std::unique_ptr<T> thing = std::move(idle_.back());
+        idle_.pop_back();
+        return thing;
+    }
+
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<T>> idle_;
+};
+
+}  // namespace tedavis::host_sim
