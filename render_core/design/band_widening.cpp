@@ -20,7 +20,7 @@ double deviations_of_coverage(double coverage) noexcept {
     return high;
 }
 
-BandWidening band_widening(const WideningSettings& settings, const HeightAccuracy& accuracy) noexcept {
+BandWidening band_widening(const WideningSettings& settings, double deviations, const HeightAccuracy& accuracy) noexcept {
     BandWidening widening;
     if (!settings.enabled) return widening;
     widening.position_assumed = !(accuracy.position_m > 0);
@@ -28,8 +28,7 @@ BandWidening band_widening(const WideningSettings& settings, const HeightAccurac
     widening.position_sigma_m =
         (widening.position_assumed ? settings.position_accuracy_m : accuracy.position_m) / kSigmasOfFigureOfMerit;
     widening.terrain_sigma_m = (widening.terrain_assumed ? settings.terrain_accuracy_m : accuracy.terrain_m) / kSigmasOfLe90;
-    widening.lowered_m =
-        deviations_of_coverage(settings.coverage) * std::hypot(widening.position_sigma_m, widening.terrain_sigma_m);
+    widening.lowered_m = deviations * std::hypot(widening.position_sigma_m, widening.terrain_sigma_m);
     return widening;
 }
 

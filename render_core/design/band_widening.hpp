@@ -35,6 +35,8 @@ static_assert(std::is_trivially_copyable_v<BandWidening>);
 /// Standard deviations below which the share `coverage` of a normal distribution lies; `coverage` in (0.5 .. 0.9999).
 [[nodiscard]] double deviations_of_coverage(double coverage) noexcept;
 
-[[nodiscard]] BandWidening band_widening(const WideningSettings& settings, const HeightAccuracy& accuracy) noexcept;
+/// `deviations` is deviations_of_coverage(settings.coverage), which the caller keeps as long as its settings.
+[[nodiscard]] BandWidening band_widening(const WideningSettings& settings, double deviations,
+                                         const HeightAccuracy& accuracy) noexcept;
 
 }  // namespace tedavis::design

@@ -36,7 +36,7 @@ std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain) {
     settings_ = settings;
-    settings_.design = possible_design(settings.design);
+    keep_design(possible_design(settings.design));
     if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
@@ -100,11 +100,16 @@ design::DesignSettings Display::possible_design(const design::DesignSettings& de
     return possible;
 }
 
+void Display::keep_design(const design::DesignSettings& possible) {
+    settings_.design = possible;
+    band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
+}
+
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design);
     if (!terrain_.set_design(gl_, possible)) return false;
     picture_.forget_design();
-    settings_.design = possible;
+    keep_design(possible);
     layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
     return true;
 }
@@ -259,7 +264,7 @@ void Display::widen_bands() {
     if (state_.is_valid(Signal::vertical_accuracy, record_.time))
         accuracy.position_m = state_[Signal::vertical_accuracy].value_or(0);
     accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
-    record_.bands = design::band_widening(settings_.design.widening, accuracy);
+    record_.bands = design::band_widening(settings_.design.widening, band_deviations_, accuracy);
     if (record_.bands.position_assumed) flag("vertical_accuracy.assumed");
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed");
 }

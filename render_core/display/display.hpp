@@ -103,6 +103,7 @@ private:
     void note_drape();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
+    void keep_design(const design::DesignSettings& possible);
     void flag(std::string_view name);
     void record_terrain(const TerrainPlan& plan);
     [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
@@ -125,6 +126,7 @@ private:
     draw::Layout layout_;
     bool terrain_failed_ = false;
     bool silhouettes_replaced_ = false;
+    double band_deviations_ = 0;  ///< of the design's coverage
 
     flight::AircraftState state_;  ///< of the planned frame
     DisplayConditions conditions_;

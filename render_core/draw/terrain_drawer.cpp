@@ -74,9 +74,7 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_drape(gl, device, staging); !error.sentence.empty()) return error;
-    if (gl::GlError error = build_programs(gl); !error.sentence.empty()) return error;
-    upload_palette(gl);
-    return {};
+    return build_programs(gl);
 }
 
 gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -96,10 +94,12 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
                                    gl::BufferUse::streamed, slots * kSlotIndices * sizeof(std::uint16_t));
     if (!indices.ok()) return indices.error();
     indices_ = static_cast<gl::Buffer&&>(indices.value());
+    if (output_ == TerrainOutput::code) return {};
     auto palette = gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
                                     {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
     if (!palette.ok()) return palette.error();
     palette_ = static_cast<gl::Texture&&>(palette.value());
+    upload_palette(gl);
     return {};
 }
 
@@ -161,7 +161,7 @@ bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design)
         design_.terrain.conservative_up != design.terrain.conservative_up)
         return false;
     design_ = design;
-    upload_palette(gl);
+    if (palette_.valid()) upload_palette(gl);
     return true;
 }
 
@@ -286,7 +286,7 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
     for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
         for (const gl::Program& program : programs_[bands])
             if (program.valid()) set_frame_uniforms(gl, program, input, range);
-    palette_.bind(gl, 0);
+    if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
     if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
     vertices_.bind(gl);

@@ -105,7 +105,7 @@ private:
     TerrainOutput output_ = TerrainOutput::color;
     gl::Program programs_[kBandVariants][kPageVariants];
     gl::Buffer vertices_, indices_;
-    gl::Texture palette_;
+    gl::Texture palette_;  ///< not for codes: who colours them has it
     PageAtlas atlas_;
     DrapeAtlas drape_;
     base::Span<GpuSlot> slots_;

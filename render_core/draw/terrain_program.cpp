@@ -13,17 +13,14 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"kind", kTerrainKind},
                                                 {"place", kTerrainPlace}};
 
-}  // namespace
-
-const char* const kTerrainUniformNames[kTerrainUniforms] = {
+constexpr const char* kUniformNames[kTerrainUniforms] = {
     "chunk_offset", "view_projection", "to_local",     "haze_per_m",   "lift",         "place_end",     "earth_centre",
     "page_window",  "stroke_window",   "form_map",     "light_map",    "aperture_map", "horizon_map",   "page_origin",
     "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
     "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
     "occlusion",    "line_color",      "form_lines",   "contour",      "strokes",      "page_texel",    "coast_sharp",
     "band_color",   "band_lower",      "height_range"};
-
-namespace {
+static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "",
@@ -136,7 +133,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     source.vertex = vertex.view();
     source.fragment = fragment.view();
     source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
-    source.uniforms = base::Span<const char* const>(kTerrainUniformNames);
+    source.uniforms = base::Span<const char* const>(kUniformNames);
     source.some_unused = true;
     return gl::build_program(gl, source);
 }

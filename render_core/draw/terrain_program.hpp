@@ -60,7 +60,6 @@ enum TerrainUniform : std::size_t {
     kHeightRange,
     kTerrainUniforms
 };
-extern const char* const kTerrainUniformNames[kTerrainUniforms];
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
 enum class TerrainOutput : std::uint8_t {

@@ -11,6 +11,10 @@
 namespace tedavis::design {
 namespace {
 
+BandWidening widening_of(const WideningSettings& settings, const HeightAccuracy& accuracy) {
+    return band_widening(settings, deviations_of_coverage(settings.coverage), accuracy);
+}
+
 TEST(BandWidening, QuantilesAreThoseOfTheTables) {
     // Abramowitz, Stegun, table 26.5 (upper tail 0.5, 0.1, 0.05, 0.01, 0.001).
     for (const auto& [coverage, deviations] :
@@ -19,7 +23,7 @@ TEST(BandWidening, QuantilesAreThoseOfTheTables) {
 }
 
 TEST(BandWidening, AddsTheVariancesByTheirConventions) {
-    const BandWidening got = band_widening({}, {19.59964, 16.44854});
+    const BandWidening got = widening_of({}, {19.59964, 16.44854});
     EXPECT_NEAR(got.position_sigma_m, 10, 1e-9);
     EXPECT_NEAR(got.terrain_sigma_m, 10, 1e-9);
     EXPECT_NEAR(got.lowered_m, 1.644853626951 * std::sqrt(200.0), 1e-6);
@@ -29,15 +33,15 @@ TEST(BandWidening, AddsTheVariancesByTheirConventions) {
 TEST(BandWidening, WhatNobodyStatesTheDesignAssumesAndSaysSo) {
     WideningSettings settings;
     settings.terrain_accuracy_m = 100;
-    const BandWidening unknown_terrain = band_widening(settings, {10, 0});
+    const BandWidening unknown_terrain = widening_of(settings, {10, 0});
     EXPECT_TRUE(unknown_terrain.terrain_assumed);
     EXPECT_FALSE(unknown_terrain.position_assumed);
     EXPECT_NEAR(unknown_terrain.terrain_sigma_m, 100 / 1.644854, 1e-9);
-    const BandWidening unknown_position = band_widening(settings, {std::nan(""), 10});
+    const BandWidening unknown_position = widening_of(settings, {std::nan(""), 10});
     EXPECT_TRUE(unknown_position.position_assumed);
     EXPECT_GT(unknown_position.lowered_m, 0);
     settings.enabled = false;
-    EXPECT_EQ(band_widening(settings, {10, 10}).lowered_m, 0);
+    EXPECT_EQ(widening_of(settings, {10, 10}).lowered_m, 0);
 }
 
 /// The greater an uncertainty or the coverage, the lower the limits: what was coloured stays coloured.
@@ -52,7 +56,7 @@ TEST(BandWidening, ColouredTerrainOnlyGrowsWithUncertainty) {
         if (n % 3 == 0) more.position_m *= 1.3;
         if (n % 3 == 1) more.terrain_m *= 1.3;
         if (n % 3 == 2) stricter.coverage = 0.5 * (1 + settings.coverage);
-        const double lowered = band_widening(settings, less).lowered_m, further = band_widening(stricter, more).lowered_m;
+        const double lowered = widening_of(settings, less).lowered_m, further = widening_of(stricter, more).lowered_m;
         EXPECT_GT(further, lowered);
         const double above_m = height(random);
         EXPECT_LE(band_of(bands, above_m + further, false), band_of(bands, above_m + lowered, false))
@@ -66,7 +70,7 @@ TEST(BandWidening, TerrainAtALimitHasItsColourAsOftenAsAsked) {
     for (const double coverage : {0.8, 0.95, 0.99}) {
         WideningSettings settings;
         settings.coverage = coverage;
-        const double lowered = band_widening(settings, {30, 16}).lowered_m;
+        const double lowered = widening_of(settings, {30, 16}).lowered_m;
         std::normal_distribution<double> position(0, 30 / 1.959964), terrain(0, 16 / 1.644854);
         constexpr int kTimes = 100'000;
         int coloured = 0;

@@ -157,6 +157,23 @@ TEST(Display, WarningColoursReachFurtherTheLessIsKnownOfTheHeight) {
     EXPECT_TRUE(unknown.position_assumed);
 }
 
+TEST(Display, AnotherDesignsCoverageHoldsFromTheNextFrame) {
+    design::DesignSettings design = test_support::shipped_design("default");
+    test_support::MemoryBytes bytes(hills().image);
+    HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes, design);
+    flight::AircraftState state = aircraft_at(2000);
+    state[Signal::vertical_accuracy] = {28.0, kNow};
+    const auto lowered_m = [&] {
+        static_cast<void>(picture_of(display, state));
+        return display.display().record().bands.lowered_m;
+    };
+    const double before_m = lowered_m();
+    design.widening.coverage = 0.99;
+    ASSERT_TRUE(display.display().set_design(design));
+    // Normal quantiles of 0.99 and 0.95.
+    EXPECT_NEAR(lowered_m() / before_m, 2.326347874041 / 1.644853626951, 1e-9);
+}
+
 TEST(Display, SkyAboveAndTerrainBelowTheHorizonInEverySizeAndLane) {
     struct Case {
         const char* device;

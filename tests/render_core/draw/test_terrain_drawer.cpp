@@ -592,6 +592,25 @@ TEST(TerrainDrawer, TwoRangesOfDepthGiveThePictureOfOne) {
     EXPECT_GT(holes(drawing.draw(input, 1, 0, two)), 50u) << "control: a gap between the ranges is seen";
 }
 
+TEST(TerrainDrawer, CodesTakeNoPalette) {
+    const Scene scene(ramp());
+    const auto bytes_with = [&scene](TerrainOutput output) {
+        test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
+        test_support::MemoryBytes bytes(scene.built.image);
+        const test_support::DrawnTerrain terrain(bytes, session.device.max_chunk_slots);
+        std::vector<std::uint8_t> memory(8 << 20);
+        base::Arena staging(memory.data(), memory.size());
+        TerrainDrawer drawer;
+        EXPECT_EQ(drawer.start(session.gl, terrain.store(), plain_design(), session.device, staging, output).sentence.view(), "");
+        EXPECT_TRUE(drawer.set_design(session.gl, plain_design()));
+        const std::uint64_t taken = session.device.budget.find(effects::kRenderTargets)->use.in_use;
+        drawer.destroy(session.gl);
+        return taken;
+    };
+    EXPECT_EQ(bytes_with(TerrainOutput::code), 0u);
+    EXPECT_EQ(bytes_with(TerrainOutput::color), 1024u * 4);
+}
+
 TEST(TerrainDrawer, TheLanesAndTheBackendsAgree) {
     Scene scene(test_support::make_rough_raster(129, 129));
     const TerrainDrawInput input = lit_from_above(scene.view(64, 64, 3000, 120, -20));

@@ -58,6 +58,11 @@ TEST_P(ProgramTest, LinkFaultsAndUnusedUniformsAreErrors) {
     const char* const uniforms[] = {"brightnes"};
     source.uniforms = uniforms;
     EXPECT_EQ(sentence(source), "program 'triangle' does not use the uniform brightnes");
+    const std::vector<const char*> many(kMaxUniforms + 1, "brightness");
+    source.uniforms = {many.data(), many.size() - 1};
+    EXPECT_EQ(sentence(source), "");
+    source.uniforms = {many.data(), many.size()};
+    EXPECT_EQ(sentence(source), "program 'triangle' has more uniforms than kMaxUniforms");
 }
 
 std::vector<Place> places() {
