@@ -7,6 +7,8 @@
 ///   longitude twice: -(N+h) cos φ outwards from the axis, which is -(N+h) cos² φ up and (N+h) cos φ sin φ polewards,
 ///   latitude twice: -(M+h) up and dM/dφ north, mixed: -(M+h) sin φ east, height with longitude: cos φ east, with latitude:
 ///   north.
+/// Between a pole and its ring the true surface is linear along each meridian, and so is the triangle: the ring's chord and the
+/// meridian's add, and nothing is mixed.
 /// The vertical turns by no more than the triangle's own extent in angle, which lets sideways parts become upward ones.
 #pragma once
 

@@ -13,21 +13,24 @@ using namespace terrain;
 constexpr double kSmallestRadius_m = 6335000;  // below any radius of curvature of the ellipsoid
 constexpr double kGeoidSlope = 5e-4;           // of the undulation that surfaces have on top of heights; EGM96's steepest is less
 
+/// The largest steps between valid neighbours, in the row of cells below row j of posts.
 struct LargestSteps {
-    float east_m = 0, south_m = 0;  // between valid neighbours
+    float east_m = 0, south_m = 0;
 };
 
-LargestSteps largest_steps(const LatticeWindow& w, const PostRange& posts) {
+LargestSteps largest_steps(const LatticeWindow& w, const PostRange& posts, std::int64_t j) {
     LargestSteps steps;
-    for (std::int64_t j = posts.j0; j <= posts.j1; ++j)
-        for (std::int64_t i = posts.i0; i <= posts.i1; ++i) {
-            const std::size_t n = w.at(i, j);
-            if (w.post_class[n] > PostClass::sea) continue;
-            if (i < posts.i1 && w.post_class[n + 1] <= PostClass::sea)
-                steps.east_m = std::max(steps.east_m, std::abs(w.height_m[n + 1] - w.height_m[n]));
-            if (j < posts.j1 && w.post_class[n + w.columns] <= PostClass::sea)
-                steps.south_m = std::max(steps.south_m, std::abs(w.height_m[n + w.columns] - w.height_m[n]));
-        }
+    const auto is_valid = [&](std::size_t n) { return w.post_class[n] <= PostClass::sea; };
+    const auto include = [&](float& largest, std::size_t a, std::size_t b) {
+        if (is_valid(a) && is_valid(b)) largest = std::max(largest, std::abs(w.height_m[a] - w.height_m[b]));
+    };
+    for (std::int64_t i = posts.i0; i <= posts.i1; ++i) {
+        const std::size_t north = w.at(i, j), south = north + w.columns;
+        include(steps.south_m, north, south);
+        if (i == posts.i1) continue;
+        include(steps.east_m, north, north + 1);
+        include(steps.east_m, south, south + 1);
+    }
     return steps;
 }
 
@@ -35,18 +38,19 @@ LargestSteps largest_steps(const LatticeWindow& w, const PostRange& posts) {
 
 /// Cells are nowhere smaller than taken here.
 float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const PostRange& posts) {
-    const LargestSteps steps = largest_steps(window, posts);
     // At a pole itself there is no east; the first ring says how far its posts are apart.
     const auto cosine = [&](std::uint32_t j) {
         const std::uint32_t row = plan.is_pole_row(j) ? (j == 0 ? 1 : j - 1) : j;
         return std::cos(plan.lattice.latitude_rad(row));
     };
-    const double east_m =
-        base::radians(plan.header.step_lon_deg) * kSmallestRadius_m * std::min(cosine(posts.j0), cosine(posts.j1));
-    double north_m = kSmallestRadius_m * base::radians(plan.header.step_lat_deg);
-    for (const std::uint32_t j : {posts.j0, posts.j1 - 1})
-        north_m = std::min(north_m, kSmallestRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1)));
-    return static_cast<float>(std::hypot(steps.east_m / east_m, steps.south_m / north_m) + kGeoidSlope);
+    double steepest = 0;
+    for (std::uint32_t j = posts.j0; j < posts.j1; ++j) {
+        const LargestSteps steps = largest_steps(window, posts, j);
+        const double east_m = base::radians(plan.header.step_lon_deg) * kSmallestRadius_m * std::min(cosine(j), cosine(j + 1));
+        const double north_m = kSmallestRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1));
+        steepest = std::max(steepest, std::hypot(double{steps.east_m} / east_m, double{steps.south_m} / north_m));
+    }
+    return static_cast<float>(steepest + kGeoidSlope);
 }
 
 SlopeMap::SlopeMap(const BuildPlan& plan, const std::string& path)

@@ -32,11 +32,7 @@ public:
         const host_sim::FractalTerrain ground(5);
         for (std::uint32_t j = 0; j < shape.rows; ++j)
             for (std::uint32_t i = 0; i < shape.columns; ++i) {
-                float height_m = 0;
-                // Round the Earth there and back, so that the ends meet.
-                const std::uint32_t place = shape.is_closed ? std::min(i, shape.columns - i) : i;
-                ground.read(static_cast<std::int32_t>(shape.every * place), static_cast<std::int32_t>(shape.every * j), 1, 1,
-                            {&height_m, 1});
+                const float height_m = shape.has_pole ? height_about_pole(ground, i, j) : height_along(ground, i, j);
                 raster.height_m.push_back(height_m);
                 raster.post_class.push_back(height_m == 0 ? terrain::PostClass::sea : terrain::PostClass::land);
             }
@@ -79,6 +75,26 @@ public:
     }
 
 private:
+    [[nodiscard]] float height_along(const host_sim::FractalTerrain& ground, std::uint32_t i, std::uint32_t j) const {
+        // Round the Earth there and back, so that the ends meet.
+        const std::uint32_t place = shape_.is_closed ? std::min(i, shape_.columns - i) : i;
+        float height_m = 0;
+        ground.read(static_cast<std::int32_t>(shape_.every * place), static_cast<std::int32_t>(shape_.every * j), 1, 1,
+                    {&height_m, 1});
+        return height_m;
+    }
+    /// On a plane, so that what lies side by side has heights to match, however close the columns are.
+    [[nodiscard]] float height_about_pole(const host_sim::FractalTerrain& ground, std::uint32_t i, std::uint32_t j) const {
+        constexpr double kMiddle = 50'000, kPostsPerDegree = 3600;
+        const double radius = (90 - shape_.north_deg + shape_.step_lat_deg * j) * kPostsPerDegree,
+                     angle = base::radians(shape_.step_lon_deg * i);
+        const double x = kMiddle + radius * std::cos(angle), y = kMiddle + radius * std::sin(angle);
+        float corners[4];
+        ground.read(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 2, 2, corners);
+        const auto u = static_cast<float>(x - std::floor(x)), v = static_cast<float>(y - std::floor(y));
+        const float north = corners[0] + u * (corners[1] - corners[0]), south = corners[2] + u * (corners[3] - corners[2]);
+        return north + v * (south - north);
+    }
     [[nodiscard]] bool is_pole(int j) const { return shape_.has_pole && j == 0; }
 
     Shape shape_;

@@ -40,6 +40,17 @@ TEST(SlopeMap, LooksAroundAsFarAsItIsAsked) {
     EXPECT_EQ(ground.slopes.steepest(far, 1000000), ground.slopes.steepest({0, 0, 199, 199}, 0));
 }
 
+TEST(SlopeMap, MeasuresEachRowByItsOwnWidth) {
+    // Round the pole columns are close together in the first rows only, where the ground is even.
+    const BuildGround ground(test_support::make_raster(
+        360, 40, [](auto i, auto j) { return i % 2 != 0 && j > 20 ? 4000.0f : 0.0f; }, -180, 89.5, 1));
+    ASSERT_TRUE(ground.plan.has_north_pole());
+    const double narrow_m = base::radians(1.0) * 6378000 * std::cos(base::radians(89.5)),
+                 steep_m = base::radians(1.0) * 6378000 * std::cos(base::radians(90 - 20.5));
+    EXPECT_LT(ground.slopes.steepest({0, 0, 32, 32}, 0), 1.05 * std::hypot(4000 / steep_m, 4000 / 111000.0));
+    EXPECT_GT(4000 / narrow_m, 0.4) << "control: over the narrowest cells it would be this steep";
+}
+
 TEST(SlopeMap, LooksOverTheSeam) {
     const BuildGround ground(test_support::make_raster(
         144, 40, [](auto i, auto) { return i == 140 ? 9000.0f : 0.0f; }, -178.75, 45, 2.5));
