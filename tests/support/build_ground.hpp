@@ -10,6 +10,7 @@
 #include "host_sim/terrain_builder/import_posts.hpp"
 #include "host_sim/terrain_builder/slope_map.hpp"
 #include "host_sim/terrain_builder/surface_heights.hpp"
+#include "tests/support/lattice_windows.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terrain_image.hpp"
@@ -68,11 +69,7 @@ struct BuildGround {
     /// With surface; may reach beyond the lattice.
     [[nodiscard]] host_sim::LatticeWindow window(std::int64_t i, std::int64_t j, std::uint32_t columns,
                                                  std::uint32_t rows) const {
-        host_sim::LatticeWindow w;
-        w.i0 = i;
-        w.j0 = j;
-        w.columns = columns;
-        w.rows = rows;
+        host_sim::LatticeWindow w = window_of(i, j, columns, rows);
         posts.read(w);
         host_sim::add_undulation(plan, w);
         return w;

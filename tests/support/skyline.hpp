@@ -1,13 +1,10 @@
 /// The skyline of a picture that was drawn for it, and a flight's display set up to draw such pictures.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <optional>
 #include <vector>
 
-#include "render_core/gl/readback.hpp"
-#include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
 #include "tests/support/raster_ray_caster.hpp"
 
 namespace tedavis::test_support {
@@ -29,16 +26,13 @@ class SkylinePicture {
 public:
     /// Draws the state twice: once to learn the own view, then from there without symbols.
     SkylinePicture(HeadlessDisplay& headless, const flight::AircraftState& state, base::Time now)
-        : width_(headless.surface().width()), height_(headless.surface().height()), rgba_(std::size_t{width_} * height_ * 4) {
+        : width_(headless.surface().width()), height_(headless.surface().height()) {
         display::Display& display = headless.display();
         display.clear_free_view();
         display.approach(state, {}, now);
         display.set_free_view(display.view());
-        display.settle(state, {}, now);
-        display.update(state, {}, now);
-        display.draw(headless.surface());
+        rgba_ = settled_pixels(headless, state, now);
         record_ = display.record();
-        EXPECT_TRUE(gl::read_pixels(display.gl(), width_, height_, {rgba_.data(), rgba_.size()}));
     }
     /// Row of the uppermost pixel that is no sky, from the top.
     [[nodiscard]] std::optional<int> skyline_px(int column) const {

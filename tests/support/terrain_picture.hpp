@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "host_sim/replay/posed_aircraft.hpp"
-#include "render_core/gl/readback.hpp"
-#include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
+#include "tests/support/placed_aircraft.hpp"
 
 namespace tedavis::test_support {
 
@@ -29,39 +28,21 @@ inline design::DesignSettings garish_design(double tau_px = 1, bool conservative
     return design;
 }
 
-/// Everything known: beside a free view the place is all that matters, which must be inside the database.
-inline flight::AircraftState aircraft_at(const earth::Geodetic& place) {
-    flight::AircraftState state;
-    state.own_ship.position = place;
-    state.own_ship.at = host_sim::kPosedTime;
-    state.own_ship.state = base::SignalState::valid;
-    state.own_ship.height_is_geometric = true;
-    for (const auto& [signal, value] :
-         {std::pair{flight::Signal::latitude, place.latitude_rad}, std::pair{flight::Signal::longitude, place.longitude_rad},
-          std::pair{flight::Signal::ellipsoid_height, place.height.m}, std::pair{flight::Signal::true_altitude, place.height.m},
-          std::pair{flight::Signal::true_heading, 0.0}, std::pair{flight::Signal::pitch, 0.0},
-          std::pair{flight::Signal::roll, 0.0}})
-        state[signal] = {value, host_sim::kPosedTime};
-    return state;
-}
-
 class TerrainPicture {
 public:
     /// With everything arrived, or with what is there when `settled` is false.
     TerrainPicture(HeadlessDisplay& headless, const terrain::View& view, const earth::Geodetic& ship, bool settled = true)
         : view_(view),
           width_(static_cast<int>(headless.surface().width())),
-          height_(static_cast<int>(headless.surface().height())),
-          rgba_(headless.surface().width() * std::size_t{headless.surface().height()} * 4) {
+          height_(static_cast<int>(headless.surface().height())) {
         EXPECT_TRUE(view.width == headless.surface().width() && view.height == headless.surface().height());
         display::Display& display = headless.display();
         const flight::AircraftState state = aircraft_at(ship);
         display.set_free_view(view);
         if (settled) display.settle(state, {}, host_sim::kPosedTime);
         display.update(state, {}, host_sim::kPosedTime);
-        display.draw(headless.surface());
+        rgba_ = drawn_pixels(headless);
         record_ = display.record();
-        EXPECT_TRUE(gl::read_pixels(display.gl(), view.width, view.height, {rgba_.data(), rgba_.size()}));
     }
 
     [[nodiscard]] const terrain::View& view() const { return view_; }

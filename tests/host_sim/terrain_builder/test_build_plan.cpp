@@ -6,27 +6,18 @@
 
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
-
-PostGrid grid_of(double west, double north, double step, std::uint32_t columns, std::uint32_t rows) {
-    PostGrid grid;
-    grid.west_deg = west;
-    grid.north_deg = north;
-    grid.step_lon_deg = grid.step_lat_deg = step;
-    grid.columns = columns;
-    grid.rows = rows;
-    grid.source = "r.tif";
-    return grid;
-}
+using test_support::post_grid;
 
 TEST(BuildPlan, ARegionIsTakenAsItIs) {
     BuildOptions options;
     options.le90_m = 7;
-    const BuildPlan plan = make_build_plan(grid_of(9.6, 47.1, 1.0 / 3600, 2160, 2000), options);
+    const BuildPlan plan = make_build_plan(post_grid(9.6, 47.1, 1.0 / 3600, 2160, 2000), options);
     EXPECT_EQ(plan.header.columns, 2160u);
     EXPECT_EQ(plan.header.rows, 2000u);
     EXPECT_EQ(plan.header.lattice_flags, 0u);
@@ -40,43 +31,43 @@ TEST(BuildPlan, ARegionIsTakenAsItIs) {
 
 TEST(BuildPlan, LevelsGrowUntilOneChunkHoldsAll) {
     for (const auto& [posts, levels] : {std::pair{33u, 1u}, {34u, 2u}, {65u, 2u}, {66u, 3u}, {1025u, 6u}, {1026u, 7u}})
-        EXPECT_EQ(make_build_plan(grid_of(0, 10, 0.001, posts, 5), {}).levels(), levels) << posts;
-    EXPECT_EQ(make_build_plan(grid_of(0, 1, 0.00001, 1000000, 5), {}).levels(), kMaxLevels);
+        EXPECT_EQ(make_build_plan(post_grid(0, 10, 0.001, posts, 5), {}).levels(), levels) << posts;
+    EXPECT_EQ(make_build_plan(post_grid(0, 1, 0.00001, 1000000, 5), {}).levels(), kMaxLevels);
 }
 
 TEST(BuildPlan, RoundTheEarthItCloses) {
-    const BuildPlan open = make_build_plan(grid_of(-179.5, 60, 1, 360, 100), {});
+    const BuildPlan open = make_build_plan(post_grid(-179.5, 60, 1, 360, 100), {});
     EXPECT_EQ(open.header.columns, 361u);
     EXPECT_EQ(open.source_columns, 360u);
     EXPECT_EQ(open.header.lattice_flags, std::uint32_t{kLatticeClosed});
-    const BuildPlan closed = make_build_plan(grid_of(-180, 60, 1, 361, 100), {});
+    const BuildPlan closed = make_build_plan(post_grid(-180, 60, 1, 361, 100), {});
     EXPECT_EQ(closed.header.columns, 361u);
     EXPECT_EQ(closed.source_columns, 360u) << "its closing column is the first one again";
-    EXPECT_EQ(make_build_plan(grid_of(-180, 60, 1, 359, 100), {}).header.lattice_flags, 0u);
+    EXPECT_EQ(make_build_plan(post_grid(-180, 60, 1, 359, 100), {}).header.lattice_flags, 0u);
 }
 
 TEST(BuildPlan, PolesGetRows) {
-    const BuildPlan cells = make_build_plan(grid_of(-179.5, 89.5, 1, 360, 180), {});
+    const BuildPlan cells = make_build_plan(post_grid(-179.5, 89.5, 1, 360, 180), {});
     EXPECT_EQ(cells.header.rows, 182u);
     EXPECT_EQ(cells.first_source_row, 1u);
     EXPECT_EQ(cells.header.north_deg, 89.5);
     EXPECT_TRUE(cells.is_pole_row(0) && cells.is_pole_row(181) && !cells.is_pole_row(1));
     EXPECT_DOUBLE_EQ(base::degrees(cells.lattice.latitude_rad(0)), 90);
     EXPECT_DOUBLE_EQ(base::degrees(cells.lattice.latitude_rad(181)), -90);
-    const BuildPlan posts = make_build_plan(grid_of(-180, 90, 1, 361, 181), {});
+    const BuildPlan posts = make_build_plan(post_grid(-180, 90, 1, 361, 181), {});
     EXPECT_EQ(posts.header.rows, 181u) << "the source's own rows at the poles";
     EXPECT_EQ(posts.header.north_deg, 89) << "of row 1";
     EXPECT_EQ(posts.first_source_row, 0u);
-    const BuildPlan tile = make_build_plan(grid_of(10, 90, 0.01, 101, 101), {});
+    const BuildPlan tile = make_build_plan(post_grid(10, 90, 0.01, 101, 101), {});
     EXPECT_EQ(tile.header.lattice_flags, std::uint32_t{kLatticeNorthPole}) << "a tile that begins at the pole";
-    EXPECT_EQ(make_build_plan(grid_of(10, 89.995, 0.01, 101, 101), {}).header.lattice_flags, 0u)
+    EXPECT_EQ(make_build_plan(post_grid(10, 89.995, 0.01, 101, 101), {}).header.lattice_flags, 0u)
         << "beside the pole, and not round the Earth";
-    test_support::expect_user_error([] { (void)make_build_plan(grid_of(0, 91, 1, 20, 20), {}); }, "beyond a pole");
-    test_support::expect_user_error([] { (void)make_build_plan(grid_of(0, 50, 1, 1, 20), {}); }, "two by two");
+    test_support::expect_user_error([] { (void)make_build_plan(post_grid(0, 91, 1, 20, 20), {}); }, "beyond a pole");
+    test_support::expect_user_error([] { (void)make_build_plan(post_grid(0, 50, 1, 1, 20), {}); }, "two by two");
 }
 
 TEST(BuildPlan, TolerancesGrowWithTheLevelAndShrinkTowardsThePoles) {
-    const BuildPlan plan = make_build_plan(grid_of(-179.5, 89.5, 1, 360, 180), {});
+    const BuildPlan plan = make_build_plan(post_grid(-179.5, 89.5, 1, 360, 180), {});
     EXPECT_EQ(plan.header.tolerance_m[0], 0);
     const double cell_m = base::radians(1) * 6400000;
     EXPECT_NEAR(plan.header.tolerance_m[1], cell_m / 8, cell_m * 1e-3);
@@ -91,7 +82,7 @@ TEST(BuildPlan, TolerancesGrowWithTheLevelAndShrinkTowardsThePoles) {
 
 TEST(BuildPlan, TheVertexGridHoldsWhatAFloatHolds) {
     for (const double step : {1.0 / 3600, 1.0 / 120, 0.25, 2.0}) {
-        const BuildPlan plan = make_build_plan(grid_of(-170, 80, step, 150, 60), {});
+        const BuildPlan plan = make_build_plan(post_grid(-170, 80, step, 150, 60), {});
         for (std::uint32_t level = 0; level < plan.levels(); ++level) {
             const double q = plan.quantum_m(level);
             EXPECT_EQ(std::exp2(std::round(std::log2(q))), q) << "a power of two";

@@ -11,6 +11,7 @@
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "render_core/base/units.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,13 +19,7 @@ namespace {
 using terrain::Lattice;
 
 Lattice lattice_of(double west, double north, double step, std::uint32_t columns, std::uint32_t rows) {
-    PostGrid grid;
-    grid.west_deg = west;
-    grid.north_deg = north;
-    grid.step_lon_deg = grid.step_lat_deg = step;
-    grid.columns = columns;
-    grid.rows = rows;
-    return make_build_plan(grid, {}).lattice;
+    return make_build_plan(test_support::post_grid(west, north, step, columns, rows), {}).lattice;
 }
 
 struct Corner {

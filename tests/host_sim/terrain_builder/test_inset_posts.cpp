@@ -5,21 +5,14 @@
 #include <set>
 
 #include "tests/support/build_ground.hpp"
+#include "tests/support/lattice_windows.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
 using test_support::BuildGround;
-
-LatticeWindow window_of(std::int64_t i, std::int64_t j, std::uint32_t columns, std::uint32_t rows) {
-    LatticeWindow window;
-    window.i0 = i;
-    window.j0 = j;
-    window.columns = columns;
-    window.rows = rows;
-    return window;
-}
+using test_support::window_of;
 
 TEST(InterpolatePosts, IsLinearOnTheTrianglesOfTheCoarsePosts) {
     const BuildGround ground(test_support::make_rough_raster(40, 30));

@@ -3,20 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/build_ground.hpp"
+#include "tests/support/lattice_windows.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
-
-LatticeWindow window_of(std::int64_t i, std::int64_t j, std::uint32_t columns, std::uint32_t rows) {
-    LatticeWindow window;
-    window.i0 = i;
-    window.j0 = j;
-    window.columns = columns;
-    window.rows = rows;
-    return window;
-}
+using test_support::window_of;
 
 /// Coarse posts on a plane of 8 m to the east a post; the fine ones of the region, four to each, on one of 2 m.
 struct Built {

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lattice_windows.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using terrain::PostClass;
+using test_support::window_of;
 
 float height_of(std::int64_t i, std::int64_t j) { return static_cast<float>(100 * j + i); }
 
@@ -20,20 +22,11 @@ void fill(PostsFile& file) {
         }
 }
 
-LatticeWindow window(std::int64_t i, std::int64_t j, std::uint32_t columns, std::uint32_t rows) {
-    LatticeWindow w;
-    w.i0 = i;
-    w.j0 = j;
-    w.columns = columns;
-    w.rows = rows;
-    return w;
-}
-
 TEST(PostsFile, GivesWindowsAndSaysWhatIsOutside) {
     const test_support::TemporaryFolder folder;
     PostsFile file(folder.file("p"), 20, 10, false);
     fill(file);
-    LatticeWindow w = window(-2, -1, 25, 13);
+    LatticeWindow w = window_of(-2, -1, 25, 13);
     file.read(w);
     for (std::int64_t j = -1; j < 12; ++j)
         for (std::int64_t i = -2; i < 23; ++i) {
@@ -54,7 +47,7 @@ TEST(PostsFile, GoesOnRoundTheEarth) {
         const PostClass post_class = j % 5 == 0 ? PostClass::sea : PostClass::land;
         file.write(12, j, 1, 1, {&first, 1}, {&post_class, 1});
     }
-    LatticeWindow w = window(-15, 2, 45, 2);
+    LatticeWindow w = window_of(-15, 2, 45, 2);
     file.read(w);
     for (std::int64_t i = -15; i < 30; ++i) ASSERT_EQ(w.height_m[w.at(i, 3)], height_of(((i % 12) + 12) % 12, 3)) << i;
 }
@@ -67,7 +60,7 @@ TEST(PostsFile, IsThereAgainWhenItIsOpenedAgain) {
         file.sync();
     }
     const PostsFile file(folder.file("p"), 20, 10, false);
-    LatticeWindow w = window(7, 8, 1, 1);
+    LatticeWindow w = window_of(7, 8, 1, 1);
     file.read(w);
     EXPECT_EQ(w.height_m[0], height_of(7, 8));
 }

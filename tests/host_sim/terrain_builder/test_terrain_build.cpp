@@ -10,6 +10,7 @@
 
 #include "host_sim/user_error.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
+#include "tests/support/chunk_side.hpp"
 #include "tests/support/draped_database.hpp"
 #include "tests/support/expect_user_error.hpp"
 
@@ -21,6 +22,8 @@ using test_support::build_image;
 using test_support::BuiltDatabase;
 using test_support::BuiltMesh;
 using test_support::make_raster;
+using test_support::part_of_side;
+using test_support::side_of;
 
 struct Stop : std::runtime_error {
     Stop() : std::runtime_error("stop") {}
@@ -161,30 +164,6 @@ TEST_F(Interruption, AnotherSourceOrOptionStartsAnew) {
     EXPECT_EQ(folder_.read("t.tdb"), std::string(expected.begin(), expected.end()));
 }
 
-/// A vertex's place in space, exactly: chunk centres are whole metres.
-std::array<double, 3> place_of(const ChunkEntry& entry, const ChunkVertex& v) {
-    return {entry.centre_m[0] + double{v.x}, entry.centre_m[1] + double{v.y}, entry.centre_m[2] + double{v.z}};
-}
-
-/// Border vertices that stay beside a coarser chunk, or all, by their lattice post along one side.
-std::map<std::uint32_t, std::array<double, 3>> side_of(const BuiltDatabase& built, const ChunkKey& key, EdgeBit side, bool all) {
-    const ChunkEntry entry = built.entry(key);
-    const std::vector<ChunkVertex> vertices = built.vertices(entry);
-    const PostRange posts = built.lattice().posts_of(key);
-    std::map<std::uint32_t, std::array<double, 3>> found;
-    for (std::uint32_t n = 0; n < entry.border_count; ++n) {
-        const ChunkVertex& v = vertices[n];
-        const std::uint32_t i = posts.i0 + v.i, j = posts.j0 + v.j;
-        const bool here = side == kEdgeNorth   ? j == posts.j0
-                          : side == kEdgeSouth ? j == posts.j1
-                          : side == kEdgeWest  ? i == posts.i0
-                                               : i == posts.i1;
-        if (!here || (!all && !v.stays_beside_coarser())) continue;
-        found[side == kEdgeNorth || side == kEdgeSouth ? i : j] = place_of(entry, v);
-    }
-    return found;
-}
-
 /// Neighbours of a level show the same side, bit for bit; what stays of it is the side of the next level.
 void expect_borders_agree(const BuiltDatabase& built) {
     const Lattice& lattice = built.lattice();
@@ -195,12 +174,10 @@ void expect_borders_agree(const BuiltDatabase& built) {
             if (neighbour == kNoChunk) continue;
             EXPECT_EQ(side_of(built, key, side, true), side_of(built, neighbour, other, true));
             if (key.level + 1 == lattice.levels() || neighbour.parent() == key.parent()) continue;
-            auto coarse = side_of(built, neighbour.parent(), other, true);
             const PostRange posts = lattice.posts_of(key);
             const std::uint32_t first = side == kEdgeEast ? posts.j0 : posts.i0, last = side == kEdgeEast ? posts.j1 : posts.i1;
-            for (auto at = coarse.begin(); at != coarse.end();)
-                at = at->first < first || at->first > last ? coarse.erase(at) : std::next(at);
-            EXPECT_EQ(side_of(built, key, side, false), coarse);
+            EXPECT_EQ(side_of(built, key, side, false),
+                      part_of_side(side_of(built, neighbour.parent(), other, true), first, last));
         }
     }
 }

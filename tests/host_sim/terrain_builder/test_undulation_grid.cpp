@@ -6,19 +6,12 @@
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "render_core/base/units.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-PostGrid grid_of(double west, double north, double step, std::uint32_t columns, std::uint32_t rows) {
-    PostGrid grid;
-    grid.west_deg = west;
-    grid.north_deg = north;
-    grid.step_lon_deg = grid.step_lat_deg = step;
-    grid.columns = columns;
-    grid.rows = rows;
-    return grid;
-}
+using test_support::post_grid;
 
 TEST(UndulationGrid, IsTheGeoidBetweenItsNodes) {
     const GeoidEgm96 geoid = GeoidEgm96::installed();
@@ -34,7 +27,7 @@ TEST(UndulationGrid, IsTheGeoidBetweenItsNodes) {
 }
 
 TEST(PostUndulation, IsTheSameInEveryWindow) {
-    const BuildPlan plan = make_build_plan(grid_of(9.6, 47.1, 0.01, 50, 40), {});
+    const BuildPlan plan = make_build_plan(post_grid(9.6, 47.1, 0.01, 50, 40), {});
     const PostUndulation undulation(plan.undulation, plan.lattice);
     std::vector<double> all, part;
     undulation.row(0, 50, 17, all);
@@ -43,7 +36,7 @@ TEST(PostUndulation, IsTheSameInEveryWindow) {
 }
 
 TEST(PostUndulation, ClosesRoundTheEarthAndHasOneValueAtAPole) {
-    const BuildPlan plan = make_build_plan(grid_of(-179, 89, 2, 180, 90), {});
+    const BuildPlan plan = make_build_plan(post_grid(-179, 89, 2, 180, 90), {});
     const PostUndulation undulation(plan.undulation, plan.lattice);
     std::vector<double> row;
     undulation.row(-3, 190, 20, row);

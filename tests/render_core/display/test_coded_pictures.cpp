@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "host_sim/replay/posed_aircraft.hpp"
-#include "render_core/gl/readback.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -43,12 +43,8 @@ std::vector<std::uint8_t> picture(const design::DesignSettings& design, const ch
     settings.capability.depth24_targets = off_screen;
     test_support::HeadlessDisplay headless("egl", settings, kWidth, kHeight, &bytes, design);
     const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, headless.display());
-    headless.display().settle(aircraft, {}, host_sim::kPosedTime);
-    headless.display().update(aircraft, {}, host_sim::kPosedTime);
-    headless.display().draw(headless.surface());
+    const std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, aircraft, host_sim::kPosedTime);
     EXPECT_GT(headless.display().record().terrain.triangles, 100u);
-    std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
-    EXPECT_TRUE(gl::read_pixels(headless.display().gl(), kWidth, kHeight, {rgba.data(), rgba.size()}));
     return rgba;
 }
 

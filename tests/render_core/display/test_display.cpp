@@ -10,12 +10,12 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "render_core/gl/readback.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/damaged_terrain.hpp"
 #include "tests/support/default_flight.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/draped_database.hpp"
+#include "tests/support/drawn_pixels.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -80,14 +80,7 @@ bool operator!=(const Picture& a, const Picture& b) { return !(a == b); }
 /// With all terrain arrived.
 Picture picture_of(HeadlessDisplay& display, const flight::AircraftState& state, const flight::PhaseStatus& phase = {},
                    Time now = kNow) {
-    display.display().settle(state, phase, now);
-    display.display().update(state, phase, now);
-    display.display().draw(display.surface());
-    Picture picture{std::vector<std::uint8_t>(std::size_t{display.surface().width()} * display.surface().height() * 4),
-                    display.surface().width(), display.surface().height()};
-    EXPECT_TRUE(
-        gl::read_pixels(display.display().gl(), picture.width, picture.height, {picture.rgba.data(), picture.rgba.size()}));
-    return picture;
+    return {test_support::settled_pixels(display, state, now, phase), display.surface().width(), display.surface().height()};
 }
 
 bool has_flag(const HeadlessDisplay& display, std::string_view name) {

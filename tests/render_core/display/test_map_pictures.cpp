@@ -12,9 +12,9 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "render_core/gl/readback.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -133,13 +133,7 @@ struct Scene {
         display().update(state, {}, now);
         return drawn();
     }
-    Picture drawn() {
-        display().draw(headless.surface());
-        const std::uint32_t width = headless.surface().width(), height = headless.surface().height();
-        Picture picture{std::vector<std::uint8_t>(std::size_t{width} * height * 4), width, height};
-        EXPECT_TRUE(gl::read_pixels(display().gl(), width, height, {picture.rgba.data(), picture.rgba.size()}));
-        return picture;
-    }
+    Picture drawn() { return {test_support::drawn_pixels(headless), headless.surface().width(), headless.surface().height()}; }
     [[nodiscard]] bool has_flag(std::string_view name) {
         const auto& flags = record().flags;
         return std::any_of(flags.begin(), flags.end(), [&](const Name& flag) { return flag.view() == name; });

@@ -11,9 +11,10 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "render_core/gl/readback.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
+#include "tests/support/placed_aircraft.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -23,7 +24,7 @@ using terrain::PostClass;
 
 constexpr std::uint32_t kWidth = 200, kHeight = 150, kSide = 193;
 constexpr base::Time kNow{1'700'000'000'000'000'000};
-constexpr double kEye_m = 14000, kFocal_px = 200;
+constexpr double kShip_m = 900, kEye_m = 15000, kFocal_px = 200;
 
 /// Sea in the west, hills in the middle, nothing known in the east.
 const test_support::BuiltDatabase& coast_and_gap() {
@@ -44,40 +45,15 @@ const test_support::BuiltDatabase& coast_and_gap() {
     return built;
 }
 
-flight::AircraftState aircraft() {
-    flight::AircraftState state;
-    const double latitude = radians(47.1 - kSide / 2 / 1200.0), longitude = radians(9.6 + kSide / 2 / 1200.0);
-    const double height_m = 900 + coast_and_gap().database.undulation(latitude, longitude).m;
-    for (const auto& [signal, value] : {std::pair{flight::Signal::latitude, latitude},
-                                        {flight::Signal::longitude, longitude},
-                                        {flight::Signal::ellipsoid_height, height_m},
-                                        {flight::Signal::pitch, 0.0},
-                                        {flight::Signal::roll, 0.0},
-                                        {flight::Signal::true_heading, 0.0},
-                                        {flight::Signal::true_altitude, 900.0}})
-        state[signal] = {value, kNow};
-    state.own_ship.position = {latitude, longitude, {height_m}};
-    state.own_ship.height_is_geometric = true;
-    state.own_ship.at = kNow;
-    state.own_ship.state = base::SignalState::valid;
-    return state;
-}
-
-/// Straight down, north up, without symbols.
+/// Straight down from over the middle, north up, without symbols.
 std::vector<std::uint8_t> picture_of(const design::DesignSettings& design, const std::string& device) {
     test_support::MemoryBytes bytes(coast_and_gap().image);
     test_support::HeadlessDisplay display("egl", device, kWidth, kHeight, &bytes, design);
-    const flight::AircraftState state = aircraft();
-    earth::Geodetic eye = state.own_ship.position;
-    eye.height.m += kEye_m;
+    const earth::Geodetic ship{radians(47.1 - kSide / 2 / 1200.0), radians(9.6 + kSide / 2 / 1200.0), {kShip_m}};
+    const earth::Geodetic eye{ship.latitude_rad, ship.longitude_rad, {kEye_m}};
     const glm::dmat3 axes = earth::north_east_down(eye.latitude_rad, eye.longitude_rad);
     display.display().set_free_view({earth::to_ecef(eye), axes[2], axes[1], -axes[0], kFocal_px, kWidth, kHeight, 100, 100000});
-    display.display().settle(state, {}, kNow);
-    display.display().update(state, {}, kNow);
-    display.display().draw(display.surface());
-    std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
-    EXPECT_TRUE(gl::read_pixels(display.display().gl(), kWidth, kHeight, {rgba.data(), rgba.size()}));
-    return rgba;
+    return test_support::settled_pixels(display, test_support::aircraft_at(ship, kNow), kNow);
 }
 
 struct Region {

@@ -10,9 +10,10 @@
 #include "render_core/base/units.hpp"
 #include "render_core/base/utc_time.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "render_core/gl/readback.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
+#include "tests/support/drawn_pixels.hpp"
+#include "tests/support/placed_aircraft.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -107,24 +108,10 @@ design::DesignSettings shadow_design() {
     return design;
 }
 
-/// Above the middle of the wall; everything valid.
+/// Above the middle of the wall.
 flight::AircraftState aircraft(base::Time now) {
-    flight::AircraftState state;
-    const double latitude = radians(kNorth_deg - kSide / 2 * kStep_deg), longitude = radians(kWest_deg + kSide / 2 * kStep_deg);
-    const double height_m = 9000 + wall().database.undulation(latitude, longitude).m;
-    for (const auto& [signal, value] : {std::pair{flight::Signal::latitude, latitude},
-                                        {flight::Signal::longitude, longitude},
-                                        {flight::Signal::ellipsoid_height, height_m},
-                                        {flight::Signal::pitch, 0.0},
-                                        {flight::Signal::roll, 0.0},
-                                        {flight::Signal::true_heading, 0.0},
-                                        {flight::Signal::true_altitude, 9000.0}})
-        state[signal] = {value, now};
-    state.own_ship.position = {latitude, longitude, {height_m}};
-    state.own_ship.height_is_geometric = true;
-    state.own_ship.at = now;
-    state.own_ship.state = base::SignalState::valid;
-    return state;
+    return test_support::aircraft_at(
+        {radians(kNorth_deg - kSide / 2 * kStep_deg), radians(kWest_deg + kSide / 2 * kStep_deg), {9000}}, now);
 }
 
 struct WallPicture {
@@ -147,11 +134,7 @@ struct WallPicture {
     std::vector<int> row(base::Time now) {
         const flight::AircraftState state = aircraft(now);
         look_down(state);
-        display.display().settle(state, {}, now);
-        display.display().update(state, {}, now);
-        display.display().draw(display.surface());
-        std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
-        EXPECT_TRUE(gl::read_pixels(display.display().gl(), kWidth, kHeight, {rgba.data(), rgba.size()}));
+        const std::vector<std::uint8_t> rgba = test_support::settled_pixels(display, state, now);
         std::vector<int> red;
         for (std::uint32_t x = 0; x < kWidth; ++x) red.push_back(rgba[(std::size_t{kHeight / 2} * kWidth + x) * 4]);
         return red;

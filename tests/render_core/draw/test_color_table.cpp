@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_program.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -16,34 +16,16 @@ namespace {
 constexpr HeightSpan kSpan{200, 3400};
 constexpr float kAny_m = 1e9f;
 
-gl::ProgramSource copy_source() {
-    static constexpr const char* kUniforms[] = {"image"};
-    gl::ProgramSource source;
-    source.name = "copy";
-    source.vertex =
-        "VERTEX_IN vec2 position;\nVARYING vec2 uv;\nvoid main() { uv = position * 0.5 + 0.5; gl_Position = vec4(position, 0.0, "
-        "1.0); }\n";
-    source.fragment = "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = TEXTURE2D(image, uv); }\n";
-    source.attributes = kScreenAttributes;
-    source.uniforms = kUniforms;
-    return source;
-}
-
 /// A table and a surface of its size to read it back from.
 class Table {
 public:
     Table() : session_("egl", "es3-mid", ColorTable::kSide, ColorTable::kSide), design_(test_support::shipped_design("default")) {
         EXPECT_EQ(table_.start(session_.gl, *session_.device.budget.find("render_targets")).sentence.view(), "");
-        EXPECT_EQ(grid_.start(session_.gl, session_.device.budget).sentence.view(), "");
-        auto program = gl::build_program(session_.gl, copy_source());
-        EXPECT_TRUE(program.ok());
-        program_ = program.value();
         session_.gl.seal();
     }
     ~Table() {
         session_.gl.retire();
-        program_.destroy(session_.gl);
-        grid_.destroy(session_.gl);
+        triangle_.destroy(session_.gl);
         table_.destroy(session_.gl);
     }
     void update(double aircraft_m, double haze_per_m = 0, const HeightSpan& span = kSpan) {
@@ -57,10 +39,7 @@ public:
     /// Row by row, RGBA.
     std::vector<std::uint8_t> texels() {
         session_.gl->Disable(GL_BLEND);
-        program_.use(session_.gl);
-        table_.texture().bind(session_.gl, 0);
-        session_.gl->Uniform1i(program_.uniform(0), 0);
-        grid_.draw(session_.gl);
+        triangle_.copy(session_.gl, table_.texture());
         return session_.pixels();
     }
     [[nodiscard]] design::DesignSettings& design() { return design_; }
@@ -70,8 +49,7 @@ private:
     test_support::GlSession session_;
     design::DesignSettings design_;
     ColorTable table_;
-    ScreenGrid grid_;
-    gl::Program program_;
+    test_support::ScreenTriangle triangle_{session_.gl};
     std::uint64_t uploaded_ = 0;
 };
 

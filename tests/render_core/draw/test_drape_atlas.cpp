@@ -7,10 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "render_core/gl/buffer.hpp"
-#include "render_core/gl/program.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -29,53 +28,32 @@ std::unique_ptr<DrapePage> noise_page(unsigned seed) {
     return page;
 }
 
-constexpr gl::AttributeBinding kAttributes[] = {{"corner", 0}};
-constexpr const char* kUniforms[] = {"image", "first", "shift"};
-
 /// A picture of one page: its pixel (x, y) from the bottom left is the texel (x, y), sampled as terrain.frag does.
-gl::ProgramSource page_source() {
-    gl::ProgramSource source;
-    source.name = "page";
-    source.vertex =
-        "VERTEX_IN vec2 corner;\nVARYING vec2 texel;\nvoid main() {\n"
-        "    texel = (corner * 0.5 + 0.5) * 129.0 - 0.5;\n    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
-    source.fragment =
-        "VARYING vec2 texel;\nuniform sampler2D image;\nuniform vec3 first;\nuniform vec2 shift;\n"
-        "void main() {\n    vec2 at = floor(clamp(texel * shift.y + shift.x, 0.0, 128.0) * 256.0 + 0.5) / 256.0;\n"
-        "    FRAGMENT_COLOR = TEXTURE2D(image, (at + first.xy) * first.z);\n}\n";
-    source.attributes = kAttributes;
-    source.uniforms = kUniforms;
-    return source;
-}
+constexpr const char* kPageFragment =
+    "uniform sampler2D image;\nuniform vec3 first;\nuniform vec2 shift;\n"
+    "void main() {\n    vec2 texel = uv * 129.0 - 0.5;\n"
+    "    vec2 at = floor(clamp(texel * shift.y + shift.x, 0.0, 128.0) * 256.0 + 0.5) / 256.0;\n"
+    "    FRAGMENT_COLOR = TEXTURE2D(image, (at + first.xy) * first.z);\n}\n";
+constexpr const char* kPageUniforms[] = {"image", "first", "shift"};
 
 class DrapeAtlasTest : public testing::TestWithParam<const char*> {
 protected:
-    DrapeAtlasTest() : at_("egl", GetParam(), kDrapePosts, kDrapePosts) {
-        line_.bytes = 4'000'000;
-        program_ = build_program(at_.gl, page_source()).value();
-        corners_ = std::move(gl::make_buffer(at_.gl, line_, gl::BufferKind::vertices, gl::BufferUse::fixed, 24).value());
-        const float triangle[] = {-1, -1, 3, -1, -1, 3};
-        EXPECT_TRUE(corners_.upload(at_.gl, 0, triangle, sizeof triangle));
-        before_ = line_.use.in_use;
-    }
+    DrapeAtlasTest() : at_("egl", GetParam(), kDrapePosts, kDrapePosts) { line_.bytes = 4'000'000; }
     ~DrapeAtlasTest() override {
         at_.gl.retire();
         atlas_.destroy(at_.gl);
-        corners_.destroy(at_.gl);
-        program_.destroy(at_.gl);
+        triangle_.destroy(at_.gl);
     }
     /// `scale` 0 reads the one place `origin`.
     std::vector<std::uint8_t> picture(const DrapeOrigin& origin, float shift = 0, float scale = 1) {
         gl::bind_surface(at_.gl, *at_.surface);
-        program_.use(at_.gl);
+        const gl::Program& program = triangle_.program();
+        program.use(at_.gl);
         atlas_.bind(at_.gl, 5);
-        at_.gl->Uniform1i(program_.uniform(0), 5);
-        at_.gl->Uniform3f(program_.uniform(1), origin.x, origin.y, atlas_.scale());
-        at_.gl->Uniform2f(program_.uniform(2), shift, scale);
-        corners_.bind(at_.gl);
-        at_.gl->EnableVertexAttribArray(0);
-        at_.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-        at_.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+        at_.gl->Uniform1i(program.uniform(0), 5);
+        at_.gl->Uniform3f(program.uniform(1), origin.x, origin.y, atlas_.scale());
+        at_.gl->Uniform2f(program.uniform(2), shift, scale);
+        triangle_.draw(at_.gl);
         return at_.pixels();
     }
     int worst(std::uint32_t slot, const DrapePage& page) {
@@ -88,10 +66,8 @@ protected:
 
     GlSession at_;
     base::BudgetLine line_;
-    gl::Program program_;
-    gl::Buffer corners_;
+    test_support::ScreenTriangle triangle_{at_.gl, kPageFragment, kPageUniforms};
     DrapeAtlas atlas_;
-    std::uint64_t before_ = 0;
 };
 
 TEST_P(DrapeAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
@@ -137,14 +113,14 @@ TEST_P(DrapeAtlasTest, NowhereIsTransparentWhateverThePagesHold) {
 
 TEST_P(DrapeAtlasTest, WhatItTakesIsWhatItSays) {
     ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
-    EXPECT_EQ(line_.use.in_use - before_, DrapeAtlas::bytes_needed(kSlots));
+    EXPECT_EQ(line_.use.in_use, DrapeAtlas::bytes_needed(kSlots));
     EXPECT_EQ(DrapeAtlas::bytes_needed(kSlots), 512u * 512u * 4);
     EXPECT_EQ(DrapeAtlas::bytes_needed(49), 1024u * 1024u * 4) << "what device files with 49 pages state";
     EXPECT_EQ(DrapeAtlas::bytes_needed(225), 2048u * 2048u * 4);
 }
 
 TEST_P(DrapeAtlasTest, WithoutRoomItIsRefused) {
-    line_.bytes = line_.use.in_use + DrapeAtlas::bytes_needed(kSlots) - 1;
+    line_.bytes = DrapeAtlas::bytes_needed(kSlots) - 1;
     EXPECT_NE(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
     EXPECT_FALSE(atlas_.is_started());
 }

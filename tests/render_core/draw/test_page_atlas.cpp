@@ -7,11 +7,10 @@
 #include <random>
 #include <vector>
 
-#include "render_core/gl/buffer.hpp"
-#include "render_core/gl/program.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "render_core/terrain/attribute_map.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -41,57 +40,36 @@ std::unique_ptr<AttributePage> noise_page(unsigned seed) {
     return page;
 }
 
-constexpr gl::AttributeBinding kAttributes[] = {{"corner", 0}};
-constexpr const char* kUniforms[] = {"image", "first", "scale", "step"};
-
 /// A picture of one page: its pixel (x, y) from the bottom left is the post (x, y), sampled as terrain.frag does.
-gl::ProgramSource page_source() {
-    gl::ProgramSource source;
-    source.name = "page";
-    source.vertex =
-        "VERTEX_IN vec2 corner;\nVARYING vec2 post;\nvoid main() {\n"
-        "    post = (corner * 0.5 + 0.5) * 65.0 - 0.5;\n    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
-    source.fragment =
-        "VARYING vec2 post;\nuniform sampler2D image;\nuniform vec2 first;\nuniform float scale;\nuniform vec2 step;\n"
-        "void main() {\n    vec2 at = floor((post + step.y) * step.x * 256.0 + 0.5) / 256.0;\n"
-        "    FRAGMENT_COLOR = TEXTURE2D(image, (at + first) * scale);\n}\n";
-    source.attributes = kAttributes;
-    source.uniforms = kUniforms;
-    return source;
-}
+constexpr const char* kPageFragment =
+    "uniform sampler2D image;\nuniform vec2 first;\nuniform float scale;\nuniform vec2 step;\n"
+    "void main() {\n    vec2 post = uv * 65.0 - 0.5;\n"
+    "    vec2 at = floor((post + step.y) * step.x * 256.0 + 0.5) / 256.0;\n"
+    "    FRAGMENT_COLOR = TEXTURE2D(image, (at + first) * scale);\n}\n";
+constexpr const char* kPageUniforms[] = {"image", "first", "scale", "step"};
 
 class PageAtlasTest : public testing::TestWithParam<const char*> {
 protected:
-    PageAtlasTest() : at_("egl", GetParam(), kAttributePosts, kAttributePosts) {
-        line_.bytes = 4'000'000;
-        program_ = build_program(at_.gl, page_source()).value();
-        corners_ = std::move(gl::make_buffer(at_.gl, line_, gl::BufferKind::vertices, gl::BufferUse::fixed, 24).value());
-        const float triangle[] = {-1, -1, 3, -1, -1, 3};
-        EXPECT_TRUE(corners_.upload(at_.gl, 0, triangle, sizeof triangle));
-        before_ = line_.use.in_use;
-    }
+    PageAtlasTest() : at_("egl", GetParam(), kAttributePosts, kAttributePosts) { line_.bytes = 4'000'000; }
     ~PageAtlasTest() override {
         at_.gl.retire();
         atlas_.destroy(at_.gl);
-        corners_.destroy(at_.gl);
-        program_.destroy(at_.gl);
+        triangle_.destroy(at_.gl);
     }
     /// `shift` of its posts.
     std::vector<std::uint8_t> picture(BakedMap map, std::uint32_t slot, float shift = 0) {
         gl::bind_surface(at_.gl, *at_.surface);
-        program_.use(at_.gl);
+        const gl::Program& program = triangle_.program();
+        program.use(at_.gl);
         atlas_.bind(at_.gl);
-        at_.gl->Uniform1i(program_.uniform(0), static_cast<int>(map) + 1);
+        at_.gl->Uniform1i(program.uniform(0), static_cast<int>(map) + 1);
         const bool horizon = map == BakedMap::horizon;
         const PageOrigin origin = atlas_.origin(slot);
-        at_.gl->Uniform2f(program_.uniform(1), horizon ? origin.horizon_x : origin.map_x,
+        at_.gl->Uniform2f(program.uniform(1), horizon ? origin.horizon_x : origin.map_x,
                           horizon ? origin.horizon_y : origin.map_y);
-        at_.gl->Uniform1f(program_.uniform(2), horizon ? atlas_.horizon_scale() : atlas_.map_scale());
-        at_.gl->Uniform2f(program_.uniform(3), horizon ? 0.5f : 1.0f, shift);
-        corners_.bind(at_.gl);
-        at_.gl->EnableVertexAttribArray(0);
-        at_.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-        at_.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+        at_.gl->Uniform1f(program.uniform(2), horizon ? atlas_.horizon_scale() : atlas_.map_scale());
+        at_.gl->Uniform2f(program.uniform(3), horizon ? 0.5f : 1.0f, shift);
+        triangle_.draw(at_.gl);
         return at_.pixels();
     }
     /// The largest difference of a page's picture to the bytes of a page.
@@ -108,10 +86,8 @@ protected:
     base::BudgetLine line_;
     std::vector<std::uint8_t> memory_ = std::vector<std::uint8_t>(1 << 16);
     base::Arena staging_{memory_.data(), memory_.size()};
-    gl::Program program_;
-    gl::Buffer corners_;
+    test_support::ScreenTriangle triangle_{at_.gl, kPageFragment, kPageUniforms};
     PageAtlas atlas_;
-    std::uint64_t before_ = 0;
 };
 
 TEST_P(PageAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
@@ -184,8 +160,8 @@ TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
     EXPECT_TRUE(atlas_.has(BakedMap::form));
     for (const BakedMap map : {BakedMap::light, BakedMap::aperture, BakedMap::horizon, BakedMap::drape})
         EXPECT_FALSE(atlas_.has(map));
-    EXPECT_EQ(line_.use.in_use - before_, PageAtlas::bytes_needed(style, false, kSlots));
-    EXPECT_EQ(line_.use.in_use - before_, 256u * 256u * 4) << "nine places of 65 posts";
+    EXPECT_EQ(line_.use.in_use, PageAtlas::bytes_needed(style, false, kSlots));
+    EXPECT_EQ(line_.use.in_use, 256u * 256u * 4) << "nine places of 65 posts";
     EXPECT_GT(PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots), 2 * PageAtlas::bytes_needed(style, false, kSlots));
     const auto page = noise_page(1);
     EXPECT_TRUE(atlas_.upload(at_.gl, 0, *page, true)) << "what is not there is passed over";
@@ -198,7 +174,7 @@ TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
     ASSERT_EQ(atlas_.start(at_.gl, line_, style, true, kSlots, staging_).sentence.view(), "");
     EXPECT_TRUE(atlas_.has(BakedMap::light));
     EXPECT_FALSE(atlas_.has(BakedMap::aperture));
-    EXPECT_EQ(line_.use.in_use - before_, PageAtlas::bytes_needed(style, true, kSlots));
+    EXPECT_EQ(line_.use.in_use, PageAtlas::bytes_needed(style, true, kSlots));
     const auto page = noise_page(1);
     const auto uploaded = [&](bool coast) {
         at_.gl.begin_frame();
@@ -209,7 +185,7 @@ TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
 }
 
 TEST_P(PageAtlasTest, WithoutRoomItIsRefused) {
-    line_.bytes = line_.use.in_use + PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots) - 1;
+    line_.bytes = PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots) - 1;
     EXPECT_NE(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
     EXPECT_FALSE(atlas_.is_started());
     base::Arena none(memory_.data(), 100);

@@ -12,6 +12,7 @@
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -33,21 +34,6 @@ struct Picture {
     /// 0 the scene's grey, 1 the ink.
     [[nodiscard]] double ink(int x, int y) const { return (at(x, y)[1] - 100) / (kInk.green - 100.0); }
 };
-
-constexpr gl::AttributeBinding kAttributes[] = {{"corner", 0}};
-constexpr const char* kUniforms[] = {"image"};
-
-gl::ProgramSource copy_source() {
-    gl::ProgramSource source;
-    source.name = "copy";
-    source.vertex =
-        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); "
-        "}\n";
-    source.fragment = "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = TEXTURE2D(image, uv); }\n";
-    source.attributes = kAttributes;
-    source.uniforms = kUniforms;
-    return source;
-}
 
 /// A grey picture whose alpha codes the distances as terrain.frag does, bottom row first.
 std::vector<std::uint8_t> coded_scene(const DistanceFormula& distance_m) {
@@ -82,21 +68,12 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     base::BudgetLine line;
     line.bytes = 100'000;
     auto scene = gl::make_texture(session.gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
-    auto corners = gl::make_buffer(session.gl, line, gl::BufferKind::vertices, gl::BufferUse::fixed, 24);
-    auto program = gl::build_program(session.gl, copy_source());
-    const float triangle[] = {-1, -1, 3, -1, -1, 3};
-    EXPECT_TRUE(corners.value().upload(session.gl, 0, triangle, sizeof triangle));
+    test_support::ScreenTriangle triangle(session.gl);
     EXPECT_TRUE(scene.value().upload(session.gl, {0, 0, kWidth, kHeight}, coded_scene(distance_m).data()));
     session.gl.seal();
     session.gl.begin_frame();
     pass.begin(session.gl);
-    program.value().use(session.gl);
-    scene.value().bind(session.gl, 0);
-    session.gl->Uniform1i(program.value().uniform(0), 0);
-    corners.value().bind(session.gl);
-    session.gl->EnableVertexAttribArray(0);
-    session.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    session.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    triangle.copy(session.gl, scene.value());
     PictureInput input;
     input.outlined = strength > 0;
     input.ground = ground;
@@ -105,8 +82,7 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     EXPECT_EQ(session.gl.take_error(), GLenum{GL_NO_ERROR});
     Picture picture{session.pixels()};
     session.gl.retire();
-    program.value().destroy(session.gl);
-    corners.value().destroy(session.gl);
+    triangle.destroy(session.gl);
     scene.value().destroy(session.gl);
     pass.destroy(session.gl);
     return picture;

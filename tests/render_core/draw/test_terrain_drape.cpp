@@ -3,24 +3,25 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <random>
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
-#include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/draped_database.hpp"
 #include "tests/support/drawn_terrain.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/raster_scene.hpp"
 
 namespace tedavis::draw {
 namespace {
 
 using base::radians;
+using test_support::pixel_of;
+using test_support::RasterScene;
 using test_support::Rgba;
 
-constexpr std::uint32_t kWidth = 320, kHeight = 240;
+constexpr std::uint32_t kWidth = RasterScene::kWidth, kHeight = RasterScene::kHeight;
 constexpr design::Color kPlain{0xD8, 0xD2, 0xC4};
 
 /// The image as it is: no shade, no lines, no haze.
@@ -34,27 +35,9 @@ design::DesignSettings image_design() {
     return design;
 }
 
-struct Scene {
-    host_sim::Raster raster;
-    test_support::BuiltDatabase built;
-
-    Scene(const host_sim::Raster& r, const test_support::ImageFile& image)
-        : raster(r), built(test_support::draped_image(raster, image)) {}
-
-    [[nodiscard]] earth::Geodetic place(double i, double j, double msl_m) const {
-        const double latitude = radians(raster.north_deg - j * raster.step_lat_deg),
-                     longitude = radians(raster.west_deg + i * raster.step_lon_deg);
-        return {latitude, longitude, {msl_m + built.database.undulation(latitude, longitude).m}};
-    }
-    [[nodiscard]] glm::dvec3 post(std::uint32_t i, std::uint32_t j) const {
-        return earth::to_ecef(place(i, j, double{raster.height_m[raster.at(i, j)]}));
-    }
-    [[nodiscard]] terrain::View view(double i, double j, double msl_m, double heading_deg, double pitch_deg) const {
-        const earth::Geodetic at = place(i, j, msl_m);
-        const glm::dmat3 body = earth::body_axes(at.latitude_rad, at.longitude_rad, radians(heading_deg), radians(pitch_deg), 0);
-        return {earth::to_ecef(at), body[0], body[1], body[2], kWidth / 2 / std::tan(radians(30)), kWidth, kHeight, 1, 300000};
-    }
-};
+RasterScene draped(const host_sim::Raster& raster, const test_support::ImageFile& image) {
+    return RasterScene(raster, test_support::draped_image(raster, image));
+}
 
 struct Picture {
     std::vector<std::uint8_t> rgba;
@@ -68,19 +51,10 @@ struct Picture {
     }
 };
 
-std::optional<glm::dvec2> pixel_of(const terrain::View& view, const glm::dvec3& point) {
-    const glm::dvec3 d = point - view.eye;
-    const double depth = glm::dot(d, view.forward);
-    const glm::dvec2 at(kWidth / 2 + view.focal_px * glm::dot(d, view.right) / depth,
-                        kHeight / 2 + view.focal_px * glm::dot(d, view.down) / depth);
-    if (depth < view.near_m || at.x < 1 || at.y < 1 || at.x >= kWidth - 1 || at.y >= kHeight - 1) return std::nullopt;
-    return at;
-}
-
 /// Draws the selected chunks after everything has arrived.
 class Drawing {
 public:
-    Drawing(const Scene& scene, const char* device, std::uint32_t drape_slots = 25)
+    Drawing(const RasterScene& scene, const char* device, std::uint32_t drape_slots = 25)
         : session_("egl", device, kWidth, kHeight),
           bytes_(scene.built.image),
           terrain_(bytes_, session_.device.max_chunk_slots, 0, drape_slots) {
@@ -143,8 +117,8 @@ Rgba square_color(int i, int j) {
 class TerrainDrape : public testing::TestWithParam<const char*> {};
 
 TEST_P(TerrainDrape, EverySquareOfAChequeredImageIsSeenWhereItLies) {
-    const Scene scene(gentle_hills(),
-                      test_support::image_over(gentle_hills(), 2, [](int i, int j) { return square_color(i / 2, j / 2); }));
+    const RasterScene scene = draped(
+        gentle_hills(), test_support::image_over(gentle_hills(), 2, [](int i, int j) { return square_color(i / 2, j / 2); }));
     Drawing drawing(scene, GetParam());
     struct Case {
         double i, j, msl_m, heading_deg, pitch_deg;
@@ -179,7 +153,7 @@ TEST_P(TerrainDrape, BeyondTheImageThePlainColourIsDrawn) {
     image.transform[0] += 40 / 1200.0;
     image.transform[3] -= 40 / 1200.0;
     image.columns = image.rows = 160;
-    const Scene scene(gentle_hills(), image);
+    const RasterScene scene = draped(gentle_hills(), image);
     Drawing drawing(scene, GetParam());
     const terrain::View view = scene.view(80, 80, 13000, 0, -90);
     const Picture picture = drawing.draw(view);
@@ -201,16 +175,16 @@ TEST_P(TerrainDrape, BeyondTheImageThePlainColourIsDrawn) {
 }
 
 TEST_P(TerrainDrape, WithoutPagesThePlainColourIsDrawn) {
-    const Scene scene(gentle_hills(), test_support::image_over(gentle_hills(), 1, [](int, int) {
-                          return Rgba{10, 120, 240, 255};
-                      }));
+    const RasterScene scene = draped(gentle_hills(), test_support::image_over(gentle_hills(), 1, [](int, int) {
+                                         return Rgba{10, 120, 240, 255};
+                                     }));
     Drawing drawing(scene, GetParam(), 0);
     const Picture picture = drawing.draw(scene.view(80, 80, 5000, 0, -90));
     EXPECT_TRUE(picture.is(160, 120, kPlain, 1));
 }
 
 TEST_P(TerrainDrape, PagesAreUploadedOnce) {
-    const Scene scene(gentle_hills(), test_support::image_over(gentle_hills(), 2, square_color));
+    const RasterScene scene = draped(gentle_hills(), test_support::image_over(gentle_hills(), 2, square_color));
     Drawing drawing(scene, GetParam());
     const terrain::View view = scene.view(80, 80, 5000, 0, -60);
     const Picture first = drawing.draw(view);
@@ -266,14 +240,14 @@ struct SlopePicture {
 struct SlopeScene {
     host_sim::Raster raster;
     std::vector<std::uint8_t> noise = grey_noise(400 * 388);
-    Scene scene;
+    RasterScene scene;
     terrain::View view;
 
     explicit SlopeScene(double slope_deg)
-        : raster(slope(slope_deg)), scene(raster, test_support::image_over(raster, 4, [this](int i, int j) {
-                                              const std::uint8_t n = noise[static_cast<std::size_t>(j * 400 + i)];
-                                              return Rgba{n, n, n, 255};
-                                          })) {
+        : raster(slope(slope_deg)), scene(draped(raster, test_support::image_over(raster, 4, [this](int i, int j) {
+                                                     const std::uint8_t n = noise[static_cast<std::size_t>(j * 400 + i)];
+                                                     return Rgba{n, n, n, 255};
+                                                 }))) {
         const double distance_m = 700, cell_m = radians(kStep_deg) * 6335439.33;
         const double back = distance_m * std::sin(radians(slope_deg)) / cell_m;
         const double middle_m = double{raster.height_m[raster.at(50, 48)]};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <set>
 
 #include "host_sim/geoid_egm96.hpp"
@@ -16,14 +15,17 @@
 #include "tests/support/drawn_terrain.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_ray_caster.hpp"
+#include "tests/support/raster_scene.hpp"
 
 namespace tedavis::draw {
 namespace {
 
 using base::radians;
 using design::Color;
+using test_support::pixel_of;
+using test_support::RasterScene;
 
-constexpr std::uint32_t kWidth = 320, kHeight = 240;
+constexpr std::uint32_t kWidth = RasterScene::kWidth, kHeight = RasterScene::kHeight;
 constexpr Color kBackground{255, 0, 255};
 
 design::DesignSettings plain_design() {
@@ -31,31 +33,6 @@ design::DesignSettings plain_design() {
     design.sky.haze_distance_m = 0;
     return design;
 }
-
-/// A raster, its database and a view on it from a place given in posts.
-struct Scene {
-    host_sim::Raster raster;
-    test_support::BuiltDatabase built;
-
-    explicit Scene(const host_sim::Raster& r) : raster(r), built(raster) {}
-
-    [[nodiscard]] earth::Geodetic place(double i, double j, double msl_m) const {
-        const double latitude = radians(raster.north_deg - j * raster.step_lat_deg),
-                     longitude = radians(raster.west_deg + i * raster.step_lon_deg);
-        return {latitude, longitude, {msl_m + built.database.undulation(latitude, longitude).m}};
-    }
-    [[nodiscard]] glm::dvec3 place_of_post(std::uint32_t i, std::uint32_t j, double msl_m) const {
-        return earth::to_ecef(place(i, j, msl_m));
-    }
-    [[nodiscard]] glm::dvec3 post(std::uint32_t i, std::uint32_t j) const {
-        return place_of_post(i, j, double{raster.height_m[raster.at(i, j)]});
-    }
-    [[nodiscard]] terrain::View view(double i, double j, double msl_m, double heading_deg, double pitch_deg) const {
-        const earth::Geodetic at = place(i, j, msl_m);
-        const glm::dmat3 body = earth::body_axes(at.latitude_rad, at.longitude_rad, radians(heading_deg), radians(pitch_deg), 0);
-        return {earth::to_ecef(at), body[0], body[1], body[2], kWidth / 2 / std::tan(radians(30)), kWidth, kHeight, 5, 300000};
-    }
-};
 
 struct Picture {
     std::vector<std::uint8_t> rgba;
@@ -74,7 +51,7 @@ struct Picture {
 
 class Drawing {
 public:
-    Drawing(const Scene& scene, const design::DesignSettings& design, const std::string& backend = "egl",
+    Drawing(const RasterScene& scene, const design::DesignSettings& design, const std::string& backend = "egl",
             const std::string& device = "es3-mid", bool pages = true)
         : session_(backend, device, kWidth, kHeight),
           bytes_(scene.built.image),
@@ -155,16 +132,6 @@ TerrainDrawInput lit_from_above(const terrain::View& view) {
     return input;
 }
 
-/// Where a point is seen, if it is.
-std::optional<glm::dvec2> pixel_of(const terrain::View& view, const glm::dvec3& point) {
-    const glm::dvec3 d = point - view.eye;
-    const double depth = glm::dot(d, view.forward);
-    const glm::dvec2 at(kWidth / 2 + view.focal_px * glm::dot(d, view.right) / depth,
-                        kHeight / 2 + view.focal_px * glm::dot(d, view.down) / depth);
-    if (depth < view.near_m || at.x < 1 || at.y < 1 || at.x >= kWidth - 1 || at.y >= kHeight - 1) return std::nullopt;
-    return at;
-}
-
 int difference(Color a, Color b) {
     return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
 }
@@ -182,7 +149,7 @@ Color blend(Color a, Color b, double share) {
 }
 
 TEST(TerrainDrawer, ColoursFollowHeightAndWarningBandsInEveryPixel) {
-    Scene scene(ramp());
+    RasterScene scene(ramp());
     const design::DesignSettings design = plain_design();
     Drawing drawing(scene, design);
     for (const bool warning : {false, true})
@@ -219,7 +186,7 @@ TEST(TerrainDrawer, ColoursFollowHeightAndWarningBandsInEveryPixel) {
 
 /// A hill whose top lies 20 m below the lowest limit is coloured when the limits go down by more than that.
 TEST(TerrainDrawer, LoweredBandsColourMoreTerrainAndNeverLess) {
-    Scene scene(ramp());
+    RasterScene scene(ramp());
     const design::DesignSettings design = plain_design();
     Drawing drawing(scene, design);
     TerrainDrawInput input = lit_from_above(scene.view(80, 80, 11000, 0, -90));
@@ -261,7 +228,7 @@ std::size_t holes(const Picture& picture) {
 }
 
 TEST(TerrainDrawer, NoBackgroundIsSeenBetweenChunksOfDifferentLevels) {
-    Scene scene(test_support::make_rough_raster(257, 257));
+    RasterScene scene(test_support::make_rough_raster(257, 257));
     for (const bool lifted : {false, true}) {
         design::DesignSettings design = plain_design();
         design.terrain.conservative_up = lifted;
@@ -287,7 +254,7 @@ TEST(TerrainDrawer, NoBackgroundIsSeenBetweenChunksOfDifferentLevels) {
 }
 
 TEST(TerrainDrawer, NothingIsDrawnBeyondTheRaster) {
-    Scene scene(test_support::make_raster(70, 45, [](std::uint32_t, std::uint32_t) { return 500.0f; }));
+    RasterScene scene(test_support::make_raster(70, 45, [](std::uint32_t, std::uint32_t) { return 500.0f; }));
     Drawing drawing(scene, plain_design());
     const TerrainDrawInput input = lit_from_above(scene.view(62, 40, 4000, 0, -90));
     const Picture picture = drawing.draw(input, 1);
@@ -316,7 +283,7 @@ TEST(TerrainDrawer, TheSamePictureAfterTurningTheWorld) {
                              longitude = radians(raster.west_deg + i * raster.step_lon_deg);
                 raster.height_m[raster.at(i, j)] -= static_cast<float>(geoid.undulation(latitude, longitude).m);
             }
-        Scene scene(raster);
+        RasterScene scene(raster);
         Drawing drawing(scene, design);
         // The eye at the same height above the ellipsoid.
         const double undulation = geoid.undulation(scene.place(64, 64, 0).latitude_rad, scene.place(64, 64, 0).longitude_rad).m;
@@ -331,7 +298,7 @@ TEST(TerrainDrawer, TheSamePictureAfterTurningTheWorld) {
 }
 
 TEST(TerrainDrawer, UploadsOnlyWhatIsNew) {
-    Scene scene(test_support::make_rough_raster(129, 129));
+    RasterScene scene(test_support::make_rough_raster(129, 129));
     Drawing drawing(scene, plain_design());
     const TerrainDrawInput input = lit_from_above(scene.view(64, 64, 4000, 0, -40));
     const Picture first = drawing.draw(input, 1);
@@ -342,7 +309,7 @@ TEST(TerrainDrawer, UploadsOnlyWhatIsNew) {
 }
 
 TEST(TerrainDrawer, ANewDesignColoursTheNextFrame) {
-    Scene scene(ramp());
+    RasterScene scene(ramp());
     Drawing drawing(scene, plain_design());
     const TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));
     const Picture before = drawing.draw(input, 1);
@@ -357,7 +324,7 @@ TEST(TerrainDrawer, ANewDesignColoursTheNextFrame) {
 }
 
 TEST(TerrainDrawer, AStyleThatNeedsOtherProgramsIsRefused) {
-    Scene scene(ramp());
+    RasterScene scene(ramp());
     Drawing drawing(scene, plain_design());
     const TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));
     const Picture before = drawing.draw(input, 1);
@@ -372,7 +339,7 @@ TEST(TerrainDrawer, AStyleThatNeedsOtherProgramsIsRefused) {
 }
 
 /// How far the shading of the posts in view is from Lambert's of the full-resolution surface, on average, in steps of 255.
-double shading_error(const Scene& scene, const Picture& picture, const TerrainDrawInput& input) {
+double shading_error(const RasterScene& scene, const Picture& picture, const TerrainDrawInput& input) {
     constexpr double kAmbient = 0.2;
     double sum = 0;
     int posts = 0;
@@ -392,7 +359,7 @@ double shading_error(const Scene& scene, const Picture& picture, const TerrainDr
 
 /// The mesh is so coarse that its vertices know little of the slopes between them; the baked normals do.
 TEST(TerrainDrawer, AttributePagesShadeWhereTheyAreAndVertexNormalsWhereNot) {
-    Scene scene(test_support::make_raster(129, 129, [](std::uint32_t i, std::uint32_t j) {
+    RasterScene scene(test_support::make_raster(129, 129, [](std::uint32_t i, std::uint32_t j) {
         return 1000.0f + 25.0f * std::sin(static_cast<float>(i) / 2.2f) * std::sin(static_cast<float>(j) / 3.0f);
     }));
     design::DesignSettings design = plain_design();
@@ -444,7 +411,7 @@ host_sim::Raster shallow_coast() {
 }
 
 /// Posts that are drawn as the other of sea and land though the true coast is more than `tolerance_px` and a post away.
-int wrong_posts(const Scene& scene, const Picture& picture, const terrain::View& view, Color sea, double tolerance_px) {
+int wrong_posts(const RasterScene& scene, const Picture& picture, const terrain::View& view, Color sea, double tolerance_px) {
     const host_sim::Raster& raster = scene.raster;
     const auto sea_at = [&](std::uint32_t i, std::uint32_t j) {
         return raster.post_class[raster.at(i, j)] == terrain::PostClass::sea;
@@ -472,7 +439,7 @@ int wrong_posts(const Scene& scene, const Picture& picture, const terrain::View&
 }
 
 TEST(TerrainDrawer, TheCoastIsWhereItIsAndNotWhereTrianglesAre) {
-    Scene scene(shallow_coast());
+    RasterScene scene(shallow_coast());
     design::DesignSettings design = plain_design();
     design.terrain.style.texture = design::TerrainTexture::plain;
     design.terrain.style.plain = {255, 255, 255};
@@ -493,7 +460,7 @@ TEST(TerrainDrawer, TheCoastIsWhereItIsAndNotWhereTrianglesAre) {
 }
 
 TEST(TerrainDrawer, VoidsAreHatchedInTheirColourInEveryStyleAndNeverLookLikeSea) {
-    Scene scene(with_gaps());
+    RasterScene scene(with_gaps());
     for (std::size_t texture = 0; texture < design::kTerrainTextures; ++texture) {
         design::DesignSettings design = plain_design();
         design.terrain.style.texture = static_cast<design::TerrainTexture>(texture);
@@ -508,8 +475,8 @@ TEST(TerrainDrawer, VoidsAreHatchedInTheirColourInEveryStyleAndNeverLookLikeSea)
         const Picture picture = drawing.draw(input, 2);
         const Color unknown = design.terrain.unknown;
         int strong = 0, weak = 0;
-        const auto north_west = pixel_of(input.view, scene.place_of_post(71, 51, 400)),
-                   south_east = pixel_of(input.view, scene.place_of_post(89, 79, 400));
+        const auto north_west = pixel_of(input.view, earth::to_ecef(scene.place(71, 51, 400))),
+                   south_east = pixel_of(input.view, earth::to_ecef(scene.place(89, 79, 400)));
         ASSERT_TRUE(north_west && south_east);
         for (double y = north_west->y; y < south_east->y; ++y)
             for (double x = north_west->x; x < south_east->x; ++x) {
@@ -533,7 +500,7 @@ struct SkylineCount {
 };
 
 /// Through a long lens, against the skyline of a ray cast.
-SkylineCount compare_skylines(const Scene& scene, bool lifted) {
+SkylineCount compare_skylines(const RasterScene& scene, bool lifted) {
     constexpr double kFieldOfView_deg = 12, kEye_m = 1900, kPitch_deg = -2, kTau_px = 60;
     design::DesignSettings design = plain_design();
     design.terrain.conservative_up = lifted;
@@ -561,7 +528,7 @@ SkylineCount compare_skylines(const Scene& scene, bool lifted) {
 }
 
 TEST(TerrainDrawer, ALiftedSkylineIsNeverBelowTheTrueOne) {
-    const Scene scene(test_support::make_rough_raster(193, 193));
+    const RasterScene scene(test_support::make_rough_raster(193, 193));
     const SkylineCount lifted = compare_skylines(scene, true), plain = compare_skylines(scene, false);
     EXPECT_GT(lifted.columns, 60);
     EXPECT_EQ(lifted.too_low, 0) << "of " << lifted.columns;
@@ -570,7 +537,7 @@ TEST(TerrainDrawer, ALiftedSkylineIsNeverBelowTheTrueOne) {
 }
 
 TEST(TerrainDrawer, TwoRangesOfDepthGiveThePictureOfOne) {
-    const Scene scene(test_support::make_rough_raster(193, 193));
+    const RasterScene scene(test_support::make_rough_raster(193, 193));
     Drawing drawing(scene, plain_design());
     terrain::View view = scene.view(96, 96, 2300, 30, -10);
     view.near_m = 20;
@@ -593,7 +560,7 @@ TEST(TerrainDrawer, TwoRangesOfDepthGiveThePictureOfOne) {
 }
 
 TEST(TerrainDrawer, CodesTakeNoPalette) {
-    const Scene scene(ramp());
+    const RasterScene scene(ramp());
     const auto bytes_with = [&scene](TerrainOutput output) {
         test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
         test_support::MemoryBytes bytes(scene.built.image);
@@ -612,7 +579,7 @@ TEST(TerrainDrawer, CodesTakeNoPalette) {
 }
 
 TEST(TerrainDrawer, TheLanesAndTheBackendsAgree) {
-    Scene scene(test_support::make_rough_raster(129, 129));
+    RasterScene scene(test_support::make_rough_raster(129, 129));
     const TerrainDrawInput input = lit_from_above(scene.view(64, 64, 3000, 120, -20));
     const auto picture = [&](const std::string& backend, const std::string& device) {
         Drawing drawing(scene, plain_design(), backend, device);

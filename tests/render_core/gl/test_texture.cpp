@@ -4,49 +4,24 @@
 
 #include <vector>
 
-#include "render_core/gl/program.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::gl {
 namespace {
-
-constexpr AttributeBinding kAttributes[] = {{"corner", 0}};
-constexpr const char* kUniforms[] = {"image"};
-
-/// Shows the red component of a texture over the whole surface.
-ProgramSource show_source() {
-    ProgramSource source;
-    source.name = "show";
-    source.vertex =
-        "VERTEX_IN vec2 corner;\nVARYING vec2 uv;\nvoid main() { uv = corner * 0.5 + 0.5; gl_Position = vec4(corner, 0.0, 1.0); "
-        "}\n";
-    source.fragment =
-        "VARYING vec2 uv;\nuniform sampler2D image;\nvoid main() { FRAGMENT_COLOR = vec4(TEXTURE2D(image, uv).r, 0.0, 0.0, 1.0); "
-        "}\n";
-    source.attributes = kAttributes;
-    source.uniforms = kUniforms;
-    return source;
-}
 
 class TextureTest : public testing::TestWithParam<const char*> {
 protected:
     TextureTest() : at_("egl", GetParam(), 32, 32) { line_.bytes = 100'000; }
 
     std::vector<std::uint8_t> show(const Texture& texture) {
-        auto program = build_program(at_.gl, show_source());
-        EXPECT_TRUE(program.ok()) << program.error().sentence.c_str();
-        auto corners = make_buffer(at_.gl, line_, BufferKind::vertices, BufferUse::fixed, 24);
-        const float triangle[] = {-1, -1, 3, -1, -1, 3};
-        EXPECT_TRUE(corners.value().upload(at_.gl, 0, triangle, sizeof triangle));
+        test_support::ScreenTriangle triangle(at_.gl);
         bind_surface(at_.gl, *at_.surface);
-        program.value().use(at_.gl);
-        texture.bind(at_.gl, 1);
-        at_.gl->Uniform1i(program.value().uniform(0), 1);
-        at_.gl->EnableVertexAttribArray(0);
-        at_.gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-        at_.gl->DrawArrays(GL_TRIANGLES, 0, 3);
-        return at_.pixels();
+        triangle.copy(at_.gl, texture);
+        std::vector<std::uint8_t> pixels = at_.pixels();
+        triangle.destroy(at_.gl);
+        return pixels;
     }
 
     test_support::GlSession at_;
