@@ -45,7 +45,7 @@ TEST(Skyline, OfTheDefaultFlightIsThatOfARayCast) {
     const test_support::RecordedFlight flight = test_support::default_flight();
     const test_support::TemporaryFolder folder;
     test_support::DefaultTerrain terrain;
-    test_support::HeadlessDisplay headless("egl", "es3-mid", 1024, 768, &terrain.bytes, test_support::skyline_design());
+    test_support::HeadlessDisplay headless("egl", "es3-mid", 1024, 768, &terrain.bytes, test_support::garish_design());
     host_sim::FlightPlayer player({folder.write("flight.log", flight.log), "canaerospace", "", "one_hot"}, headless.display());
     const host_sim::Raster raster =
         host_sim::load_rasters({std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif"}, {});

@@ -112,7 +112,7 @@ TEST(Mountains, OfAFlightOverDavosLieWhereGeodesyPutsThem) {
         host_sim::load_rasters({data + "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif"}, {});
     const std::vector<std::uint8_t> image = test_support::build_image(raster);
     test_support::MemoryBytes terrain(image);
-    test_support::HeadlessDisplay headless("egl", "desktop", 1024, 768, &terrain, test_support::skyline_design());
+    test_support::HeadlessDisplay headless("egl", "desktop", 1024, 768, &terrain, test_support::garish_design());
     host_sim::FlightPlayer player({convert.output, "canaerospace", "", "one_hot"}, headless.display());
 
     int found = 0, by_chance = 0;

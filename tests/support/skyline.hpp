@@ -1,4 +1,4 @@
-/// The skyline of a picture that was drawn for it, and a flight's display set up to draw such pictures.
+/// The skyline of a flight's picture, on a display of the garish design.
 #pragma once
 
 #include <optional>
@@ -6,21 +6,9 @@
 
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/raster_ray_caster.hpp"
+#include "tests/support/terrain_picture.hpp"
 
 namespace tedavis::test_support {
-
-/// All that is not terrain is pure blue, and the terrain has none.
-inline design::DesignSettings skyline_design() {
-    design::DesignSettings design = shipped_design("default");
-    design.terrain.style.sketch.silhouettes = 0;
-    const design::Color blue{0, 0, 255};
-    design.sky.zenith = design.sky.horizon = design.sky.ground = design.sky.ground_horizon = design.sky.haze = blue;
-    design.terrain.unknown = blue;
-    design.sky.haze_distance_m = 0;
-    for (design::ColorStop& stop : design.terrain.palette.stops) stop.color = {200, 60, 0};
-    design.terrain.sea = {200, 60, 0};
-    return design;
-}
 
 class SkylinePicture {
 public:
@@ -53,7 +41,7 @@ public:
                 base::degrees(record_.heading_rad),
                 base::degrees(record_.pitch_rad),
                 base::degrees(record_.roll_rad),
-                base::degrees(skyline_design().view.horizontal_field_of_view_rad),
+                base::degrees(garish_design().view.horizontal_field_of_view_rad),
                 double(width_),
                 double(height_)};
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/support/build_ground.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -30,12 +31,7 @@ TEST(PostImport, TakesEveryPostOnce) {
 
 TEST(PostImport, BlocksCoverTheSource) {
     for (const std::uint32_t columns : {5000u, 100u}) {
-        PostGrid grid;
-        grid.columns = columns;
-        grid.rows = 700;
-        grid.north_deg = 10;
-        grid.step_lon_deg = grid.step_lat_deg = 0.001;
-        const BuildPlan plan = make_build_plan(grid, {});
+        const BuildPlan plan = make_build_plan(test_support::post_grid(0, 10, 0.001, columns, 700), {});
         const ImportBlocks blocks(plan);
         std::uint64_t posts = 0;
         std::set<std::pair<std::uint32_t, std::uint32_t>> corners;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -11,12 +12,7 @@ using namespace terrain;
 
 /// 200 x 150 coarse posts, `levels` finer levels below them.
 BuildPlan fine_plan(std::uint32_t levels) {
-    PostGrid grid;
-    grid.columns = 200;
-    grid.rows = 150;
-    grid.north_deg = 40;
-    grid.step_lon_deg = grid.step_lat_deg = 0.01;
-    return make_finer_plan(make_build_plan(grid, {}, levels), levels);
+    return make_finer_plan(make_build_plan(test_support::post_grid(0, 40, 0.01, 200, 150), {}, levels), levels);
 }
 
 template <class Action>

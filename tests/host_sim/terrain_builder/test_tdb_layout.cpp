@@ -6,6 +6,7 @@
 #include <set>
 
 #include "render_core/terrain/regular_chunk.hpp"
+#include "tests/support/post_grid.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -13,12 +14,7 @@ namespace {
 using namespace terrain;
 
 BuildPlan plan_of(std::uint32_t columns, std::uint32_t rows) {
-    PostGrid grid;
-    grid.columns = columns;
-    grid.rows = rows;
-    grid.north_deg = 40;
-    grid.step_lon_deg = grid.step_lat_deg = 0.001;
-    return make_build_plan(grid, {});
+    return make_build_plan(test_support::post_grid(0, 40, 0.001, columns, rows), {});
 }
 
 TEST(TdbLayout, PartsFollowEachOtherWithoutGapsAndOverlaps) {
