@@ -211,8 +211,12 @@ int main(int count, char** given) {
     for (int n = 1; n < count; ++n)
         if (std::strcmp(given[n], "--json") == 0)
             json = true;
-        else
+        else if (given[n][0] != '-')
             files.emplace_back(given[n]);
+        else {
+            std::fprintf(stderr, "bench_terrain_frame: unknown argument '%s'; databases and --json are known\n", given[n]);
+            return 2;
+        }
     test_support::DefaultTerrain shipped;
     measure_terrain("default", shipped.bytes, lines);
     for (const std::string& file : files) {
