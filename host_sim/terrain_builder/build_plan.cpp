@@ -15,9 +15,11 @@ using namespace terrain;
 
 constexpr double kLargestRadius_m = 6400000;  // above any radius of curvature of the ellipsoid
 constexpr double kFinestQuantum_m = 1.0 / 1024;
-constexpr double kReachOfHeights_m = 5000;                           // half the range of heights that a raster may hold
-constexpr double kPartOfStep = 1e-3;                                 // places that agree this well are the same
-constexpr double kFirstTolerance = 1.0 / 8, kToleranceGrowth = 2.5;  // of a cell's side at level 1; from level to level
+constexpr double kReachOfHeights_m = 5000;  // half the range of heights that a raster may hold
+constexpr double kPartOfStep = 1e-3;        // places that agree this well are the same
+// Ground is rougher the closer one looks: what posts 90 m apart leave out is less than three times that of posts 30 m apart.
+constexpr double kFirstTolerance_m = 3.75, kFirstCell_m = 30, kFirstGrowth = 0.6;  // at level 1, with the cell's side
+constexpr double kToleranceGrowth = 2.5;                                           // from level to level
 
 /// Round the Earth the last column meets the first: one is appended where the source has no column for it.
 void close_round_the_earth(BuildPlan& plan) {
@@ -75,7 +77,7 @@ void choose_tolerances(BuildPlan& plan) {
     const double north_m = base::radians(h.step_lat_deg) * kLargestRadius_m;
     const double east_m = base::radians(h.step_lon_deg) * kLargestRadius_m * largest_cosine(plan.lattice);
     plan.cell_m = std::max(north_m, east_m);
-    double tolerance_m = kFirstTolerance * std::sqrt(north_m * east_m);
+    double tolerance_m = kFirstTolerance_m * std::pow(std::sqrt(north_m * east_m) / kFirstCell_m, kFirstGrowth);
     for (std::uint32_t level = 1; level < h.levels; ++level, tolerance_m *= kToleranceGrowth)
         h.tolerance_m[level] = static_cast<float>(tolerance_m);
 }

@@ -69,8 +69,10 @@ TEST(BuildPlan, PolesGetRows) {
 TEST(BuildPlan, TolerancesGrowWithTheLevelAndShrinkTowardsThePoles) {
     const BuildPlan plan = make_build_plan(post_grid(-179.5, 89.5, 1, 360, 180), {});
     EXPECT_EQ(plan.header.tolerance_m[0], 0);
-    const double cell_m = base::radians(1) * 6400000;
-    EXPECT_NEAR(plan.header.tolerance_m[1], cell_m / 8, cell_m * 1e-3);
+    const BuildPlan fine = make_build_plan(post_grid(0, 0.02, 30 / 111320.0, 200, 200), {});
+    EXPECT_NEAR(fine.header.tolerance_m[1], 3.75, 0.02) << "an eighth of cells of 30 m";
+    EXPECT_NEAR(plan.header.tolerance_m[1] / fine.header.tolerance_m[1], std::pow(111320 / 30.0, 0.6), 1)
+        << "less than in proportion";
     for (std::uint32_t level = 2; level < plan.levels(); ++level)
         EXPECT_NEAR(plan.header.tolerance_m[level] / plan.header.tolerance_m[level - 1], 2.5, 1e-6);
     EXPECT_NEAR(plan.tolerance_m(1, 1), plan.header.tolerance_m[1], 0.1 * plan.header.tolerance_m[1]) << "at the equator";
