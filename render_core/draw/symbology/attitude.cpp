@@ -106,7 +106,12 @@ void build_horizon(const Painter& painter, const SymbologyInput& input) {
     painter.batch().lift_clip();
 }
 
-/// A strip of the other side with the horizon's line, when the horizon itself is beyond the ladder: it is never lost.
+/// From the middle of the screen to the nearest side of a box, however the horizon lies.
+float reach_within(const Rect& box, const Point& center) {
+    return std::fmin(std::fmin(center.y - box.y, box.bottom() - center.y), box.width / 2);
+}
+
+/// A strip of the other side with the horizon's line, when the horizon itself is out of the picture: it is never lost.
 void build_permanent_horizon(const Painter& painter, const SymbologyInput& input) {
     const glm::dmat3& axes = input.view.body_axes;
     // Down component of a screen point's ray: the horizon is where it vanishes.
@@ -115,8 +120,8 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
     const double distance = input.view.focal_px * axes[0].z / slope;  // of the screen's middle below the horizon
     const Rect box = ladder_box(painter.layout());
     const Point center = painter.layout().screen.center();
-    const float limit = std::fmin(std::fmin(center.y - box.y, box.bottom() - center.y), box.width / 2) - painter.text_px();
-    if (std::fabs(distance) <= static_cast<double>(limit)) return;
+    if (std::fabs(distance) <= static_cast<double>(reach_within(painter.layout().attitude, center) - painter.text_px())) return;
+    const float limit = reach_within(box, center) - painter.text_px();
     const bool in_ground = distance > 0;
     const Point to_ground{static_cast<float>(across / slope), static_cast<float>(below / slope)};
     const Point along{to_ground.y, -to_ground.x};
