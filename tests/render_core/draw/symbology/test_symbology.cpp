@@ -278,6 +278,11 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
     EXPECT_FALSE(has_color(up.batch, high.sky));
     EXPECT_TRUE(has_color(down.batch, low.sky));
     EXPECT_FALSE(has_color(down.batch, low.ground));
+    // Beyond the ladder, but in the picture: one horizon is enough.
+    BatchStore level;
+    const SymbologyInput raised = scene_input(scene_state(10, 12, 0), 1024, 768);
+    build_attitude(Painter(level.batch, make_layout(1024, 768, 96)), raised);
+    EXPECT_FALSE(has_color(level.batch, raised.ground));
 }
 
 TEST(Symbology, ChevronsAppearOnlyInUnusualAttitudes) {
