@@ -65,7 +65,7 @@ RasterOptions raster_options(const TerrainBuildOptions& options) {
     if (!options.crs.empty()) raster.crs = options.crs;
     if (!options.bounds.empty()) raster.bounds = parse_bounds(options.bounds);
     raster.void_value = options.void_value;
-    if (!std::isfinite(options.accuracy_m)) throw UserError("--accuracy: must be a number of metres, 0 for unknown");
+    if (!std::isfinite(options.accuracy_m.value_or(0))) throw UserError("--accuracy: must be a number of metres, 0 for unknown");
     if (!options.extent.empty()) raster.extent = parse_extent("--extent", "--crs", options.extent);
     raster.vertical_datum = parse_choice<VerticalDatum>("--vertical-datum", options.vertical_datum,
                                                         {"egm96", VerticalDatum::egm96}, {"ellipsoid", VerticalDatum::ellipsoid});
@@ -122,7 +122,7 @@ std::string identity_of(const TerrainBuildOptions& options) {
 BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console,
                            const char* left_behind) {
     BuildOptions build;
-    build.le90_m = options.accuracy_m;
+    build.le90_m = options.accuracy_m.value_or(0);
     build.identity = identity_of(options);
     build.progress = [&interrupt, &console, left_behind](std::string_view, std::uint64_t done, std::uint64_t total) {
         report_progress("terrain", done, total, interrupt, console, left_behind);
@@ -192,7 +192,11 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
          << h.west_deg + h.step_lon_deg * (h.columns - 1) << " E, heights " << h.min_height_m << " .. " << h.max_height_m
          << " m above MSL (EGM96)\n"
          << "  " << h.void_posts << " void posts, " << h.chunk_count << " chunks on " << h.levels << " levels, " << h.file_bytes
-         << " bytes\n";
+         << " bytes\n  vertical accuracy (LE90) of the sources: ";
+    if (h.le90_m > 0)
+        text << h.le90_m << " m\n";
+    else
+        text << "not stated\n";
     if (h.drape_posts == 0) {
         text << "  no image drape";
     } else {
@@ -220,8 +224,10 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const TerrainSources sources = sources_of(options.build, console);
-    const TerrainCheck check =
-        check_terrain(options.database, sources, build_options(options.build, interrupt, console, "nothing was found out"));
+    BuildOptions build = build_options(options.build, interrupt, console, "nothing was found out");
+    // No raster tells its accuracy.
+    if (!options.build.accuracy_m) build.le90_m = double{OpenDatabase(options.database).database().header().le90_m};
+    const TerrainCheck check = check_terrain(options.database, sources, build);
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;

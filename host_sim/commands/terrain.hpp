@@ -18,10 +18,10 @@ struct TerrainBuildOptions {
     std::string vertical_datum;  ///< "egm96" or "ellipsoid"; empty: the files' own, else egm96
     std::string encoding;        ///< "terrain-rgb" or "terrarium", of colour pictures; empty: none
     std::optional<double> void_value;
-    double accuracy_m = 0;     ///< LE90 of the source; 0 unknown
-    std::string drape;         ///< image over the terrain; empty: none
-    std::string drape_crs;     ///< empty: the image's own
-    std::string drape_extent;  ///< "W,S,E,N" in units of drape_crs, of an image that has no place; empty: none
+    std::optional<double> accuracy_m;  ///< LE90 of the source; none or 0: unknown, in a check what the database states
+    std::string drape;                 ///< image over the terrain; empty: none
+    std::string drape_crs;             ///< empty: the image's own
+    std::string drape_extent;          ///< "W,S,E,N" in units of drape_crs, of an image that has no place; empty: none
 };
 
 struct TerrainCheckOptions {

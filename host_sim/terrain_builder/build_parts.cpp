@@ -7,7 +7,7 @@ namespace {
 
 using namespace terrain;
 
-constexpr std::uint32_t kBuilderVersion = 2;  // another one makes other files: work folders are not taken over
+constexpr std::uint32_t kBuilderVersion = 3;  // another one makes other files: work folders are not taken over
 
 /// What makes two builds the same: posts, options and the program.
 std::uint64_t key_of_build(const TerrainPlan& plan, const std::optional<DrapeOptions>& drape, const BuildOptions& options) {

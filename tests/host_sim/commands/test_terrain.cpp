@@ -60,6 +60,11 @@ TEST_F(TerrainCommand, WhatIsBuiltIsDescribedAndHolds) {
     EXPECT_EQ(json["le90_m"], 16);
     EXPECT_EQ(json["source"], "r.tif");
     EXPECT_EQ(json["bytes"].get<std::uintmax_t>(), std::filesystem::file_size(build_.output));
+    TerrainBuildOptions rasters_alone = build_;
+    rasters_alone.accuracy_m.reset();
+    EXPECT_EQ(check(rasters_alone).code, 0) << "the accuracy is taken from the database";
+    rasters_alone.accuracy_m = 15;
+    EXPECT_EQ(check(rasters_alone).code, 1) << "and held against what is stated";
     const CommandRun checked = check(build_);
     EXPECT_EQ(checked.code, 0);
     EXPECT_EQ(checked.json()["violations"], 0);
