@@ -69,6 +69,12 @@ BuildParts::BuildParts(const TerrainSources& from, const std::string& in, const 
         drape = std::make_unique<DrapeBaker>(plan.coarse, plan.coverage.base_level(), *sources.drape, store,
                                              [this](const ChunkKey& key) { return entries.read(key).drape; });
     if (!journal.resumes()) record.end = layout.open_parts;
+    if (record.statistics.valid_posts > 0) know_heights();
+}
+
+void BuildParts::know_heights() {
+    for (BuildPlan* const known : {&plan.coarse, &plan.fine})
+        known->know_heights(double{record.statistics.min_height_m}, double{record.statistics.max_height_m});
 }
 
 std::uint64_t BuildParts::append(ChunkPart part, const ChunkKey& chunk, const PartPlace& place,

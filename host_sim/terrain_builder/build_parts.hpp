@@ -40,6 +40,8 @@ public:
     /// Appends what has no place beforehand; returns its offset. One thread, in the order of the tasks.
     std::uint64_t append(ChunkPart part, const terrain::ChunkKey& chunk, const terrain::PartPlace& place,
                          base::Span<const std::uint8_t> bytes);
+    /// Of the plans: what the posts have shown.
+    void know_heights();
     /// Everything is on the disk when this returns.
     void sync();
     /// What was written, opened as the display does. Any thread.

@@ -14,9 +14,10 @@ namespace {
 using namespace terrain;
 
 constexpr double kLargestRadius_m = 6400000;  // above any radius of curvature of the ellipsoid
-constexpr double kFinestQuantum_m = 1.0 / 1024;
-constexpr double kReachOfHeights_m = 5000;  // half the range of heights that a raster may hold
-constexpr double kPartOfStep = 1e-3;        // places that agree this well are the same
+constexpr double kFinestQuantum_m = 1.0 / 16384;
+constexpr double kSlackOfHeights_m = 10;              // filled voids, rounding of centres
+constexpr double kStraightBelow_deg = 80, kBend = 4;  // eight times what the chord is below the arc
+constexpr double kPartOfStep = 1e-3;                  // places that agree this well are the same
 // Ground is rougher the closer one looks: what posts 90 m apart leave out is less than three times that of posts 30 m apart.
 constexpr double kFirstTolerance_m = 3.75, kFirstCell_m = 30, kFirstGrowth = 0.6;  // at level 1, with the cell's side
 constexpr double kToleranceGrowth = 2.5;                                           // from level to level
@@ -64,6 +65,20 @@ std::uint32_t levels_for(const FileHeader& h, std::uint32_t most) {
     const std::uint32_t cells = std::max(h.columns, h.rows) - 1;
     while (levels < most && (kChunkCells << (levels - 1)) < cells) ++levels;
     return levels;
+}
+
+/// Of angles.
+struct Range {
+    double least, most;
+};
+
+/// Absolute values.
+double greatest_cosine(const Range& angles) {
+    const bool has_peak = std::floor(angles.most / base::kPi) * base::kPi >= angles.least;
+    return has_peak ? 1.0 : std::max(std::abs(std::cos(angles.least)), std::abs(std::cos(angles.most)));
+}
+double greatest_sine(const Range& angles) {
+    return greatest_cosine({angles.least - 0.5 * base::kPi, angles.most - 0.5 * base::kPi});
 }
 
 /// Of the row nearest to the equator.
@@ -122,11 +137,35 @@ double BuildPlan::tolerance_m(std::uint32_t level, std::uint32_t chunk_row) cons
     return header.tolerance_m[level] * std::sqrt(std::min(1.0, mean_cosine / largest_cosine(lattice)));
 }
 
+void BuildPlan::know_heights(double lowest_msl_m, double highest_msl_m) {
+    const auto [least, most] = std::minmax_element(undulation.undulation_m.begin(), undulation.undulation_m.end());
+    half_relief_m = 0.5 * (highest_msl_m - lowest_msl_m + double{*most} - double{*least}) + kSlackOfHeights_m;
+}
+
+/// From half the extents of a chunk's box, north, east and down, turned to the Earth's axes. Where meridians run together fast,
+/// none of its sides is straight enough.
+double BuildPlan::farthest_vertex_m(std::uint32_t level) const {
+    const std::uint32_t cells = kChunkCells << level;
+    const double anywhere_m = std::min(half_relief_m + 0.75 * cell_m * cells, 2 * kLargestRadius_m);
+    const Range latitude{lattice.latitude_rad(header.rows - 1), lattice.latitude_rad(0)};
+    if (header.lattice_flags != 0 || base::degrees(std::max(-latitude.least, latitude.most)) > kStraightBelow_deg)
+        return anywhere_m;
+    const double first = base::radians(header.west_deg), step = base::radians(header.step_lon_deg);
+    const Range longitude{first, first + step * (header.columns - 1)};
+    double east_m = 0.5 * step * std::min(cells, header.columns - 1) * kLargestRadius_m * largest_cosine(lattice);
+    double north_m = 0.5 * base::radians(header.step_lat_deg) * std::min(cells, header.rows - 1) * kLargestRadius_m;
+    const double bent_m = kBend * (east_m * east_m + north_m * north_m) / kLargestRadius_m, up_m = half_relief_m + bent_m;
+    east_m += bent_m;
+    north_m += bent_m;
+    const double to_axis_m = north_m * greatest_sine(latitude) + up_m * greatest_cosine(latitude),
+                 along_axis_m = north_m * greatest_cosine(latitude) + up_m * greatest_sine(latitude);
+    const double x_m = to_axis_m * greatest_cosine(longitude) + east_m * greatest_sine(longitude),
+                 y_m = to_axis_m * greatest_sine(longitude) + east_m * greatest_cosine(longitude);
+    return std::min({anywhere_m, std::max({x_m, y_m, along_axis_m}), std::hypot(east_m, north_m, up_m)});
+}
+
 double BuildPlan::quantum_m(std::uint32_t level) const {
-    // No vertex lies further from its chunk's centre than half the diagonal and the heights beside it, nor than the Earth.
-    const double side_m = cell_m * (kChunkCells << level);
-    const double reach_m = std::min(kReachOfHeights_m + 0.75 * side_m, 2 * kLargestRadius_m);
-    return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(reach_m / 16777216.0))));
+    return std::max(kFinestQuantum_m, std::exp2(std::ceil(std::log2(farthest_vertex_m(level) / 16777216.0))));
 }
 
 BuildPlan make_build_plan(const PostGrid& grid, const BuildOptions& options, std::uint32_t finer_levels) {

@@ -1,4 +1,4 @@
-/// What is known of a database before its posts are read: lattice, levels, tolerances, vertex grid, and the units of work.
+/// What is known of a database before chunks are made: lattice, levels, tolerances, vertex grid, and the units of work.
 #pragma once
 
 #include <chrono>
@@ -41,7 +41,8 @@ struct BuildPlan {
     std::uint32_t source_columns = 0;    ///< of the source that are taken; a closing column of its own is not
     std::uint32_t first_source_row = 0;  ///< the lattice's row that is the source's first
     UndulationGrid undulation;
-    double cell_m = 0;  ///< larger side of the largest cell
+    double cell_m = 0;            ///< larger side of the largest cell
+    double half_relief_m = 5000;  ///< half the range of heights: of those that a raster may hold, until they are known
 
     [[nodiscard]] std::uint32_t levels() const { return header.levels; }
     [[nodiscard]] std::uint32_t unit_columns() const;
@@ -55,6 +56,10 @@ struct BuildPlan {
 
     /// The error that meshes of a level aim at in a row of chunks: the level's, less where meridians run together.
     [[nodiscard]] double tolerance_m(std::uint32_t level, std::uint32_t chunk_row) const;
+    /// When the posts have been read and before anything is made of them. Above MSL.
+    void know_heights(double lowest_msl_m, double highest_msl_m);
+    /// No vertex of a chunk of the level lies farther from its centre along any ECEF axis.
+    [[nodiscard]] double farthest_vertex_m(std::uint32_t level) const;
     /// The grid that positions of vertices are rounded to: a power of two, so that every chunk can hold a shared vertex
     /// exactly in a float.
     [[nodiscard]] double quantum_m(std::uint32_t level) const;

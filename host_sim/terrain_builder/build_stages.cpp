@@ -171,6 +171,7 @@ std::vector<BuildStage> build_stages(BuildParts& parts) {
     Stages stages;
     add_post_stages(parts, stages);
     add_inset_post_stages(parts, stages);
+    stages.push_back(plain_stage("pyramid", 0, 1, [&parts](std::uint32_t) { parts.know_heights(); }));
     add_pyramid_stages(parts, stages);
     add_ground_stages(parts, stages);
     add_chunk_stages(parts, stages);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "host_sim/user_error.hpp"
+
 namespace tedavis::host_sim {
 namespace {
 
@@ -20,6 +22,14 @@ std::array<glm::dvec3, 3> axes_of(const ChunkEntry& entry) {
     std::array<glm::dvec3, 3> axes;
     for (std::size_t a = 0; a < 3; ++a) axes[a] = {entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]};
     return axes;
+}
+
+/// Positions that are not exact in a float would part chunks that share them.
+float exactly(double value) {
+    const auto single = static_cast<float>(value);
+    if (double{single} != value)
+        throw UserError("terrain build: a vertex lies farther from its chunk's centre than planned; report this raster");
+    return single;
 }
 
 float rounded_up(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()); }
@@ -103,9 +113,9 @@ ChunkDraft ChunkAssembly::finish() {
     for (std::size_t n = 0; n < places_.size(); ++n) {
         const glm::dvec3 local = places_[n] - centre;
         ChunkVertex& v = draft_.vertices[n];
-        v.x = static_cast<float>(local.x);
-        v.y = static_cast<float>(local.y);
-        v.z = static_cast<float>(local.z);
+        v.x = exactly(local.x);
+        v.y = exactly(local.y);
+        v.z = exactly(local.z);
     }
     draft_.entry.vertex_count = static_cast<std::uint16_t>(draft_.vertices.size());
     return std::move(draft_);

@@ -133,13 +133,20 @@ terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& de
     return lod;
 }
 
+/// The view with what is known of the ground close to its eye.
+terrain::View TerrainScene::over_ground(terrain::View view) {
+    view.ground = terrain::near_ground(heights_, view);
+    return view;
+}
+
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
     const terrain::LodSettings lod = lod_settings(design, eye);
     store_.begin_frame();
-    static_cast<void>(selector_.select(store_, seen_soon(eye.view), needed_soon(lod), SelectionKind::ideal, selected_));
+    static_cast<void>(
+        selector_.select(store_, over_ground(seen_soon(eye.view)), needed_soon(lod), SelectionKind::ideal, selected_));
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
-    plan.lod = selector_.select(store_, eye.view, lod, SelectionKind::drawn, selected_);
+    plan.lod = selector_.select(store_, over_ground(eye.view), lod, SelectionKind::drawn, selected_);
     chunks_ = plan.lod.chunks;
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;

@@ -12,7 +12,7 @@
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
-#include "render_core/terrain/height_query.hpp"
+#include "render_core/terrain/near_ground.hpp"
 
 namespace tedavis::display {
 
@@ -79,6 +79,7 @@ public:
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
 
 private:
+    [[nodiscard]] terrain::View over_ground(terrain::View view);
     void decide_drape(const design::DesignSettings& design);
     [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);

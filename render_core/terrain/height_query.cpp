@@ -134,6 +134,13 @@ std::uint32_t HeightQuery::chunk_over(std::uint32_t i, std::uint32_t j) {
     return place;
 }
 
+ExactChunk HeightQuery::exact_chunk(std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t kept = chunk_over(i, j);
+    if (kept == kNone) return {};
+    const ChunkEntry& entry = chunks_[kept].entry;
+    return {&entry, payload_vertices(entry, payload(kept))};
+}
+
 HeightAnswer HeightQuery::at(double latitude_rad, double longitude_rad) {
     HeightAnswer answer;
     if (!std::isfinite(latitude_rad) || !std::isfinite(longitude_rad)) return answer;

@@ -18,6 +18,12 @@ struct HeightAnswer {
     earth::GeoidUndulation undulation;  ///< everywhere, clamped to the database's border
 };
 
+/// Its vertices are every post of its grid (regular_chunk.hpp).
+struct ExactChunk {
+    const ChunkEntry* entry = nullptr;  ///< null: it cannot be had
+    base::Span<const ChunkVertex> vertices;
+};
+
 class HeightQuery {
 public:
     static constexpr std::uint32_t kKeptChunks = 4;
@@ -25,6 +31,9 @@ public:
 
     [[nodiscard]] bool start(const TerrainDatabase& database, base::Arena& arena);
     [[nodiscard]] HeightAnswer at(double latitude_rad, double longitude_rad);
+    /// The exact chunk over the lattice cell south-east of a post. It stays while no more than kKeptChunks are asked for.
+    [[nodiscard]] ExactChunk exact_chunk(std::uint32_t i, std::uint32_t j);
+    [[nodiscard]] const Lattice& lattice() const { return database_->lattice(); }
     [[nodiscard]] static std::uint64_t bytes_needed();
 
 private:

@@ -132,8 +132,8 @@ struct DirectoryPage {
 };
 static_assert(std::is_trivially_copyable_v<DirectoryPage> && sizeof(DirectoryPage) == 16 + 64 * sizeof(ChunkEntry));
 
-/// Uploaded to the GPU as it is. Positions lie on a binary grid, 2^-10 m or coarser for vertices of high levels, so that
-/// every chunk holds a shared vertex exactly: see draw/terrain_drawer.hpp.
+/// Uploaded to the GPU as it is. Positions lie on binary grids, as fine as floats allow within the largest chunks that share a
+/// vertex, 2^-14 m at most, so that every one of them holds it exactly: see draw/terrain_drawer.hpp.
 struct ChunkVertex {
     float x, y, z;          ///< ECEF minus the chunk's centre, metres
     float height_m;         ///< above MSL; filled where void

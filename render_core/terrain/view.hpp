@@ -8,6 +8,13 @@
 
 namespace tedavis::terrain {
 
+/// What is known of the true surface close to an eye: a vertical error of no more than margin_m moves no drawn point of it by
+/// more than px_per_m for each metre of error. Zeros: nothing is known.
+struct NearGround {
+    double px_per_m = 0;
+    double margin_m = 0;
+};
+
 struct View {
     glm::dvec3 eye;      ///< ECEF, m
     glm::dvec3 forward;  ///< unit vectors in ECEF
@@ -17,6 +24,7 @@ struct View {
     std::uint32_t width = 1, height = 1;
     double near_m = 1;
     double far_m = 400000;
+    NearGround ground;  ///< holds for this pose, and for no wider picture (near_ground.hpp)
 
     [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }
     [[nodiscard]] double half_height_tangent() const { return 0.5 * height / focal_px; }

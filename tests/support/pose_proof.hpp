@@ -14,6 +14,7 @@
 
 #include "render_core/terrain/drawn_surface.hpp"
 #include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/near_ground.hpp"
 #include "tests/support/hard_poses.hpp"
 #include "tests/support/mesh_places.hpp"
 
@@ -97,16 +98,21 @@ private:
     class Worker {
     public:
         Worker(PoseProver& prover, double lie)
-            : prover_(prover), lie_(lie), memory_(terrain::LodSelector::bytes_needed(kNodes)), selected_(kMostChunks) {
+            : prover_(prover),
+              lie_(lie),
+              memory_(terrain::LodSelector::bytes_needed(kNodes) + terrain::HeightQuery::bytes_needed()),
+              selected_(kMostChunks) {
             base::Arena arena(memory_.data(), memory_.size());
-            EXPECT_TRUE(selector_.start(arena, kNodes));
+            EXPECT_TRUE(selector_.start(arena, kNodes) && heights_.start(prover.drawn_.database(), arena));
         }
 
         void prove(const HardPose& pose, std::uint32_t number, PoseProof& proof) {
+            terrain::View view = pose.view;
+            view.ground = terrain::near_ground(heights_, view);
             for (const double tau_px : kTaus_px) {
                 const Budget budget = budget_of(number / static_cast<std::uint32_t>(PoseKind::count) + number);
-                const terrain::LodResult stated = selector_.select(prover_.drawn_, pose.view, settings_for(tau_px, budget),
-                                                                   terrain::SelectionKind::ideal, span());
+                const terrain::LodResult stated =
+                    selector_.select(prover_.drawn_, view, settings_for(tau_px, budget), terrain::SelectionKind::ideal, span());
                 chunks_ = stated.chunks;
                 random_.seed(number);
                 FoundFrame frame{0, stated.worst_error_px * lie_, tau_px, number, pose.kind};
@@ -203,6 +209,7 @@ private:
         const double lie_;
         std::vector<std::uint8_t> memory_;
         terrain::LodSelector selector_;
+        terrain::HeightQuery heights_;
         std::vector<terrain::SelectedChunk> selected_;
         std::uint32_t chunks_ = 0;
         std::unique_ptr<terrain::ChunkMeshScratch> scratch_ = std::make_unique<terrain::ChunkMeshScratch>();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
@@ -82,18 +83,68 @@ TEST(BuildPlan, TolerancesGrowWithTheLevelAndShrinkTowardsThePoles) {
     EXPECT_NEAR(plan.tolerance_m(1, 0) / plan.header.tolerance_m[1], expected, 1e-6);
 }
 
-TEST(BuildPlan, TheVertexGridHoldsWhatAFloatHolds) {
-    for (const double step : {1.0 / 3600, 1.0 / 120, 0.25, 2.0}) {
-        const BuildPlan plan = make_build_plan(post_grid(-170, 80, step, 150, 60), {});
-        for (std::uint32_t level = 0; level < plan.levels(); ++level) {
-            const double q = plan.quantum_m(level);
-            EXPECT_EQ(std::exp2(std::round(std::log2(q))), q) << "a power of two";
-            EXPECT_GE(q, 1.0 / 1024);
-            const double reach_m = std::min(5000 + 0.5 * std::sqrt(2.0) * plan.cell_m * (kChunkCells << level), 12.8e6);
-            EXPECT_LE(reach_m / q, 16777216) << "24 bits";
-            EXPECT_GE(q, plan.quantum_m(level == 0 ? 0 : level - 1));
+/// Half the extents of a chunk, from its own corners, edges and middle at the lowest and the highest height: places by doubles.
+double farthest_of(const BuildPlan& plan, const ChunkKey& key) {
+    const PostRange posts = plan.lattice.posts_of(key);
+    const earth::Geodetic middle{0.5 * (plan.lattice.latitude_rad(posts.j0) + plan.lattice.latitude_rad(posts.j1)),
+                                 plan.lattice.longitude_rad((posts.i0 + posts.i1) / 2),
+                                 {0}};
+    const glm::dmat3 axes = earth::north_east_down(middle.latitude_rad, middle.longitude_rad);
+    std::vector<glm::dvec3> places;
+    for (const std::uint32_t j : {posts.j0, (posts.j0 + posts.j1) / 2, posts.j1})
+        for (const std::uint32_t i : {posts.i0, (posts.i0 + posts.i1) / 2, posts.i1})
+            for (const double sign : {-1.0, 1.0}) places.push_back(plan.lattice.position(i, j, 1000 + sign * plan.half_relief_m));
+    glm::dvec3 least(1e9), most(-1e9);
+    for (const glm::dvec3& place : places)
+        for (int a = 0; a < 3; ++a) {
+            least[a] = std::min(least[a], glm::dot(place, axes[a]));
+            most[a] = std::max(most[a], glm::dot(place, axes[a]));
         }
-    }
+    const glm::dvec3 centre = axes * (0.5 * (least + most));
+    double farthest = 0;
+    for (const glm::dvec3& place : places)
+        for (int a = 0; a < 3; ++a) farthest = std::max(farthest, std::abs(place[a] - centre[a]) + 1);
+    return farthest;
+}
+
+TEST(BuildPlan, TheVertexGridHoldsWhatAFloatHolds) {
+    int tight = 0, all = 0;
+    for (const auto& [west, north, step] : {std::array{9.0, 47.0, 1.0 / 3600},
+                                            {-84.4, 36.7, 1.0 / 1200},
+                                            {-170.0, 79.9, 1.0 / 600},
+                                            {-3.0, 5.0, 1.0 / 120},
+                                            {179.0, -40.0, 1.0 / 1200},
+                                            {44.9, 0.1, 0.05},
+                                            {-170.0, 80.0, 0.25},
+                                            {-170.0, 80.0, 2.0}})
+        for (const double highest_m : {200.0, 9000.0}) {
+            BuildPlan plan = make_build_plan(post_grid(west, north, step, 150, 70), {});
+            plan.know_heights(0, highest_m);
+            for (std::uint32_t level = 0; level < plan.levels(); ++level) {
+                const double q = plan.quantum_m(level);
+                EXPECT_EQ(std::exp2(std::round(std::log2(q))), q) << "a power of two";
+                EXPECT_GE(q, 1.0 / 16384);
+                EXPECT_LE(plan.farthest_vertex_m(level) / q, 16777216) << "24 bits";
+                EXPECT_GE(q, plan.quantum_m(level == 0 ? 0 : level - 1));
+                double farthest = 0;
+                for (std::uint32_t j = 0; j < plan.lattice.grid_rows(level); ++j)
+                    for (std::uint32_t i = 0; i < plan.lattice.grid_columns(level); ++i)
+                        farthest = std::max(farthest, farthest_of(plan, {level, i, j}));
+                EXPECT_LE(farthest, plan.farthest_vertex_m(level)) << west << " " << north << " " << step << " " << level;
+                tight += farthest > 0.75 * plan.farthest_vertex_m(level) ? 1 : 0;
+                ++all;
+            }
+        }
+    EXPECT_GT(tight, all / 2) << "finer than it would be for any place on the Earth";
+}
+
+TEST(BuildPlan, KnownHeightsMakeTheVertexGridFiner) {
+    BuildPlan plan = make_build_plan(post_grid(-84.4, 36.7, 1.0 / 1200, 300, 300), {});
+    const double unknown = plan.quantum_m(0);
+    plan.know_heights(200, 1100);
+    EXPECT_LT(plan.quantum_m(0), unknown);
+    plan.know_heights(-400, 8800);
+    EXPECT_GE(plan.quantum_m(0), 4400 / 16777216.0);
 }
 
 }  // namespace

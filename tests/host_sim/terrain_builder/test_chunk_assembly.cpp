@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/build_ground.hpp"
+#include "tests/support/expect_user_error.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -41,7 +42,7 @@ TEST(ChunkAssembly, VerticesLieOnTheGridBesideTheirPosts) {
             const std::uint32_t i = posts.i0 + v.i, j = posts.j0 + v.j;
             const glm::dvec3 place = place_of(draft.entry, v);
             EXPECT_LE(glm::length(place - ground.plan.lattice.position(i, j, all.surface_m[all.at(i, j)])), draft.rounding_m);
-            const glm::dvec3 steps = place * 1024.0;
+            const glm::dvec3 steps = place / ground.plan.quantum_m(0);
             EXPECT_EQ(steps, glm::round(steps));
             EXPECT_EQ(v.height_m, ground.raster.height_m[ground.raster.at(i, j)]);
             const glm::dvec3 normal(v.normal[0], v.normal[1], v.normal[2]);
@@ -56,14 +57,27 @@ TEST(ChunkAssembly, HalvesAreRoundedFarFromTheEarthsCentre) {
     const BuildGround ground(test_support::make_raster(
         40, 40, [](auto, auto) { return 10.0f; }, 0, 0, 1.0 / 1200));
     LatticeWindow window = ground.all();
-    const float half = 0.5f / 1024;
+    const auto half = static_cast<float>(0.5 * ground.plan.quantum_m(0));
     window.surface_m[window.at(0, 0)] = half;  // at 0 N 0 E, x is the semi-major axis and this
     const PostPlaces places(ground.plan.lattice, window.i0, window.j0, window.columns, window.rows);
     ChunkAssembly assembly(ground.plan, {0, 0, 0});
     assembly.add_inner(0, 0, window, places);
     assembly.add_inner(1, 1, window, places);
     const ChunkDraft draft = assembly.finish();
-    EXPECT_NEAR(place_of(draft.entry, draft.vertices[0]).x, earth::kSemiMajorAxis_m + half, 1.0 / 1024);
+    EXPECT_NEAR(place_of(draft.entry, draft.vertices[0]).x, earth::kSemiMajorAxis_m + double{half}, ground.plan.quantum_m(0));
+}
+
+/// Two chunks would round it differently.
+TEST(ChunkAssembly, AVertexThatAFloatDoesNotHoldIsRefused) {
+    const BuildGround ground(test_support::make_raster(
+        40, 40, [](auto, auto) { return 10.0f; }, 9, 47, 1.0 / 1200));
+    LatticeWindow window = ground.all();
+    const PostPlaces places(ground.plan.lattice, window.i0, window.j0, window.columns, window.rows);
+    window.surface_m[window.at(1, 1)] = 300'000;
+    ChunkAssembly assembly(ground.plan, {0, 0, 0});
+    assembly.add_inner(0, 0, window, places);
+    assembly.add_inner(1, 1, window, places);
+    test_support::expect_user_error([&assembly] { (void)assembly.finish(); }, "farther from its chunk's centre");
 }
 
 TEST(ChunkAssembly, TheBoxHoldsEveryVertexAndLittleMore) {

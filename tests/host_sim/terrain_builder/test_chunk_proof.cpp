@@ -84,10 +84,11 @@ void expect_stated_errors_hold(const Raster& raster, bool closed, int steps, std
 
 TEST(ChunkProof, HoldsOverRoughTerrain) { expect_stated_errors_hold(test_support::make_rough_raster(97, 80), false, 6); }
 
-/// What exact chunks state is honest and not much more than is found; a vertex that went a little further would be found.
+/// What exact chunks state is honest and not much more than is found; a vertex that went a little further would be found. Gentle
+/// slopes: on steep ones the bound of what curvature moves sideways is most of it.
 TEST(ChunkProof, ExactChunksStateLittleMoreThanTheirRounding) {
     const Raster raster = test_support::make_raster(
-        97, 80, [](std::uint32_t i, std::uint32_t j) { return 1500 + 600.0f * std::sin(i * 0.4f) * std::cos(j * 0.3f); });
+        97, 80, [](std::uint32_t i, std::uint32_t j) { return 1500 + 30.0f * std::sin(i * 0.4f) * std::cos(j * 0.3f); });
     const BuiltDatabase built(raster);
     const TrueSurface truth(raster, false);
     double tightest = 0;

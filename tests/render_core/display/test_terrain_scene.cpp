@@ -9,6 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
+#include "render_core/terrain/projected_error.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
@@ -145,6 +146,32 @@ TEST(TerrainScene, CoarserFirstThenRefinedToTau) {
     }
     EXPECT_LE(last_px, plain_design().terrain.tau_px);
     EXPECT_FALSE(stage.scene.plan(eye, plain_design()).is_failing);
+}
+
+/// Boxes alone say for these eyes, from which the near plane is a metre away, several times as much.
+TEST(TerrainScene, CloseOverTheGroundTauIsReached) {
+    Stage stage(plain_design());
+    design::DesignSettings design = plain_design();
+    design.terrain.tau_px = 0.5;
+    int over_tau_by_boxes = 0;
+    for (const double post : {40.3, 64.1, 97.6, 128.5, 150.2}) {
+        const double latitude = radians(raster().north_deg - post * raster().step_lat_deg),
+                     longitude = radians(raster().west_deg + post * raster().step_lon_deg);
+        Eye eye = eye_at(post, post, stage.scene.true_height(latitude, longitude).height.m + 3, 11 * post, -8);
+        eye.view.near_m = 1;
+        eye.view.focal_px *= 3;
+        TerrainPlan plan;
+        for (int n = 0; n < 6; ++n) plan = stage.scene.plan(eye, design);
+        EXPECT_EQ(plan.lod.reason, terrain::LodStop::met) << post;
+        EXPECT_LE(plan.lod.worst_error_px, 0.5) << post;
+        double by_boxes_px = 0;
+        for (const terrain::SelectedChunk& chunk : stage.scene.selected())
+            by_boxes_px = std::fmax(by_boxes_px,
+                                    terrain::error_in_box_px(*chunk.entry, eye.view,
+                                                             double{std::fmax(chunk.entry->above_m, chunk.entry->below_m)}, 0));
+        over_tau_by_boxes += by_boxes_px > 0.5 ? 1 : 0;
+    }
+    EXPECT_GE(over_tau_by_boxes, 3);
 }
 
 // A frame without terrain is a frame: what was seen before it falls out of the window.

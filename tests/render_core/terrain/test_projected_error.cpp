@@ -148,6 +148,23 @@ TEST(ProjectedError, NoPointOfTheBoxMovesFurtherInThePicture) {
     EXPECT_LT(tightest, 1.3) << "the bound is of some use";
 }
 
+TEST(ProjectedError, TheGroundNearTheEyeTightensErrorsWithinItsMargin) {
+    View view = test_support::view_from(rough(), 64, 64, 30, 0, -10);
+    view.near_m = 1;
+    const ChunkEntry& entry = rough().entry({0, 2, 2});
+    const double unknown_px = error_in_box_px(entry, view, 0.01, 0);
+    view.ground = {20, 0.02};
+    EXPECT_DOUBLE_EQ(error_in_box_px(entry, view, 0.01, 0), 0.2);
+    EXPECT_DOUBLE_EQ(error_in_box_px(entry, view, 0.01, 1), 0.2);
+    EXPECT_LT(0.2, unknown_px);
+    EXPECT_GT(error_in_box_px(entry, view, 0.03, 0), 2 * unknown_px) << "beyond the margin nothing is known";
+    view.ground = {1e6, 0.02};
+    EXPECT_EQ(error_in_box_px(entry, view, 0.01, 0), unknown_px) << "never more than without";
+    view.ground = {std::nan(""), 0.02};
+    EXPECT_EQ(error_in_box_px(entry, view, 0.01, 0), unknown_px);
+    EXPECT_EQ(error_in_box_px(entry, view, 0, 0), 0);
+}
+
 TEST(ProjectedError, NoErrorIsExactlyNoPixel) {
     const ChunkEntry& entry = rough().entry({1, 0, 0});
     View view = test_support::view_from(rough(), 20, 20, 0, 0, 0);
