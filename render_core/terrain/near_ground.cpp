@@ -260,6 +260,28 @@ private:
     const glm::dvec3 centre_;
 };
 
+/// The widest zone round a cell that few chunks hold; false where there is none or not all of it can be had.
+bool cut_round(HeightQuery& heights, std::int64_t i, std::int64_t j, std::int64_t most_reach, Zone& zone, Pieces& pieces) {
+    Cut found = Cut::too_many;
+    for (std::int64_t reach = most_reach; reach > 0 && found == Cut::too_many; reach /= 2) {
+        zone = zone_round(heights.lattice(), i, j, reach);
+        if (goes_round_or_to_pole(heights.lattice(), zone)) return false;
+        found = cut(heights, zone, pieces);
+    }
+    return found == Cut::whole;
+}
+
+bool scan_pieces(HeightQuery& heights, const Pieces& pieces, GroundScan& scan) {
+    for (std::uint32_t n = 0; n < pieces.count; ++n) {
+        const Piece& piece = pieces.list[n];
+        const std::uint32_t column = column_of(heights.lattice(), piece.i0);
+        const ExactChunk chunk = heights.exact_chunk(column, static_cast<std::uint32_t>(piece.j0));
+        if (chunk.entry == nullptr) return false;
+        ChunkScan(heights.lattice(), chunk).run(piece, column, scan);
+    }
+    return true;
+}
+
 }  // namespace
 
 NearGround near_ground(HeightQuery& heights, const View& view) {
@@ -275,25 +297,12 @@ NearGround near_ground(HeightQuery& heights, const View& view) {
     Zone zone = zone_round(lattice, i, j, most_reach);
     if (box_distance_m(*below.entry, view) > distance_beyond(lattice, zone, view.eye, place)) return {};
     Pieces pieces;
-    Cut found = Cut::too_many;
-    for (std::int64_t reach = most_reach; reach > 0 && found == Cut::too_many; reach /= 2) {
-        zone = zone_round(lattice, i, j, reach);
-        if (goes_round_or_to_pole(lattice, zone)) return {};
-        found = cut(heights, zone, pieces);
-    }
     const double margin_m = kMarginOfNear * view.near_m;
-    if (found != Cut::whole || !(pieces.error_m <= margin_m)) return {};
+    if (!cut_round(heights, i, j, most_reach, zone, pieces) || !(pieces.error_m <= margin_m)) return {};
 
     const double beyond_m = distance_beyond(lattice, without_border(lattice, zone, pieces.spacing), view.eye, place);
     GroundScan scan(view, earth::north_east_down(place.latitude_rad, place.longitude_rad)[2], margin_m, pieces.error_m);
-    for (std::uint32_t n = 0; n < pieces.count; ++n) {
-        const Piece& piece = pieces.list[n];
-        const std::uint32_t column = column_of(lattice, piece.i0);
-        const ExactChunk chunk = heights.exact_chunk(column, static_cast<std::uint32_t>(piece.j0));
-        if (chunk.entry == nullptr) return {};
-        ChunkScan(lattice, chunk).run(piece, column, scan);
-    }
-    if (!(scan.drop_m() < beyond_m)) return {};
+    if (!scan_pieces(heights, pieces, scan) || !(scan.drop_m() < beyond_m)) return {};
     const double px_per_m = std::max(scan.px_per_m(), px_per_m_beyond(view, beyond_m, margin_m));
     if (!std::isfinite(px_per_m)) return {};
     return {px_per_m, margin_m};

@@ -38,7 +38,7 @@ struct RasterScene {
         const glm::dmat3 body =
             earth::body_axes(at.latitude_rad, at.longitude_rad, base::radians(heading_deg), base::radians(pitch_deg), 0);
         const double focal_px = kWidth / 2 / std::tan(base::radians(30));
-        return {earth::to_ecef(at), body[0], body[1], body[2], focal_px, kWidth, kHeight, 5, 300000};
+        return {earth::to_ecef(at), body[0], body[1], body[2], focal_px, kWidth, kHeight, 5, 300000, {}};
     }
 };
 
