@@ -190,12 +190,13 @@ bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style,
     const float texel_px = style.size_px / atlas.texels_per_em;
     const float range_px = 2 * atlas.spread_em * style.size_px;  // pixels between the atlas's values 0 and 1
     const auto atlas_width = static_cast<float>(atlas.width), atlas_height = static_cast<float>(atlas.height);
+    const float idle_px = std::max(0.0f, range_px / 2 - fatten_px - 1);  // of the spread: nothing of the glyph reaches it
     const bool upright = along.y == 0;
     bool fits = true;
     while (!text.empty()) {
         const Glyph& glyph = glyph_of(take_code_point(text));
-        Rect box{glyph.left * texel_px, glyph.top * texel_px, glyph.width * texel_px, glyph.height * texel_px};
-        const Rect whole = box;
+        const Rect whole{glyph.left * texel_px, glyph.top * texel_px, glyph.width * texel_px, glyph.height * texel_px};
+        Rect box = whole.shrunk(idle_px);
         if (clipped_ && upright) box = common(box, {clip_.x - pen.x, clip_.y - pen.y, clip_.width, clip_.height});
         Corner corners[4];
         for (int i = 0; i < 4; ++i) {
