@@ -63,10 +63,11 @@ void QuadBatch::set_clip(const Rect& clip) {
 }
 
 /// For a shape, whose run begins here unless the last one goes on.
-bool QuadBatch::has_room(std::size_t vertices, std::size_t indices, bool large) {
-    const bool goes_on = !runs_.empty() && runs_.back().large == large;
+bool QuadBatch::has_room(std::size_t vertices, std::size_t indices, Shape shape) {
+    const bool glyphs = shape == Shape::glyph;
+    const bool goes_on = !runs_.empty() && (shape == Shape::box || runs_.back().glyphs == glyphs);
     const bool fits = vertex_count_ + vertices <= use_.capacity && index_count_ + indices <= indices_.size();
-    if (fits && (goes_on || runs_.try_push_back({static_cast<std::uint32_t>(index_count_), large}))) return true;
+    if (fits && (goes_on || runs_.try_push_back({static_cast<std::uint32_t>(index_count_), glyphs}))) return true;
     ++use_.refused;
     return false;
 }
@@ -78,8 +79,8 @@ QuadVertex& QuadBatch::add_vertex(Point at, Point uv, float extent_x, float exte
     return vertex;
 }
 
-bool QuadBatch::add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, bool large) {
-    if (!has_room(4, 6, large)) return false;
+bool QuadBatch::add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, Shape shape) {
+    if (!has_room(4, 6, shape)) return false;
     const auto first = static_cast<std::uint16_t>(vertex_count_);
     for (const Corner& corner : corners) add_vertex(corner.at, corner.uv, extent_x, extent_y, color);
     for (unsigned offset : {0u, 1u, 2u, 0u, 2u, 3u}) indices_[index_count_++] = static_cast<std::uint16_t>(first + offset);
@@ -132,7 +133,8 @@ bool QuadBatch::box(const Rect& rect, design::Color color) {
         const float v = i >= 2 ? reach_v : -reach_v;
         corners[i] = {{middle.x + u, middle.y + v}, {u, v}};
     }
-    return add_quad(corners, half_width, half_height, color, seen.width * seen.height >= kLargeBox_px2);
+    return add_quad(corners, half_width, half_height, color,
+                    seen.width * seen.height >= kLargeBox_px2 ? Shape::large_box : Shape::box);
 }
 
 bool QuadBatch::frame(const Rect& rect, float width_px, design::Color color) {
@@ -145,7 +147,7 @@ bool QuadBatch::frame(const Rect& rect, float width_px, design::Color color) {
 bool QuadBatch::triangle(Point a, Point b, Point c, design::Color color) {
     if (!finite(a) || !finite(b) || !finite(c)) return true;
     if (clipped_ && !(clip_.contains(a) && clip_.contains(b) && clip_.contains(c))) return true;
-    if (!has_room(3, 3)) return false;
+    if (!has_room(3, 3, Shape::box)) return false;
     for (Point corner : {a, b, c}) {
         indices_[index_count_++] = static_cast<std::uint16_t>(vertex_count_);
         add_vertex(corner, {0, 0}, 1, 1, color);
@@ -205,7 +207,7 @@ bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style,
                 {pen.x + along.x * x - along.y * y, pen.y + along.y * x + along.x * y},
                 {(glyph.u + (x - whole.x) / texel_px) / atlas_width, (glyph.v + (y - whole.y) / texel_px) / atlas_height}};
         }
-        if (!box.empty()) fits = add_quad(corners, -(1 + fatten_px), range_px, color) && fits;
+        if (!box.empty()) fits = add_quad(corners, -(1 + fatten_px), range_px, color, Shape::glyph) && fits;
         pen = {pen.x + along.x * glyph.advance_em * style.size_px, pen.y + along.y * glyph.advance_em * style.size_px};
     }
     return fits;

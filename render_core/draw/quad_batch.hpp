@@ -39,10 +39,10 @@ struct TextStyle {
 };
 enum class TextAnchor : std::uint8_t { left, center, right };
 
-/// Triangles that follow each other and are drawn alike.
+/// Triangles that follow each other and are drawn by one program.
 struct QuadRun {
     std::uint32_t first_index = 0;
-    bool large = false;  ///< boxes that cover so much of the screen that they are worth a program without glyphs
+    bool glyphs = false;  ///< and small boxes between them, which are not worth another program; else boxes alone
 };
 inline constexpr std::size_t kMaxQuadRuns = 256;
 inline constexpr float kLargeBox_px2 = 4096;
@@ -83,9 +83,10 @@ private:
     struct Corner {
         Point at, uv;
     };
-    bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, bool large = false);
+    enum class Shape : std::uint8_t { glyph, box, large_box };
+    bool add_quad(const Corner (&corners)[4], float extent_x, float extent_y, design::Color color, Shape shape = Shape::box);
     [[nodiscard]] bool is_cut(std::string_view text, Point pen, const TextStyle& style, Point along) const;
-    bool has_room(std::size_t vertices, std::size_t indices, bool large = false);
+    bool has_room(std::size_t vertices, std::size_t indices, Shape shape);
     bool glyphs(std::string_view text, Point pen, const TextStyle& style, float fatten_px, design::Color color, Point along);
     QuadVertex& add_vertex(Point at, Point uv, float extent_x, float extent_y, design::Color color);
 

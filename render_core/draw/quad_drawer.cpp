@@ -56,8 +56,8 @@ gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std:
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
     if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
 
-    for (const bool large : {false, true}) {
-        base::FixedString<kMaxShaderText> fragment(large ? "" : "#define GLYPHS 1\n");
+    for (const bool glyphs : {false, true}) {
+        base::FixedString<kMaxShaderText> fragment(glyphs ? "#define GLYPHS 1\n" : "");
         fragment.append(shader_text(k_symbology_frag));
         gl::ProgramSource source;
         source.name = "symbology";
@@ -65,10 +65,10 @@ gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std:
         source.fragment = fragment.view();
         source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
         source.uniforms = base::Span<const char* const>(kUniforms);
-        source.some_unused = large;
+        source.some_unused = !glyphs;
         auto program = gl::build_program(gl, source);
         if (!program.ok()) return program.error();
-        (large ? large_program_ : program_) = static_cast<gl::Program&&>(program.value());
+        (glyphs ? glyph_program_ : box_program_) = static_cast<gl::Program&&>(program.value());
     }
     return {};
 }
@@ -84,12 +84,11 @@ std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t he
     gl->Disable(GL_CULL_FACE);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    for (const gl::Program* program : {&program_, &large_program_}) {
+    for (const gl::Program* program : {&box_program_, &glyph_program_}) {
         program->use(gl);
         gl->Uniform2f(program->uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
     }
-    program_.use(gl);
-    gl->Uniform1i(program_.uniform(kAtlas), 0);
+    gl->Uniform1i(glyph_program_.uniform(kAtlas), 0);
     atlas_.bind(gl, 0);
     vertices_.bind(gl);
     indices_.bind(gl);
@@ -98,7 +97,7 @@ std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t he
     const base::Span<const QuadRun> runs = batch_.runs();
     for (std::size_t n = 0; n < runs.size(); ++n) {
         const std::uint32_t end = n + 1 < runs.size() ? runs[n + 1].first_index : static_cast<std::uint32_t>(indices.size());
-        (runs[n].large ? large_program_ : program_).use(gl);
+        (runs[n].glyphs ? glyph_program_ : box_program_).use(gl);
         gl::draw_triangles(gl, {runs[n].first_index, end - runs[n].first_index, static_cast<std::uint32_t>(vertices.size() - 1)});
     }
     for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->DisableVertexAttribArray(attribute);
@@ -107,8 +106,8 @@ std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t he
 }
 
 void QuadDrawer::destroy(gl::Gl& gl) {
-    program_.destroy(gl);
-    large_program_.destroy(gl);
+    box_program_.destroy(gl);
+    glyph_program_.destroy(gl);
     vertices_.destroy(gl);
     indices_.destroy(gl);
     atlas_.destroy(gl);

@@ -28,7 +28,7 @@ public:
 private:
     [[nodiscard]] gl::GlError make_objects(gl::Gl& gl, base::BudgetTable& budget, std::size_t vertices, std::size_t indices);
     QuadBatch batch_;
-    gl::Program program_, large_program_;  ///< of everything; of large boxes
+    gl::Program box_program_, glyph_program_;  ///< the second draws everything
     gl::Buffer vertices_, indices_;
     gl::Texture atlas_;
 };

@@ -170,23 +170,25 @@ TEST(QuadBatch, NotANumberDrawsNothing) {
     EXPECT_TRUE(store.batch.vertices().empty());
 }
 
-TEST(QuadBatch, LargeBoxesAreRunsOfTheirOwnInTheOrderOfCovering) {
-    Store made(64);
+TEST(QuadBatch, GlyphsAndLargeBoxesBeginRunsInTheOrderOfCovering) {
+    Store made(128);
     QuadBatch& batch = made.batch;
     EXPECT_EQ(batch.runs().size(), 0u);
     batch.line({0, 0}, {300, 0}, 2, kWhite);
-    batch.box({0, 0, 10, 10}, kWhite);
     batch.box({0, 0, 100, 100}, kWhite);
+    batch.text("12", {20, 20}, TextAnchor::left, {});
+    batch.line({0, 0}, {10, 10}, 2, kWhite);  // not worth another program
+    batch.text("3", {20, 40}, TextAnchor::left, {});
     batch.box({100, 0, 100, 100}, kWhite);
-    batch.line({0, 0}, {10, 10}, 2, kWhite);
+    batch.box({0, 0, 10, 10}, kWhite);
     const base::Span<const QuadRun> runs = batch.runs();
     ASSERT_EQ(runs.size(), 3u);
     EXPECT_EQ(runs[0].first_index, 0u);
-    EXPECT_FALSE(runs[0].large);
+    EXPECT_FALSE(runs[0].glyphs);
     EXPECT_EQ(runs[1].first_index, 12u);
-    EXPECT_TRUE(runs[1].large);
-    EXPECT_EQ(runs[2].first_index, 24u);
-    EXPECT_FALSE(runs[2].large);
+    EXPECT_TRUE(runs[1].glyphs);
+    EXPECT_EQ(runs[2].first_index, 36u);
+    EXPECT_FALSE(runs[2].glyphs);
     batch.clear();
     EXPECT_EQ(batch.runs().size(), 0u);
 }
@@ -195,7 +197,7 @@ TEST(QuadBatch, MoreRunsThanThereIsRoomForAreRefused) {
     Store made(8 * kMaxQuadRuns);
     for (std::size_t n = 0; n < kMaxQuadRuns / 2; ++n) {
         EXPECT_TRUE(made.batch.box({0, 0, 100, 100}, kWhite));
-        EXPECT_TRUE(made.batch.box({0, 0, 10, 10}, kWhite));
+        EXPECT_TRUE(made.batch.text("1", {10, 10}, TextAnchor::left, {}));
     }
     EXPECT_TRUE(made.batch.box({0, 0, 10, 10}, kWhite));
     EXPECT_FALSE(made.batch.box({0, 0, 100, 100}, kWhite));
