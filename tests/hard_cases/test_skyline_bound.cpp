@@ -86,7 +86,7 @@ TEST(SkylineBound, AMissingTriangleIsSeen) {
     std::vector<std::uint8_t> image = database().image;
     test_support::remove_a_triangle_of_each_chunk(image);
     test_support::MemoryBytes bytes(image);
-    EXPECT_GT(background_from_above("egl", "desktop", bytes, 8), 20);
+    EXPECT_GT(background_from_above("egl", "desktop", bytes, 4), 20);
     HeadlessDisplay headless("egl", "desktop", kWidth, kHeight, &bytes, test_support::garish_design());
     PictureProof proof;
     int enclosed = 0;
