@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/effect_notes.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
@@ -14,17 +15,6 @@ namespace {
 using flight::Signal;
 
 constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
-
-/// "hypsometric_lambert", with "_sketch" where lines are drawn.
-Name style_name(const design::TerrainStyle& style) {
-    Name name(design::kTerrainTextureNames[static_cast<std::size_t>(style.texture)]);
-    if (style.shade.technique != design::TerrainShade::none) {
-        name.append("_");
-        name.append(design::kTerrainShadeNames[static_cast<std::size_t>(style.shade.technique)]);
-    }
-    if (design::has_lines(style.sketch)) name.append("_sketch");
-    return name;
-}
 
 }  // namespace
 
@@ -292,74 +282,6 @@ draw::TerrainOutput Display::output() const {
     return draw::output_of(settings_.design.terrain.style, settings_.device.capability.depth24_targets);
 }
 
-void Display::note_effects() {
-    const auto note = [this](const char* name, bool runs, const char* reason) {
-        EffectRecord effect;
-        effect.name = Name(name);
-        effect.state = runs ? EffectState::run : EffectState::skipped;
-        effect.reason.append(reason);
-        static_cast<void>(record_.effects.try_push_back(effect));
-    };
-    note("terrain", decisions_.show_terrain, decisions_.show_terrain ? "terrain in view" : "removed by the failure policy");
-    const bool warning = decisions_.show_terrain && decisions_.show_warning_colors;
-    note("warning_colors", warning, warning ? "height is geometric and valid" : "not asked for or height not to be trusted");
-    note_silhouettes();
-    note_sun();
-    note_drape();
-    design::TerrainStyle shown = settings_.design.terrain.style;
-    if (terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device)
-        shown.texture = design::TerrainTexture::plain;
-    record_.terrain_aspect.technique = decisions_.show_terrain ? style_name(shown) : Name("none");
-    record_.terrain_aspect.detail = decisions_.show_terrain ? 1 : 0;
-    record_.terrain_aspect.weight = 1;
-}
-
-void Display::note_silhouettes() {
-    if (!silhouettes_replaced_ && settings_.design.terrain.style.sketch.silhouettes == 0) return;
-    EffectRecord effect;
-    effect.name = Name("silhouettes");
-    effect.state = silhouettes_replaced_ ? EffectState::replaced : EffectState::run;
-    if (!decisions_.show_terrain || !(silhouettes_replaced_ || has_silhouettes())) effect.state = EffectState::skipped;
-    effect.reason.append(silhouettes_replaced_ ? "the device has no 24-bit depth off screen"
-                         : has_silhouettes()   ? "asked for by the design"
-                                               : "from above nothing hides anything");
-    if (silhouettes_replaced_) effect.replaced_by = Name("ridges");
-    static_cast<void>(record_.effects.try_push_back(effect));
-}
-
-void Display::note_sun() {
-    if (record_.light.source == LightSource::fixed) return;
-    EffectRecord effect;
-    effect.name = Name("moving_sun");
-    effect.state = EffectState::replaced;
-    effect.replaced_by = Name("fixed_light");
-    if (record_.light.source == LightSource::no_date) {
-        effect.reason.append("the time of the source is no date; name sun_utc in the design");
-    } else if (record_.light.source == LightSource::sun_too_low) {
-        effect.reason.append("the sun stands below 3 degrees");
-    } else {
-        effect.state = EffectState::run;
-        effect.replaced_by = Name();
-        effect.reason.append("asked for by the design");
-    }
-    if (!decisions_.show_terrain) effect.state = EffectState::skipped;
-    static_cast<void>(record_.effects.try_push_back(effect));
-}
-
-void Display::note_drape() {
-    const DrapeState drape = terrain_.drape();
-    if (drape == DrapeState::not_asked_for) return;
-    const bool runs = drape == DrapeState::shown && decisions_.show_terrain;
-    EffectRecord effect;
-    effect.name = Name("drape");
-    effect.state = runs ? EffectState::run : EffectState::skipped;
-    effect.reason.append(drape == DrapeState::not_in_database ? "the terrain database has no image; the plain colour is drawn"
-                         : drape == DrapeState::not_on_device ? "the device has no room for an image; the plain colour is drawn"
-                         : runs                               ? "asked for by the design"
-                                                              : "removed by the failure policy");
-    static_cast<void>(record_.effects.try_push_back(effect));
-}
-
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
@@ -371,7 +293,9 @@ void Display::draw(base::Surface& surface) {
     }
     draw_scene(surface);
     if (!free_view_active_) draw_symbology();
-    note_effects();
+    note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
+                  terrain_.drape()},
+                 record_);
     finish_record();
 }
 

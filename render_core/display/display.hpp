@@ -97,10 +97,6 @@ private:
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
     void decide_again();
-    void note_effects();
-    void note_silhouettes();
-    void note_sun();
-    void note_drape();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void keep_design(const design::DesignSettings& possible);

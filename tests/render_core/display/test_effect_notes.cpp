@@ -1,0 +1,91 @@
+#include "render_core/display/effect_notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tedavis::display {
+namespace {
+
+/// "name state, replaced_by: reason" of one effect; empty where the record has none of the name.
+std::string line_of(const FrameRecord& record, std::string_view name) {
+    constexpr const char* kStates[] = {"run", "replaced", "skipped"};
+    for (const EffectRecord& effect : record.effects)
+        if (effect.name.view() == name)
+            return kStates[static_cast<std::size_t>(effect.state)] + (" " + std::string(effect.replaced_by.view())) + ": " +
+                   std::string(effect.reason.view());
+    return "";
+}
+
+class EffectNotes : public ::testing::Test {
+protected:
+    EffectNotes() {
+        decisions_.show_terrain = decisions_.show_warning_colors = true;
+        style_.sketch.silhouettes = 1;
+        input_.has_silhouettes = true;
+    }
+    FrameRecord noted() const {
+        FrameRecord record;
+        note_effects(input_, record);
+        return record;
+    }
+
+    DisplayDecisions decisions_;
+    design::TerrainStyle style_;
+    EffectInput input_{decisions_, style_};
+};
+
+TEST_F(EffectNotes, WhatIsDrawnRuns) {
+    const FrameRecord record = noted();
+    EXPECT_EQ(line_of(record, "terrain"), "run : terrain in view");
+    EXPECT_EQ(line_of(record, "warning_colors"), "run : height is geometric and valid");
+    EXPECT_EQ(line_of(record, "silhouettes"), "run : asked for by the design");
+    EXPECT_EQ(line_of(record, "moving_sun"), "") << "not asked for";
+    EXPECT_EQ(line_of(record, "drape"), "") << "not asked for";
+    EXPECT_EQ(record.terrain_aspect.detail, 1);
+}
+
+TEST_F(EffectNotes, WithoutTerrainNothingOfItRuns) {
+    decisions_.show_terrain = false;
+    input_.light = LightSource::sun;
+    input_.drape = DrapeState::shown;
+    const FrameRecord record = noted();
+    for (const EffectRecord& effect : record.effects) EXPECT_EQ(effect.state, EffectState::skipped) << effect.name.c_str();
+    EXPECT_EQ(record.effects.size(), 5u);
+    EXPECT_EQ(record.terrain_aspect.technique.view(), "none");
+    EXPECT_EQ(record.terrain_aspect.detail, 0);
+}
+
+TEST_F(EffectNotes, SilhouettesAreSkippedFromAboveAndReplacedWithoutDepth) {
+    input_.has_silhouettes = false;
+    EXPECT_EQ(line_of(noted(), "silhouettes"), "skipped : from above nothing hides anything");
+    style_.sketch.silhouettes = 0;
+    EXPECT_EQ(line_of(noted(), "silhouettes"), "");
+    input_.silhouettes_replaced = true;
+    EXPECT_EQ(line_of(noted(), "silhouettes"), "replaced ridges: the device has no 24-bit depth off screen");
+}
+
+TEST_F(EffectNotes, TheSunIsReplacedByTheFixedLightWithAReason) {
+    input_.light = LightSource::sun;
+    EXPECT_EQ(line_of(noted(), "moving_sun"), "run : asked for by the design");
+    input_.light = LightSource::no_date;
+    EXPECT_EQ(line_of(noted(), "moving_sun"),
+              "replaced fixed_light: the time of the source is no date; name sun_utc in the design");
+    input_.light = LightSource::sun_too_low;
+    EXPECT_EQ(line_of(noted(), "moving_sun"), "replaced fixed_light: the sun stands below 3 degrees");
+}
+
+TEST_F(EffectNotes, AnImageThatIsNotToBeHadLeavesThePlainColour) {
+    style_.texture = design::TerrainTexture::image;
+    input_.drape = DrapeState::shown;
+    const Name with_image = noted().terrain_aspect.technique;
+    EXPECT_EQ(line_of(noted(), "drape"), "run : asked for by the design");
+    for (const DrapeState missing : {DrapeState::not_in_database, DrapeState::not_on_device}) {
+        input_.drape = missing;
+        EXPECT_NE(line_of(noted(), "drape").find("the plain colour is drawn"), std::string::npos);
+        EXPECT_NE(noted().terrain_aspect.technique.view(), with_image.view());
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::display
