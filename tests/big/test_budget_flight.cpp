@@ -12,7 +12,7 @@
 namespace tedavis {
 namespace {
 
-constexpr std::uint32_t kSide = 13'700;
+constexpr std::uint32_t kSide = 14'100;
 constexpr std::uint64_t kLeastBytes = 12'000'000'000, kBytesNeeded = 15'000'000'000;  // with what a build writes besides
 
 std::filesystem::path big_folder() {
