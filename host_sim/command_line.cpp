@@ -182,7 +182,9 @@ void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
         "--drape-extent", o.drape_extent,
         "W,S,E,N: outer edges of an image that does not say where it lies, in units of --drape-crs, else in degrees");
     add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
-    add_optional(command, "--accuracy", o.accuracy_m, "vertical accuracy of the source, LE90 in metres")->check(from_zero());
+    add_optional(command, "--accuracy", o.accuracy_m,
+                 "vertical accuracy of the source, LE90 in metres; a check without it believes the database")
+        ->check(from_zero());
 }
 
 void add_terrain(CLI::App& app, CommandLine& line) {

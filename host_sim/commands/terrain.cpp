@@ -122,7 +122,7 @@ std::string identity_of(const TerrainBuildOptions& options) {
 BuildOptions build_options(const TerrainBuildOptions& options, const InterruptGuard& interrupt, Console& console,
                            const char* left_behind) {
     BuildOptions build;
-    build.le90_m = options.accuracy_m.value_or(0);
+    build.le90_m = options.accuracy_m;
     build.identity = identity_of(options);
     build.progress = [&interrupt, &console, left_behind](std::string_view, std::uint64_t done, std::uint64_t total) {
         report_progress("terrain", done, total, interrupt, console, left_behind);
@@ -224,10 +224,8 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
 int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const TerrainSources sources = sources_of(options.build, console);
-    BuildOptions build = build_options(options.build, interrupt, console, "nothing was found out");
-    // No raster tells its accuracy.
-    if (!options.build.accuracy_m) build.le90_m = double{OpenDatabase(options.database).database().header().le90_m};
-    const TerrainCheck check = check_terrain(options.database, sources, build);
+    const TerrainCheck check =
+        check_terrain(options.database, sources, build_options(options.build, interrupt, console, "nothing was found out"));
     console.progress_done();
     Json json;
     json["chunks"] = check.chunks;

@@ -102,7 +102,7 @@ void name_sources(BuildPlan& plan, const BuildOptions& options) {
     std::memcpy(h.magic, kTdbMagic, sizeof kTdbMagic);
     h.version = kTdbVersion;
     h.header_bytes = sizeof h;
-    h.le90_m = static_cast<float>(options.le90_m);
+    h.le90_m = static_cast<float>(options.le90_m.value_or(0));
     h.light_azimuth_deg = static_cast<float>(base::degrees(FixedLight().azimuth_rad));
     h.light_elevation_deg = static_cast<float>(base::degrees(FixedLight().elevation_rad));
     std::strncpy(h.source, plan.source.source.c_str(), sizeof h.source - 1);

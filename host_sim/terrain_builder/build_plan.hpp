@@ -17,7 +17,8 @@ namespace tedavis::host_sim {
 using BuildProgress = std::function<void(std::string_view stage, std::uint64_t done, std::uint64_t total)>;
 
 struct BuildOptions {
-    double le90_m = 0;          ///< vertical accuracy of the sources; 0 unknown
+    /// Vertical accuracy of the sources, 0 unknown; without one, unknown in a build and what is stated in a check.
+    std::optional<double> le90_m;
     std::uint32_t threads = 0;  ///< 0: as many as the machine has, at most kMostThreads
     std::string identity;       ///< of the sources: a build goes on only where it is the same
     BuildProgress progress;

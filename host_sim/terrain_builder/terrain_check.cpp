@@ -242,7 +242,10 @@ TerrainCheck check_terrain(const std::string& database, const TerrainSources& so
     require_same_lattice(stated.header, sources, options, database);
     const CheckFolder folder(database + ".check");
     const std::string fresh_path = folder.path + "/fresh.tdb";
-    build_terrain(sources, fresh_path, options);
+    BuildOptions fresh = options;
+    // Rasters do not tell their accuracy: where the caller does not either, what is stated stands.
+    if (!fresh.le90_m && stated.sound_header()) fresh.le90_m = double{stated.header.le90_m};
+    build_terrain(sources, fresh_path, fresh);
     return Comparison(stated, OpenDatabase(fresh_path)).run();
 }
 

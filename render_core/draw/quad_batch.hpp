@@ -42,7 +42,7 @@ enum class TextAnchor : std::uint8_t { left, center, right };
 /// Triangles that follow each other and are drawn by one program.
 struct QuadRun {
     std::uint32_t first_index = 0;
-    bool glyphs = false;  ///< and small boxes between them, which are not worth another program; else boxes alone
+    bool glyphs = false;  ///< and what is small between them, not worth another program; else no glyphs
 };
 inline constexpr std::size_t kMaxQuadRuns = 256;
 inline constexpr float kLargeBox_px2 = 4096;

@@ -103,8 +103,8 @@ const ChunkEntry* HeightQuery::entry_of(const ChunkKey& key) {
     return entry.vertex_count == 0 ? nullptr : &entry;
 }
 
-/// The exact chunk over a lattice cell, from the top level down. Null when the way there is damaged.
-const ChunkEntry* HeightQuery::exact_over(std::uint32_t i, std::uint32_t j) {
+/// From the top level down.
+const ChunkEntry* HeightQuery::exact_entry(std::uint32_t i, std::uint32_t j) {
     for (std::uint32_t level = database_->levels(); level-- > 0;) {
         const std::uint32_t cells = kChunkCells << level;
         const ChunkEntry* entry = entry_of({level, i / cells, j / cells});
@@ -122,7 +122,7 @@ std::uint32_t HeightQuery::chunk_over(std::uint32_t i, std::uint32_t j) {
         chunks_[n].asked = ++asked_;
         return n;
     }
-    const ChunkEntry* entry = exact_over(i, j);
+    const ChunkEntry* entry = exact_entry(i, j);
     if (entry == nullptr) return kNone;
     const std::uint32_t place = oldest_of(chunks_);
     chunks_[place].asked = 0;

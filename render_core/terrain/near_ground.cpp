@@ -144,10 +144,18 @@ public:
     [[nodiscard]] double drop_m() const { return drop_m_; }
 
 private:
-    static constexpr int kMostCorners = 3 + 5;  // each plane adds one
+    static constexpr int kMostCorners = 3 + 5;  // each plane adds one, but for slivers that rounding bends
     struct Polygon {
         glm::dvec3 corner[kMostCorners];
         int count;
+        bool overflown = false;
+
+        void add(const glm::dvec3& p) {
+            if (count < kMostCorners)
+                corner[count++] = p;
+            else
+                overflown = true;
+        }
     };
     struct Side {
         double tangent, margin_m;
@@ -166,17 +174,18 @@ private:
     /// What lies where `inside` is not below zero: Sutherland and Hodgman, Reentrant polygon clipping (CACM 17, 1974).
     template <class Inside>
     static Polygon clipped(const Polygon& polygon, const Inside& inside) {
-        Polygon part{{}, 0};
+        Polygon part{{}, 0, polygon.overflown};
         for (int n = 0; n < polygon.count; ++n) {
             const glm::dvec3 &a = polygon.corner[n], &b = polygon.corner[n + 1 < polygon.count ? n + 1 : 0];
             const double of_a = inside(a), of_b = inside(b);
-            if (of_a >= 0) part.corner[part.count++] = a;
-            if ((of_a >= 0) != (of_b >= 0)) part.corner[part.count++] = a + (b - a) * (of_a / (of_a - of_b));
+            if (of_a >= 0) part.add(a);
+            if ((of_a >= 0) != (of_b >= 0)) part.add(a + (b - a) * (of_a / (of_a - of_b)));
         }
         return part;
     }
 
     void include(const Polygon& part) {
+        if (part.overflown) largest_ = std::numeric_limits<double>::infinity();
         double farthest_m = 0, length[kMostCorners], nearness[kMostCorners];
         for (int n = 0; n < part.count; ++n) farthest_m = std::max(farthest_m, glm::length(part.corner[n]));
         for (int n = 0; n < part.count; ++n) {
@@ -291,11 +300,12 @@ NearGround near_ground(HeightQuery& heights, const View& view) {
     if (!point.inside || !is_finite(view)) return {};
     const auto i = static_cast<std::int64_t>(std::fmin(point.i, lattice.columns() - 2.0));
     const auto j = static_cast<std::int64_t>(std::fmin(point.j, lattice.rows() - 2.0));
-    const ExactChunk below = heights.exact_chunk(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    if (below.entry == nullptr) return {};
-    const std::int64_t most_reach = kCellsToEachSide << below.entry->level;
+    // High above the ground no vertices need be read.
+    const ChunkEntry* const below = heights.exact_entry(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    if (below == nullptr) return {};
+    const std::int64_t most_reach = kCellsToEachSide << below->level;
     Zone zone = zone_round(lattice, i, j, most_reach);
-    if (box_distance_m(*below.entry, view) > distance_beyond(lattice, zone, view.eye, place)) return {};
+    if (box_distance_m(*below, view) > distance_beyond(lattice, zone, view.eye, place)) return {};
     Pieces pieces;
     const double margin_m = kMarginOfNear * view.near_m;
     if (!cut_round(heights, i, j, most_reach, zone, pieces) || !(pieces.error_m <= margin_m)) return {};

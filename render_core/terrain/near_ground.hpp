@@ -12,7 +12,7 @@
 namespace tedavis::terrain {
 
 /// Of this view. Zeros where nothing is gained or known: the eye is high above the posts round it, not over the lattice or beside
-/// a pole, posts cannot be had, or they are so far apart that flat triangles say little. Asks for kKeptChunks chunks at most.
+/// a pole, posts cannot be had, or they are so far apart that flat triangles say little. Scans the cells of four chunks at most.
 [[nodiscard]] NearGround near_ground(HeightQuery& heights, const View& view);
 
 }  // namespace tedavis::terrain

@@ -129,7 +129,8 @@ double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dve
             if (const glm::dvec2& to = corners[n ^ (1u << a)]; to.x >= view.near_m)
                 highest = std::fmax(highest, glm::mix(from.y, to.y, (view.near_m - from.x) / (to.x - from.x)) / view.near_m);
     }
-    return std::isfinite(middle.x + middle.y) ? highest : std::numeric_limits<double>::infinity();
+    const double sum = middle.x + middle.y + along[0].x + along[0].y + along[1].x + along[1].y + along[2].x + along[2].y;
+    return std::isfinite(sum) ? highest : std::numeric_limits<double>::infinity();
 }
 
 float distance_m(const ChunkEntry& entry, const View& view) {

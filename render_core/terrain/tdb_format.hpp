@@ -27,7 +27,7 @@
 namespace tedavis::terrain {
 
 inline constexpr char kTdbMagic[8] = {'T', 'E', 'D', 'A', 'V', 'T', 'D', 'B'};
-inline constexpr std::uint32_t kTdbVersion = 2;
+inline constexpr std::uint32_t kTdbVersion = 3;
 inline constexpr std::uint32_t kChunkCells = 32;
 inline constexpr std::uint32_t kMaxLevels = 11;  ///< a chunk's border then has 2^15 cells, which 16-bit coordinates hold
 inline constexpr std::uint32_t kMaxChunkVertices = 4096;
@@ -133,7 +133,7 @@ struct DirectoryPage {
 static_assert(std::is_trivially_copyable_v<DirectoryPage> && sizeof(DirectoryPage) == 16 + 64 * sizeof(ChunkEntry));
 
 /// Uploaded to the GPU as it is. Positions lie on binary grids, as fine as floats allow within the largest chunks that share a
-/// vertex, 2^-14 m at most, so that every one of them holds it exactly: see draw/terrain_drawer.hpp.
+/// vertex, but never finer than 2^-14 m, so that every one of them holds it exactly: see draw/terrain_drawer.hpp.
 struct ChunkVertex {
     float x, y, z;          ///< ECEF minus the chunk's centre, metres
     float height_m;         ///< above MSL; filled where void

@@ -46,6 +46,7 @@ vec4 table_at(vec2 code) { return TEXTURE2D(color_table, (code * 255.0 + 0.5) / 
 #endif
 // Ground and sky by one look into the table.
 vec3 color_seen(vec4 code) {
+    // Sky is fully lit and known.
     vec3 look = code.a > kSky ? vec3(sky_column(), 1.0, 1.0) : code.grb;
     vec3 color = table_at(look.xy).rgb * look.z;
     float haze = table_at(vec2(code.a, 1.0)).a;

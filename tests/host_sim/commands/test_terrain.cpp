@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/terrain_builder/raster.hpp"
+#include "render_core/terrain/tdb_format.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/image_file.hpp"
@@ -227,6 +228,16 @@ TEST_F(TerrainCommand, InfoRefusesADamagedDirectory) {
     bytes[100] = static_cast<char>(bytes[100] ^ 1);
     place_.write("t.tdb", bytes);
     expect_user_error([&] { (void)info(); }, "t.tdb: has a damaged header");
+}
+
+TEST_F(TerrainCommand, ADamagedHeaderDoesNotHold) {
+    (void)build();
+    std::string bytes = place_.read("t.tdb");
+    bytes[offsetof(terrain::FileHeader, source) + 100] ^= 1;
+    place_.write("t.tdb", bytes);
+    const CommandRun checked = check(build_);
+    EXPECT_EQ(checked.code, 1);
+    EXPECT_GE(checked.json()["violations"], 1);
 }
 
 TEST_F(TerrainCommand, ALeftOverFolderOfOtherOptionsIsNotTakenOver) {
