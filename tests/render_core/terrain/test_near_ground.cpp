@@ -60,11 +60,13 @@ struct Ground {
     }
     [[nodiscard]] View view(double i, double j, double above_m, double heading_deg, double pitch_deg, double roll_deg = 0,
                             double width_deg = 60) const {
-        // Over a void the eye stands over post heights all the same.
+        // Over a void and beside the lattice the eye stands over post heights all the same.
         const FileHeader& h = tdb.database().header();
         const double latitude = radians(h.north_deg - j * h.step_lat_deg), longitude = radians(h.west_deg + i * h.step_lon_deg);
         const std::optional<earth::Geodetic> below = place(i, j);
-        const double ground_m = below ? below->height.m : surface_m(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+        const double ground_m =
+            below ? below->height.m
+                  : surface_m(static_cast<std::uint32_t>(std::fmax(i, 0)), static_cast<std::uint32_t>(std::fmax(j, 0)));
         const glm::dmat3 body =
             earth::body_axes(latitude, longitude, radians(heading_deg), radians(pitch_deg), radians(roll_deg));
         View view;
