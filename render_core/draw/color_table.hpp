@@ -25,7 +25,7 @@ struct HeightSpan {
 class ColorTable {
 public:
     static constexpr std::uint32_t kSide = 256, kHeightRows = 254, kSeaRow = 254, kSkyRow = 255;
-    static constexpr std::uint32_t kGroundAtHorizon = 64, kSkyAtHorizon = 128;  ///< columns of the sky's row; sky_column() in sky_color.frag
+    static constexpr std::uint32_t kGroundAtHorizon = 64, kSkyAtHorizon = 128;  ///< columns; see sky_color.frag
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
     /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
