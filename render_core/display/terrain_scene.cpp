@@ -133,7 +133,7 @@ terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& de
     return lod;
 }
 
-/// The view with what is known of the ground close to its eye.
+/// The view with what is known of the ground close to its eye. Of each view anew: a wider one sees more of the ground below.
 terrain::View TerrainScene::over_ground(terrain::View view) {
     view.ground = terrain::near_ground(heights_, view);
     return view;

@@ -58,14 +58,9 @@ gl::GlError PicturePass::build_program(gl::Gl& gl, std::string_view defines, gl:
     fragment.append(defines);
     fragment.append(shader_text(k_sky_color_frag));
     fragment.append(shader_text(k_picture_frag));
-    gl::ProgramSource source;
-    source.name = "picture";
-    source.vertex = shader_text(k_screen_vert);
-    source.fragment = fragment.view();
-    source.attributes = base::Span<const gl::AttributeBinding>(kScreenAttributes);
-    source.uniforms = base::Span<const char* const>(uniforms.names);
-    source.some_unused = true;
-    auto built = gl::build_program(gl, source);
+    auto built = gl::build_program(
+        gl, {"picture", shader_text(k_screen_vert), fragment.view(), base::Span<const gl::AttributeBinding>(kScreenAttributes),
+             base::Span<const char* const>(uniforms.names), true});
     if (!built.ok()) return built.error();
     program = built.value();
     return {};

@@ -1,6 +1,7 @@
 #include "render_core/draw/quad_drawer.hpp"
 
 #include <cstddef>
+#include <string_view>
 
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/draw/font_atlas.hpp"
@@ -15,6 +16,17 @@ enum Attribute : GLuint { kPosition, kUv, kExtent, kColor };
 constexpr gl::AttributeBinding kAttributes[] = {{"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}};
 enum Uniform : std::size_t { kClipPerPixel, kAtlas };
 constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas"};
+
+gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
+    base::FixedString<kMaxShaderText> fragment(defines);
+    fragment.append(shader_text(k_symbology_frag));
+    auto built = gl::build_program(
+        gl, {"symbology", shader_text(k_symbology_vert), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes),
+             base::Span<const char* const>(kUniforms), true});
+    if (!built.ok()) return built.error();
+    program = built.value();
+    return {};
+}
 
 void point_attributes(gl::Gl& gl) {
     const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
@@ -56,21 +68,8 @@ gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std:
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
     if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
 
-    for (const bool glyphs : {false, true}) {
-        base::FixedString<kMaxShaderText> fragment(glyphs ? "#define GLYPHS 1\n" : "");
-        fragment.append(shader_text(k_symbology_frag));
-        gl::ProgramSource source;
-        source.name = "symbology";
-        source.vertex = shader_text(k_symbology_vert);
-        source.fragment = fragment.view();
-        source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
-        source.uniforms = base::Span<const char* const>(kUniforms);
-        source.some_unused = !glyphs;
-        auto program = gl::build_program(gl, source);
-        if (!program.ok()) return program.error();
-        (glyphs ? glyph_program_ : box_program_) = static_cast<gl::Program&&>(program.value());
-    }
-    return {};
+    if (gl::GlError error = build_program(gl, "", box_program_); !error.sentence.empty()) return error;
+    return build_program(gl, "#define GLYPHS 1\n", glyph_program_);
 }
 
 std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {

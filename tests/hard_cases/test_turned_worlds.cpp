@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "tests/support/flat_geoid.hpp"
+#include "tests/support/free_view.hpp"
 #include "tests/support/mesh_places.hpp"
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/turned_world.hpp"
@@ -44,26 +45,18 @@ terrain::View view_on(const Journey& journey, const TurnedWorld& world, int n, d
     double latitude = base::radians(journey.from_latitude_deg + along * (journey.to_latitude_deg - journey.from_latitude_deg)),
            longitude =
                base::radians(journey.from_longitude_deg + along * (journey.to_longitude_deg - journey.from_longitude_deg));
-    double heading = journey.to_latitude_deg - journey.from_latitude_deg > 0.5 ? 0 : base::kPi / 2;
+    double heading = journey.shape.has_pole ? 0 : base::kPi / 2;
     if (latitude > base::kPi / 2) {
         latitude = base::kPi - latitude;
         longitude += base::kPi;
         heading = base::kPi;
     }
     const double ground_m = world.surface_at(base::degrees(latitude), base::degrees(longitude) + turned_deg);
-    const glm::dmat3 body = earth::body_axes(latitude, longitude, heading, base::radians(-90 + 180.0 * n / (kPitches - 1)), 0);
+    const glm::dmat3 body = earth::body_axes(latitude, longitude, heading, test_support::pitch_rad(n, kPitches), 0);
     const double c = std::cos(base::radians(turned_deg)), s = std::sin(base::radians(turned_deg));
     const glm::dmat3 turn(c, s, 0, -s, c, 0, 0, 0, 1);
-    terrain::View view;
-    view.eye = turn * earth::to_ecef({latitude, longitude, {ground_m + journey.height_m}});
-    view.forward = turn * body[0];
-    view.right = turn * body[1];
-    view.down = turn * body[2];
-    view.width = kWidth;
-    view.height = kHeight;
-    view.focal_px = 0.5 * kWidth / std::tan(base::radians(30));
-    view.near_m = 50;
-    return view;
+    const glm::dvec3 eye = earth::to_ecef({latitude, longitude, {ground_m + journey.height_m}});
+    return test_support::free_view(turn * eye, turn * body, kWidth, kHeight, 50);
 }
 
 struct Flown {

@@ -6,6 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "tests/support/free_view.hpp"
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/watched_surface.hpp"
 
@@ -25,18 +26,8 @@ constexpr double kLatitude_deg = 46.7, kWest_deg = 9.65, kEast_deg = 10.15, kHei
 terrain::View view_at(int n) {
     const double latitude = base::radians(kLatitude_deg),
                  longitude = base::radians(kWest_deg + (n + 0.5) / kPitches * (kEast_deg - kWest_deg));
-    const glm::dmat3 body =
-        earth::body_axes(latitude, longitude, base::kPi / 2, base::radians(-90 + 180.0 * n / (kPitches - 1)), 0);
-    terrain::View view;
-    view.eye = earth::to_ecef({latitude, longitude, {kHeight_m}});
-    view.forward = body[0];
-    view.right = body[1];
-    view.down = body[2];
-    view.width = kWidth;
-    view.height = kHeight;
-    view.focal_px = 0.5 * kWidth / std::tan(base::radians(30));
-    view.near_m = 20;
-    return view;
+    const glm::dmat3 body = earth::body_axes(latitude, longitude, base::kPi / 2, test_support::pitch_rad(n, kPitches), 0);
+    return test_support::free_view(earth::to_ecef({latitude, longitude, {kHeight_m}}), body, kWidth, kHeight, 20);
 }
 
 TEST(FlightAlong46North, EveryPitchIsWithoutAHoleAndWithinTau) {

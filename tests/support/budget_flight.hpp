@@ -10,6 +10,7 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/support/fractal_posts.hpp"
+#include "tests/support/free_view.hpp"
 #include "tests/support/terrain_picture.hpp"
 
 namespace tedavis::test_support {
@@ -82,14 +83,7 @@ private:
                      longitude = base::radians(host_sim::kFractalWest_deg + i * host_sim::kFractalStep_deg);
         stop.ship = {latitude, longitude, {double{ground_m} + geoid_.undulation(latitude, longitude).m + above_m}};
         const glm::dmat3 body = earth::body_axes(latitude, longitude, base::radians(heading_deg), base::radians(pitch_deg), 0);
-        stop.view.eye = earth::to_ecef(stop.ship);
-        stop.view.forward = body[0];
-        stop.view.right = body[1];
-        stop.view.down = body[2];
-        stop.view.width = kWidth;
-        stop.view.height = kHeight;
-        stop.view.focal_px = 0.5 * kWidth / std::tan(base::radians(30));
-        stop.view.near_m = 15;
+        stop.view = free_view(earth::to_ecef(stop.ship), body, kWidth, kHeight, 15);
         return stop;
     }
 

@@ -9,6 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/terrain/view.hpp"
+#include "tests/support/free_view.hpp"
 #include "tests/support/tdb_writer.hpp"
 
 namespace tedavis::test_support {
@@ -21,16 +22,7 @@ namespace tedavis::test_support {
     const glm::dmat3 body =
         earth::body_axes(latitude, longitude, base::radians(heading_deg), base::radians(pitch_deg), base::radians(roll_deg));
     const double ground_m = tdb.height_m(post_i, post_j) + WrittenTdb::undulation_m(latitude);
-    terrain::View view;
-    view.eye = tdb.lattice().position(post_i, post_j, ground_m + above_m);
-    view.forward = body[0];
-    view.right = body[1];
-    view.down = body[2];
-    view.width = 1024;
-    view.height = 768;
-    view.focal_px = 512 / std::tan(base::radians(30));
-    view.near_m = 5;
-    return view;
+    return free_view(tdb.lattice().position(post_i, post_j, ground_m + above_m), body, 1024, 768, 5);
 }
 
 /// Near the ground more often than not, `scale` times as far from it as over posts some tens of metres apart.
