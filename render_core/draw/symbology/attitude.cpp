@@ -120,7 +120,7 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
     const double distance = input.view.focal_px * axes[0].z / slope;  // of the screen's middle below the horizon
     const Rect box = ladder_box(painter.layout());
     const Point center = painter.layout().screen.center();
-    if (std::fabs(distance) <= static_cast<double>(reach_within(painter.layout().attitude, center) - painter.text_px())) return;
+    if (std::fabs(distance) <= static_cast<double>(reach_within(painter.layout().attitude, center))) return;
     const float limit = reach_within(box, center) - painter.text_px();
     const bool in_ground = distance > 0;
     const Point to_ground{static_cast<float>(across / slope), static_cast<float>(below / slope)};

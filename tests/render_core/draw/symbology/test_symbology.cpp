@@ -280,7 +280,7 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
     EXPECT_FALSE(has_color(down.batch, low.ground));
     // Beyond the ladder, but in the picture: one horizon is enough.
     BatchStore level;
-    const SymbologyInput raised = scene_input(scene_state(10, 12, 0), 1024, 768);
+    const SymbologyInput raised = scene_input(scene_state(10, 14, 0), 1024, 768);
     build_attitude(Painter(level.batch, make_layout(1024, 768, 96)), raised);
     EXPECT_FALSE(has_color(level.batch, raised.ground));
 }
