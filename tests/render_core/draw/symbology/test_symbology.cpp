@@ -16,9 +16,6 @@
 namespace tedavis::draw {
 namespace {
 
-using base::Quality;
-using base::SignalState;
-using base::Stamped;
 using display::Element;
 using display::ElementShow;
 using flight::Signal;
