@@ -16,21 +16,21 @@ stage() {
     if ! $held; then failed=$((failed + 1)); fi
 }
 
-# test_stage NAME BUILD_FOLDER EXCLUDED_LABELS (a regular expression): like stage, and adds ctest's counts to the sum.
+# test_stage NAME RUNNER ARGUMENT...: like stage; the runner ends with the line "held H of N", which is added to the sum.
 test_stage() {
-    local name=$1 folder=$2 excluded=$3 log counts
+    local name=$1 log held_tests=0 all=0
     log="$logs/${name// /-}.log"
+    shift
     printf '%-20s ' "$name"
     local begin=$SECONDS
-    if run_tests "$folder" "$excluded" >"$log" 2>&1 </dev/null; then held=true; else held=false; fi
-    # "97% tests passed, 3 tests failed out of 100"
-    counts=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
-    read -r bad all <<<"${counts:-0 0}"
-    if [ "$all" -eq 0 ]; then held=false; fi
-    if ! $held && [ "$bad" -eq 0 ]; then bad=1 all=$((all + 1)); fi
-    passed=$((passed + all - bad))
-    failed=$((failed + bad))
-    record "$name" "$((SECONDS - begin))" "$log" "$((all - bad)) of $all"
+    if "$@" >"$log" 2>&1 </dev/null; then held=true; else held=false; fi
+    read -r held_tests all <<<"$(sed -nE 's/^held ([0-9]+) of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)"
+    if [ "${all:-0}" -eq 0 ]; then held=false; fi
+    # A runner that failed without a failed test counts as one.
+    if ! $held && [ "${held_tests:-0}" -eq "${all:-0}" ]; then all=$((${all:-0} + 1)); fi
+    passed=$((passed + ${held_tests:-0}))
+    failed=$((failed + all - ${held_tests:-0}))
+    record "$name" "$((SECONDS - begin))" "$log" "${held_tests:-0} of $all"
 }
 
 # record NAME SECONDS LOG [REMARK]: one line of the summary; the end of the log where the stage failed.
@@ -56,10 +56,33 @@ print_summary() {
     echo "$passed passed, $failed failed"
 }
 
+# run_tests FOLDER EXCLUDED_LABELS (a regular expression): every test of a build folder in a process of its own.
 run_tests() {
-    # Targets that a sanitizer preset leaves out appear as <target>_NOT_BUILT.
-    local arguments=(--test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error -E '_NOT_BUILT$' -LE "$2")
-    ctest "${arguments[@]}"
+    # Targets that a preset leaves out appear as <target>_NOT_BUILT.
+    local arguments=(--test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error -E '_NOT_BUILT$' -LE "$2") output
+    output=$(mktemp)
+    ctest "${arguments[@]}" | tee "$output"
+    local status=${PIPESTATUS[0]}
+    # "97% tests passed, 3 tests failed out of 100"
+    sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$output" |
+        awk 'END { printf "held %d of %d\n", $2 - $1, $2 }'
+    rm -f "$output"
+    return "$status"
+}
+
+# run_programs PRESET PATTERN: the matching test programs, each in one process: their fixtures are slow under sanitizers.
+run_programs() {
+    local outputs status
+    outputs=$(mktemp -d)
+    test_targets "build/$1" "$2" |
+        xargs -I NAME -P "$jobs" bash -c "timeout 900 build/$1/bin/NAME --gtest_brief=1 >$outputs/NAME 2>&1 || echo \"ended with \$?\" >>$outputs/NAME"
+    cat "$outputs"/*
+    # "[==========] 83 tests from 21 test suites ran.", "[  PASSED  ] 83 tests.", and "ended with 134" where it did not hold
+    awk '/^\[==========\] .* ran\./ { all += $2 } /^\[  PASSED  \]/ { held += $4 } /^ended with/ { ended++ }
+         END { printf "held %d of %d\n", held, all; exit ended > 0 }' "$outputs"/*
+    status=$?
+    rm -rf "$outputs"
+    return "$status"
 }
 
 # Names of the test programs of a configured build folder that match the extended regular expression.
@@ -78,10 +101,6 @@ build_targets() {
     fi
     cmake --build "build/$1" -j "$jobs" --target "${targets[@]}"
 }
-
-build_asan() { build_targets host-asan '^test_(render_core_|bus$)'; }
-
-build_tsan() { build_targets host-tsan '^test_platform$'; }
 
 build_cross() {
     toolchains/make_sysroot "$1" && cmake --preset "$1" && cmake --build "build/$1" -j "$jobs" || return 1

@@ -1,3 +1,5 @@
+#include "render_core/base/config_reader.hpp"
+
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #pragma GCC diagnostic push
@@ -14,8 +16,6 @@
 #include <set>
 #include <string>
 #include <vector>
-
-#include "render_core/base/config_reader.hpp"
 
 namespace tedavis::base {
 

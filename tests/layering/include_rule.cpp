@@ -146,4 +146,16 @@ std::vector<std::string> include_findings(const SourceFile& file, const std::set
     return findings;
 }
 
+std::vector<std::string> own_header_findings(const SourceFile& file, const std::set<std::string>& known_paths) {
+    const std::string stem = file.path.substr(0, file.path.rfind('.'));
+    if (stem + ".hpp" == file.path) {
+        if (file.text.find("\n#pragma once\n") != std::string::npos || starts_with(file.text, "#pragma once\n")) return {};
+        return {finding(file, 1, "a header needs #pragma once")};
+    }
+    if (known_paths.count(stem + ".hpp") == 0) return {};
+    const std::vector<IncludeLine> includes = includes_of(file);
+    if (!includes.empty() && includes.front().name == stem + ".hpp") return {};
+    return {finding(file, includes.empty() ? 1 : includes.front().line, "\"" + stem + ".hpp\" must be its first include")};
+}
+
 }  // namespace tedavis::tests::layering

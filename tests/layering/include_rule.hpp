@@ -14,4 +14,9 @@ namespace tedavis::tests::layering {
 /// of files that the build generates are judged by their folder alone.
 std::vector<std::string> include_findings(const SourceFile& file, const std::set<std::string>& known_paths);
 
+/// Findings of what makes a header stand alone: a source whose header includes another one before it, so that the compiler
+/// does not see the header by itself, and a header that may be read twice. Headers without a source of their name are
+/// compiled alone by the build.
+std::vector<std::string> own_header_findings(const SourceFile& file, const std::set<std::string>& known_paths);
+
 }  // namespace tedavis::tests::layering

@@ -100,12 +100,29 @@ INSTANTIATE_TEST_SUITE_P(
                       Seed{"platform/threads/a.cpp", "<pthread.h>"}, Seed{"render_core/base/a.hpp", "<glm/vec3.hpp>"},
                       Seed{"render_core/base/a.hpp", "<cstdint>"}, Seed{"tests/bus/a.cpp", "<filesystem>"}));
 
+TEST(OwnHeader, IsIncludedFirst) {
+    const std::set<std::string> known = {"bus/frame/a.hpp", "bus/frame/a.cpp", "target/main.cpp"};
+    EXPECT_THAT(own_header_findings({"bus/frame/a.cpp", "#include \"bus/frame/a.hpp\"\n#include <cmath>\n"}, known), IsEmpty());
+    EXPECT_THAT(own_header_findings({"bus/frame/a.cpp", "\n#include <cmath>\n#include \"bus/frame/a.hpp\"\n"}, known),
+                ElementsAre(HasSubstr("bus/frame/a.cpp:2: ")));
+    EXPECT_THAT(own_header_findings({"bus/frame/a.cpp", "int a;\n"}, known), ElementsAre(HasSubstr("bus/frame/a.cpp:1: ")));
+    EXPECT_THAT(own_header_findings({"target/main.cpp", "#include <cmath>\n"}, known), IsEmpty());
+}
+
+TEST(OwnHeader, IsReadOnce) {
+    EXPECT_THAT(own_header_findings({"bus/frame/a.hpp", "// What it is.\n#pragma once\n"}, {}), IsEmpty());
+    EXPECT_THAT(own_header_findings({"bus/frame/a.hpp", "// #pragma once\n"}, {}), ElementsAre(HasSubstr("#pragma once")));
+}
+
 TEST(IncludeRule, HoldsOverTheTree) {
     const auto files = read_tree(TEDAVIS_SOURCE_DIR);
     std::set<std::string> known;
     for (const SourceFile& file : files) known.insert(file.path);
     ASSERT_GT(files.size(), 50u) << "the tree was not read";
-    for (const SourceFile& file : files) EXPECT_THAT(include_findings(file, known), IsEmpty());
+    for (const SourceFile& file : files) {
+        EXPECT_THAT(include_findings(file, known), IsEmpty());
+        EXPECT_THAT(own_header_findings(file, known), IsEmpty());
+    }
 }
 
 }  // namespace
