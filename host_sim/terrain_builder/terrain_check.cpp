@@ -6,13 +6,18 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/terrain_builder/mesh_difference.hpp"
 #include "host_sim/terrain_builder/part_store.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/terrain_builder/work_file.hpp"
 #include "host_sim/user_error.hpp"
+#include "render_core/base/check.hpp"
+#include "render_core/terrain/height_query.hpp"
+#include "render_core/terrain/regular_chunk.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -25,41 +30,50 @@ std::string chunk_name(const ChunkEntry& e) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-template <class T>
-T value_at(const Bytes& bytes, std::size_t index) {
-    T value;
-    std::memcpy(&value, bytes.data() + index * sizeof value, sizeof value);
-    return value;
-}
-
-/// Of positions and heights; values that are no numbers count as a height that no raster has.
-double largest_difference_m(const Bytes& stated, const Bytes& expected, std::size_t vertices) {
-    double largest = 0;
-    const auto include = [&largest](double difference_m) {
-        largest = std::max(largest, std::isfinite(difference_m) ? std::abs(difference_m) : kHighestHeight_m);
-    };
-    for (std::size_t n = 0; n < vertices; ++n) {
-        const auto a = value_at<ChunkVertex>(stated, n), b = value_at<ChunkVertex>(expected, n);
-        include(double{a.height_m} - b.height_m);
-        include(std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z));
+/// Heights of posts from the exact chunks of a database that holds.
+class ExactHeights {
+public:
+    explicit ExactHeights(const TerrainDatabase& database) : memory_(HeightQuery::bytes_needed()) {
+        base::Arena arena(memory_.data(), memory_.size());
+        TEDAVIS_CHECK(query_.start(database, arena));
     }
-    return largest;
-}
+
+    /// None where the rasters have a coarser grid than the lattice and no post there.
+    [[nodiscard]] std::optional<float> at(std::uint32_t i, std::uint32_t j) {
+        const Lattice& lattice = query_.lattice();
+        const ExactChunk chunk = query_.exact_chunk(std::min(i, lattice.columns() - 2), std::min(j, lattice.rows() - 2));
+        if (chunk.entry == nullptr) return std::nullopt;
+        const std::uint32_t level = chunk.entry->level;
+        const PostRange posts = lattice.posts_of(key_of(*chunk.entry));
+        const std::uint32_t cells_i = posts.i1 - posts.i0, cells_j = posts.j1 - posts.j0;
+        const auto column = place_on_grid(i - posts.i0, cells_i, level), row = place_on_grid(j - posts.j0, cells_j, level);
+        if (!column || !row) return std::nullopt;
+        return chunk.vertices[regular_grid(cells_i, cells_j, level).index_of(*column, *row)].height_m;
+    }
+
+private:
+    static std::optional<std::uint32_t> place_on_grid(std::uint32_t post, std::uint32_t cells, std::uint32_t level) {
+        const std::uint32_t n = post == cells ? (cells + (1u << level) - 1) >> level : post >> level;
+        return regular_post(n, cells, level) == post ? std::optional(n) : std::nullopt;
+    }
+
+    std::vector<std::uint8_t> memory_;
+    HeightQuery query_;
+};
 
 /// One chunk of the file against the same chunk made anew. An empty reason: nothing is wrong.
 class ChunkComparison {
 public:
-    ChunkComparison(const WorkFile& file, const OpenDatabase& fresh, const ChunkEntry& stated, const ChunkEntry& expected)
-        : file_(file), fresh_(fresh), stated_(stated), expected_(expected), name_(chunk_name(expected)) {}
+    ChunkComparison(const WorkFile& file, const OpenDatabase& fresh, ExactHeights& heights, const ChunkEntry& stated,
+                    const ChunkEntry& expected)
+        : file_(file), fresh_(fresh), heights_(heights), stated_(stated), expected_(expected), name_(chunk_name(expected)) {}
 
     [[nodiscard]] ChunkViolation run() const {
         if (stated_.vertex_count == 0) return {name_, "is missing", 0};
         Bytes payload;
         if (const char* fault = read(stated_.payload, payload); *fault != 0) return {name_, fault, 0};
-        if (stated_.payload.bytes != expected_.payload.bytes) return {name_, "has other vertices than the rasters give", 0};
         const Bytes expected = fresh_.read_part(expected_.payload);
-        if (payload != expected)
-            return {name_, "differs from the rasters", largest_difference_m(payload, expected, expected_.vertex_count)};
+        if (payload != expected) return difference(payload, expected);
         const double excess_m = largest_excess_m();
         if (excess_m > 0) return {name_, "its mesh is farther from the true surface than it states", excess_m};
         return same_description() ? attributes()
@@ -73,6 +87,17 @@ private:
         bytes.resize(place.bytes);
         file_.read(place.offset, bytes.data(), bytes.size());
         return checksum(bytes.data(), bytes.size()) == place.crc ? "" : "checksum does not match its bytes";
+    }
+    [[nodiscard]] ChunkViolation difference(const Bytes& payload, const Bytes& expected) const {
+        const auto vertices = [](const ChunkEntry& entry, const Bytes& bytes) {
+            const std::size_t count = std::min<std::size_t>(entry.vertex_count, bytes.size() / sizeof(ChunkVertex));
+            return ChunkVertices{{reinterpret_cast<const ChunkVertex*>(bytes.data()), count}, entry.centre_m};
+        };
+        const MeshDifference mesh = mesh_difference(vertices(stated_, payload), vertices(expected_, expected),
+                                                    fresh_.database().lattice().posts_of(key_of(expected_)),
+                                                    [this](std::uint32_t i, std::uint32_t j) { return heights_.at(i, j); });
+        return {name_, mesh.has_other_posts ? "its mesh has other vertices than the rasters give" : "differs from the rasters",
+                mesh.largest_m};
     }
     [[nodiscard]] double largest_excess_m() const {
         return std::max({expected_.above_m - stated_.above_m, expected_.below_m - stated_.below_m,
@@ -102,6 +127,7 @@ private:
 
     const WorkFile& file_;
     const OpenDatabase& fresh_;
+    ExactHeights& heights_;
     const ChunkEntry& stated_;
     const ChunkEntry& expected_;
     const std::string name_;
@@ -157,7 +183,8 @@ bool same_header(FileHeader stated, FileHeader expected) {
 
 class Comparison {
 public:
-    Comparison(const StatedFile& stated, const OpenDatabase& fresh) : stated_(stated), fresh_(fresh) {}
+    Comparison(const StatedFile& stated, const OpenDatabase& fresh)
+        : stated_(stated), fresh_(fresh), heights_(fresh.database()) {}
 
     TerrainCheck run() {
         check_frame();
@@ -204,12 +231,13 @@ private:
             return;
         }
         ++check_.chunks;
-        const ChunkViolation violation = ChunkComparison(stated_.file, fresh_, stated, expected).run();
+        const ChunkViolation violation = ChunkComparison(stated_.file, fresh_, heights_, stated, expected).run();
         if (!violation.reason.empty()) add(violation);
     }
 
     const StatedFile& stated_;
     const OpenDatabase& fresh_;
+    ExactHeights heights_;
     TerrainCheck check_;
 };
 

@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 struct ChunkViolation {
     std::string chunk;  ///< "level/i/j", or the part of the file outside its chunks
     std::string reason;
-    /// Error found minus error stated, or the largest difference of a height or a position from the rasters.
+    /// Error found minus error stated, or the largest difference of a height or a position from the rasters at the same post.
     double excess_m = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] TerrainCheck check(const TerrainSources& against) const {
         const test_support::TemporaryFolder folder;
         const std::string path = folder.write("x.tdb", std::string(bytes_.begin(), bytes_.end()));
-        const TerrainCheck result = check_terrain(path, against, {});
+        TerrainCheck result = check_terrain(path, against, {});
         EXPECT_EQ(folder.entries(), 1u) << "work files are left behind";
         return result;
     }
@@ -138,6 +139,49 @@ TEST(TerrainCheck, AHeightOfTheRasterThatChangedIsFoundInEveryChunkThatShowsIt) 
     const TerrainCheck check = Forgery().check(other);
     EXPECT_GE(check.violations, 3u);
     EXPECT_GE(check.worst_excess_m, 0.99);
+}
+
+/// Posts that rise by two metres make other meshes; whatever the report says of them, heights differ by two metres.
+TEST(TerrainCheck, WhereTheMeshHasOtherVerticesHeightsOfPostsAreCompared) {
+    Raster other = raster();
+    for (std::uint32_t j = 3; j < other.rows; j += 11)
+        for (std::uint32_t i = 5; i < other.columns; i += 13) other.height_m[other.at(i, j)] += 2;
+    const TerrainCheck check = Forgery().check(other);
+    std::size_t other_meshes = 0;
+    double worst_m = 0;
+    for (const ChunkViolation& violation : check.first) {
+        EXPECT_LT(violation.excess_m, 2.01) << violation.chunk << " " << violation.reason;
+        if (violation.reason != "its mesh has other vertices than the rasters give") continue;
+        ++other_meshes;
+        worst_m = std::max(worst_m, violation.excess_m);
+    }
+    EXPECT_GE(other_meshes, 3u);
+    EXPECT_NEAR(worst_m, 2, 0.01);
+    EXPECT_NEAR(check.worst_excess_m, 2, 0.01);
+}
+
+TEST(TerrainCheck, AVertexThatWasPutOnAnotherPostIsHeldAgainstTheRasterThere) {
+    Forgery forgery;
+    const ChunkEntry e = forgery.entry(1);
+    const std::size_t place = e.payload.offset + e.border_count * sizeof(ChunkVertex);
+    auto vertex = forgery.read<ChunkVertex>(place);
+    bool taken = true;
+    while (taken) {  // a post that the mesh does not have
+        ++vertex.i;
+        taken = false;
+        for (std::size_t n = 0; n < e.vertex_count; ++n) {
+            const auto v = forgery.read<ChunkVertex>(e.payload.offset + n * sizeof vertex);
+            taken = taken || (v.i == vertex.i && v.j == vertex.j);
+        }
+    }
+    ASSERT_LT(vertex.i, 2 * terrain::kChunkCells);
+    vertex.height_m = raster().height_m[raster().at(vertex.i, vertex.j)] - 40;
+    forgery.write(place, vertex);
+    forgery.sign();
+    const TerrainCheck check = forgery.check();
+    ASSERT_EQ(check.violations, 1u);
+    EXPECT_THAT(check.first[0].reason, HasSubstr("other vertices"));
+    EXPECT_NEAR(check.worst_excess_m, 40, 1e-3);
 }
 
 TEST(TerrainCheck, ErrorsStatedTooSmallAreFoundWithWhatTheyHide) {
