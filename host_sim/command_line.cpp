@@ -106,7 +106,10 @@ AircraftPose pose_from(const std::string& text) {
     const std::vector<double> n = parse_number_list(text, ',');
     bool sane = n.size() == std::size(kLimits);
     for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
-    if (!sane) throw UserError("--pose " + text + ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level");
+    if (!sane)
+        throw UserError("--pose " + text +
+                        ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level; write for "
+                        "instance 46.98,10.02,3500,90,0,0");
     return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 

@@ -14,6 +14,12 @@
 namespace tedavis::host_sim {
 namespace {
 
+struct GzCloser {
+    void operator()(gzFile_s* file) const { gzclose_r(file); }
+};
+
+}  // namespace
+
 void require_regular_file(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
@@ -22,12 +28,6 @@ void require_regular_file(const std::string& path) {
     if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
         throw UserError(path + ": is a device, which may have no end; name a file");
 }
-
-struct GzCloser {
-    void operator()(gzFile_s* file) const { gzclose_r(file); }
-};
-
-}  // namespace
 
 std::string read_file(const std::string& path) {
     require_regular_file(path);

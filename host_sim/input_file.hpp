@@ -7,6 +7,8 @@
 
 namespace tedavis::host_sim {
 
+/// Before a file is opened in another way: throws UserError where it is missing, a folder or a device.
+void require_regular_file(const std::string& path);
 /// The bytes of a file.
 [[nodiscard]] std::string read_file(const std::string& path);
 /// The same for what is no text.

@@ -34,12 +34,12 @@ std::string resolve_config(const std::string& name_or_path, const std::string& f
     const bool bare = name_or_path.find_first_of("./") == std::string::npos;
     const bool short_name = name_or_path.find('.') == std::string::npos && name_or_path.rfind('/', 0) != 0;
     const std::string shipped_folder = shipped_root() + "/configs/" + folder;
-    const std::string shipped = shipped_folder + "/" + name_or_path + ".toml";
+    std::string shipped = shipped_folder + "/" + name_or_path + ".toml";
     if (bare && std::filesystem::is_regular_file(shipped)) return shipped;
     if (std::filesystem::is_regular_file(name_or_path)) return name_or_path;
     if (short_name && std::filesystem::is_regular_file(shipped)) return shipped;
     throw UserError(name_or_path + ": no such file and no shipped one of " + folder +
-                    "; shipped are: " + shipped_names(shipped_folder));
+                    "; name a file, or one of these: " + shipped_names(shipped_folder));
 }
 
 }  // namespace tedavis::host_sim

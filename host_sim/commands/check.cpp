@@ -17,6 +17,7 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
 #include "host_sim/replay/load_design.hpp"
+#include "host_sim/replay/read_switch_log.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/terrain_builder/post_source.hpp"
@@ -122,11 +123,7 @@ std::string check_log(const std::string& path) {
 
 /// The log names its lines; without its panel only the form can be judged, so every shipped panel is tried.
 std::string check_switch_log(const std::string& path) {
-    const std::string text = read_file(path);
-    if (!bus::has_switch_log_header(text))
-        throw UserError(path + ":1: does not begin with '" +
-                        std::string(bus::kSwitchLogHeader.substr(0, bus::kSwitchLogHeader.size() - 1)) +
-                        "'; it is no switch log");
+    const std::string text = read_switch_log(path);
     std::uint64_t best_edges = 0, malformed = 0;
     std::string panel;
     for (const auto& entry : std::filesystem::directory_iterator(shipped_root() + "/configs/switches")) {

@@ -87,8 +87,8 @@ std::vector<Row> rows_of(const Json& document, const std::string& name) {
     const auto timestamps = document.find("timestamp");
     if (!document.is_object() || timestamps == document.end() || !timestamps->is_object()) {
         throw UserError(name +
-                        ": neither a list of records nor a table of columns with `timestamp`; README.md describes the layout "
-                        "under \"ADS-B tables\"");
+                        ": neither a list of records nor a table of columns with `timestamp`; lay it out as README.md "
+                        "describes under \"ADS-B tables\"");
     }
     for (const auto& item : timestamps->items()) rows.emplace_back(document, item.key());
     return rows;
@@ -154,7 +154,7 @@ ImportedFile import_adsb_json(std::string_view text, const std::string& name) {
     }
     if (file.flights.empty()) {
         throw UserError(name + ": none of its " + std::to_string(counts.without_position) +
-                        " rows has a latitude and a longitude; a recording without positions cannot be flown over terrain");
+                        " rows has a latitude and a longitude; give a recording with positions");
     }
     const auto note = [&](std::size_t count, const char* what) {
         if (count > 0) file.notes.push_back(std::to_string(count) + " " + what);

@@ -59,7 +59,8 @@ ImportedFile import_flight_file(const std::string& path) {
     if (text.find('\0') != std::string_view::npos)
         throw UserError(path + ": binary data; give an IGC, GPX, ADS-B JSON or CSV flight");
     const char first = text[start];
-    if (looks_like_bus_log(text.substr(start))) throw UserError(path + ": a bus log already; 'tedavis replay' takes it as it is");
+    if (looks_like_bus_log(text.substr(start)))
+        throw UserError(path + ": a bus log already; give it to 'tedavis replay' as it is");
     if (first == '<') return import_gpx(text, path);
     if (first == '[' || first == '{') return import_adsb_json(text, path);
     return looks_like_igc(text.substr(start)) ? import_igc(text, path) : import_csv(text, path);
@@ -75,7 +76,9 @@ RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, c
         if (equal_ignoring_case(flight.aircraft, aircraft) || equal_ignoring_case(flight.callsign, aircraft))
             return std::move(flight);
     }
-    throw UserError(path + ": no aircraft '" + aircraft + "'; it holds: " + choices(file));
+    const std::string names = choices(file);
+    throw UserError(path + ": no aircraft '" + aircraft + "'; " +
+                    (names.empty() ? "leave out --aircraft, it names none" : "choose one with --aircraft: " + names));
 }
 
 }  // namespace tedavis::host_sim

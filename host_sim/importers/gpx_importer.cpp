@@ -95,7 +95,8 @@ ImportedFile import_gpx(std::string_view text, const std::string& name) {
         if (!flight.fixes.empty()) file.flights.push_back(std::move(flight));
     });
     if (file.flights.empty())
-        throw UserError(name + ": no track point with a position and a time; a route or waypoints alone cannot be flown");
+        throw UserError(name +
+                        ": no track point with a position and a time; give a recorded track, not a route or waypoints alone");
     if (counts.untimed > 0) file.notes.push_back(std::to_string(counts.untimed) + " track points have no time and were skipped");
     if (counts.malformed > 0)
         file.notes.push_back(std::to_string(counts.malformed) + " track points have no position and were skipped");

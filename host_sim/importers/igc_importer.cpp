@@ -56,7 +56,7 @@ public:
 
     ImportedFile finish() {
         RecordedFlight& flight = file_.flights[0];
-        if (flight.fixes.empty()) throw UserError(name_ + ": no usable B record (fix) was found; is this an IGC flight?");
+        if (flight.fixes.empty()) throw UserError(name_ + ": no usable B record (fix) was found; give an IGC flight");
         drop_absent_altitudes(flight);
         if (!datum_stated_)
             file_.notes.emplace_back(
@@ -133,8 +133,7 @@ private:
     }
 
     void read_fix(std::string_view line) {
-        if (!midnight_)
-            throw UserError(where() + ": a fix comes before the date record (HFDTE); the file is no valid IGC flight");
+        if (!midnight_) throw UserError(where() + ": a fix comes before the date record (HFDTE); export the flight again");
         if (line.size() < kBasicFixLength || !append_fix(line)) ++malformed_;
     }
 

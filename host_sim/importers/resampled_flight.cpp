@@ -98,7 +98,7 @@ ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSet
     std::vector<std::vector<RecordedFix>> parts;
     split(flight, parts);
     if (parts.empty())
-        throw UserError(name + ": no two fixes follow each other closely enough to be flown; the recording is too sparse");
+        throw UserError(name + ": no two fixes follow each other closely enough to be flown; give a denser recording");
     begin_ = parts.front().front().time;
     end_ = parts.back().back().time;
     const double days = (end_ - begin_).to_seconds() / 86400;

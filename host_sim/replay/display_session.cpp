@@ -1,5 +1,7 @@
 #include "host_sim/replay/display_session.hpp"
 
+#include <string_view>
+
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
@@ -20,7 +22,10 @@ effects::DeviceSettings load_device(const std::string& name) {
 }
 
 /// The display starts with one sentence for all; memory, programs and their limits come from the device file.
-bool is_about_the_database(const std::string& sentence) { return sentence.rfind("the terrain database ", 0) == 0; }
+std::string with_file(const std::string& sentence, const std::string& device, const std::string& terrain) {
+    const std::string_view database = "the terrain database ";
+    return sentence.rfind(database, 0) == 0 ? terrain + ": " + sentence.substr(database.size()) : device + ": " + sentence;
+}
 
 SurfaceMaker headless_surface(GlChoice gl) {
     return [gl](const platform::SurfaceSettings& settings) {
@@ -78,8 +83,7 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     if (!options.terrain.empty()) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact};
     const gl::GlError error = display_->start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return;
-    const std::string sentence(error.sentence.view());
-    throw UserError((is_about_the_database(sentence) ? options.terrain : device) + ": " + sentence);
+    throw UserError(with_file(std::string(error.sentence.view()), device, options.terrain));
 }
 
 DisplaySession::~DisplaySession() {

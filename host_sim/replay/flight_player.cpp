@@ -9,6 +9,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/replay/read_switch_log.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -88,9 +89,7 @@ void FlightPlayer::open_switches(const PlayerFiles& files) {
     switch_config_ = config.value();
     key_.parts[IndexKey::switch_config] = text_identity(config_text);
     if (files.switches.empty()) return;
-    const std::string text = read_file(files.switches);
-    if (!bus::has_switch_log_header(text))
-        throw UserError(files.switches + ":1: not a switch log; its first line must be '# tedavis switch log 1'");
+    const std::string text = read_switch_log(files.switches);
     key_.parts[IndexKey::switch_log] = text_identity(text);
     bus::SwitchLogSource log(text, switch_config_);
     bus::SwitchEdge batch[kFramesAtOnce];

@@ -18,7 +18,7 @@ constexpr double kSnap = 1e-9;  // of a step: what rounding may take
 void require_size(double columns, double rows, const std::string& file, const RasterOptions& options) {
     if (options.bounds && (columns < 2 || rows < 2))
         throw UserError("--bounds: fewer than 2 by 2 posts of " + file + " lie inside; give W,S,E,N in degrees");
-    if (columns < 2 || rows < 2) throw UserError(file + ": a raster needs at least 2 by 2 posts");
+    if (columns < 2 || rows < 2) throw UserError(file + ": has fewer than 2 by 2 posts; give a larger raster");
     if (std::max(columns, rows) > PostSource::kMostPostsOfASide)
         throw UserError(file + ": more than 2^24 posts a side; build parts of it with --bounds");
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/input_file.hpp"
 #include "host_sim/terrain_builder/mesh_difference.hpp"
 #include "host_sim/terrain_builder/part_store.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
@@ -139,25 +140,25 @@ struct StatedFile {
     FileHeader header{};
     std::vector<std::uint64_t> table;
 
-    explicit StatedFile(const std::string& path) : file(WorkFile::existing(path)) {
-        if (file.size() < sizeof header)
-            throw UserError(path + ": not a terrain database; give a file that 'terrain build' wrote");
+    explicit StatedFile(const std::string& path) : file(opened(path)) {
+        if (file.size() < sizeof header) refuse_database(path, {TdbError::not_a_tdb, 0});
         file.read(0, &header, sizeof header);
-        if (std::memcmp(header.magic, kTdbMagic, sizeof kTdbMagic) != 0 || header.version != kTdbVersion)
-            throw UserError(path + ": not a terrain database of this version; build it again with 'terrain build'");
-        if (sound_header() && header.file_bytes != file.size())
-            throw UserError(path + ": offset " + std::to_string(file.size()) + ": the file ends here, but its header says " +
-                            std::to_string(header.file_bytes) + " bytes; get a whole copy");
+        if (std::memcmp(header.magic, kTdbMagic, sizeof kTdbMagic) != 0) refuse_database(path, {TdbError::not_a_tdb, 0});
+        if (header.version != kTdbVersion) refuse_database(path, {TdbError::wrong_version, offsetof(FileHeader, version)});
         const std::uint64_t end = header.page_table_offset + std::uint64_t{header.page_count} * sizeof(std::uint64_t);
-        if (header.page_count == 0 || header.page_table_offset > file.size() || end > file.size())
-            throw UserError(path + ": offset " + std::to_string(file.size()) +
-                            ": the file ends inside its directory; get a whole copy");
+        const bool has_table = header.page_count != 0 && header.page_table_offset <= file.size() && end <= file.size();
+        if (!has_table || (sound_header() && header.file_bytes != file.size()))
+            refuse_database(path, {TdbError::truncated, file.size()});
         table.resize(header.page_count);
         file.read(header.page_table_offset, table.data(), table.size() * sizeof(std::uint64_t));
     }
     [[nodiscard]] bool sound_header() const { return checksum(&header, offsetof(FileHeader, header_crc)) == header.header_crc; }
     [[nodiscard]] bool sound_table() const {
         return checksum(table.data(), table.size() * sizeof(std::uint64_t)) == header.page_table_crc;
+    }
+    static WorkFile opened(const std::string& path) {
+        require_regular_file(path);
+        return WorkFile::existing(path);
     }
     /// Of zeros where there is none.
     void read_page(std::uint32_t n, DirectoryPage& page) const {

@@ -42,6 +42,10 @@ void for_pages(const OpenDatabase& open, Action action) {
 
 }  // namespace
 
+void refuse_database(const std::string& path, const TdbFailure& failure) {
+    throw UserError(path + ": " + std::string(describe(failure).view()));
+}
+
 OpenDatabase::OpenDatabase(const std::string& path) : path_(path), bytes_(opened(path)) {
     const auto table_bytes = static_cast<std::size_t>(std::min(bytes_.size() + 4096, kMostTableBytes));
     memory_.reset(new unsigned char[table_bytes]);
@@ -63,10 +67,7 @@ std::vector<std::uint8_t> OpenDatabase::read_part(const PartPlace& place) const 
     return bytes;
 }
 
-void OpenDatabase::refuse(const TdbFailure& failure) const {
-    throw UserError(path_ + ": " + to_string(failure.error) + " at offset " + std::to_string(failure.offset) +
-                    "; build it again with 'terrain build'");
-}
+void OpenDatabase::refuse(const TdbFailure& failure) const { refuse_database(path_, failure); }
 
 std::uint64_t verify_page(const OpenDatabase& open, std::uint32_t page_index) {
     if (!open.database().has_page(page_index)) return 0;

@@ -11,6 +11,9 @@
 
 namespace tedavis::host_sim {
 
+/// Throws UserError: what is wrong with the database, at which offset, and what to do.
+[[noreturn]] void refuse_database(const std::string& path, const terrain::TdbFailure& failure);
+
 /// A database on disk, opened. Throws UserError: what is wrong, and at which offset.
 class OpenDatabase {
 public:

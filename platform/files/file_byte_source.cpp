@@ -11,8 +11,14 @@
 namespace tedavis::platform {
 namespace {
 
-PlatformError file_error(const char* path, const char* reason) {
-    return make_platform_error("file '", path, "' cannot be read: ", reason);
+/// Of the call that failed last.
+PlatformError file_error(const char* path) {
+    const int reason = errno;
+    PlatformError error = make_platform_error(path, ": cannot be read (", std::strerror(reason));
+    error.sentence.append(reason == ENOENT || reason == ENOTDIR ? "); check the path"
+                          : reason == EACCES                    ? "); check its permissions"
+                                                                : "); check the medium that holds it");
+    return error;
 }
 
 /// A signal may interrupt a read; more often than this in one read is a broken machine.
@@ -50,10 +56,10 @@ bool FileByteSource::read(std::uint64_t offset, void* destination, std::size_t c
 base::Result<FileByteSource, PlatformError> open_file(const char* path) {
     FileByteSource source;
     source.descriptor_ = ::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (source.descriptor_ < 0) return base::fail(file_error(path, std::strerror(errno)));
+    if (source.descriptor_ < 0) return base::fail(file_error(path));
     struct stat status {};
-    if (::fstat(source.descriptor_, &status) != 0) return base::fail(file_error(path, std::strerror(errno)));
-    if (!S_ISREG(status.st_mode)) return base::fail(file_error(path, "it is not a regular file; name one"));
+    if (::fstat(source.descriptor_, &status) != 0) return base::fail(file_error(path));
+    if (!S_ISREG(status.st_mode)) return base::fail(make_platform_error(path, ": is not a regular file; name one"));
     source.size_ = static_cast<std::uint64_t>(status.st_size);
     return source;
 }

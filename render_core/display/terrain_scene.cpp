@@ -46,8 +46,7 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
 }
 
 gl::GlError database_error(const terrain::TdbFailure& failure) {
-    return gl::make_error("the terrain database ", terrain::to_string(failure.error), " at offset ",
-                          gl::digits(failure.offset).view());
+    return gl::make_error("the terrain database ", terrain::describe(failure).view());
 }
 
 }  // namespace

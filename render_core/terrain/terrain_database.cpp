@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
 
 #include "render_core/base/hash.hpp"
@@ -142,6 +143,17 @@ TdbError header_error(const FileHeader& h) {
     return holds ? TdbError::none : TdbError::header_damaged;
 }
 
+const char* remedy(TdbError error) {
+    switch (error) {
+        case TdbError::unreadable: return "check the medium that holds it";
+        case TdbError::not_a_tdb: return "name a file that 'tedavis terrain build' wrote";
+        case TdbError::wrong_version: return "build it again with 'tedavis terrain build'";
+        case TdbError::too_large: return "raise the budget lines for terrain in the device file";
+        case TdbError::too_many_roots: return "raise 'max_chunk_slots' in the device file";
+        default: return "get a whole copy, or build it again with 'tedavis terrain build'";
+    }
+}
+
 }  // namespace
 
 const char* to_string(TdbError error) noexcept {
@@ -158,6 +170,15 @@ const char* to_string(TdbError error) noexcept {
         case TdbError::too_many_roots: return "has more chunks at its top level than there are slots for";
     }
     return "is unknown";
+}
+
+base::FixedString<191> describe(const TdbFailure& failure) noexcept {
+    char offset[40];  // 32 with the longest number
+    std::snprintf(offset, sizeof offset, " (offset %llu); ", static_cast<unsigned long long>(failure.offset));
+    base::FixedString<191> text(to_string(failure.error));
+    text.append(offset);
+    text.append(remedy(failure.error));
+    return text;
 }
 
 base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource& source, base::Arena& arena) {

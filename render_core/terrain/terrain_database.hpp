@@ -6,6 +6,7 @@
 /// Thread    const after open(); reads are as thread-safe as the byte source.
 #pragma once
 
+#include "render_core/base/fixed_string.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/result.hpp"
@@ -35,6 +36,9 @@ struct TdbFailure {
     TdbError error = TdbError::none;
     std::uint64_t offset = 0;
 };
+
+/// What, where and what to do, to be put behind the file's name: "is not a terrain database (offset 0); name a file that ...".
+[[nodiscard]] base::FixedString<191> describe(const TdbFailure& failure) noexcept;
 
 class TerrainDatabase {
 public:

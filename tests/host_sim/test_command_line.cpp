@@ -102,7 +102,8 @@ TEST(CommandLine, ReplayTakesABusByNameOrFile) {
     EXPECT_EQ(replayed(own.c_str(), folder).code, 0);
     const Outcome refused = replayed("smoke", files.folder.file("smoke"));
     EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.notes, HasSubstr("smoke: no such file and no shipped one of buses; shipped are: canaerospace, glider"));
+    EXPECT_THAT(refused.notes,
+                HasSubstr("smoke: no such file and no shipped one of buses; name a file, or one of these: canaerospace, glider"));
 }
 
 TEST(CommandLine, PassesOptionsOn) {

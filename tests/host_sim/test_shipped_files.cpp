@@ -29,7 +29,8 @@ TEST(ShippedFiles, TheEnvironmentNamesAnotherRoot) {
     std::filesystem::create_directories(folder.file("configs/designs/styles"));
     folder.write("configs/designs/styles/plain.toml", "");
     EXPECT_EQ(resolve_config("styles/plain", "designs"), folder.path() + "/configs/designs/styles/plain.toml");
-    test_support::expect_user_error([] { (void)resolve_config("cruise", "designs"); }, "shipped are: mine, styles/plain");
+    test_support::expect_user_error([] { (void)resolve_config("cruise", "designs"); },
+                                    "name a file, or one of these: mine, styles/plain");
     test_support::expect_user_error([] { (void)resolve_config("x", "devices"); }, "none in");
 }
 

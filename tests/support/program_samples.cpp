@@ -68,6 +68,20 @@ std::string packed_csv() {
            little_endian(base::crc32(text.data(), text.size()), 4) + little_endian(length, 4);
 }
 
+/// One picture, as small as sheets are.
+std::string sheet() {
+    return "title = 'One'\ncolumns = 1\nterrain = 'none.tif'\nwidth_px = 64\nheight_px = 48\n\n"
+           "[pose]\nlatitude_deg = 46.98\nlongitude_deg = 10.02\naltitude_msl_m = 3500\nheading_deg = 0\n\n"
+           "[[group]]\ntitle = 'All'\n[[group.picture]]\ntitle = 'Default'\ndesign = 'default'\n";
+}
+
+/// A binary portable pixmap.
+std::string image() {
+    std::string text = "P6 64 64 255\n";
+    for (int n = 0; n < 64 * 64 * 3; ++n) text += static_cast<char>(n % 251);
+    return text;
+}
+
 void run(const std::vector<std::string>& words) {
     std::vector<std::string> line = words;
     line.insert(line.begin(), ProgramSamples::program());
@@ -84,12 +98,13 @@ void ProgramSamples::make(const std::string& name) const {
         {"scenario.toml", "scenarios/default.toml"}, {"design.toml", "designs/default.toml"},
         {"palette.toml", "palettes/alpine.toml"},    {"device.toml", "devices/es3-mid.toml"},
         {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
-    static const std::map<std::string, std::string (*)()> kFlights = {
-        {"flight.igc", igc}, {"flight.gpx", gpx}, {"flight.json", json}, {"flight.csv", csv}, {"flight.csv.gz", packed_csv}};
+    static const std::map<std::string, std::string (*)()> kWritten = {
+        {"flight.igc", igc},           {"flight.gpx", gpx},   {"flight.json", json}, {"flight.csv", csv},
+        {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {
         std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
-    } else if (const auto flight = kFlights.find(name); flight != kFlights.end()) {
-        folder_.write(name, flight->second());
+    } else if (const auto written = kWritten.find(name); written != kWritten.end()) {
+        folder_.write(name, written->second());
     } else {
         make_with_program(name);
     }

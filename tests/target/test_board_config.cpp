@@ -113,7 +113,7 @@ TEST(BoardConfig, ACanSectionIsNeeded) {
 TEST(BoardConfig, FilesThatAreMissingOrWrongAreNamed) {
     Board board;
     EXPECT_THAT(board.load_text("device = 'absent.toml'\ndesign = 'absent.toml'\nbus = 'x'\n[can]\ninterface = 'can0'\n"),
-                StartsWith(board.path + ":1: file '" + board.folder.file("absent.toml")));
+                StartsWith(board.path + ":1: " + board.folder.file("absent.toml") + ": cannot be read"));
     board.folder.write("bad.toml", "name = 'bad'\ncolour = 'blue'\n");
     EXPECT_THAT(board.load_text("device = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = 'bad.toml'\nbus = '" + kRoot +
                                 "/configs/buses/canaerospace.toml'\n[can]\ninterface = 'can0'\n"),

@@ -43,7 +43,7 @@ TEST(BoardProgram, WrongUsageAndInputEndWithTwoAndOneSentence) {
     for (const auto& [arguments, says] : std::vector<std::pair<std::vector<const char*>, std::string>>{
              {{}, "--config: is missing"},
              {{"--fast"}, "'--fast': no such option"},
-             {{"--config", "/nowhere.toml"}, "file '/nowhere.toml' cannot be read"},
+             {{"--config", "/nowhere.toml"}, "/nowhere.toml: cannot be read (No such file or directory); check the path"},
              {{"--config", broken.c_str()}, broken + ":2: "},
              {{"--self-test", "--config", broken.c_str()}, broken + ":2: "}}) {
         const Ran ran = run(arguments);

@@ -42,7 +42,7 @@ TEST(FlightImporter, ABusLogNeedsNoConversion) {
     const test_support::TemporaryFolder folder;
     for (const char* line : {"(1586684820.000000) can0 13C#00\n", "\n(1.5)   vcan1 1ABCDE00##1DE.AD\n"})
         test_support::expect_user_error([&] { (void)import_flight_file(folder.write("a.log", line)); },
-                                        "a.log: a bus log already; 'tedavis replay' takes it as it is");
+                                        "a.log: a bus log already; give it to 'tedavis replay' as it is");
     test_support::expect_user_error([&] { (void)import_flight_file(folder.write("b.log", "(a bracket) alone\n")); },
                                     "the column `latitude_deg` is missing from the first line");
 }
@@ -64,7 +64,8 @@ TEST(FlightImporter, ChoosesByIdentityOrCallsign) {
 TEST(FlightImporter, ListsTheChoices) {
     test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "", "f"); },
                                     "f: holds 2 aircraft; choose one with --aircraft: 4b1c22 (HBKRA), 4b088c (HBDGE)");
-    test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "x", "f"); }, "no aircraft 'x'; it holds: 4b1c22");
+    test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "x", "f"); },
+                                    "no aircraft 'x'; choose one with --aircraft: 4b1c22");
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(LoadDesign, SaysWhatIsWrong) {
     options.design = folder.write("own.toml", "name = \"own\"\n\ncolour = 1\n");
     test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "own.toml:3");
     options.design = "no_such";
-    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "shipped are:");
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "one of these:");
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ TEST_F(RasterTest, RefusesWhatCannotBeTerrain) {
     refuses(file, "no post has a height from -500 to 9000 m");
     file = {};
     file.columns = 1;
-    refuses(file, "at least 2 by 2 posts");
+    refuses(file, "fewer than 2 by 2 posts");
     file = {};
     file.transform = {600000, 25, 0, 200000, 0, -25};  // metres that are called degrees
     refuses(file, "beyond the poles");

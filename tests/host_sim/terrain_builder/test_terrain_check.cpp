@@ -314,9 +314,10 @@ TEST(TerrainCheck, RefusesWhatIsNoDatabaseOfTheseRasters) {
     };
     Forgery sound;
     const std::string image(sound.bytes().begin(), sound.bytes().end());
-    refuses("short", raster(), "not a terrain database");
-    refuses(std::string(5000, 'x'), raster(), "not a terrain database of this version");
-    refuses(image.substr(0, image.size() / 2), raster(), "the file ends here");
+    refuses("short", raster(), "x.tdb: is not a terrain database (offset 0); name a file");
+    refuses(std::string(5000, 'x'), raster(), "x.tdb: is not a terrain database (offset 0); name a file");
+    refuses(image.substr(0, image.size() / 2), raster(),
+            "x.tdb: is shorter than its header says (offset " + std::to_string(image.size() / 2) + "); get a whole copy");
     refuses(image, test_support::make_rough_raster(199, 97), "was not built from these rasters");
     expect_user_error([&] { (void)check_terrain(folder.file("none.tdb"), test_support::posts_of(raster()), {}); }, "none.tdb");
 }

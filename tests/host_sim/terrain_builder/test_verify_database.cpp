@@ -52,7 +52,7 @@ TEST(VerifyDatabase, SaysWhereTheDamageIs) {
     char& byte = bytes[static_cast<std::size_t>(entry.attributes.offset) + 77];
     byte = static_cast<char>(byte ^ 1);
     expect_user_error([&] { verify(folder.write("t.tdb", bytes)); },
-                      "t.tdb: has a damaged chunk at offset " + std::to_string(entry.attributes.offset));
+                      "t.tdb: has a damaged chunk (offset " + std::to_string(entry.attributes.offset) + "); get a whole copy");
     expect_user_error([&] { verify(folder.file("none.tdb")); }, "none.tdb");
     expect_user_error([&] { verify(folder.write("t.tdb", sound_image().substr(0, 3000))); }, "is shorter than its header says");
 }

@@ -14,7 +14,7 @@ namespace tedavis::platform {
 namespace {
 
 std::string write_file(const std::string& content) {
-    const std::string name = testing::TempDir() + "tedavis_file_" + std::to_string(getpid());
+    std::string name = testing::TempDir() + "tedavis_file_" + std::to_string(getpid());
     std::ofstream(name, std::ios::binary) << content;
     return name;
 }
@@ -25,8 +25,8 @@ std::string refusal(const char* path) {
 }
 
 TEST(FileByteSource, RefusesInOneSentence) {
-    EXPECT_EQ(refusal("/nonexistent/x.tdb"), "file '/nonexistent/x.tdb' cannot be read: No such file or directory");
-    EXPECT_EQ(refusal("/tmp"), "file '/tmp' cannot be read: it is not a regular file; name one");
+    EXPECT_EQ(refusal("/nonexistent/x.tdb"), "/nonexistent/x.tdb: cannot be read (No such file or directory); check the path");
+    EXPECT_EQ(refusal("/tmp"), "/tmp: is not a regular file; name one");
     EXPECT_NE(refusal("/dev/null"), "");
 }
 

@@ -237,5 +237,16 @@ TEST(TerrainDatabase, EveryErrorHasWords) {
         EXPECT_STRNE(to_string(static_cast<TdbError>(n)), "is unknown");
 }
 
+TEST(TerrainDatabase, EveryFailureSaysWhatWhereAndWhatToDo) {
+    EXPECT_STREQ(describe({TdbError::not_a_tdb, 0}).c_str(),
+                 "is not a terrain database (offset 0); name a file that 'tedavis terrain build' wrote");
+    for (int n = 1; n <= static_cast<int>(TdbError::too_many_roots); ++n) {
+        const auto error = static_cast<TdbError>(n);
+        const auto text = describe({error, 18'446'744'073'709'551'615u});
+        EXPECT_EQ(text.view().find(std::string(to_string(error)) + " (offset 18446744073709551615); "), 0u);
+        EXPECT_FALSE(text.cut());
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::terrain
