@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
+#include "render_core/terrain/drawn_surface.hpp"
 #include "render_core/terrain/projected_error.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/device_files.hpp"
@@ -204,32 +207,101 @@ TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
     }
 }
 
+/// Turned about the view's axis.
+Eye rolled(Eye eye, double roll_deg) {
+    const glm::dvec3 right = eye.view.right, down = eye.view.down;
+    eye.view.right = right * std::cos(radians(roll_deg)) + down * std::sin(radians(roll_deg));
+    eye.view.down = down * std::cos(radians(roll_deg)) - right * std::sin(radians(roll_deg));
+    return eye;
+}
+
+/// Along x * part.right + y * part.up, of the places in front of the eye; ECEF.
+double highest_of(const std::vector<glm::dvec3>& places, const terrain::View& view, const draw::ScreenPart& part) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& at : places) {
+        const glm::dvec3 place = at - view.eye;
+        const double depth_m = glm::dot(place, view.forward);
+        if (depth_m < view.near_m) continue;
+        const double x = glm::dot(place, view.right) / depth_m / view.half_width_tangent(),
+                     y = -glm::dot(place, view.down) / depth_m / view.half_height_tangent();
+        highest = std::max(highest, x * double{part.right} + y * double{part.up});
+    }
+    return highest;
+}
+
+glm::dvec3 centre_of(const terrain::ChunkEntry& entry) { return {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]}; }
+
+/// The vertices as they are drawn, each raised along the ellipsoid's normal at its post.
+std::vector<glm::dvec3> vertices_of(const terrain::SelectedChunk& chunk) {
+    const terrain::Lattice& lattice = hills().database.lattice();
+    const terrain::PostRange posts = lattice.posts_of(terrain::key_of(*chunk.entry));
+    std::vector<glm::dvec3> places;
+    for (const terrain::ChunkVertex& v : hills().vertices(*chunk.entry)) {
+        const double latitude = lattice.latitude_rad(posts.j0 + v.j), longitude = lattice.longitude_rad(posts.i0 + v.i);
+        const glm::dvec3 normal(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                                std::sin(latitude));
+        places.push_back(centre_of(*chunk.entry) + glm::dvec3(v.x, v.y, v.z) +
+                         normal * double{terrain::vertex_lift_m(chunk.lift, posts, v)});
+    }
+    return places;
+}
+
+/// The corners of the box that holds a chunk's surface and mesh, moved up.
+std::vector<glm::dvec3> raised_box(const terrain::ChunkEntry& entry, double lift_m) {
+    std::vector<glm::dvec3> corners{centre_of(entry)};
+    for (int a = 0; a < 3; ++a) {
+        const glm::dvec3 axis(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
+        std::vector<glm::dvec3> both;
+        for (const glm::dvec3& corner : corners)
+            for (const double sign : {-1.0, 1.0})
+                both.push_back(corner + axis * (sign * double{entry.half_extent_m[a]} - (a == 2 ? lift_m : 0)));
+        corners = both;
+    }
+    return corners;
+}
+
 TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
     Stage stage(plain_design());
     int narrow = 0;
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double pitch : {-10.0, 4.0, -89.99}) {
-            Eye eye = eye_at(96, 96, 2600, 130, pitch);
-            const glm::dvec3 right = eye.view.right, down = eye.view.down;
-            eye.view.right = right * std::cos(radians(roll)) + down * std::sin(radians(roll));
-            eye.view.down = down * std::cos(radians(roll)) - right * std::sin(radians(roll));
+            const Eye eye = rolled(eye_at(96, 96, 2600, 130, pitch), roll);
             static_cast<void>(stage.settled(eye));
             const draw::ScreenPart part = stage.scene.drawn_part(eye.view);
             narrow += part.limit < 0.9f * (std::abs(part.right) + std::abs(part.up)) ? 1 : 0;
-            for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
-                const glm::dvec3 centre(chunk.entry->centre_m[0], chunk.entry->centre_m[1], chunk.entry->centre_m[2]);
-                for (const terrain::ChunkVertex& v : hills().vertices(*chunk.entry)) {
-                    const glm::dvec3 place = centre + glm::dvec3(v.x, v.y, v.z) - eye.view.eye;
-                    const double depth_m = glm::dot(place, eye.view.forward);
-                    if (depth_m < eye.view.near_m) continue;
-                    const double x = glm::dot(place, eye.view.right) / depth_m / eye.view.half_width_tangent(),
-                                 y = -glm::dot(place, eye.view.down) / depth_m / eye.view.half_height_tangent();
-                    ASSERT_LT(x * double{part.right} + y * double{part.up}, double{part.limit} - 1 / eye.view.focal_px)
-                        << roll << ", " << pitch;
-                }
-            }
+            for (const terrain::SelectedChunk& chunk : stage.scene.selected())
+                ASSERT_LT(highest_of(vertices_of(chunk), eye.view, part), double{part.limit} - 1 / eye.view.focal_px)
+                    << roll << ", " << pitch;
         }
     EXPECT_GT(narrow, 3) << "a part that is always the whole screen says nothing";
+}
+
+/// Conservative-up raises vertices, with a large tau by tens of metres, and out of the boxes of their chunks.
+TEST(TerrainScene, LiftedChunksLieWithinTheDrawnPartToo) {
+    design::DesignSettings design = plain_design();
+    design.terrain.conservative_up = true;
+    design.terrain.tau_px = 12;
+    Stage stage(design);
+    int large = 0, beyond_boxes = 0;
+    for (const double roll : {0.0, 25.0, -70.0, 180.0})
+        for (const double heading : {20.0, 130.0, 250.0, 315.0})
+            for (const double msl_m : {900.0, 1500.0, 2600.0}) {
+                const Eye eye = rolled(eye_at(96, 96, msl_m, heading, -4), roll);
+                static_cast<void>(stage.settled(eye));
+                const draw::ScreenPart part = stage.scene.drawn_part(eye.view);
+                const double limit = double{part.limit} - 1 / eye.view.focal_px;
+                for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
+                    SCOPED_TRACE(::testing::Message() << roll << ", " << heading << ", " << msl_m);
+                    const double own_m = double{chunk.lift.own_m};
+                    large += own_m > 10 ? 1 : 0;
+                    const double highest = highest_of(vertices_of(chunk), eye.view, part);
+                    ASSERT_LT(highest, limit);
+                    ASSERT_LT(highest_of(raised_box(*chunk.entry, own_m), eye.view, part), limit);
+                    beyond_boxes += highest > highest_of(raised_box(*chunk.entry, 0), eye.view, part) ? 1 : 0;
+                }
+            }
+    EXPECT_GT(large, 10);
+    EXPECT_GT(beyond_boxes, 0) << "control: boxes alone do not hold what is lifted";
 }
 
 /// What stands on the ground stands on what is drawn: within tau of the true surface, by an oracle of its own.

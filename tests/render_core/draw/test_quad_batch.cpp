@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "render_core/draw/font_atlas.hpp"
@@ -154,6 +157,88 @@ TEST(QuadBatch, HalosSurroundTheGlyphs) {
     TextStyle style{40, kWhite, 2, kWhite};
     rimmed.batch.text("8", {50, 50}, TextAnchor::center, style);
     EXPECT_GT(ink(rimmed.batch), ink(plain.batch) * 1.2);
+}
+
+/// Quads of glyphs in `store`, each resized in the atlas: `box_of` says to which texels. Places follow, since both are affine.
+template <class BoxOf>
+void resize_glyphs(Store& store, BoxOf box_of) {
+    const FontAtlas& atlas = font_atlas();
+    for (std::size_t first = 0; first < store.batch.vertices().size(); first += 4) {
+        QuadVertex* const corner = &store.vertex_store[first];  // 0 left top, 1 right top, 2 right bottom, 3 left bottom
+        const QuadVertex drawn[4] = {corner[0], corner[1], corner[2], corner[3]};
+        const auto width = static_cast<float>(atlas.width), height = static_cast<float>(atlas.height);
+        const Rect from{drawn[0].u * width, drawn[0].v * height, (drawn[2].u - drawn[0].u) * width,
+                        (drawn[2].v - drawn[0].v) * height};
+        const Rect to = box_of(from);
+        for (int n = 0; n < 4; ++n) {
+            const float u = n == 1 || n == 2 ? to.right() : to.x, v = n >= 2 ? to.bottom() : to.y;
+            const float a = (u - from.x) / from.width, b = (v - from.y) / from.height;
+            corner[n].x = drawn[0].x + a * (drawn[1].x - drawn[0].x) + b * (drawn[3].x - drawn[0].x);
+            corner[n].y = drawn[0].y + a * (drawn[1].y - drawn[0].y) + b * (drawn[3].y - drawn[0].y);
+            corner[n].u = u / width;
+            corner[n].v = v / height;
+        }
+    }
+}
+
+/// The box of the glyph that has the middle of a box of texels, as it was baked.
+Rect baked_box(const Rect& texels) {
+    const float u = texels.x + texels.width / 2, v = texels.y + texels.height / 2;
+    for (const Glyph& glyph : font_atlas().glyphs) {
+        const Rect box{static_cast<float>(glyph.u), static_cast<float>(glyph.v), static_cast<float>(glyph.width),
+                       static_cast<float>(glyph.height)};
+        if (box.contains(Point{u, v})) return box;
+    }
+    ADD_FAILURE() << "no glyph at " << u << ", " << v;
+    return texels;
+}
+
+/// Largest difference of a channel over two pictures of the same size.
+int largest_difference(const Picture& a, const Picture& b) {
+    int largest = 0;
+    for (std::size_t n = 0; n < a.rgb.size(); ++n) largest = std::max(largest, std::abs(a.rgb[n] - b.rgb[n]));
+    return largest;
+}
+
+// A glyph's quad leaves out the part of the spread that its outline and halo do not reach: whole boxes draw the same.
+TEST(QuadBatch, WholeGlyphBoxesDrawTheSamePixels) {
+    std::vector<std::string> lines(1);  // every glyph of the typeface in UTF-8, twelve a line
+    for (const Glyph& glyph : font_atlas().glyphs) {
+        if (lines.back().size() >= 12) lines.emplace_back();
+        const std::uint32_t c = glyph.code_point;
+        if (c >= 0x800) lines.back() += {static_cast<char>(0xE0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3F))};
+        if (c >= 0x80 && c < 0x800) lines.back() += static_cast<char>(0xC0 | c >> 6);
+        lines.back() += static_cast<char>(c < 0x80 ? c : 0x80 | (c & 0x3F));
+    }
+    int trimmed = 0, cut_shows = 0;
+    for (const float size : {9.0f, 17.3f, 26.0f, 48.0f})
+        for (const float halo : {0.0f, 1.0f, 2.5f})
+            for (const float angle : {0.0f, 0.7f})
+                for (std::size_t n = 0; n < lines.size(); n += angle == 0.0f && halo == 1.0f ? 1 : 4) {
+                    const int edge = static_cast<int>(12 * size);
+                    const auto draw = [&](float texels, bool whole) {
+                        Store store;
+                        const TextStyle style{size, kWhite, halo, {200, 30, 60, 255}};
+                        const auto middle = static_cast<float>(edge) / 2 + 0.3f;
+                        EXPECT_TRUE(store.batch.text(lines[n], {middle, middle}, TextAnchor::center, style, angle));
+                        resize_glyphs(store, [&](const Rect& box) { return whole ? baked_box(box) : box.shrunk(texels); });
+                        Picture picture(edge, edge, kBlack);
+                        rasterize(store.batch, picture);
+                        return picture;
+                    };
+                    const Picture drawn = draw(0, false);
+                    EXPECT_LE(largest_difference(drawn, draw(0, true)), 1)
+                        << size << " " << halo << " " << angle << " " << lines[n];
+                    cut_shows += largest_difference(drawn, draw(font_atlas().texels_per_em / size * 2, false)) > 20 ? 1 : 0;
+                    Store plain;
+                    plain.batch.text("M", {50, 50}, TextAnchor::left, {size, kWhite});
+                    trimmed += plain.vertex_store[1].u - plain.vertex_store[0].u <
+                                       (static_cast<float>(glyph_of('M').width) - 1) / static_cast<float>(font_atlas().width)
+                                   ? 1
+                                   : 0;
+                }
+    EXPECT_GT(trimmed, 10) << "nothing was left out";
+    EXPECT_GT(cut_shows, 10) << "control: two pixels less on each side show";
 }
 
 TEST(QuadBatch, NotANumberDrawsNothing) {
