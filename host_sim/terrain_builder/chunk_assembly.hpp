@@ -1,4 +1,5 @@
-/// Vertices of a chunk as the file has them: rounded places about the chunk's centre, and the box that holds them.
+/// Gives a chunk the form that the file has. Posts become vertices, whose positions are rounded to the vertex grid and counted
+/// from the chunk's centre; its box is made to hold them all.
 #pragma once
 
 #include <vector>
