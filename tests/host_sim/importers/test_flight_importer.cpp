@@ -66,6 +66,11 @@ TEST(FlightImporter, ListsTheChoices) {
                                     "f: holds 2 aircraft; choose one with --aircraft: 4b1c22 (HBKRA), 4b088c (HBDGE)");
     test_support::expect_user_error([] { (void)choose_aircraft(two_aircraft(), "x", "f"); },
                                     "no aircraft 'x'; choose one with --aircraft: 4b1c22");
+    ImportedFile nameless = two_aircraft();
+    nameless.flights.pop_back();
+    nameless.flights[0].aircraft = nameless.flights[0].callsign = "";
+    test_support::expect_user_error([&] { (void)choose_aircraft(nameless, "x", "f"); },
+                                    "f: no aircraft 'x'; leave out --aircraft, it names none");
 }
 
 }  // namespace

@@ -318,6 +318,9 @@ TEST(TerrainCheck, RefusesWhatIsNoDatabaseOfTheseRasters) {
     refuses(std::string(5000, 'x'), raster(), "x.tdb: is not a terrain database (offset 0); name a file");
     refuses(image.substr(0, image.size() / 2), raster(),
             "x.tdb: is shorter than its header says (offset " + std::to_string(image.size() / 2) + "); get a whole copy");
+    std::string older = image;
+    older[offsetof(FileHeader, version)] = 2;
+    refuses(older, raster(), "x.tdb: was written by another version of the terrain builder (offset 8); build it again");
     refuses(image, test_support::make_rough_raster(199, 97), "was not built from these rasters");
     expect_user_error([&] { (void)check_terrain(folder.file("none.tdb"), test_support::posts_of(raster()), {}); }, "none.tdb");
 }
