@@ -61,7 +61,8 @@ struct SkySettings {
 struct DegradationLimits {
     double horizontal_accuracy_m = 50;
     double vertical_accuracy_m = 30;
-    double terrain_error_px = 4;  ///< terrain that the device's budgets force to be coarser is said to be coarse
+    double terrain_error_px = 4;      ///< terrain that the device's budgets force to be coarser is said to be coarse
+    double terrain_removed_px = 500;  ///< and where haze leaves more than this of its error, it is not shown
 };
 
 /// Beyond these angles the picture changes to recovery: chevrons, no flight path, no warning colours.

@@ -243,6 +243,10 @@ void Display::plan_terrain() {
     record_terrain(plan);
     if (terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device)
         flag("terrain.no_image");
+    if (plan.lod.worst_seen_px > settings_.design.degradation.terrain_removed_px) {
+        give_up_terrain(TerrainSource::too_coarse);
+        return;
+    }
     if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
     conditions_.terrain_is_coarse = true;
     decide_again();

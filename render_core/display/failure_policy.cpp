@@ -237,6 +237,7 @@ private:
         if (conditions_.terrain == TerrainSource::outside) flag("terrain", "outside_database");
         if (conditions_.terrain == TerrainSource::failed) flag("terrain", "failed");
         if (conditions_.terrain == TerrainSource::over_budget) flag("terrain", "over_budget");
+        if (conditions_.terrain == TerrainSource::too_coarse) flag("terrain", "too_coarse");
         if (conditions_.terrain == TerrainSource::above_own_ship) flag("terrain", "above_own_ship");
         if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
     }
@@ -270,8 +271,10 @@ private:
         if (conditions_.terrain == TerrainSource::above_own_ship) notice(NoticeLevel::caution, "BELOW TERRAIN");
         if (out_.terrain_degraded) notice(NoticeLevel::caution, "TERRAIN DEGRADED");
         if (out_.show_terrain && conditions_.terrain_is_coarse) notice(NoticeLevel::caution, "TERRAIN COARSE");
-        const bool removed_by_signal = conditions_.terrain == TerrainSource::ready && !out_.show_terrain;
-        if (removed_by_signal || conditions_.terrain == TerrainSource::over_budget) notice(NoticeLevel::caution, "TERRAIN OFF");
+        const TerrainSource source = conditions_.terrain;
+        const bool removed_by_signal = source == TerrainSource::ready && !out_.show_terrain;
+        if (removed_by_signal || source == TerrainSource::over_budget || source == TerrainSource::too_coarse)
+            notice(NoticeLevel::caution, "TERRAIN OFF");
         if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();

@@ -23,6 +23,7 @@ enum class TerrainSource : std::uint8_t {
     outside,         ///< the own ship is not over it
     failed,          ///< it could not be read or did not check
     over_budget,     ///< its coarsest meshes exceed the device's budgets
+    too_coarse,      ///< what has arrived or fits would show a wrong picture
     above_own_ship,  ///< the own ship would be below its surface: one of the two is wrong
 };
 

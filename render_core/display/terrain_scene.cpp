@@ -16,6 +16,8 @@ constexpr std::uint32_t kNodesPerSlot = 8;  // looked at by one selection: hidde
 // What will be needed when it has arrived: a wider view, and a little finer.
 constexpr std::uint32_t kAheadPercent = 125;
 constexpr double kAheadTau = 0.8;
+// Of the slots; what is left holds roots, and chunks beside the view for when it turns.
+constexpr std::uint32_t kPartsInView_percent = 80;
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
@@ -26,11 +28,12 @@ terrain::View seen_soon(const terrain::View& view) {
     return wider;
 }
 
-terrain::LodSettings needed_soon(const terrain::LodSettings& now) {
+terrain::LodSettings needed_soon(const terrain::LodSettings& now, std::uint32_t slots) {
     terrain::LodSettings soon = now;
     soon.tau_px *= kAheadTau;
     soon.max_triangles = now.max_triangles * 2;
     soon.max_chunks = now.max_chunks * 3 / 2;
+    soon.max_parts = slots * kPartsInView_percent / 100;
     soon.max_ms *= 2;
     return soon;
 }
@@ -141,8 +144,8 @@ terrain::View TerrainScene::over_ground(terrain::View view) {
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
     const terrain::LodSettings lod = lod_settings(design, eye);
     store_.begin_frame();
-    static_cast<void>(
-        selector_.select(store_, over_ground(seen_soon(eye.view)), needed_soon(lod), SelectionKind::ideal, selected_));
+    const terrain::LodResult ideal = selector_.select(
+        store_, over_ground(seen_soon(eye.view)), needed_soon(lod, device_->max_chunk_slots), SelectionKind::ideal, selected_);
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
     plan.lod = selector_.select(store_, over_ground(eye.view), lod, SelectionKind::drawn, selected_);
@@ -150,6 +153,8 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
+    // Nothing more will arrive: what the ideal had to leave out is missing.
+    if (plan.lod.reason == terrain::LodStop::not_arrived && plan.pending == 0) plan.lod.reason = ideal.reason;
     plan.is_late = store_.is_late();
     plan.is_failing = store_.is_failing();
     return plan;

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace tedavis::terrain {
 namespace {
 
 constexpr double kLeastVisibility = 0.05;
+constexpr double kFirstBand_px = 4096, kBandRatio = 4;
+constexpr double kNoBand = -std::numeric_limits<double>::infinity();
 
 float larger(float a, float b) { return a > b ? a : b; }
 
@@ -34,6 +37,10 @@ double coast_error_px(const ChunkEntry& entry, const View& view, double tau_px) 
 
 }  // namespace
 
+double visibility(const ChunkEntry& entry, const View& view, double haze_per_m) {
+    return std::fmax(kLeastVisibility, std::exp(-haze_per_m * box_distance_m(entry, view)));
+}
+
 double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges) {
     float error_m = larger(entry.above_m, entry.below_m);
     if (coarser_edges != 0) error_m = larger(error_m, larger(entry.strip_above_m, entry.strip_below_m));
@@ -50,7 +57,7 @@ bool LodRefinement::run(Priority priority, double reach_m, bool with_image) {
     reach_m_ = reach_m;
     refines_image_ = false;
     queued_ = 0;
-    triangles_ = chunks_ = 0;
+    load_ = {};
     stop_ = LodStop::met;
     largest_lift_m_ = 0;
     tree_.clear(catalogue_.lattice());
@@ -80,19 +87,28 @@ bool LodRefinement::add_roots() {
             }
             add({root, found.entry, is_in_view(*found.entry)}, kNoNode);
         }
-    stop_ = exceeded(triangles_, chunks_);
+    stop_ = exceeded(load_);
     return stop_ == LodStop::met;
 }
 
+/// Under a budget in bands of errors: what neighbours do to a chunk is known when the band is chosen, and is mended before
+/// smaller errors get what is left.
 void LodRefinement::refine_with_causes() {
+    const bool in_bands = priority_ == Priority::seen_error;
+    for (double least_px = in_bands ? kFirstBand_px : kNoBand; least_px > settings_.tau_px; least_px /= kBandRatio)
+        refine_band(least_px);
+    refine_band(kNoBand);
+}
+
+void LodRefinement::refine_band(double least_px) {
     do {
-        refine();
-    } while (queue_causes_of_errors());
+        refine(least_px);
+    } while (queue_causes_of_errors(least_px) && comes_first() >= least_px);
 }
 
 /// Splits the worst first. What cannot be split is left, and what is less urgent may still fit.
-void LodRefinement::refine() {
-    while (queued_ > 0) {
+void LodRefinement::refine(double least_px) {
+    while (queued_ > 0 && !(comes_first() < least_px)) {
         const NodeIndex n = pop();
         if (tree_.node(n).is_tried) continue;
         const LodStop reason = try_split(n);
@@ -157,32 +173,35 @@ LodStop LodRefinement::gather_children(std::uint32_t member) {
 }
 
 LodStop LodRefinement::exceeded_by_group() const {
-    std::int64_t triangles = triangles_, chunks = chunks_;
+    Load load = load_;
     const std::uint32_t children = group_.first_child[group_.count];
     if (children > tree_.room()) return LodStop::nodes;
     for (std::uint32_t n = 0; n < group_.count; ++n) {
         const LodNode& node = tree_.node(group_.members[n]);
         if (!node.is_visible) continue;
-        triangles -= node.entry->triangle_count;
-        --chunks;
+        load.triangles -= node.entry->triangle_count;
+        --load.chunks;
     }
     for (std::uint32_t n = 0; n < children; ++n) {
         if (!group_.children[n].is_visible) continue;
-        triangles += group_.children[n].entry->triangle_count;
-        ++chunks;
+        load.triangles += group_.children[n].entry->triangle_count;
+        ++load.chunks;
+        ++load.parts;
     }
-    return exceeded(triangles, chunks);
+    return exceeded(load);
 }
 
-/// Coarse ones first, so that levels stay within one of each other.
+/// Coarse ones first, so that levels stay within one of each other. Those that the first member forces are as urgent as it.
 void LodRefinement::split_group() {
+    const double error_px = tree_.node(group_.members[0]).error_px;
     for (std::uint32_t n = group_.count; n-- > 0;) {
         LodNode& node = tree_.node(group_.members[n]);
+        node.error_px = std::fmax(node.error_px, error_px);
         node.is_leaf = false;
         node.is_tried = true;
         if (node.is_visible) {
-            triangles_ -= node.entry->triangle_count;
-            --chunks_;
+            load_.triangles -= node.entry->triangle_count;
+            --load_.chunks;
         }
         for (std::uint32_t child = group_.first_child[n]; child < group_.first_child[n + 1]; ++child)
             add(group_.children[child], group_.members[n]);
@@ -195,8 +214,9 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
     node.is_visible = child.is_visible;
     largest_lift_m_ = larger(largest_lift_m_, larger(child.entry->below_m, child.entry->strip_below_m));
     if (!child.is_visible) return;
-    triangles_ += child.entry->triangle_count;
-    ++chunks_;
+    load_.triangles += child.entry->triangle_count;
+    ++load_.chunks;
+    if (parent != kNoNode) ++load_.parts;
     node.error_px = mesh_error_px(*child.entry);
     // A comparison that NaN refuses refines.
     if (!(node.error_px <= settings_.tau_px)) return push(n, node.error_px);
@@ -225,23 +245,23 @@ double LodRefinement::mesh_error_px(const ChunkEntry& entry) const {
     return std::fmax(seen_px, settings_.height_weight * shown_height_error_px(entry, view_, settings_.tau_px));
 }
 
-double LodRefinement::milliseconds(std::int64_t triangles, std::int64_t chunks) const {
-    return 1e-6 * settings_.cost.ns_per_triangle * static_cast<double>(triangles) +
-           1e-3 * settings_.cost.us_per_chunk * static_cast<double>(chunks);
+double LodRefinement::milliseconds(const Load& load) const {
+    return 1e-6 * settings_.cost.ns_per_triangle * static_cast<double>(load.triangles) +
+           1e-3 * settings_.cost.us_per_chunk * static_cast<double>(load.chunks);
 }
 
-LodStop LodRefinement::exceeded(std::int64_t triangles, std::int64_t chunks) const {
-    if (triangles > std::int64_t{settings_.max_triangles}) return LodStop::triangles;
-    if (chunks > std::int64_t{settings_.max_chunks}) return LodStop::chunks;
-    return milliseconds(triangles, chunks) > settings_.max_ms ? LodStop::milliseconds : LodStop::met;
+LodStop LodRefinement::exceeded(const Load& load) const {
+    if (load.triangles > std::int64_t{settings_.max_triangles}) return LodStop::triangles;
+    if (load.chunks > std::int64_t{settings_.max_chunks} || load.parts > std::int64_t{settings_.max_parts})
+        return LodStop::chunks;
+    return milliseconds(load) > settings_.max_ms ? LodStop::milliseconds : LodStop::met;
 }
 
 void LodRefinement::push(NodeIndex n, double error_px) {
     LodNode& node = tree_.node(n);
     node.is_queued = true;
     node.priority = error_px;
-    if (priority_ == Priority::seen_error && error_px > 0)
-        node.priority *= std::fmax(kLeastVisibility, std::exp(-settings_.haze_per_m * box_distance_m(*node.entry, view_)));
+    if (priority_ == Priority::seen_error && error_px > 0) node.priority *= visibility(*node.entry, view_, settings_.haze_per_m);
     heap_[queued_++] = n;
     std::push_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });
 }
@@ -258,21 +278,21 @@ bool LodRefinement::comes_after(NodeIndex a, NodeIndex b) const {
 
 /// What neighbours do to a leaf, strips beside coarser ones and lifts, is known when all is chosen. Where it takes an error over
 /// tau, its cause is to be split.
-bool LodRefinement::queue_causes_of_errors() {
+bool LodRefinement::queue_causes_of_errors(double least_px) {
     if (settings_.conservative_up) poles_ = lift_leaves(tree_);
     for (NodeIndex n = 0; n < tree_.size(); ++n)
-        if (tree_.node(n).is_leaf && tree_.node(n).is_visible) queue_cause_of_error(n);
+        if (tree_.node(n).is_leaf && tree_.node(n).is_visible) queue_cause_of_error(n, least_px);
     return queued_ > 0;
 }
 
 /// A neighbour that raises the leaf's border, because of its own strips or its mesh; or the leaf's strips.
-void LodRefinement::queue_cause_of_error(NodeIndex leaf) {
+void LodRefinement::queue_cause_of_error(NodeIndex leaf, double least_px) {
     const LodNode& node = tree_.node(leaf);
     const std::uint8_t coarser_edges = tree_.coarser_edges(node.key);
     const LiftSource raised_by = settings_.conservative_up ? lift_of_leaf(tree_, leaf, poles_).largest : LiftSource{0, leaf};
     const double error_px = settings_.conservative_up ? lifted_error_px(*node.entry, view_, coarser_edges, raised_by.lift_m)
                                                       : drawn_error_px(*node.entry, view_, coarser_edges);
-    if (error_px <= settings_.tau_px) return;
+    if (error_px <= settings_.tau_px || error_px < least_px) return;
     const bool raised = raised_by.leaf != leaf;
     if (raised && (queue_coarser_neighbours(raised_by.leaf, error_px) || queue(raised_by.leaf, error_px))) return;
     (void)queue_coarser_neighbours(leaf, error_px);
@@ -305,6 +325,7 @@ LodStop LodRefinement::reason_for(NodeIndex leaf, NodeIndex raised_by) const {
 /// True when the leaf waits for its split now.
 bool LodRefinement::queue(NodeIndex leaf, double error_px) {
     if (leaf == kNoNode || tree_.node(leaf).is_tried) return false;
+    tree_.node(leaf).error_px = std::fmax(tree_.node(leaf).error_px, error_px);
     if (!tree_.node(leaf).is_queued) push(leaf, error_px);
     return true;
 }

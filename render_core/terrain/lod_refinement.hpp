@@ -25,8 +25,8 @@ public:
     [[nodiscard]] LodStop reason_for(NodeIndex leaf, NodeIndex raised_by) const;
     /// The first budget that forbade a split; `met` when none did.
     [[nodiscard]] LodStop stop() const { return stop_; }
-    [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(triangles_); }
-    [[nodiscard]] double milliseconds() const { return milliseconds(triangles_, chunks_); }
+    [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(load_.triangles); }
+    [[nodiscard]] double milliseconds() const { return milliseconds(load_); }
     /// Largest own lift of any chunk that was looked at, whichever its neighbours.
     [[nodiscard]] float largest_lift_m() const { return largest_lift_m_; }
     [[nodiscard]] const PoleLifts& poles() const { return poles_; }
@@ -34,6 +34,10 @@ public:
 private:
     /// 2:1 balance forces at most two more chunks a level.
     static constexpr std::uint32_t kMaxGroup = 4 * kMaxLevels;
+    /// What a selection takes of its budgets.
+    struct Load {
+        std::int64_t triangles = 0, chunks = 0, parts = 0;
+    };
     struct Child {
         ChunkKey key;
         const ChunkEntry* entry;
@@ -48,7 +52,9 @@ private:
 
     [[nodiscard]] bool add_roots();
     void refine_with_causes();
-    void refine();
+    void refine_band(double least_px);
+    void refine(double least_px);
+    [[nodiscard]] double comes_first() const { return tree_.node(heap_[0]).priority; }
     [[nodiscard]] LodStop try_split(NodeIndex node);
     [[nodiscard]] LodStop gather(NodeIndex node);
     [[nodiscard]] bool force_neighbours_of(NodeIndex node);
@@ -60,16 +66,16 @@ private:
     void push(NodeIndex node, double error_px);
     [[nodiscard]] NodeIndex pop();
     [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;
-    [[nodiscard]] bool queue_causes_of_errors();
-    void queue_cause_of_error(NodeIndex leaf);
+    [[nodiscard]] bool queue_causes_of_errors(double least_px);
+    void queue_cause_of_error(NodeIndex leaf, double least_px);
     [[nodiscard]] bool queue_coarser_neighbours(NodeIndex leaf, double error_px);
     [[nodiscard]] bool queue(NodeIndex leaf, double error_px);
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
     [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;
     [[nodiscard]] double texel_px(const LodNode& node) const;
-    [[nodiscard]] double milliseconds(std::int64_t triangles, std::int64_t chunks) const;
-    [[nodiscard]] LodStop exceeded(std::int64_t triangles, std::int64_t chunks) const;
+    [[nodiscard]] double milliseconds(const Load& load) const;
+    [[nodiscard]] LodStop exceeded(const Load& load) const;
 
     ChunkCatalogue& catalogue_;
     const View& view_;
@@ -81,12 +87,15 @@ private:
     bool refines_image_ = false;
     Priority priority_ = Priority::error;
     std::size_t queued_ = 0;
-    std::int64_t triangles_ = 0, chunks_ = 0;
+    Load load_;
     LodStop stop_ = LodStop::met;
     float largest_lift_m_ = 0;
     PoleLifts poles_;
     Group group_;
 };
+
+/// What of an error in a chunk is seen through the haze: 0.05..1.
+[[nodiscard]] double visibility(const ChunkEntry& entry, const View& view, double haze_per_m);
 
 /// Error of a leaf as it is drawn, with its strips where neighbours are coarser; and lifted.
 [[nodiscard]] double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges);

@@ -67,7 +67,7 @@ LodResult LodSelector::select(ChunkCatalogue& catalogue, const View& view, const
     double reach_m = limits.conservative_up ? largest_root_lift_m(catalogue) : 0;
     bool fits = true;
     for (int tries = 0; tries < kReachTries; ++tries) {
-        fits = refine(refinement, limits, reach_m);
+        fits = refine(refinement, reach_m);
         if (!limits.conservative_up || double{refinement.largest_lift_m()} <= reach_m) break;
         reach_m = double{refinement.largest_lift_m()};
     }
@@ -84,12 +84,12 @@ LodResult LodSelector::select(ChunkCatalogue& catalogue, const View& view, const
 }
 
 /// Where a budget ends the refinement, once more in the order in which errors are seen.
-bool LodSelector::refine(LodRefinement& refinement, const LodSettings& settings, double reach_m) {
+bool LodSelector::refine(LodRefinement& refinement, double reach_m) {
     if (!refinement.run(Priority::error, reach_m, true)) return false;
     // A finer image must not cost accuracy.
     const bool spoilt = refinement.stop() != LodStop::met && refinement.refined_image();
     if (spoilt && !refinement.run(Priority::error, reach_m, false)) return false;
-    return refinement.stop() == LodStop::met || settings.haze_per_m == 0 || refinement.run(Priority::seen_error, reach_m, false);
+    return refinement.stop() == LodStop::met || refinement.run(Priority::seen_error, reach_m, false);
 }
 
 void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
@@ -116,7 +116,10 @@ void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, con
         chunk.error_px = static_cast<float>(error_px);
         selected[result.chunks++] = chunk;
         const LodStop reason = error_px <= settings.tau_px ? LodStop::met : refinement.reason_for(n, raised_by);
-        if (reason != LodStop::at_data_limit) result.worst_coarse_px = std::max(result.worst_coarse_px, error_px);
+        if (reason != LodStop::at_data_limit) {
+            result.worst_coarse_px = std::max(result.worst_coarse_px, error_px);
+            result.worst_seen_px = std::max(result.worst_seen_px, error_px * visibility(*node.entry, view, settings.haze_per_m));
+        }
         if (result.chunks > 1 && error_px <= result.worst_error_px) continue;
         result.worst_error_px = error_px;
         result.worst_chunk = node.key;
@@ -139,6 +142,12 @@ std::uint32_t LodSelector::wanted(base::Span<WantedChunk> out) {
         if (node.parent == kNoNode) continue;
         double& above = tree_.node(node.parent).priority;
         above = std::max({above, node.priority, shown_without(node.parent)});
+    }
+    for (NodeIndex n = 0; n < count; ++n) {
+        LodNode& node = tree_.node(n);
+        if (node.priority != kNotNeeded || node.parent == kNoNode || tree_.node(node.parent).priority == kNotNeeded) continue;
+        node.priority = -1 / (1 + tree_.node(node.parent).error_px);
+        heap_[needed++] = n;
     }
     sort(heap_.begin(), heap_.begin() + needed, [this](NodeIndex a, NodeIndex b) {
         const LodNode &first = tree_.node(a), &second = tree_.node(b);

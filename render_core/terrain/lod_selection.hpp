@@ -4,8 +4,9 @@
 /// Refinement  from the roots: the chunk with the largest projected error in view is split first, after the neighbours that this
 ///             forces (2:1 across edges, round the Earth too). A split happens with all that it forces or not at all.
 /// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
-///             forbid tau, refinement starts again with error times visibility in that order, and passes over splits that do not
-///             fit: the error stays where it is seen least. Visibility is exp(-distance * haze_per_m), 0.05 at least.
+///             forbid tau, refinement starts again with error times visibility in that order, what neighbours do among it, and
+///             passes over splits that do not fit: the error stays where it is seen least. Visibility is
+///             exp(-distance * haze_per_m), 0.05 at least.
 /// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst
 /// error,
 ///             and after true errors where budgets end the refinement.
@@ -52,6 +53,7 @@ struct LodSettings {
     double tau_px = 1;
     std::uint32_t max_triangles = 250000;
     std::uint32_t max_chunks = 512;
+    std::uint32_t max_parts = std::numeric_limits<std::uint32_t>::max();  ///< chunks in view and all above them, without roots
     double max_ms = std::numeric_limits<double>::infinity();
     CostModel cost;
     double haze_per_m = 0;
@@ -89,6 +91,7 @@ struct LodResult {
     double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;
     double worst_coarse_px = 0;       ///< of chunks that the data would allow to be finer
+    double worst_seen_px = 0;         ///< of these too, error times visibility
     ChunkKey worst_chunk = kNoChunk;  ///< kNoChunk: nothing in view
     LodStop reason = LodStop::met;
     bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn
@@ -114,7 +117,7 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t nodes);
 
 private:
-    [[nodiscard]] static bool refine(LodRefinement& refinement, const LodSettings& settings, double reach_m);
+    [[nodiscard]] static bool refine(LodRefinement& refinement, double reach_m);
     void collect(const ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
                  const LodRefinement& refinement, base::Span<SelectedChunk> selected, LodResult& result) const;
     [[nodiscard]] double shown_without(NodeIndex node) const;

@@ -16,7 +16,7 @@ struct LodNode {
     ChunkKey key;
     NodeIndex parent;  ///< kNoNode: a root
     const ChunkEntry* entry;
-    double error_px;  ///< of its mesh; 0 out of view
+    double error_px;  ///< what the picture owes to its being a leaf: its own error, or that of leaves that it keeps coarse
     double priority;  ///< the selection's
     float lift_m;     ///< of a leaf by itself (chunk_lift.hpp)
     bool is_leaf;

@@ -16,8 +16,11 @@
 namespace tedavis::test_support {
 
 struct FlownBudget {
-    int frames = 0, without_terrain = 0, over_budget = 0, changed_bytes = 0, failing = 0;
-    int holes = 0;  ///< background pixels where there is nothing but ground
+    int frames = 0, over_budget = 0, changed_bytes = 0, failing = 0;
+    int without_terrain = 0;   ///< frames that neither show terrain nor say that it is taken away
+    int taken_away = 0;        ///< because it would be too coarse: two frames after every jump wait for what is read
+    int taken_away_later = 0;  ///< of them, beyond these two on legs without a turn
+    int holes = 0;             ///< background pixels where there is nothing but ground
     std::uint64_t heap_calls = 0, cpu_bytes = 0, gpu_bytes = 0;
     double mean_triangles = 0, worst_reached_px = 0;
     std::vector<double> milliseconds;  ///< of processor time, planned, drawn and finished; sorted
@@ -29,7 +32,7 @@ struct FlownBudget {
 
 class BudgetFlight {
 public:
-    static constexpr int kFramesOfALeg = 50;
+    static constexpr int kFramesOfALeg = 50, kArrivalFrames = 2;
 
     /// Over the north-western `region` posts a side of FractalPosts' terrain, of which the database must hold more.
     BudgetFlight(const std::string& database, const std::string& device, std::uint32_t region, int legs)
@@ -97,6 +100,7 @@ private:
         flown.milliseconds.push_back(processor_ms() - begin_ms);
         EXPECT_TRUE(gl::read_pixels(display.gl(), kWidth, kHeight, {pixels_.data(), pixels_.size()}));
         note(display.record(), flown);
+        if (display.record().terrain.triangles == 0) return;
         const std::size_t ground = std::size_t{kWidth} * (kHeight - static_cast<std::size_t>(stop.first_ground_row));
         for (std::size_t n = 0; n < ground; ++n) flown.holes += pixels_[4 * n] == 0 ? 1 : 0;  // bottom row first
     }
@@ -107,10 +111,18 @@ private:
         }
         flown.changed_bytes += record.bytes.cpu != flown.cpu_bytes || record.bytes.gpu != flown.gpu_bytes ? 1 : 0;
         flown.over_budget += record.bytes.cpu > record.bytes.cpu_budget || record.bytes.gpu > record.bytes.gpu_budget ? 1 : 0;
-        flown.without_terrain += record.terrain.triangles == 0 ? 1 : 0;
-        for (const display::Name& flag : record.flags) flown.failing += flag.view() == "terrain.failing" ? 1 : 0;
+        const bool taken_away = has_flag(record, "terrain.too_coarse");
+        const int frame = flown.frames - 1, leg = frame / kFramesOfALeg;
+        flown.without_terrain += record.terrain.triangles == 0 && !taken_away ? 1 : 0;
+        flown.taken_away += taken_away ? 1 : 0;
+        flown.taken_away_later += taken_away && leg % 2 == 0 && frame % kFramesOfALeg >= kArrivalFrames ? 1 : 0;
+        flown.failing += has_flag(record, "terrain.failing") ? 1 : 0;
         flown.mean_triangles += record.terrain.triangles;
         flown.worst_reached_px = std::max(flown.worst_reached_px, record.terrain.tau_reached_px);
+    }
+    [[nodiscard]] static bool has_flag(const display::FrameRecord& record, std::string_view name) {
+        return std::any_of(record.flags.begin(), record.flags.end(),
+                           [&](const display::Name& flag) { return flag.view() == name; });
     }
     [[nodiscard]] static double processor_ms() {
         timespec time{};

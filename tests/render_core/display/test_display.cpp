@@ -236,7 +236,7 @@ TEST(Display, StaleAltitudeTakesTheWarningColoursAway) {
 TEST(Display, DamagedChunksLeaveCoarserTerrainAndAreSaid) {
     const auto whole_picture = [] {
         OverHills whole;
-        Picture picture = picture_of(whole.display, aircraft_at(1600, 30, -10));
+        Picture picture = picture_of(whole.display, aircraft_at(4000, 30, -20));
         EXPECT_FALSE(has_flag(whole.display, "terrain.failing"));
         return picture;
     };
@@ -244,14 +244,14 @@ TEST(Display, DamagedChunksLeaveCoarserTerrainAndAreSaid) {
     std::vector<std::uint8_t> image = hills().image;
     test_support::damage_payloads(image);
     OverHills over(image);
-    const Picture first = picture_of(over.display, aircraft_at(1600, 30, -10));
+    const Picture first = picture_of(over.display, aircraft_at(4000, 30, -20));
     const FrameRecord& record = over.display.display().record();
     EXPECT_TRUE(has_flag(over.display, "terrain.failing"));
     EXPECT_TRUE(has_flag(over.display, "terrain.tau_raised"));
     EXPECT_GT(record.terrain.triangles, 0u);
     EXPECT_GT(record.terrain.tau_reached_px, record.terrain.tau_px);
     EXPECT_NE(first, whole);
-    EXPECT_EQ(first, picture_of(over.display, aircraft_at(1600, 30, -10)));
+    EXPECT_EQ(first, picture_of(over.display, aircraft_at(4000, 30, -20)));
 }
 
 TEST(Display, TheFirstFramesAreCoarserButWhole) {
@@ -381,6 +381,21 @@ TEST(Display, TerrainBeyondTheDesignsErrorIsSaidToBeCoarse) {
     EXPECT_TRUE(has_flag(over.display, "terrain.coarse"));
     EXPECT_GT(over.display.display().record().terrain.triangles, 0u);
     EXPECT_NE(fine, coarse) << "the notice is on the picture";
+}
+
+TEST(Display, TerrainThatWouldBeAWrongPictureIsTakenAwayUntilItHasArrived) {
+    OverHills over;
+    design::DesignSettings strict = test_support::shipped_design("default");
+    strict.degradation.terrain_removed_px = 2;
+    ASSERT_TRUE(over.display.display().set_design(strict));
+    over.display.display().update(aircraft_at(2000), {}, kNow);
+    over.display.display().draw(over.display.surface());
+    EXPECT_TRUE(has_flag(over.display, "terrain.too_coarse"));
+    EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
+    EXPECT_GT(over.display.display().record().terrain.worst_error_px, 2) << "the record says how wrong it would have been";
+    static_cast<void>(picture_of(over.display, aircraft_at(2000)));
+    EXPECT_FALSE(has_flag(over.display, "terrain.too_coarse"));
+    EXPECT_GT(over.display.display().record().terrain.triangles, 0u);
 }
 
 TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {

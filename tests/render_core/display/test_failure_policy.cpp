@@ -396,11 +396,10 @@ TEST(FailurePolicy, HeadingFallsBackFromTrueToMagneticToTrack) {
 }
 
 TEST(FailurePolicy, TheDatabaseHasItsPictures) {
-    const std::pair<TerrainSource, const char*> cases[] = {{TerrainSource::none, "NO TERRAIN DATA"},
-                                                           {TerrainSource::outside, "OUTSIDE DATABASE"},
-                                                           {TerrainSource::failed, "TERRAIN FAIL"},
-                                                           {TerrainSource::over_budget, "TERRAIN OFF"},
-                                                           {TerrainSource::above_own_ship, "BELOW TERRAIN"}};
+    const std::pair<TerrainSource, const char*> cases[] = {
+        {TerrainSource::none, "NO TERRAIN DATA"},   {TerrainSource::outside, "OUTSIDE DATABASE"},
+        {TerrainSource::failed, "TERRAIN FAIL"},    {TerrainSource::over_budget, "TERRAIN OFF"},
+        {TerrainSource::too_coarse, "TERRAIN OFF"}, {TerrainSource::above_own_ship, "BELOW TERRAIN"}};
     for (const auto& [source, text] : cases) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = source;

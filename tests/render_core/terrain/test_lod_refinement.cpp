@@ -101,6 +101,10 @@ TEST(LodRefinement, ASplitBringsItsNeighboursWithinOneLevel) {
     EXPECT_TRUE(run.is_leaf({2, 3, 0})) << "and beside that level 2";
     EXPECT_TRUE(run.is_leaf({2, 2, 2})) << "only edges count, corners do not";
     EXPECT_FALSE(run.is_leaf({3, 1, 1}));
+    const auto owed_px = [&](const ChunkKey& key) { return run.tree.node(run.tree.find(key)).error_px; };
+    EXPECT_GE(owed_px({2, 2, 1}), owed_px({1, 3, 3})) << "without its split the worst could not be split either";
+    EXPECT_GE(owed_px({3, 1, 0}), owed_px({1, 3, 3}));
+    EXPECT_EQ(owed_px({1, 4, 3}), 0) << "control: nothing depends on this one";
 }
 
 /// Flat, under an image as fine as a quarter of its posts.

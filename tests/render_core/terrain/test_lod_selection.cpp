@@ -408,12 +408,92 @@ TEST(LodSelection, WantedAreTheDrawnAndTheirAncestorsAncestorsFirst) {
         for (ChunkKey key : selection.keys())
             for (; key.level < region().lattice().levels(); key = key.parent()) expected.insert(key.packed());
         EXPECT_TRUE(std::includes(listed.begin(), listed.end(), expected.begin(), expected.end()));
-        for (const WantedChunk& chunk : wanted)
-            EXPECT_TRUE(expected.count(chunk.key.packed()) != 0 || !is_outside_view(*chunk.entry, view));
+        bool beside_the_view = false;
+        for (const WantedChunk& chunk : wanted) {
+            const bool in_view = expected.count(chunk.key.packed()) != 0 || !is_outside_view(*chunk.entry, view);
+            EXPECT_FALSE(in_view && beside_the_view) << "what is out of view comes after all";
+            beside_the_view = !in_view;
+        }
         const std::vector<WantedChunk> few = selection.wanted(5);
         ASSERT_EQ(few.size(), std::min<std::size_t>(5, wanted.size()));
         for (std::size_t n = 0; n < few.size(); ++n) EXPECT_EQ(few[n].key, wanted[n].key);
     }
+}
+
+/// The worst error of a view of which `resident` has arrived.
+double drawn_with(const std::vector<WantedChunk>& resident, const View& view) {
+    ResidentTdb catalogue(region());
+    std::set<std::uint64_t> here;
+    for (const WantedChunk& chunk : resident) here.insert(chunk.key.packed());
+    catalogue.is_available = [&](const ChunkKey& key) { return here.count(key.packed()) != 0; };
+    Selection selection;
+    return selection.select(catalogue, view, {}, SelectionKind::drawn).worst_error_px;
+}
+
+TEST(LodSelection, AViewThatTurnsFindsCoarserChunksBesideTheOld) {
+    const View view = view_from(region(), 200, 180, 400, 0, -20);
+    ResidentTdb catalogue(region());
+    Selection selection;
+    (void)selection.select(catalogue, view, {});
+    const std::vector<WantedChunk> wanted = selection.wanted();
+    std::vector<WantedChunk> seen;
+    for (const WantedChunk& chunk : wanted)
+        if (!is_outside_view(*chunk.entry, view)) seen.push_back(chunk);
+    ASSERT_LT(seen.size(), wanted.size());
+    int rescued = 0;
+    for (double heading_deg = 20; heading_deg < 350; heading_deg += 30) {
+        const View turned = view_from(region(), 200, 180, 400, heading_deg, -20);
+        const double with_px = drawn_with(wanted, turned), without_px = drawn_with(seen, turned);
+        EXPECT_LE(with_px, without_px);
+        rescued += with_px < 0.25 * without_px ? 1 : 0;
+    }
+    EXPECT_GT(rescued, 3);
+}
+
+TEST(LodSelection, PartsInMemoryAreABudgetToo) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    LodSettings settings;
+    settings.tau_px = 0.3;
+    for (const View& view : views_of(region(), 8)) {
+        settings.max_parts = std::numeric_limits<std::uint32_t>::max();
+        const double ideal_px = selection.select(catalogue, view, settings).worst_error_px;
+        const auto parts_in_view = [&] {
+            std::uint32_t parts = 0;
+            for (const WantedChunk& chunk : selection.wanted())
+                parts += chunk.key.level + 1 < region().lattice().levels() && !is_outside_view(*chunk.entry, view) ? 1u : 0u;
+            return parts;
+        };
+        const std::uint32_t all = parts_in_view();
+        if (all < 8) continue;
+        settings.max_parts = all / 2;
+        (void)selection.select(catalogue, view, settings);
+        EXPECT_LE(parts_in_view(), all / 2);
+        EXPECT_EQ(selection.result.reason, LodStop::chunks);
+        EXPECT_GE(selection.result.worst_error_px, ideal_px);
+        expect_covered_once(region(), view, selection, 7);
+    }
+}
+
+TEST(LodSelection, WhatTheDataAllowToBeFinerIsSeenThroughTheHaze) {
+    ResidentTdb catalogue(region());
+    Selection selection;
+    LodSettings settings;
+    settings.max_triangles = 1500;
+    const View view = view_from(region(), 200, 340, 3000, 0, -10);
+    const LodResult clear = selection.select(catalogue, view, settings);
+    ASSERT_GT(clear.worst_coarse_px, settings.tau_px);
+    EXPECT_EQ(clear.worst_seen_px, clear.worst_coarse_px);
+    settings.haze_per_m = 1e-3;
+    const LodResult hazy = selection.select(catalogue, view, settings);
+    EXPECT_LT(hazy.worst_seen_px, hazy.worst_coarse_px);
+    EXPECT_GE(hazy.worst_seen_px, 0.05 * hazy.worst_coarse_px);
+    settings.max_triangles = 250000;
+    settings.tau_px = 1e-4;
+    const LodResult fine = selection.select(catalogue, view, settings);
+    EXPECT_EQ(fine.reason, LodStop::at_data_limit);
+    EXPECT_GT(fine.worst_error_px, settings.tau_px);
+    EXPECT_LE(fine.worst_seen_px, settings.tau_px) << "the data allow no better";
 }
 
 TEST(LodSelection, MissingDirectoryPagesHoldTheRefinementUp) {
