@@ -162,6 +162,16 @@ TEST_P(TurnedWorlds, EveryPitchIsWithoutAHoleAndWithinTheStatedError) {
     expect_errors_within_tau(world_, image_, flown, GetParam().least_error_px);
 }
 
+// Half a turn takes the grids of the vertices along, and the antimeridian to Greenwich.
+TEST_P(TurnedWorlds, LookTheSameOnTheOtherSideOfTheEarth) {
+    const TurnedWorld turned(GetParam().shape, 180);
+    const design::DesignSettings design = test_support::shipped_design("default");
+    const Difference found =
+        difference(fly(GetParam(), world_, image_, 0, design).pictures,
+                   fly(GetParam(), turned, test_support::build_image(turned.raster), 180, design).pictures);
+    EXPECT_EQ(found.different, 0) << "of " << found.pixels << " by more than one step, by " << found.largest << " at most";
+}
+
 TEST_P(TurnedWorlds, LookTheSameFromTurnedPlaces) {
     const TurnedWorld turned(GetParam().shape, kTurned_deg);
     design::DesignSettings design = test_support::shipped_design("default");
