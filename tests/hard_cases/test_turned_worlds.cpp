@@ -166,9 +166,8 @@ TEST_P(TurnedWorlds, EveryPitchIsWithoutAHoleAndWithinTheStatedError) {
 TEST_P(TurnedWorlds, LookTheSameOnTheOtherSideOfTheEarth) {
     const TurnedWorld turned(GetParam().shape, 180);
     const design::DesignSettings design = test_support::shipped_design("default");
-    const Difference found =
-        difference(fly(GetParam(), world_, image_, 0, design).pictures,
-                   fly(GetParam(), turned, test_support::build_image(turned.raster), 180, design).pictures);
+    const Difference found = difference(fly(GetParam(), world_, image_, 0, design).pictures,
+                                        fly(GetParam(), turned, test_support::build_image(turned.raster), 180, design).pictures);
     EXPECT_EQ(found.different, 0) << "of " << found.pixels << " by more than one step, by " << found.largest << " at most";
 }
 
