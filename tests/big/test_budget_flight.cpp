@@ -58,10 +58,10 @@ TEST(BudgetFlight, OverTwelveGigabytesStaysWithinTheSmallestDevice) {
     EXPECT_LE(flown.taken_away, 4 * kLegs) << "two after every jump, and some in fast turns";
     EXPECT_EQ(flown.failing, 0);
     EXPECT_EQ(flown.holes, 0);
-    std::printf("%.1f GB: %d frames, %.0f triangles, %.1f ms (p99 %.1f ms) of processor time, %llu bytes\n",
+    std::printf("%.1f GB: %d frames, %.0f triangles, %.1f ms (p99 %.1f ms) of processor time, %.1f MB, taken away in %d\n",
                 static_cast<double>(std::filesystem::file_size(database)) / 1e9, flown.frames, flown.mean_triangles,
-                flown.quantile_ms(0.5), flown.quantile_ms(0.99),
-                static_cast<unsigned long long>(flown.cpu_bytes + flown.gpu_bytes));
+                flown.quantile_ms(0.5), flown.quantile_ms(0.99), static_cast<double>(flown.cpu_bytes + flown.gpu_bytes) / 1e6,
+                flown.taken_away);
     if (!HasFailure()) std::filesystem::remove_all(folder);
 }
 
