@@ -22,7 +22,7 @@ struct FlownBudget {
     int taken_away_later = 0;  ///< of them, beyond these two on legs without a turn
     int holes = 0;             ///< background pixels where there is nothing but ground
     std::uint64_t heap_calls = 0, cpu_bytes = 0, gpu_bytes = 0;
-    double mean_triangles = 0, worst_reached_px = 0;
+    double mean_triangles = 0;
     std::vector<double> milliseconds;  ///< of processor time, planned, drawn and finished; sorted
 
     [[nodiscard]] double quantile_ms(double share) const {
@@ -118,7 +118,6 @@ private:
         flown.taken_away_later += taken_away && leg % 2 == 0 && frame % kFramesOfALeg >= kArrivalFrames ? 1 : 0;
         flown.failing += has_flag(record, "terrain.failing") ? 1 : 0;
         flown.mean_triangles += record.terrain.triangles;
-        flown.worst_reached_px = std::max(flown.worst_reached_px, record.terrain.tau_reached_px);
     }
     [[nodiscard]] static bool has_flag(const display::FrameRecord& record, std::string_view name) {
         return std::any_of(record.flags.begin(), record.flags.end(),
