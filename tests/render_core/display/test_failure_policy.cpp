@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -89,8 +90,8 @@ constexpr SignalState kBadStates[] = {SignalState::missing, SignalState::stale, 
 struct Row {
     Signal signal = Signal::count_;
     Element element = kNone;
-    std::string alone[4];          ///< all other signals valid
-    std::string without_peers[4];  ///< no other source of the same information received
+    std::array<std::string, 4> alone;          ///< all other signals valid
+    std::array<std::string, 4> without_peers;  ///< no other source of the same information received
 };
 
 constexpr const char* kElementNames[] = {"attitude",       "heading",      "airspeed",      "altitude",
