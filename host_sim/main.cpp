@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "host_sim/command_line.hpp"
+#include "host_sim/commands/command_line.hpp"
 
 int main(int argc, char** argv) {
     std::ios::sync_with_stdio(false);

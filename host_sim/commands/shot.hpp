@@ -5,7 +5,7 @@
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
 

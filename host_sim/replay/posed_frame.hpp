@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host_sim/replay/display_session.hpp"
-#include "host_sim/replay/posed_aircraft.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
 

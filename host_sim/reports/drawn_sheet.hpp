@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host_sim/png_file.hpp"
-#include "host_sim/replay/posed_aircraft.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
 

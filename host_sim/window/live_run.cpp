@@ -8,8 +8,8 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/replay_config.hpp"
+#include "host_sim/geoid_below.hpp"
 #include "host_sim/input_file.hpp"
-#include "host_sim/replay/geoid_below.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/window/switch_recording.hpp"
 #include "render_core/earth/wgs84.hpp"

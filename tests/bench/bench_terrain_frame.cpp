@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/bench/bench_result.hpp"

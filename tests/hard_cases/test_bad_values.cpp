@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-#include "host_sim/command_line.hpp"
+#include "host_sim/commands/command_line.hpp"
 #include "host_sim/input_file.hpp"
 #include "render_core/base/hash.hpp"
 #include "tests/support/synthetic_raster.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::test_support {
 

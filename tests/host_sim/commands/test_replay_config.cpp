@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "host_sim/command_line.hpp"
+#include "host_sim/commands/command_line.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/frame_lines.hpp"

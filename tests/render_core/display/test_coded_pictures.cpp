@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
 #include "tests/support/drawn_pixels.hpp"

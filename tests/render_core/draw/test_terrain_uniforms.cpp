@@ -13,14 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/commands/terrain.hpp"
-#include "host_sim/replay/posed_frame.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
-#include "tests/support/command_run.hpp"
+#include "tests/support/drawn_pixels.hpp"
 #include "tests/support/gl_session.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_views.hpp"
 
 namespace tedavis::draw {
@@ -38,48 +36,46 @@ double latitude_deg() { return kNorth_deg - (kColumns / 2) * kStep_deg; }
 /// Ridges from north to south, 32 posts from one to the next, 500 m above the valleys between them.
 class RidgedGround {
 public:
-    RidgedGround() {
-        test_support::RasterFile raster;
-        raster.columns = raster.rows = kColumns;
-        raster.transform = {kWest_deg, kStep_deg, 0, kNorth_deg, 0, -kStep_deg};
-        raster.value = [](int i, int) { return 500 + 250 * std::cos(2 * base::kPi * i / kCellsAWave); };
-        host_sim::TerrainBuildOptions build;
-        build.rasters = {raster.write(folder_.file("ridges.tif"))};
-        build.output = folder_.file("ridges.tdb");
-        EXPECT_EQ(test_support::run_command([&](host_sim::Console& console) { return run_terrain_build(build, console); }).code,
-                  0);
-    }
-
     /// Ink of a column of the map, 0..1: the mean over its upper third, which the own ship does not reach. `style`: keys of
     /// [terrain.sketch].
-    [[nodiscard]] std::vector<double> ink(const std::string& style) const {
-        host_sim::PictureOptions options;
-        options.terrain = folder_.file("ridges.tdb");
-        options.size = host_sim::PictureSize{kSide_px, kSide_px};
-        options.symbology = false;
-        options.design =
-            folder_.write("map.toml",
-                          "name = 'map'\n[view]\nmode = 'map'\nmap_range_m = 4000\n[symbology]\nmap = false\nlegend = false\n"
-                          "[sky]\nhaze_distance_m = 0\n[warning]\nenabled = false\n[terrain.texture]\ntechnique = 'plain'\n"
-                          "plain_color = '#ffffff'\n[terrain.shade]\ntechnique = 'none'\n[[terrain.shade.light]]\n"
-                          "azimuth_deg = 270\nelevation_deg = 30\n[terrain.sketch]\nline_color = '#000000'\n" +
-                              style);
-        host_sim::DisplaySession session(options, false);
-        (void)posed_frame(session, {latitude_deg(), ridge_longitude_deg(kMiddleWave), 3000, 0, 0, 0}, {});
+    [[nodiscard]] std::vector<double> ink(const std::string& style) {
+        test_support::HeadlessDisplay headless("egl", "es3-mid", kSide_px, kSide_px, &bytes_, map_with(style));
+        const host_sim::AircraftPose above{latitude_deg(), ridge_longitude_deg(kMiddleWave), 3000, 0, 0, 0};
+        const flight::AircraftState state = host_sim::posed_aircraft(above, headless.display());
+        const std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, state, host_sim::kPosedTime);
         std::vector<double> columns(kSide_px);
         for (std::uint32_t x = 0; x < kSide_px; ++x)
-            for (std::uint32_t y = kSide_px / 6; y < kSide_px / 3; ++y)
-                columns[x] += (1 - session.pixels().row(y)[x * 4] / 255.0) / (kSide_px / 3 - kSide_px / 6);
+            for (std::uint32_t y = kSide_px * 2 / 3; y < kSide_px * 5 / 6; ++y)  // bottom row first
+                columns[x] += (1 - rgba[(std::size_t{y} * kSide_px + x) * 4] / 255.0) / (kSide_px * 5 / 6 - kSide_px * 2 / 3);
         return columns;
     }
 
 private:
-    test_support::TemporaryFolder folder_;
+    static design::DesignSettings map_with(const std::string& style) {
+        std::string text = "[symbology]\n";
+        for (const char* shown : {"attitude", "map", "heading", "airspeed", "altitude", "vertical_speed", "flight_path",
+                                  "baro_setting", "ground_height", "phase", "legend"})
+            text += std::string(shown) + " = false\n";
+        text +=
+            "[view]\nmode = 'map'\nmap_range_m = 4000\n"
+            "[sky]\nhaze_distance_m = 0\n[warning]\nenabled = false\n[terrain.texture]\ntechnique = 'plain'\n"
+            "plain_color = '#ffffff'\n[terrain.shade]\ntechnique = 'none'\n[[terrain.shade.light]]\n"
+            "azimuth_deg = 270\nelevation_deg = 30\n[terrain.sketch]\nline_color = '#000000'\n" +
+            style;
+        test_support::ShippedPalettes palettes;
+        return design::read_design_settings("name = 'map'\n" + text, "map.toml", palettes).value();
+    }
+
+    std::vector<std::uint8_t> image_ = test_support::build_image(test_support::make_raster(
+        kColumns, kColumns,
+        [](std::uint32_t i, std::uint32_t) { return static_cast<float>(500 + 250 * std::cos(2 * base::kPi * i / kCellsAWave)); },
+        kWest_deg + 0.5 * kStep_deg, kNorth_deg - 0.5 * kStep_deg, kStep_deg));  // middles of cells
+    test_support::MemoryBytes bytes_{image_};
 };
 
-const RidgedGround& ground() {
-    static const RidgedGround kGround;
-    return kGround;
+RidgedGround& ground() {
+    static RidgedGround ground;
+    return ground;
 }
 
 /// Column of the picture at so many waves east of its middle.

@@ -1,4 +1,4 @@
-#include "host_sim/replay/geoid_below.hpp"
+#include "host_sim/geoid_below.hpp"
 
 namespace tedavis::host_sim {
 

@@ -1,4 +1,4 @@
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
 #include <gtest/gtest.h>
 

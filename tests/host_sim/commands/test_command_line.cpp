@@ -1,4 +1,4 @@
-#include "host_sim/command_line.hpp"
+#include "host_sim/commands/command_line.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "host_sim/replay/posed_aircraft.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
 
-#include "host_sim/replay/geoid_below.hpp"
+#include "host_sim/geoid_below.hpp"
 #include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
