@@ -61,8 +61,9 @@ struct SkySettings {
 struct DegradationLimits {
     double horizontal_accuracy_m = 50;
     double vertical_accuracy_m = 30;
-    double terrain_error_px = 4;      ///< terrain that the device's budgets force to be coarser is said to be coarse
-    double terrain_removed_px = 500;  ///< and where haze leaves more than this of its error, it is not shown
+    double terrain_error_px = 4;  ///< terrain that the device's budgets force to be coarser is said to be coarse
+    /// Terrain whose error, as far as haze lets it be seen, is larger is not shown while finer chunks are being read.
+    double terrain_removed_px = 500;
 };
 
 /// Beyond these angles the picture changes to recovery: chevrons, no flight path, no warning colours.

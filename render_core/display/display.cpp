@@ -134,6 +134,8 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     conditions_.terrain = terrain_source(state.own_ship);
     conditions_.phase = phase;
     conditions_.generated_flight = settings_.generated_flight;
+    conditions_.image_is_missing =
+        terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device;
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
@@ -241,9 +243,8 @@ void Display::plan_terrain() {
         return;
     }
     record_terrain(plan);
-    if (terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device)
-        flag("terrain.no_image");
-    if (plan.lod.worst_seen_px > settings_.design.degradation.terrain_removed_px) {
+    // What budgets leave is the best there will be, and is said to be coarse.
+    if (plan.pending != 0 && plan.lod.worst_waiting_px > settings_.design.degradation.terrain_removed_px) {
         give_up_terrain(TerrainSource::too_coarse);
         return;
     }
@@ -319,8 +320,7 @@ void Display::draw_scene(const base::Surface& surface) {
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
 void Display::draw_terrain() {
     const terrain::View& view = eye_.view;
-    const double far_m = std::fmin(std::fmax(terrain_.farthest_depth_m(view), 2 * view.near_m), view.far_m);
-    const draw::DepthPlan depth = draw::plan_depth(view.near_m, far_m);
+    const draw::DepthPlan depth = terrain_.depth_plan(view);
     const draw::TerrainDrawInput input = terrain_input();
     for (std::size_t n = 0; n < depth.count; ++n) {
         if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);

@@ -240,6 +240,7 @@ private:
         if (conditions_.terrain == TerrainSource::too_coarse) flag("terrain", "too_coarse");
         if (conditions_.terrain == TerrainSource::above_own_ship) flag("terrain", "above_own_ship");
         if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
+        if (out_.show_terrain && conditions_.image_is_missing) flag("terrain", "no_image");
     }
 
     void decide_flight_path() {
@@ -278,6 +279,7 @@ private:
         if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
+        if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");
     }

@@ -23,7 +23,7 @@ enum class TerrainSource : std::uint8_t {
     outside,         ///< the own ship is not over it
     failed,          ///< it could not be read or did not check
     over_budget,     ///< its coarsest meshes exceed the device's budgets
-    too_coarse,      ///< what has arrived or fits would show a wrong picture
+    too_coarse,      ///< what has arrived would show a wrong picture
     above_own_ship,  ///< the own ship would be below its surface: one of the two is wrong
 };
 
@@ -32,6 +32,7 @@ struct DisplayConditions {
     flight::PhaseStatus phase;
     bool generated_flight = false;   ///< the flight comes from a scenario
     bool terrain_is_coarse = false;  ///< budgets allow no better than the design's limit of error
+    bool image_is_missing = false;   ///< the design shows an image over the terrain, and there is none
     bool is_map = false;             ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 

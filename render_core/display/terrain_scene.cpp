@@ -1,5 +1,6 @@
 #include "render_core/display/terrain_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -16,8 +17,8 @@ constexpr std::uint32_t kNodesPerSlot = 8;  // looked at by one selection: hidde
 // What will be needed when it has arrived: a wider view, and a little finer.
 constexpr std::uint32_t kAheadPercent = 125;
 constexpr double kAheadTau = 0.8;
-// Of the slots; what is left holds roots, and chunks beside the view for when it turns.
-constexpr std::uint32_t kPartsInView_percent = 80;
+// Slots for chunks beside the view, for when it turns: about two a level of the deepest tree.
+constexpr std::uint32_t kSlotsBeside = 24;
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
@@ -28,12 +29,12 @@ terrain::View seen_soon(const terrain::View& view) {
     return wider;
 }
 
-terrain::LodSettings needed_soon(const terrain::LodSettings& now, std::uint32_t slots) {
+terrain::LodSettings needed_soon(const terrain::LodSettings& now, std::uint32_t parts) {
     terrain::LodSettings soon = now;
     soon.tau_px *= kAheadTau;
     soon.max_triangles = now.max_triangles * 2;
     soon.max_chunks = now.max_chunks * 3 / 2;
-    soon.max_parts = slots * kPartsInView_percent / 100;
+    soon.max_parts = parts;
     soon.max_ms *= 2;
     return soon;
 }
@@ -121,6 +122,13 @@ terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double long
     return heights_.at(latitude_rad, longitude_rad);
 }
 
+/// Chunks in view and above it for which there are slots: what roots and chunks beside the view leave, half of all at least.
+std::uint32_t TerrainScene::parts_in_view() const {
+    const std::uint32_t slots = device_->max_chunk_slots, top = database_.lattice().levels() - 1;
+    const std::uint32_t roots = database_.lattice().grid_columns(top) * database_.lattice().grid_rows(top);
+    return std::max(slots / 2, slots - std::min(slots, roots + kSlotsBeside));
+}
+
 terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& design, const Eye& eye) const {
     terrain::LodSettings lod;
     lod.tau_px = design.terrain.tau_px;
@@ -144,20 +152,52 @@ terrain::View TerrainScene::over_ground(terrain::View view) {
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
     const terrain::LodSettings lod = lod_settings(design, eye);
     store_.begin_frame();
-    const terrain::LodResult ideal = selector_.select(
-        store_, over_ground(seen_soon(eye.view)), needed_soon(lod, device_->max_chunk_slots), SelectionKind::ideal, selected_);
+    const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(eye.view)), needed_soon(lod, parts_in_view()),
+                                                      SelectionKind::ideal, selected_);
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
-    plan.lod = selector_.select(store_, over_ground(eye.view), lod, SelectionKind::drawn, selected_);
-    chunks_ = plan.lod.chunks;
+    plan.lod = select_drawn(eye.view, lod);
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
     // Nothing more will arrive: what the ideal had to leave out is missing.
-    if (plan.lod.reason == terrain::LodStop::not_arrived && plan.pending == 0) plan.lod.reason = ideal.reason;
+    if (plan.lod.reason == terrain::LodStop::not_arrived && plan.pending == 0 && ideal.reason != terrain::LodStop::met)
+        plan.lod.reason = ideal.reason;
     plan.is_late = store_.is_late();
     plan.is_failing = store_.is_failing();
     return plan;
+}
+
+/// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too.
+terrain::LodResult TerrainScene::select_drawn(const terrain::View& view, terrain::LodSettings lod) {
+    const terrain::View seen = over_ground(view);
+    const std::uint32_t budget = lod.max_triangles;
+    terrain::LodResult result;
+    for (int tries = 0; tries < 3; ++tries) {
+        result = selector_.select(store_, seen, lod, SelectionKind::drawn, selected_);
+        chunks_ = result.chunks;
+        const std::uint32_t submitted = submitted_triangles(view);
+        if (submitted <= budget) break;
+        // Twice the half is the whole.
+        const std::uint32_t excess = submitted - budget;
+        lod.max_triangles = tries == 0 && result.triangles > excess + budget / 2 ? result.triangles - excess : budget / 2;
+    }
+    return result;
+}
+
+std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const {
+    const draw::DepthPlan depth = depth_plan(view);
+    std::uint32_t triangles = 0;
+    for (const terrain::SelectedChunk& chunk : selected()) {
+        const draw::DepthRange reach = draw::depths_of(*chunk.entry, view, draw::greatest_lift_m(chunk.lift));
+        for (std::size_t n = 0; n < depth.count; ++n)
+            triangles += draw::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
+    }
+    return triangles;
+}
+
+draw::DepthPlan TerrainScene::depth_plan(const terrain::View& view) const {
+    return draw::plan_depth(view.near_m, std::fmin(std::fmax(farthest_depth_m(view), 2 * view.near_m), view.far_m));
 }
 
 void TerrainScene::rest() {

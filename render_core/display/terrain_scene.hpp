@@ -9,6 +9,7 @@
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/display/eye.hpp"
+#include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
@@ -70,6 +71,8 @@ public:
 
     /// Depth of the farthest point that is drawn; 0 when nothing is.
     [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
+    /// The ranges in which the selected chunks are drawn.
+    [[nodiscard]] draw::DepthPlan depth_plan(const terrain::View& view) const;
 
     /// The part of the screen that everything drawn lies in, bounded along the picture's vertical.
     [[nodiscard]] draw::ScreenPart drawn_part(const terrain::View& view) const;
@@ -80,6 +83,9 @@ public:
 
 private:
     [[nodiscard]] terrain::View over_ground(terrain::View view);
+    [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
+    [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
+    [[nodiscard]] std::uint32_t parts_in_view() const;
     void decide_drape(const design::DesignSettings& design);
     [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);

@@ -14,6 +14,8 @@ struct DepthRange {
     double near_m = 1, far_m = 400000;
 };
 
+[[nodiscard]] inline bool overlap(const DepthRange& a, const DepthRange& b) { return a.far_m >= b.near_m && a.near_m <= b.far_m; }
+
 struct DepthPlan {
     DepthRange ranges[2];  ///< in drawing order
     std::size_t count = 1;

@@ -294,7 +294,7 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     for (const SelectedChunk& chunk : selected) {
         const DepthRange depths = depths_of(*chunk.entry, input.view, greatest_lift_m(chunk.lift));
-        if (depths.far_m >= range.near_m && depths.near_m <= range.far_m) draw_chunk(gl, chunk, input, result);
+        if (overlap(depths, range)) draw_chunk(gl, chunk, input, result);
     }
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
 }

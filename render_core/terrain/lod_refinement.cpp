@@ -9,7 +9,8 @@ namespace tedavis::terrain {
 namespace {
 
 constexpr double kLeastVisibility = 0.05;
-constexpr double kFirstBand_px = 4096, kBandRatio = 4;
+constexpr double kFirstBand_px = 4096,
+                 kBandRatio = 4;  // from far more than a picture down to tau; each costs a look at all leaves
 constexpr double kNoBand = -std::numeric_limits<double>::infinity();
 
 float larger(float a, float b) { return a > b ? a : b; }
@@ -103,7 +104,7 @@ void LodRefinement::refine_with_causes() {
 void LodRefinement::refine_band(double least_px) {
     do {
         refine(least_px);
-    } while (queue_causes_of_errors(least_px) && comes_first() >= least_px);
+    } while (queue_causes_of_errors(least_px) && !(comes_first() < least_px));
 }
 
 /// Splits the worst first. What cannot be split is left, and what is less urgent may still fit.
@@ -257,11 +258,15 @@ LodStop LodRefinement::exceeded(const Load& load) const {
     return milliseconds(load) > settings_.max_ms ? LodStop::milliseconds : LodStop::met;
 }
 
+double LodRefinement::priority_of(const LodNode& node, double error_px) const {
+    const bool by_sight = priority_ == Priority::seen_error && error_px > 0;
+    return by_sight ? error_px * visibility(*node.entry, view_, settings_.haze_per_m) : error_px;
+}
+
 void LodRefinement::push(NodeIndex n, double error_px) {
     LodNode& node = tree_.node(n);
     node.is_queued = true;
-    node.priority = error_px;
-    if (priority_ == Priority::seen_error && error_px > 0) node.priority *= visibility(*node.entry, view_, settings_.haze_per_m);
+    node.priority = priority_of(node, error_px);
     heap_[queued_++] = n;
     std::push_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });
 }
@@ -325,8 +330,14 @@ LodStop LodRefinement::reason_for(NodeIndex leaf, NodeIndex raised_by) const {
 /// True when the leaf waits for its split now.
 bool LodRefinement::queue(NodeIndex leaf, double error_px) {
     if (leaf == kNoNode || tree_.node(leaf).is_tried) return false;
-    tree_.node(leaf).error_px = std::fmax(tree_.node(leaf).error_px, error_px);
-    if (!tree_.node(leaf).is_queued) push(leaf, error_px);
+    LodNode& node = tree_.node(leaf);
+    node.error_px = std::fmax(node.error_px, error_px);
+    const double priority = priority_of(node, error_px);
+    if (!node.is_queued) push(leaf, error_px);
+    if (node.priority < priority) {
+        node.priority = priority;
+        std::make_heap(heap_.begin(), heap_.begin() + queued_, [this](NodeIndex a, NodeIndex b) { return comes_after(a, b); });
+    }
     return true;
 }
 

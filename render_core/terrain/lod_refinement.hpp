@@ -63,6 +63,7 @@ private:
     void split_group();
     void add(const Child& child, NodeIndex parent);
     void push_large_texels(NodeIndex node);
+    [[nodiscard]] double priority_of(const LodNode& node, double error_px) const;
     void push(NodeIndex node, double error_px);
     [[nodiscard]] NodeIndex pop();
     [[nodiscard]] bool comes_after(NodeIndex a, NodeIndex b) const;

@@ -116,10 +116,10 @@ void LodSelector::collect(const ChunkCatalogue& catalogue, const View& view, con
         chunk.error_px = static_cast<float>(error_px);
         selected[result.chunks++] = chunk;
         const LodStop reason = error_px <= settings.tau_px ? LodStop::met : refinement.reason_for(n, raised_by);
-        if (reason != LodStop::at_data_limit) {
-            result.worst_coarse_px = std::max(result.worst_coarse_px, error_px);
-            result.worst_seen_px = std::max(result.worst_seen_px, error_px * visibility(*node.entry, view, settings.haze_per_m));
-        }
+        if (reason != LodStop::at_data_limit) result.worst_coarse_px = std::max(result.worst_coarse_px, error_px);
+        if (reason == LodStop::not_arrived)
+            result.worst_waiting_px =
+                std::max(result.worst_waiting_px, error_px * visibility(*node.entry, view, settings.haze_per_m));
         if (result.chunks > 1 && error_px <= result.worst_error_px) continue;
         result.worst_error_px = error_px;
         result.worst_chunk = node.key;

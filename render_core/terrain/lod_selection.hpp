@@ -4,12 +4,11 @@
 /// Refinement  from the roots: the chunk with the largest projected error in view is split first, after the neighbours that this
 ///             forces (2:1 across edges, round the Earth too). A split happens with all that it forces or not at all.
 /// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
-///             forbid tau, refinement starts again with error times visibility in that order, what neighbours do among it, and
-///             passes over splits that do not fit: the error stays where it is seen least. Visibility is
-///             exp(-distance * haze_per_m), 0.05 at least.
-/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; no part of the worst
-/// error,
-///             and after true errors where budgets end the refinement.
+///             forbid tau, refinement starts again and splits by error times visibility; what neighbours do to a chunk counts
+///             among its errors, and splits that do not fit are passed over. So the error stays where it is seen least.
+///             Visibility is exp(-distance * haze_per_m), 0.05 at least.
+/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; this is no part of the
+///             worst error, and comes after true errors where budgets end the refinement.
 /// Image       where a drape is shown and tau is met everywhere, chunks are split whose texels are large in view, the largest
 ///             first, with what the budgets leave. Should that take an error over tau, all is chosen again without.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
@@ -91,7 +90,7 @@ struct LodResult {
     double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;
     double worst_coarse_px = 0;       ///< of chunks that the data would allow to be finer
-    double worst_seen_px = 0;         ///< of these too, error times visibility
+    double worst_waiting_px = 0;      ///< of chunks that wait for finer ones to arrive: error times visibility
     ChunkKey worst_chunk = kNoChunk;  ///< kNoChunk: nothing in view
     LodStop reason = LodStop::met;
     bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn

@@ -51,6 +51,7 @@ TEST(BudgetFlight, OverTwelveGigabytesStaysWithinTheSmallestDevice) {
     const test_support::FlownBudget flown = test_support::BudgetFlight(database.string(), "es2-small", kSide, kLegs).fly();
     EXPECT_EQ(flown.changed_bytes, 0);
     EXPECT_EQ(flown.over_budget, 0);
+    EXPECT_EQ(flown.over_triangles, 0);
     EXPECT_LE(flown.cpu_bytes + flown.gpu_bytes, 64u << 20);
     EXPECT_EQ(flown.heap_calls, 0u);
     EXPECT_EQ(flown.without_terrain, 0);

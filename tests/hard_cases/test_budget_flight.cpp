@@ -25,6 +25,7 @@ TEST(BudgetFlight, OverHalfAGigabyteStaysWithinTheSmallestDevice) {
     EXPECT_EQ(flown.frames, 400);
     EXPECT_EQ(flown.changed_bytes, 0) << "of " << flown.cpu_bytes << " and " << flown.gpu_bytes;
     EXPECT_EQ(flown.over_budget, 0);
+    EXPECT_EQ(flown.over_triangles, 0);
     EXPECT_LE(flown.cpu_bytes + flown.gpu_bytes, 64u << 20);
     EXPECT_EQ(flown.heap_calls, 0u);
     EXPECT_EQ(flown.without_terrain, 0);

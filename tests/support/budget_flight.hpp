@@ -16,6 +16,7 @@
 namespace tedavis::test_support {
 
 struct FlownBudget {
+    int over_triangles = 0;  ///< frames that drew more than the device's budget
     int frames = 0, over_budget = 0, changed_bytes = 0, failing = 0;
     int without_terrain = 0;   ///< frames that neither show terrain nor say that it is taken away
     int taken_away = 0;        ///< because it would be too coarse: two frames after every jump wait for what is read
@@ -38,6 +39,7 @@ public:
     BudgetFlight(const std::string& database, const std::string& device, std::uint32_t region, int legs)
         : file_(std::move(platform::open_file(database.c_str()).value())),
           headless_("egl", device, kWidth, kHeight, &file_, garish_design()),
+          triangles_(shipped_device(device).triangle_budget),
           region_(region),
           legs_(legs) {}
 
@@ -104,7 +106,7 @@ private:
         const std::size_t ground = std::size_t{kWidth} * (kHeight - static_cast<std::size_t>(stop.first_ground_row));
         for (std::size_t n = 0; n < ground; ++n) flown.holes += pixels_[4 * n] == 0 ? 1 : 0;  // bottom row first
     }
-    static void note(const display::FrameRecord& record, FlownBudget& flown) {
+    void note(const display::FrameRecord& record, FlownBudget& flown) const {
         if (flown.frames++ == 0) {
             flown.cpu_bytes = record.bytes.cpu;
             flown.gpu_bytes = record.bytes.gpu;
@@ -116,6 +118,7 @@ private:
         flown.without_terrain += record.terrain.triangles == 0 && !taken_away ? 1 : 0;
         flown.taken_away += taken_away ? 1 : 0;
         flown.taken_away_later += taken_away && leg % 2 == 0 && frame % kFramesOfALeg >= kArrivalFrames ? 1 : 0;
+        flown.over_triangles += record.terrain.triangles > triangles_ ? 1 : 0;
         flown.failing += has_flag(record, "terrain.failing") ? 1 : 0;
         flown.mean_triangles += record.terrain.triangles;
     }
@@ -131,7 +134,7 @@ private:
 
     platform::FileByteSource file_;
     HeadlessDisplay headless_;
-    std::uint32_t region_;
+    std::uint32_t triangles_, region_;
     int legs_;
     host_sim::FractalTerrain ground_{1};
     host_sim::GeoidEgm96 geoid_ = host_sim::GeoidEgm96::installed();

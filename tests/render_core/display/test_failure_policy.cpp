@@ -353,6 +353,17 @@ TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColours) {
     }
 }
 
+TEST(FailurePolicy, TerrainWithoutItsImageIsSaid) {
+    DisplayConditions conditions = good_conditions();
+    conditions.image_is_missing = true;
+    const DisplayDecisions decisions = decide(everything_valid(), conditions);
+    EXPECT_TRUE(decisions.show_terrain);
+    EXPECT_TRUE(has_notice(decisions, "NO TERRAIN IMAGE"));
+    EXPECT_TRUE(has_flag(decisions, "terrain.no_image"));
+    conditions.terrain = TerrainSource::outside;
+    EXPECT_FALSE(has_notice(decide(everything_valid(), conditions), "NO TERRAIN IMAGE")) << "no terrain is shown";
+}
+
 TEST(FailurePolicy, CoarseTerrainIsShownAndSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.terrain_is_coarse = true;

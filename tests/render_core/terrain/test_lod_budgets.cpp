@@ -147,26 +147,5 @@ TEST(LodSelection, PartsInMemoryAreABudgetToo) {
     }
 }
 
-TEST(LodSelection, WhatTheDataAllowToBeFinerIsSeenThroughTheHaze) {
-    ResidentTdb catalogue(rough_region());
-    Selection selection;
-    LodSettings settings;
-    settings.max_triangles = 1500;
-    const View view = view_from(rough_region(), 200, 340, 3000, 0, -10);
-    const LodResult clear = selection.select(catalogue, view, settings);
-    ASSERT_GT(clear.worst_coarse_px, settings.tau_px);
-    EXPECT_EQ(clear.worst_seen_px, clear.worst_coarse_px);
-    settings.haze_per_m = 1e-3;
-    const LodResult hazy = selection.select(catalogue, view, settings);
-    EXPECT_LT(hazy.worst_seen_px, hazy.worst_coarse_px);
-    EXPECT_GE(hazy.worst_seen_px, 0.05 * hazy.worst_coarse_px);
-    settings.max_triangles = 250000;
-    settings.tau_px = 1e-4;
-    const LodResult fine = selection.select(catalogue, view, settings);
-    EXPECT_EQ(fine.reason, LodStop::at_data_limit);
-    EXPECT_GT(fine.worst_error_px, settings.tau_px);
-    EXPECT_LE(fine.worst_seen_px, settings.tau_px) << "the data allow no better";
-}
-
 }  // namespace
 }  // namespace tedavis::terrain

@@ -109,6 +109,26 @@ TEST(LodSelection, AViewThatTurnsFindsCoarserChunksBesideTheOld) {
     EXPECT_GT(rescued, 3);
 }
 
+TEST(LodSelection, WhatWaitsIsToldFromWhatBudgetsForbid) {
+    ResidentTdb catalogue(rough_region());
+    Selection selection;
+    LodSettings settings;
+    const View view = view_from(rough_region(), 200, 340, 3000, 0, -10);
+    settings.max_triangles = 1500;
+    const LodResult poor = selection.select(catalogue, view, settings);
+    ASSERT_GT(poor.worst_coarse_px, settings.tau_px);
+    EXPECT_EQ(poor.worst_waiting_px, 0);
+    settings.max_triangles = 250000;
+    catalogue.is_available = [](const ChunkKey& key) { return key.level + 1 >= rough_region().lattice().levels(); };
+    const LodResult early = selection.select(catalogue, view, settings, SelectionKind::drawn);
+    ASSERT_GT(early.worst_waiting_px, settings.tau_px);
+    EXPECT_EQ(early.worst_waiting_px, early.worst_coarse_px);
+    settings.haze_per_m = 1e-3;
+    const LodResult hazy = selection.select(catalogue, view, settings, SelectionKind::drawn);
+    EXPECT_LT(hazy.worst_waiting_px, hazy.worst_coarse_px) << "as far as it is seen";
+    EXPECT_GE(hazy.worst_waiting_px, 0.05 * hazy.worst_coarse_px);
+}
+
 TEST(LodSelection, MissingDirectoryPagesHoldTheRefinementUp) {
     ResidentTdb catalogue(rough_region());
     Selection selection;
