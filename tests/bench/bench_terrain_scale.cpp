@@ -54,7 +54,9 @@ struct Flown {
     test_support::FlownBudget flight;
 
     [[nodiscard]] bool is_right() const {
-        return flight.without_terrain + flight.taken_away_later + flight.holes + flight.changed_bytes + flight.over_budget + flight.failing == 0 &&
+        return flight.without_terrain + flight.taken_away_later + flight.holes + flight.changed_bytes + flight.over_budget +
+                       flight.failing ==
+                   0 &&
                flight.heap_calls == 0;
     }
     [[nodiscard]] double memory() const { return static_cast<double>(flight.cpu_bytes + flight.gpu_bytes); }
