@@ -37,9 +37,11 @@ Arguments arguments_of(int count, char** given) {
         const bool has_value = n + 1 < count;
         if (std::strcmp(given[n], "--json") == 0)
             arguments.json = true;
-        else if (std::strcmp(given[n], "--gigabytes") == 0 && has_value)
-            arguments.gigabytes = std::atof(given[++n]);
-        else if (std::strcmp(given[n], "--folder") == 0 && has_value)
+        else if (std::strcmp(given[n], "--gigabytes") == 0 && has_value) {
+            char* end = nullptr;
+            arguments.gigabytes = std::strtod(given[++n], &end);
+            arguments.right = arguments.right && *end == '\0';
+        } else if (std::strcmp(given[n], "--folder") == 0 && has_value)
             arguments.folder = given[++n];
         else
             arguments.right = false;
