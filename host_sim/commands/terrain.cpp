@@ -237,8 +237,9 @@ int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
     for (const ChunkViolation& violation : check.first) {
         json["violating_chunks"].push_back(
             {{"chunk", violation.chunk}, {"reason", violation.reason}, {"excess_m", violation.excess_m}});
-        if (json["violating_chunks"].size() <= 10)
-            text << "\n  chunk " << violation.chunk << ": " << violation.reason << " (" << violation.excess_m << " m)";
+        if (json["violating_chunks"].size() > 10) continue;
+        text << "\n  chunk " << violation.chunk << ": " << violation.reason;
+        if (violation.excess_m > 0) text << " (" << violation.excess_m << " m)";
     }
     console.result(text.str(), json_text(json));
     return check.violations == 0 ? 0 : 1;
