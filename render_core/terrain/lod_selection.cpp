@@ -23,6 +23,20 @@ bool is_nearer(const SelectedChunk& a, const SelectedChunk& b) {
     return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.key < b.key;
 }
 
+/// After all that is in view: what it may turn to, the most urgent first too. Parents come before their children. Returns how
+/// many are listed then.
+std::uint32_t add_siblings(LodTree& tree, base::Span<NodeIndex> list, std::uint32_t listed) {
+    for (NodeIndex n = 0; n < tree.size(); ++n) {
+        LodNode& node = tree.node(n);
+        if (node.priority != kNotNeeded || node.parent == kNoNode) continue;
+        const LodNode& parent = tree.node(node.parent);
+        if (parent.priority == kNotNeeded) continue;
+        node.priority = std::min(parent.priority, -1 / (2 + parent.error_px));
+        list[listed++] = n;
+    }
+    return listed;
+}
+
 double largest_root_lift_m(ChunkCatalogue& catalogue) {
     const Lattice& lattice = catalogue.lattice();
     const std::uint32_t top = lattice.levels() - 1;
@@ -143,12 +157,7 @@ std::uint32_t LodSelector::wanted(base::Span<WantedChunk> out) {
         double& above = tree_.node(node.parent).priority;
         above = std::max({above, node.priority, shown_without(node.parent)});
     }
-    for (NodeIndex n = 0; n < count; ++n) {
-        LodNode& node = tree_.node(n);
-        if (node.priority != kNotNeeded || node.parent == kNoNode || tree_.node(node.parent).priority == kNotNeeded) continue;
-        node.priority = -1 / (1 + tree_.node(node.parent).error_px);
-        heap_[needed++] = n;
-    }
+    needed = add_siblings(tree_, heap_, needed);
     sort(heap_.begin(), heap_.begin() + needed, [this](NodeIndex a, NodeIndex b) {
         const LodNode &first = tree_.node(a), &second = tree_.node(b);
         return first.priority != second.priority ? first.priority > second.priority : first.key < second.key;

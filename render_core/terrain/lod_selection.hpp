@@ -107,9 +107,9 @@ public:
     [[nodiscard]] LodResult select(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
                                    base::Span<SelectedChunk> selected);
 
-    /// What the last selection needs in memory: its chunks in view, and all through which it came to them. Most urgent first: by
-    /// the error that is shown without it, ancestors before their descendants. Returns how many; what does not fit is left out at
-    /// the end.
+    /// What the last selection needs in memory: its chunks in view and all through which it came to them; then their siblings,
+    /// for when the view turns. Most urgent first: by the error that is shown without it, ancestors before their descendants.
+    /// Returns how many; what does not fit is left out at the end.
     [[nodiscard]] std::uint32_t wanted(base::Span<WantedChunk> out);
 
     [[nodiscard]] const base::ResourceUse& use() const { return tree_.use(); }  ///< nodes

@@ -353,26 +353,22 @@ TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColours) {
     }
 }
 
-TEST(FailurePolicy, TerrainWithoutItsImageIsSaid) {
-    DisplayConditions conditions = good_conditions();
-    conditions.image_is_missing = true;
-    const DisplayDecisions decisions = decide(everything_valid(), conditions);
-    EXPECT_TRUE(decisions.show_terrain);
-    EXPECT_TRUE(has_notice(decisions, "NO TERRAIN IMAGE"));
-    EXPECT_TRUE(has_flag(decisions, "terrain.no_image"));
-    conditions.terrain = TerrainSource::outside;
-    EXPECT_FALSE(has_notice(decide(everything_valid(), conditions), "NO TERRAIN IMAGE")) << "no terrain is shown";
-}
-
-TEST(FailurePolicy, CoarseTerrainIsShownAndSaid) {
-    DisplayConditions conditions = good_conditions();
-    conditions.terrain_is_coarse = true;
-    const DisplayDecisions decisions = decide(everything_valid(), conditions);
-    EXPECT_TRUE(decisions.show_terrain);
-    EXPECT_TRUE(has_notice(decisions, "TERRAIN COARSE"));
-    EXPECT_TRUE(has_flag(decisions, "terrain.coarse"));
-    conditions.terrain = TerrainSource::outside;
-    EXPECT_FALSE(has_notice(decide(everything_valid(), conditions), "TERRAIN COARSE")) << "nothing is shown that could be coarse";
+TEST(FailurePolicy, TerrainThatIsNotAsItShouldBeIsShownAndSaid) {
+    struct Case {
+        bool DisplayConditions::*condition;
+        const char *notice, *flag;
+    };
+    for (const Case& said : {Case{&DisplayConditions::terrain_is_coarse, "TERRAIN COARSE", "terrain.coarse"},
+                             Case{&DisplayConditions::image_is_missing, "NO TERRAIN IMAGE", "terrain.no_image"}}) {
+        DisplayConditions conditions = good_conditions();
+        conditions.*said.condition = true;
+        const DisplayDecisions decisions = decide(everything_valid(), conditions);
+        EXPECT_TRUE(decisions.show_terrain);
+        EXPECT_TRUE(has_notice(decisions, said.notice));
+        EXPECT_TRUE(has_flag(decisions, said.flag));
+        conditions.terrain = TerrainSource::outside;
+        EXPECT_FALSE(has_notice(decide(everything_valid(), conditions), said.notice)) << "no terrain is shown";
+    }
 }
 
 TEST(FailurePolicy, AccuracyBeyondItsLimitDegrades) {
