@@ -12,6 +12,7 @@
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/budget_flight.hpp"
+#include "tests/support/fractal_posts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
@@ -74,7 +75,7 @@ Flown build_and_fly(const std::string& folder, std::uint32_t side) {
     if (!std::filesystem::exists(database)) host_sim::build_terrain(test_support::fractal_posts(side), database, {});
     Flown flown{static_cast<double>(std::filesystem::file_size(database)), 1e9, 1e9, {}};
     for (int n = 0; n < 2; ++n) {
-        flown.flight = test_support::BudgetFlight(database, "es2-small", kSmallest, kLegs).fly();
+        flown.flight = test_support::BudgetFlight(database, "es2-small", test_support::fractal_ground(kSmallest), kLegs).fly();
         flown.median_ms = std::min(flown.median_ms, flown.flight.quantile_ms(0.5));
         flown.slowest_ms = std::min(flown.slowest_ms, flown.flight.quantile_ms(0.99));
     }
