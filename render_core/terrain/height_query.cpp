@@ -86,7 +86,6 @@ base::Span<std::uint8_t> HeightQuery::payload(std::uint32_t kept) const {
     return payloads_.subspan(kept * kPayloadBytes, kPayloadBytes);
 }
 
-/// Null when the page is damaged or there is no such chunk.
 const ChunkEntry* HeightQuery::entry_of(const ChunkKey& key) {
     const std::uint32_t page_index = database_->lattice().page_index(key);
     std::uint32_t place = 0;
@@ -103,7 +102,7 @@ const ChunkEntry* HeightQuery::entry_of(const ChunkKey& key) {
     return entry.vertex_count == 0 ? nullptr : &entry;
 }
 
-/// From the top level down.
+/// From the top level down. Null when the way there is damaged.
 const ChunkEntry* HeightQuery::exact_entry(std::uint32_t i, std::uint32_t j) {
     for (std::uint32_t level = database_->levels(); level-- > 0;) {
         const std::uint32_t cells = kChunkCells << level;

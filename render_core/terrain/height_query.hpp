@@ -26,15 +26,16 @@ struct ExactChunk {
 
 class HeightQuery {
 public:
-    static constexpr std::uint32_t kKeptChunks = 5;  ///< four round a corner, and the one below the own ship
-    static constexpr std::uint32_t kKeptPages = kMaxLevels + 1;
+    static constexpr std::uint32_t kKeptChunks = 5;              ///< four round a corner, and the one below the own ship
+    static constexpr std::uint32_t kKeptPages = 2 * kMaxLevels;  ///< the way down from the top, and beside it
 
     [[nodiscard]] bool start(const TerrainDatabase& database, base::Arena& arena);
     [[nodiscard]] HeightAnswer at(double latitude_rad, double longitude_rad);
     /// The exact chunk over the lattice cell south-east of a post. It stays while no more than kKeptChunks are asked for.
     [[nodiscard]] ExactChunk exact_chunk(std::uint32_t i, std::uint32_t j);
-    /// The entry alone, without a look at its vertices; until the next question. Null when the way there is damaged.
-    [[nodiscard]] const ChunkEntry* exact_entry(std::uint32_t i, std::uint32_t j);
+    /// The entry of a chunk, without a look at its vertices; until the next question. Null when its page is damaged or there is
+    /// no such chunk.
+    [[nodiscard]] const ChunkEntry* entry_of(const ChunkKey& key);
     [[nodiscard]] const Lattice& lattice() const { return database_->lattice(); }
     [[nodiscard]] static std::uint64_t bytes_needed();
 
@@ -48,7 +49,7 @@ private:
         std::uint64_t asked;  ///< 0: empty
     };
     [[nodiscard]] base::Span<std::uint8_t> payload(std::uint32_t kept) const;
-    [[nodiscard]] const ChunkEntry* entry_of(const ChunkKey& key);
+    [[nodiscard]] const ChunkEntry* exact_entry(std::uint32_t i, std::uint32_t j);
     [[nodiscard]] std::uint32_t chunk_over(std::uint32_t i, std::uint32_t j);
 
     const TerrainDatabase* database_ = nullptr;

@@ -103,8 +103,8 @@ double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m
     const double depth = std::fmax(std::fmax(by_box, by_distance), view.near_m);
     const double error_px = error_m * view.focal_px * (across + off_axis * along) / depth;
     if (std::isnan(error_px)) return std::numeric_limits<double>::infinity();
-    // Close to the ground boxes say little, and the ground itself says more.
-    return error_m <= view.ground.margin_m ? std::fmin(error_px, error_m * view.ground.px_per_m) : error_px;
+    // A large box round the eye says little, and the ground itself says more.
+    return std::fmin(error_px, view.ground.px(error_m));
 }
 
 double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dvec2& up, double lift_m) {

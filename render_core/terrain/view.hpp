@@ -4,15 +4,28 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <type_traits>
 
 namespace tedavis::terrain {
 
-/// What is known of the true surface close to an eye: a vertical error of no more than margin_m moves no drawn point of it by
-/// more than px_per_m for each metre of error. Zeros: nothing is known.
+/// What is known of the true surface round an eye, for errors of several sizes (near_ground.hpp).
 struct NearGround {
-    double px_per_m = 0;
-    double margin_m = 0;
+    static constexpr int kMostSteps = 7;
+
+    /// A vertical error of no more than margin_m moves no drawn point by more than px_per_m for each metre of it.
+    struct Step {
+        double margin_m = 0, px_per_m = 0;
+    };
+    Step steps[kMostSteps];  ///< by ascending margins
+    int count = 0;
+
+    /// Infinite where nothing is known of so large an error.
+    [[nodiscard]] double px(double error_m) const {
+        for (int n = 0; n < count; ++n)
+            if (error_m <= steps[n].margin_m) return error_m * steps[n].px_per_m;
+        return std::numeric_limits<double>::infinity();
+    }
 };
 
 struct View {

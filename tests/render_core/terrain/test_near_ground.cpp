@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -96,48 +97,58 @@ std::optional<double> moved_px(const View& view, const earth::Geodetic& truth, d
     const glm::dvec3 t = earth::to_ecef(truth) - view.eye, d = earth::to_ecef(raised) - view.eye;
     const double depth = glm::dot(d, view.forward), true_depth = glm::dot(t, view.forward);
     const double x = glm::dot(d, view.right) / depth, y = glm::dot(d, view.down) / depth;
-    if (depth < view.near_m || std::abs(x) > view.half_width_tangent() || std::abs(y) > view.half_height_tangent())
+    if (depth < view.near_m || true_depth < view.near_m || std::abs(x) > view.half_width_tangent() ||
+        std::abs(y) > view.half_height_tangent())
         return std::nullopt;
     return view.focal_px * std::hypot(x - glm::dot(t, view.right) / true_depth, y - glm::dot(t, view.down) / true_depth);
 }
 
 struct Found {
     int poses = 0, known = 0, points = 0;
-    double greatest = 0, mean = 0;  ///< found over stated: of all, and of a pose's greatest
-    int over_half = 0;              ///< points that half the bound would not hold
+    double greatest[NearGround::kMostSteps]{};  ///< found over stated, of each step
+    double mean = 0;                            ///< of the poses' greatest, of the first step
+    int over_half = 0;                          ///< points that half the bound would not hold
+
+    [[nodiscard]] double greatest_of_all() const { return *std::max_element(std::begin(greatest), std::end(greatest)); }
 };
 
-/// Poses of every attitude close over the places that `pick` gives, and true places round them, most of them near.
+struct Heights {
+    double least_m = 1, most_m = 120;
+};
+
+/// Poses of every attitude over the places that `pick` gives, and true places round them, most of them near.
 Found search(
-    Ground& ground, int poses, const std::function<std::pair<double, double>(std::mt19937&)>& pick,
+    Ground& ground, int poses, const std::function<std::pair<double, double>(std::mt19937&)>& pick, const Heights& heights = {},
     const std::function<std::uint32_t(double, double)>& step = [](double, double) { return 1u; }) {
     std::mt19937 random(5);
     const auto uniform = [&random](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto magnitude = [&uniform](double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); };
     const double posts_per_m = 1 / (6.37e6 * radians(ground.tdb.database().header().step_lat_deg));
     Found found;
     for (int n = 0; n < poses; ++n, ++found.poses) {
         const auto [i, j] = pick(random);
-        const double above_m = std::exp(uniform(std::log(1), std::log(120)));
+        const double above_m = magnitude(heights.least_m, heights.most_m);
         const View view = ground.view(i, j, above_m, uniform(0, 360), n % 3 == 0 ? uniform(-90, 90) : uniform(-35, 10),
                                       n % 4 == 0 ? uniform(-180, 180) : 0, uniform(20, 100));
         const NearGround near = near_ground(ground.query, view);
-        if (near.margin_m == 0) continue;
+        if (near.count == 0) continue;
         ++found.known;
         double pose_greatest = 0;
         for (int k = 0; k < 3000; ++k) {
-            const double away = std::exp(uniform(std::log(0.05), std::log(600))) * posts_per_m, turn = uniform(0, 2 * base::kPi);
+            const double away = magnitude(0.05, 5 * heights.most_m) * posts_per_m, turn = uniform(0, 2 * base::kPi);
             const double at_i = i + 1.4 * away * std::cos(turn), at_j = j + away * std::sin(turn);
             const std::optional<earth::Geodetic> truth = ground.place(at_i, at_j, step(at_i, at_j));
             if (!truth) continue;
-            for (const double above : {-near.margin_m, near.margin_m})
+            const int tried = k % 2 == 0 ? 0 : k / 2 % near.count;
+            for (const double above : {-near.steps[tried].margin_m, near.steps[tried].margin_m})
                 if (const std::optional<double> px = moved_px(view, *truth, above)) {
-                    const double share = *px / (near.px_per_m * near.margin_m);
+                    const double share = *px / near.px(std::abs(above));
                     ++found.points;
                     found.over_half += share > 0.5 ? 1 : 0;
-                    pose_greatest = std::max(pose_greatest, share);
+                    found.greatest[tried] = std::max(found.greatest[tried], share);
+                    if (tried == 0) pose_greatest = std::max(pose_greatest, share);
                 }
         }
-        found.greatest = std::max(found.greatest, pose_greatest);
         found.mean += pose_greatest;
     }
     found.mean /= std::max(found.known, 1);
@@ -154,11 +165,20 @@ TEST(NearGround, NoPlaceMovesFurtherInThePicture) {
     Ground ground(rough());
     const Found found = search(ground, 250, anywhere);
     EXPECT_GT(found.points, 50'000);
-    EXPECT_GT(found.known, 0.8 * found.poses);
-    EXPECT_LE(found.greatest, 1);
-    EXPECT_GT(found.greatest, 0.9) << "the bound is tight";
+    EXPECT_EQ(found.known, found.poses);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    EXPECT_GT(found.greatest[0], 0.9) << "the bound is tight";
     EXPECT_GT(found.mean, 0.4) << "and not in one pose alone";
     EXPECT_GT(found.over_half, 1000) << "half of it would not hold";
+}
+
+TEST(NearGround, HighAboveItErrorsOfMetresAreBoundedToo) {
+    Ground ground(rough());
+    const Found found = search(ground, 200, anywhere, {100, 4000});
+    EXPECT_GT(found.points, 25'000);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    for (int step = 0; step < 5; ++step) EXPECT_GT(found.greatest[step], 0.5) << step;
+    EXPECT_GT(found.mean, 0.2);
 }
 
 TEST(NearGround, CornersOfChunksAndTheLatticesEnds) {
@@ -170,10 +190,10 @@ TEST(NearGround, CornersOfChunksAndTheLatticesEnds) {
         const double i = near(32.0 * static_cast<double>(random() % 6));
         return std::pair{i, near(32.0 * static_cast<double>(random() % 6))};
     });
-    EXPECT_GT(found.known, 0.8 * found.poses);
+    EXPECT_EQ(found.known, found.poses);
     EXPECT_GT(found.points, 20'000);
-    EXPECT_LE(found.greatest, 1);
-    EXPECT_GT(found.greatest, 0.85);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    EXPECT_GT(found.greatest[0], 0.85);
 }
 
 /// Cliffs of hundreds of metres beside the eye: no slope says how far the ground is.
@@ -183,8 +203,8 @@ TEST(NearGround, StepsBesideTheEye) {
     Ground ground(spec);
     const Found found = search(ground, 150, anywhere);
     EXPECT_GT(found.points, 30'000);
-    EXPECT_LE(found.greatest, 1);
-    EXPECT_GT(found.greatest, 0.9);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    EXPECT_GT(found.greatest[0], 0.9);
 }
 
 TEST(NearGround, GroundBesideAVoidCountsAndTheVoidDoesNot) {
@@ -195,11 +215,11 @@ TEST(NearGround, GroundBesideAVoidCountsAndTheVoidDoesNot) {
     Ground ground(spec);
     const Found found = search(ground, 150, anywhere);
     EXPECT_GT(found.points, 10'000);
-    EXPECT_LE(found.greatest, 1);
-    EXPECT_GT(found.greatest, 0.85);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    EXPECT_GT(found.greatest[0], 0.85);
     spec.post_class = [](std::uint32_t, std::uint32_t) { return PostClass::void_; };
     Ground nothing(spec);
-    EXPECT_EQ(near_ground(nothing.query, nothing.view(50, 50, 3, 0, -20)).margin_m, 0);
+    EXPECT_EQ(near_ground(nothing.query, nothing.view(50, 50, 3, 0, -20)).px(1), 0) << "no error where no surface is";
 }
 
 TEST(NearGround, FinerPostsBesideCoarserOnes) {
@@ -214,10 +234,10 @@ TEST(NearGround, FinerPostsBesideCoarserOnes) {
             const double i = std::uniform_real_distribution<double>(100, 140)(random);
             return std::pair{i, std::uniform_real_distribution<double>(1, 127)(random)};
         },
-        step);
+        {}, step);
     EXPECT_GT(found.points, 10'000);
-    EXPECT_LE(found.greatest, 1);
-    EXPECT_GT(found.greatest, 0.8);
+    EXPECT_LE(found.greatest_of_all(), 1);
+    EXPECT_GT(found.greatest[0], 0.8);
 }
 
 TEST(NearGround, AcrossTheAntimeridianAsAnywhere) {
@@ -230,9 +250,9 @@ TEST(NearGround, AcrossTheAntimeridianAsAnywhere) {
         for (const double above_m : {1.5, 12.0}) {
             const NearGround a = near_ground(here.query, here.view(i, 60.3, above_m, 20 * i, -12)),
                              b = near_ground(there.query, there.view(i, 60.3, above_m, 20 * i, -12));
-            EXPECT_NEAR(b.px_per_m / a.px_per_m, 1, 0.02) << "but for the rounding of posts";
-            EXPECT_EQ(a.margin_m, b.margin_m);
-            known += a.margin_m > 0 ? 1 : 0;
+            EXPECT_NEAR(b.px(0.01) / a.px(0.01), 1, 0.02) << "but for the rounding of posts";
+            EXPECT_EQ(a.count, b.count);
+            known += a.count > 0 ? 1 : 0;
         }
     EXPECT_GT(known, 40);
 }
@@ -255,70 +275,81 @@ TEST(NearGround, RoundTheEarthTheSeamIsNoEnd) {
             View away = ground.view(base_i < 1440 ? base_i + 1440 : base_i - 1440, 16.4, 400, 70, -8);
             seam.near_m = away.near_m = 8;
             const NearGround a = near_ground(ground.query, seam), b = near_ground(ground.query, away);
-            EXPECT_GT(a.margin_m, 0);
-            EXPECT_NEAR(a.px_per_m / b.px_per_m, 1, 0.05) << i << ": so far apart, posts are rounded to metres";
+            EXPECT_GT(a.count, 0);
+            EXPECT_NEAR(a.px(0.01) / b.px(0.01), 1, 0.05) << i << ": so far apart, posts are rounded to metres";
         }
 }
 
-TEST(NearGround, NothingIsSaidWhereNothingIsKnown) {
-    Ground ground(rough());
-    const auto margin_m = [&ground](const View& view) { return near_ground(ground.query, view).margin_m; };
+/// Beyond what a look at the posts can say, boxes bound it; and what cannot be bounded is not said.
+TEST(NearGround, WhatCannotBeReadIsBoundedByWhatIsLarger) {
+    Ground ground(rough()), fresh(rough()), deaf(rough());
     const View close = ground.view(70, 70, 3, 40, -10);
-    EXPECT_GT(margin_m(close), 0);
-    EXPECT_EQ(margin_m(ground.view(70, 70, 5000, 40, -30)), 0) << "high above";
-    EXPECT_EQ(margin_m(ground.view(-3, 70, 3, 40, -10)), 0) << "beside the lattice";
-    View strange = close;
-    strange.near_m = 1e-9;
-    EXPECT_EQ(margin_m(strange), 0) << "the chunks' own errors are more";
-    strange = close;
-    strange.near_m = 0;
-    EXPECT_EQ(margin_m(strange), 0);
+    EXPECT_GT(near_ground(fresh.query, fresh.view(70, 70, 3000, 40, -10)).count, 0) << "from high above, entries are enough";
+    fresh.bytes.fails = deaf.bytes.fails = true;
+    const double by_near_plane =
+        0.01 * close.focal_px / close.near_m * std::hypot(1, close.half_width_tangent(), close.half_height_tangent());
+    EXPECT_GT(near_ground(fresh.query, close).px(0.01), near_ground(ground.query, close).px(0.01)) << "posts cannot be had";
+    EXPECT_LE(near_ground(fresh.query, close).px(0.01), 1.1 * by_near_plane) << "nothing is drawn nearer than that";
+    EXPECT_TRUE(std::isinf(near_ground(deaf.query, close).px(0.01))) << "nothing can be had";
+    EXPECT_TRUE(std::isinf(near_ground(ground.query, close).px(1e4))) << "larger than any margin";
+}
+
+TEST(NearGround, NothingIsSaidOfViewsThatAreNone) {
+    Ground ground(rough());
+    const View close = ground.view(70, 70, 3, 40, -10);
+    EXPECT_GT(near_ground(ground.query, close).count, 0);
     for (const double number : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-        strange = close;
+        View strange = close;
         strange.eye.x = number;
-        EXPECT_EQ(margin_m(strange), 0);
+        EXPECT_EQ(near_ground(ground.query, strange).count, 0);
         strange = close;
         strange.forward = glm::dvec3(number);
-        EXPECT_EQ(margin_m(strange), 0);
+        EXPECT_EQ(near_ground(ground.query, strange).count, 0);
+        strange = close;
+        strange.focal_px = number;
+        EXPECT_EQ(near_ground(ground.query, strange).count, 0);
     }
-    Ground fresh(rough());
-    fresh.bytes.fails = true;
-    EXPECT_EQ(near_ground(fresh.query, close).margin_m, 0) << "posts cannot be had";
+}
 
+TEST(NearGround, BesideThePoleAsAnywhere) {
     TdbSpec spec = test_support::whole_earth(145, 73);
     spec.height_m = [](std::uint32_t, std::uint32_t) { return 50.0; };
     spec.measured = false;
     Ground earth(spec);
-    EXPECT_EQ(near_ground(earth.query, earth.view(20, 1.5, 100, 0, -10)).margin_m, 0) << "beside a pole";
+    const View view = earth.view(20, 1.5, 2000, 0, -10);
+    const NearGround near = near_ground(earth.query, view);
+    ASSERT_GT(near.count, 0);
+    EXPECT_LT(near.px(1), view.focal_px / 500);
 }
 
-TEST(NearGround, HigherIsLessAndWiderIsMore) {
+TEST(NearGround, HigherIsLessWiderIsMoreAndLargerErrorsAreMore) {
     Ground ground(rough());
     double last = std::numeric_limits<double>::infinity();
-    for (const double above_m : {2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
-        const double px = near_ground(ground.query, ground.view(70.5, 64.2, above_m, 0, -90)).px_per_m;
-        EXPECT_LT(px, last);
-        last = px;
+    for (const double above_m : {2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 512.0, 2048.0}) {
+        const NearGround near = near_ground(ground.query, ground.view(70.5, 64.2, above_m, 0, -90));
+        EXPECT_LT(near.px(0.01), last);
+        last = near.px(0.01);
+        for (int n = 1; n < near.count; ++n) EXPECT_GE(near.steps[n].px_per_m, near.steps[n - 1].px_per_m);
     }
     for (int n = 0; n < 60; ++n) {
         View view = ground.view(40 + n, 80.3, 2 + n % 7, 37 * n, n - 50);
-        const double narrow = near_ground(ground.query, view).px_per_m;
+        const double narrow = near_ground(ground.query, view).px(0.01);
         view.width = 1400;
         view.height = 1000;
-        EXPECT_GE(near_ground(ground.query, view).px_per_m, narrow);
+        EXPECT_GE(near_ground(ground.query, view).px(0.01), narrow);
     }
     const View up = ground.view(70.5, 64.2, 2, 0, 90);
-    EXPECT_LT(near_ground(ground.query, up).px_per_m, up.focal_px / 50) << "the sky alone is in view";
+    EXPECT_LT(near_ground(ground.query, up).px(0.01), 0.01 * up.focal_px / 50) << "the sky alone is in view";
 }
 
 TEST(NearGround, AsksForFewChunksAndKeepsThem) {
     Ground ground(rough());
     const View corner = ground.view(64.01, 64.01, 2, 0, -10);
-    EXPECT_GT(near_ground(ground.query, corner).margin_m, 0);
+    EXPECT_GT(near_ground(ground.query, corner).count, 0);
     const int reads = ground.bytes.reads;
     const NearGround again = near_ground(ground.query, corner);
     EXPECT_EQ(ground.bytes.reads, reads);
-    EXPECT_EQ(again.px_per_m, near_ground(ground.query, corner).px_per_m);
+    EXPECT_EQ(again.px(0.01), near_ground(ground.query, corner).px(0.01));
 }
 
 }  // namespace

@@ -153,14 +153,17 @@ TEST(ProjectedError, TheGroundNearTheEyeTightensErrorsWithinItsMargin) {
     view.near_m = 1;
     const ChunkEntry& entry = rough().entry({0, 2, 2});
     const double unknown_px = error_in_box_px(entry, view, 0.01, 0);
-    view.ground = {20, 0.02};
+    const auto knows = [](double margin_m, double px_per_m) { return NearGround{{{margin_m, px_per_m}}, 1}; };
+    view.ground = knows(0.02, 20);
     EXPECT_DOUBLE_EQ(error_in_box_px(entry, view, 0.01, 0), 0.2);
     EXPECT_DOUBLE_EQ(error_in_box_px(entry, view, 0.01, 1), 0.2);
     EXPECT_LT(0.2, unknown_px);
     EXPECT_GT(error_in_box_px(entry, view, 0.03, 0), 2 * unknown_px) << "beyond the margin nothing is known";
-    view.ground = {1e6, 0.02};
+    view.ground = {{{0.02, 20}, {0.08, 22}}, 2};
+    EXPECT_DOUBLE_EQ(error_in_box_px(entry, view, 0.03, 0), 0.66) << "unless it is of larger errors";
+    view.ground = knows(0.02, 1e6);
     EXPECT_EQ(error_in_box_px(entry, view, 0.01, 0), unknown_px) << "never more than without";
-    view.ground = {std::nan(""), 0.02};
+    view.ground = knows(0.02, std::nan(""));
     EXPECT_EQ(error_in_box_px(entry, view, 0.01, 0), unknown_px);
     EXPECT_EQ(error_in_box_px(entry, view, 0, 0), 0);
 }
