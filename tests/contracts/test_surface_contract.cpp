@@ -26,6 +26,7 @@ struct Variant {
     std::string backend;
     std::string device;
 };
+void PrintTo(const Variant& variant, std::ostream* out) { *out << variant.device << " on " << variant.backend; }
 
 std::vector<Variant> variants() {
     std::vector<Variant> all;

@@ -32,6 +32,7 @@ struct Journey {
     double from_latitude_deg, from_longitude_deg, to_latitude_deg, to_longitude_deg, height_m;
     double least_error_px;  ///< that must be found somewhere: the control
 };
+void PrintTo(const Journey& journey, std::ostream* out) { *out << journey.name; }
 
 const Journey kJourneys[] = {
     {"Antimeridian", {320, 240, 179.86, 46.8, 1 / 1200.0, 1 / 1200.0}, 46.7, 179.95, 46.72, 180.03, 5200, 0.05},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Ground {
     std::string file;
     std::uint32_t pictures;  ///< poses to draw: the whole raster is projected for each without void ground
 };
+inline void PrintTo(const Ground& ground, std::ostream* out) { *out << ground.name; }
 
 inline std::vector<Ground> grounds() {
     const std::string folder = std::string(TEDAVIS_REAL_DATA) + "/terrain/";

@@ -80,6 +80,7 @@ struct Fault {
     int line;
     const char* says;
 };
+void PrintTo(const Fault& fault, std::ostream* out) { *out << "line " << fault.line << ": " << fault.says; }
 class BoardFault : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BoardFault, IsNamedWithFileAndLine) {

@@ -16,6 +16,7 @@ using test_support::triangle_program_source;
 struct Place {
     std::string backend, device;
 };
+void PrintTo(const Place& place, std::ostream* out) { *out << place.device << " on " << place.backend; }
 
 class ProgramTest : public testing::TestWithParam<Place> {
 protected:
