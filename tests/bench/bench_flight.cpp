@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
@@ -67,10 +68,23 @@ std::vector<bench::BenchResult> results_of(Flown with, Flown without) {
             {"frame time with terrain / without", ratio, "ratio", most, drawn && ratio <= most, 1}};
 }
 
+constexpr double kLeastStep_s = 0.02, kMostStep_s = 60;
+
 struct Arguments {
-    bool json = false, right = true;
+    bool json = false;
     double step_s = 0.5;
+    std::string fault;  ///< a sentence; empty where all is right
 };
+
+void take_step(const char* given, Arguments& arguments) {
+    char* end = nullptr;
+    arguments.step_s = std::strtod(given, &end);
+    if (end != given && *end == '\0' && arguments.step_s >= kLeastStep_s && arguments.step_s <= kMostStep_s) return;
+    char sentence[160];
+    std::snprintf(sentence, sizeof sentence, "--step '%.40s' is no number of seconds from %g to %g; give one, or leave it out",
+                  given, kLeastStep_s, kMostStep_s);
+    arguments.fault = sentence;
+}
 
 Arguments arguments_of(int count, char** given) {
     Arguments arguments;
@@ -78,11 +92,10 @@ Arguments arguments_of(int count, char** given) {
         if (std::strcmp(given[n], "--json") == 0)
             arguments.json = true;
         else if (std::strcmp(given[n], "--step") == 0 && n + 1 < count)
-            arguments.step_s = std::atof(given[++n]);
+            take_step(given[++n], arguments);
         else
-            arguments.right = false;
+            arguments.fault = "'" + std::string(given[n]) + "' is not understood; use --json and --step SECONDS";
     }
-    arguments.right = arguments.right && arguments.step_s >= 0.02 && arguments.step_s <= 60;
     return arguments;
 }
 
@@ -90,8 +103,8 @@ Arguments arguments_of(int count, char** given) {
 
 int main(int count, char** given) {
     const Arguments arguments = arguments_of(count, given);
-    if (!arguments.right) {
-        std::fprintf(stderr, "bench_flight: usage: bench_flight [--json] [--step 0.02..60]\n");
+    if (!arguments.fault.empty()) {
+        std::fprintf(stderr, "bench_flight: %s\n", arguments.fault.c_str());
         return 2;
     }
     const test_support::TemporaryFolder folder;
