@@ -47,11 +47,11 @@ public:
         line = trimmed(line);
         if (line.empty() || line.front() == '#') return;
         if (header_seen_) return read_row(line);
-        if (line != kHeader) refuse("the first line must name the columns: " + std::string(kHeader));
+        if (line != kHeader) refuse("the first line does not name the columns; write '" + std::string(kHeader) + "'");
         header_seen_ = true;
     }
     [[nodiscard]] std::vector<Row> finish() {
-        if (rows_.empty()) refuse("a tour needs the line '" + std::string(kHeader) + "' and at least one point below it");
+        if (rows_.empty()) refuse("no point is in the tour; write the line '" + std::string(kHeader) + "' and points below it");
         return std::move(rows_);
     }
 

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
+#include <optional>
 #include <random>
 #include <regex>
 
 #include "tests/support/program_samples.hpp"
 #include "tests/support/running_program.hpp"
+#include "tests/support/virtual_screen.hpp"
 
 namespace tedavis::tests {
 namespace {
@@ -21,6 +24,7 @@ using ::testing::Not;
 
 enum class Fault { missing, folder, empty, truncated, wrong_kind, noise };
 constexpr Fault kFaults[] = {Fault::missing, Fault::folder, Fault::empty, Fault::truncated, Fault::wrong_kind, Fault::noise};
+constexpr int kInterrupted = 130;
 constexpr const char* kFaultNames[] = {"missing", "folder", "empty", "truncated", "wrong_kind", "noise"};
 
 /// A place of a command line that takes a file. In `words`, @IN stands for that file, @OUT for an empty folder, and
@@ -32,6 +36,7 @@ struct Slot {
     const char* other;   ///< a sound file of another kind
     bool cut_is_found;   ///< a record by itself is whole in some formats, so that half a file is a shorter one
     bool empty_is_sound = false;
+    bool in_window = false;  ///< on a screen in memory; it runs until it is interrupted
 };
 
 const std::vector<Slot>& slots() {
@@ -70,6 +75,13 @@ const std::vector<Slot>& slots() {
         {"replay_design", with(kReplay, {"@run.log", "--design", "@IN"}), "design.toml", "device.toml", true},
         {"replay_device", with(kReplay, {"@run.log", "--device", "@IN"}), "device.toml", "panel.toml", true},
         {"replay_bus", with(kReplay, {"@run.log", "--bus", "@IN"}), "bus.toml", "device.toml", true, true},
+        {"replay_tour",
+         {"replay", "@run.log", "--size", "64x48", "--window", "--tour", "@IN", "-o", "@OUT/run"},
+         "tour.csv",
+         "flight.csv",
+         true,
+         false,
+         true},
         {"replay_config", {"replay", "--config", "@IN", "-o", "@OUT/run"}, "replay.toml", "design.toml", true},
         {"sheet",
          {"sheet", "@IN", "--size", "64x48", "--terrain", "@terrain.tdb", "-o", "@OUT/run"},
@@ -170,6 +182,10 @@ void expect_refusal(const ProgramResult& result, const std::string& where) {
 
 class BadInput : public ::testing::TestWithParam<std::size_t> {
 protected:
+    BadInput() {
+        if (slots()[GetParam()].in_window) screen_.emplace();
+    }
+
     /// Runs the slot with a file and looks at what came of it.
     static void expect(const Slot& slot, Fault fault) {
         const FaultyFile input(slot, fault);
@@ -185,6 +201,9 @@ protected:
         expect_refusal(result, slot.sample);
         EXPECT_EQ(output.entries(), 0u) << "something was left behind";
     }
+
+private:
+    std::optional<test_support::VirtualScreen> screen_;
 };
 
 TEST_P(BadInput, IsRefusedInOneSentence) {
@@ -199,8 +218,13 @@ TEST_P(BadInput, WhileASoundFileIsTaken) {
     const test_support::TemporaryFolder output;
     const auto words = command_line(slot.words, ProgramSamples::path(slot.sample), ProgramSamples::path("run"), output.path());
     SCOPED_TRACE(joined(words));
-    const ProgramResult result = test_support::run_program(words);
-    EXPECT_EQ(result.code, 0) << result.err;
+    ProgramSetting setting;
+    if (slot.in_window) {
+        setting.signal = SIGINT;
+        setting.signal_when = [&] { return output.entries() > 0; };
+    }
+    const ProgramResult result = test_support::run_program(words, setting);
+    EXPECT_EQ(result.code, slot.in_window ? kInterrupted : 0) << result.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryCommand, BadInput, ::testing::Range(std::size_t{0}, slots().size()),

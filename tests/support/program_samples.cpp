@@ -82,6 +82,12 @@ std::string image() {
     return text;
 }
 
+/// Cut anywhere behind its first line, its last row is short.
+std::string tour() {
+    return "time_s,latitude_deg,longitude_deg,altitude_m,heading_deg,pitch_deg,roll_deg\n"
+           "0,46.98,10.02,3500,0,-10,0\n20,46.99,10.03,3400,20,-5,0\n";
+}
+
 void run(const std::vector<std::string>& words) {
     std::vector<std::string> line = words;
     line.insert(line.begin(), ProgramSamples::program());
@@ -100,7 +106,7 @@ void ProgramSamples::make(const std::string& name) const {
         {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
     static const std::map<std::string, std::string (*)()> kWritten = {
         {"flight.igc", igc},           {"flight.gpx", gpx},   {"flight.json", json}, {"flight.csv", csv},
-        {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image}};
+        {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image},  {"tour.csv", tour}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {
         std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
     } else if (const auto written = kWritten.find(name); written != kWritten.end()) {

@@ -61,10 +61,10 @@ TEST(CameraTour, SaysWhatIsWrongAndWhere) {
     const auto refused = [](const std::string& text, const std::string& words) {
         expect_user_error([&] { tour_of(text); }, words);
     };
-    refused("", "path.csv:0: a tour needs the line");
-    refused(kHeader, "path.csv:1: a tour needs");
-    refused("# only\n# comments\n", "path.csv:2: a tour needs");
-    refused("0,1,2,3,4,5,6\n", "path.csv:1: the first line must name the columns");
+    refused("", "path.csv:0: no point is in the tour; write the line");
+    refused(kHeader, "path.csv:1: no point is in the tour; write");
+    refused("# only\n# comments\n", "path.csv:2: no point is in the tour; write");
+    refused("0,1,2,3,4,5,6\n", "path.csv:1: the first line does not name the columns; write");
     refused(kHeader + "0,1,2,3,4,5\n", "path.csv:2: not 7 values");
     refused(kHeader + "0,1,2,3,4,5,6,7\n", "path.csv:2: not 7 values");
     refused(kHeader + "0,1,2,high,4,5,6\n", "path.csv:2: altitude_m 'high' is not a number from -1000 to 100000");
@@ -73,7 +73,7 @@ TEST(CameraTour, SaysWhatIsWrongAndWhere) {
     refused(kHeader + "0,1,inf,3,4,5,6\n", "longitude_deg 'inf'");
     refused(kHeader + "0,,2,3,4,5,6\n", "latitude_deg ''");
     refused(kHeader + "\n0,1,2,3,4,5,6\n0,1,2,3,4,5,6\n", "path.csv:4: time_s does not rise");
-    refused(std::string("\x89PNG\r\n\x1a\n", 8), "path.csv:1: the first line must name");
+    refused(std::string("\x89PNG\r\n\x1a\n", 8), "path.csv:1: the first line does not name");
 }
 
 }  // namespace
