@@ -63,7 +63,9 @@ BoardError DisplayApplication::start_display() {
     settings.height_px = settings_.height_px;
     const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return {};
-    return make_board_error({settings_.terrain.view(), settings_.terrain.empty() ? "" : ": ", error.sentence.view()});
+    if (const std::string_view fault = display::database_fault(error.sentence.view()); !fault.empty())
+        return make_board_error({settings_.terrain.view(), ": ", fault});
+    return make_board_error({"device '", settings_.device.name.view(), "': ", error.sentence.view()});
 }
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {

@@ -23,8 +23,8 @@ effects::DeviceSettings load_device(const std::string& name) {
 
 /// The display starts with one sentence for all; memory, programs and their limits come from the device file.
 std::string with_file(const std::string& sentence, const std::string& device, const std::string& terrain) {
-    const std::string_view database = "the terrain database ";
-    return sentence.rfind(database, 0) == 0 ? terrain + ": " + sentence.substr(database.size()) : device + ": " + sentence;
+    const std::string_view fault = display::database_fault(sentence);
+    return fault.empty() ? device + ": " + sentence : terrain + ": " + std::string(fault);
 }
 
 SurfaceMaker headless_surface(GlChoice gl) {

@@ -22,6 +22,8 @@ constexpr std::uint32_t kSlotsBeside = 24;
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
+constexpr std::string_view kOfDatabase = "the terrain database ";
+
 terrain::View seen_soon(const terrain::View& view) {
     terrain::View wider = view;
     wider.width = view.width * kAheadPercent / 100;
@@ -50,10 +52,15 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
 }
 
 gl::GlError database_error(const terrain::TdbFailure& failure) {
-    return gl::make_error("the terrain database ", terrain::describe(failure).view());
+    return gl::make_error(kOfDatabase, terrain::describe(failure).view());
 }
 
 }  // namespace
+
+std::string_view database_fault(std::string_view sentence) {
+    const bool is_one = sentence.substr(0, kOfDatabase.size()) == kOfDatabase;
+    return is_one ? sentence.substr(kOfDatabase.size()) : std::string_view();
+}
 
 std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device) {
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));

@@ -46,6 +46,9 @@ struct TerrainPlan {
     bool is_failing = false;    ///< parts of it cannot be had
 };
 
+/// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
+[[nodiscard]] std::string_view database_fault(std::string_view sentence);
+
 class TerrainScene {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);

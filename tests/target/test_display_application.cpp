@@ -134,13 +134,21 @@ TEST_F(DisplayApplicationTest, WhatCannotStartSaysWhy) {
     EXPECT_THAT(refusal(), HasSubstr(folder.file("absent.tdb")));
     settings.terrain =
         Path(folder.write("text.tdb", "this is no terrain database, but it is long enough for a header" + std::string(500, '.')));
-    EXPECT_THAT(refusal(), HasSubstr(folder.file("text.tdb")));
+    EXPECT_EQ(refusal(),
+              folder.file("text.tdb") + ": is not a terrain database (offset 0); name a file that 'tedavis terrain build' wrote");
+    std::string damaged(embedded_inputs().terrain.begin(), embedded_inputs().terrain.end());
+    damaged[100] = static_cast<char>(damaged[100] ^ 8);
+    settings.terrain = Path(folder.write("damaged.tdb", damaged));
+    EXPECT_EQ(refusal(), folder.file("damaged.tdb") +
+                             ": has a damaged header (offset 0); get a whole copy, or build it again "
+                             "with 'tedavis terrain build'");
     settings = board_settings();
     settings.surface = base::FixedString<15>("kms");
     EXPECT_EQ(refusal(), "[surface]: the surface 'kms' is not known; use egl or osmesa");
     settings = board_settings();
     settings.device.budget.find(effects::kLodScratch)->bytes = 8;
-    EXPECT_THAT(refusal(), HasSubstr("lod_scratch"));
+    EXPECT_EQ(refusal(),
+              "device 'es2-small': the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
 }
 
 TEST_F(DisplayApplicationTest, WithoutTerrainItRuns) {
