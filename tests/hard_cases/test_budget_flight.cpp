@@ -22,10 +22,11 @@ TEST(BudgetFlight, OverHalfAGigabyteStaysWithinTheSmallestDevice) {
     const test_support::TemporaryFolder folder;
     host_sim::build_terrain(test_support::fractal_posts(kSide), folder.file("t.tdb"), {});
     ASSERT_GE(std::filesystem::file_size(folder.file("t.tdb")), kLeastBytes);
-    const test_support::FlownBudget flown =
-        test_support::BudgetFlight(folder.file("t.tdb"), "es2-small", test_support::fractal_ground(kSide), kLegs).fly();
+    test_support::BudgetFlight flight(folder.file("t.tdb"), "es2-small", test_support::fractal_ground(kSide), kLegs);
+    const test_support::FlownBudget flown = flight.fly();
     EXPECT_EQ(flown.frames, 400);
     test_support::expect_within_device(flown, kLegs);
+    EXPECT_EQ(flight.slowest_refinement(), test_support::BudgetFlight::kArrivalFrames);
     std::printf("%.0f triangles, taken away in %d frames, %.1f ms (p99 %.1f ms) of processor time\n", flown.mean_triangles,
                 flown.taken_away, flown.quantile_ms(0.5), flown.quantile_ms(0.99));
 }

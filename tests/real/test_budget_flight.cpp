@@ -89,6 +89,7 @@ TEST_P(BudgetFlightOverMountains, LowStaysWithinTheSmallestDeviceAndStatesItsErr
                 flown.quantile_ms(0.99));
     EXPECT_GT(flown.proved_whole, flown.frames / 2) << "control";
     EXPECT_GT(flown.raised, 0) << "control: the device is too small for some of it";
+    EXPECT_EQ(flight.slowest_refinement(), BudgetFlight::kArrivalFrames);
     expect_true_skylines(flight);
 }
 

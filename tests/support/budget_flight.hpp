@@ -79,6 +79,25 @@ public:
         std::sort(flown.milliseconds.begin(), flown.milliseconds.end());
         return flown;
     }
+    /// Frames from the jump to a leg's beginning until the picture stays as it is; the most of all legs.
+    [[nodiscard]] int slowest_refinement() {
+        constexpr int kWatched = 8;
+        int slowest = 0;
+        for (std::size_t n = 0; n < route_.size(); n += kFramesOfALeg) {
+            std::vector<std::vector<std::uint8_t>> pictures;
+            headless_.display().set_free_view(route_[n].view);
+            const flight::AircraftState state = aircraft_at(route_[n].ship);
+            for (int frame = 0; frame < kWatched; ++frame) {
+                headless_.display().update(state, {}, host_sim::kPosedTime);
+                pictures.push_back(drawn_pixels(headless_));
+            }
+            const std::vector<std::uint8_t> last = settled_pixels(headless_, state, host_sim::kPosedTime);
+            int frame = kWatched;
+            while (frame > 0 && pictures[static_cast<std::size_t>(frame - 1)] == last) --frame;
+            slowest = std::max(slowest, frame);
+        }
+        return slowest;
+    }
     [[nodiscard]] static bool has_flag(const display::FrameRecord& record, std::string_view name) {
         return std::any_of(record.flags.begin(), record.flags.end(),
                            [&](const display::Name& flag) { return flag.view() == name; });
