@@ -14,6 +14,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
 #include "render_core/terrain/regular_chunk.hpp"
+#include "tests/support/surface_gap.hpp"
 
 namespace tedavis::test_support {
 
@@ -28,26 +29,6 @@ void append(std::vector<std::uint8_t>& bytes, const void* data, std::size_t coun
     const std::size_t at = bytes.size();
     bytes.resize(at + count);
     if (count > 0) std::memcpy(bytes.data() + at, data, count);
-}
-
-/// Weights of a lattice place in a triangle whose corners have lattice places; a corner at a pole lies on every meridian.
-/// False outside.
-bool weigh(const double (&i)[3], const double (&j)[3], const bool (&pole)[3], double pi, double pj, double (&w)[3]) {
-    const int poles = int(pole[0]) + int(pole[1]) + int(pole[2]);
-    if (poles > 1) return false;
-    if (poles == 1) {
-        const int apex = pole[0] ? 0 : (pole[1] ? 1 : 2), a = (apex + 1) % 3, b = (apex + 2) % 3;
-        const double s = (pi - i[a]) / (i[b] - i[a]), t = (pj - j[apex]) / (j[a] + s * (j[b] - j[a]) - j[apex]);
-        w[apex] = 1 - t;
-        w[a] = t * (1 - s);
-        w[b] = t * s;
-    } else {
-        const double det = (i[1] - i[0]) * (j[2] - j[0]) - (i[2] - i[0]) * (j[1] - j[0]);
-        w[1] = ((pi - i[0]) * (j[2] - j[0]) - (i[2] - i[0]) * (pj - j[0])) / det;
-        w[2] = ((i[1] - i[0]) * (pj - j[0]) - (pi - i[0]) * (j[1] - j[0])) / det;
-        w[0] = 1 - w[1] - w[2];
-    }
-    return w[0] >= -1e-9 && w[1] >= -1e-9 && w[2] >= -1e-9;
 }
 
 std::uint64_t packed(const std::uint16_t* corners) {
@@ -280,48 +261,22 @@ std::vector<std::uint16_t> WrittenTdb::indices(const ChunkKey& key, std::uint8_t
     return indices;
 }
 
-/// Drawn minus true along the ellipsoid's normal at every post.
-WrittenTdb::Error WrittenTdb::error_of(const ChunkKey& key, const std::vector<std::uint16_t>& indices) const {
-    const Chunk& chunk = chunks_.at(key.packed());
-    const PostRange posts = lattice_.posts_of(key);
-    const glm::dvec3 centre(chunk.entry.centre_m[0], chunk.entry.centre_m[1], chunk.entry.centre_m[2]);
-    Error error;
-    for (std::size_t n = 0; n < indices.size(); n += 3) {
-        double i[3], j[3], w[3];
-        bool pole[3];
-        glm::dvec3 corner[3];
-        for (int k = 0; k < 3; ++k) {
-            const ChunkVertex& v = chunk.vertices[indices[n + static_cast<std::size_t>(k)]];
-            i[k] = posts.i0 + v.i;
-            j[k] = posts.j0 + v.j;
-            pole[k] = std::abs(lattice_.latitude_rad(posts.j0 + v.j)) > 1.5707963;
-            corner[k] = centre + glm::dvec3(double{v.x}, double{v.y}, double{v.z});
-        }
-        for (double pj = std::min({j[0], j[1], j[2]}); pj <= std::max({j[0], j[1], j[2]}); ++pj)
-            for (double pi = std::min({i[0], i[1], i[2]}); pi <= std::max({i[0], i[1], i[2]}); ++pi) {
-                if (!weigh(i, j, pole, pi, pj, w)) continue;
-                const std::size_t post = static_cast<std::size_t>(pj) * spec_.columns + static_cast<std::size_t>(pi);
-                const double drawn_above =
-                    glm::dot(corner[0] * w[0] + corner[1] * w[1] + corner[2] * w[2] - positions_[post], ups_[post]);
-                error.above_m = std::max(error.above_m, drawn_above);
-                error.below_m = std::max(error.below_m, -drawn_above);
-            }
-    }
-    return error;
-}
-
 void WrittenTdb::measure(const ChunkKey& key) {
-    ChunkEntry& entry = chunks_.at(key.packed()).entry;
+    Chunk& chunk = chunks_.at(key.packed());
+    ChunkEntry& entry = chunk.entry;
+    const auto gap_of = [&](const std::vector<std::uint16_t>& indices) {
+        return surface_gap({lattice_, spec_.columns, positions_, ups_}, entry, chunk.vertices, indices);
+    };
     const auto stored = [](double error_m) { return std::nextafter(static_cast<float>(error_m), 1e30f); };
     const std::vector<std::uint16_t> all = indices(key, 0);
-    const Error own = error_of(key, all);
-    Error strips = own;
+    const SurfaceGap own = gap_of(all);
+    SurfaceGap strips = own;
     std::unordered_set<std::uint64_t> known;
     for (std::size_t n = 0; n < all.size(); n += 3) known.insert(packed(&all[n]));
     for (std::uint8_t edges = 1; edges < 16; ++edges) {
-        const Error error = error_of(key, without(indices(key, edges), known));
-        strips.above_m = std::max(strips.above_m, error.above_m);
-        strips.below_m = std::max(strips.below_m, error.below_m);
+        const SurfaceGap gap = gap_of(without(indices(key, edges), known));
+        strips.above_m = std::max(strips.above_m, gap.above_m);
+        strips.below_m = std::max(strips.below_m, gap.below_m);
     }
     entry.above_m = stored(own.above_m);
     entry.below_m = stored(own.below_m);

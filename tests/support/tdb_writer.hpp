@@ -1,5 +1,5 @@
-/// Terrain databases for tests, from a function of the post: valid files of version 2 with regular grids at every level and
-/// errors measured at every post. Independent of the terrain builder.
+/// Terrain databases for tests, from a function of the post: valid files of today's version with regular grids at every level
+/// and errors measured at every post. Independent of the terrain builder.
 #pragma once
 
 #include <cstdint>
@@ -70,9 +70,6 @@ private:
         std::vector<terrain::ChunkVertex> vertices;
         std::vector<std::uint16_t> stored;
     };
-    struct Error {
-        double above_m = 0, below_m = 0;
-    };
     void sample_heights();
     void find_chunks();
     void flatten_exact_chunk(const terrain::ChunkKey& key);
@@ -81,7 +78,6 @@ private:
     void make_triangles(Chunk& chunk) const;
     void measure(const terrain::ChunkKey& key);
     void bound(const terrain::ChunkKey& key);
-    [[nodiscard]] Error error_of(const terrain::ChunkKey& key, const std::vector<std::uint16_t>& indices) const;
     void assemble();
 
     TdbSpec spec_;
