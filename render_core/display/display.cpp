@@ -18,44 +18,21 @@ constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
 
 }  // namespace
 
-std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) {
-    // Each child arena may lose a little to alignment.
-    return device.budget.total(base::MemoryKind::cpu) + 4096;
-}
+std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) { return DisplayMemory::bytes_needed(device.budget); }
 
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain) {
     settings_ = settings;
     keep_design(possible_design(settings.design));
-    if (gl::GlError error = cut_memory(memory); !error.sentence.empty()) return error;
+    if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
-        const TerrainMemory lines{index_memory_, slots_memory_, heights_memory_, attributes_memory_,
-                                  drape_memory_, lod_memory_,   staging_memory_};
-        const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, lines, output());
+        const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), output());
         if (!error.sentence.empty()) return error;
     }
     gl_.seal();
-    for (const MemoryCut& cut : kCuts) settings_.device.budget.find(cut.line)->use = (this->*cut.arena).use();
-    return {};
-}
-
-const Display::MemoryCut Display::kCuts[] = {
-    {effects::kTerrainHeights, &Display::heights_memory_},  {effects::kTerrainIndex, &Display::index_memory_},
-    {effects::kTerrainChunkSlots, &Display::slots_memory_}, {effects::kTerrainAttributes, &Display::attributes_memory_},
-    {effects::kTerrainDrape, &Display::drape_memory_},      {effects::kStaging, &Display::staging_memory_},
-    {effects::kLodScratch, &Display::lod_memory_},          {effects::kSymbology, &Display::symbology_memory_}};
-
-gl::GlError Display::cut_memory(base::Arena& memory) {
-    for (const MemoryCut& cut : kCuts) {
-        const base::BudgetLine* line = settings_.device.budget.find(cut.line);
-        base::Arena& arena = this->*cut.arena;
-        arena = memory.carve(static_cast<std::size_t>(line->bytes));
-        if (arena.use().capacity != line->bytes)
-            return gl::make_error("the reservation does not hold the budget line '", cut.line,
-                                  "'; lower the budgets in the device file");
-    }
+    memory_.note_use(settings_.device.budget);
     return {};
 }
 
@@ -68,7 +45,7 @@ gl::GlError Display::start_drawers() {
         if (gl::GlError error = picture_.start(gl_, budget, settings_.width_px, settings_.height_px, style, output());
             !error.sentence.empty())
             return error;
-    return quad_drawer_.start(gl_, budget, symbology_memory_, draw::kSymbologyVertices);
+    return quad_drawer_.start(gl_, budget, memory_.symbology(), draw::kSymbologyVertices);
 }
 
 void Display::stop() {

@@ -10,6 +10,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/display_memory.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
@@ -78,14 +79,6 @@ public:
     }
 
 private:
-    /// A line of the budget table and the arena that it pays for.
-    struct MemoryCut {
-        std::string_view line;
-        base::Arena Display::*arena;
-    };
-    static const MemoryCut kCuts[8];
-
-    [[nodiscard]] gl::GlError cut_memory(base::Arena& memory);
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void decide(base::Time now);
@@ -113,8 +106,7 @@ private:
 
     DisplaySettings settings_;
     gl::Gl gl_;
-    base::Arena heights_memory_, index_memory_, slots_memory_, attributes_memory_, drape_memory_, staging_memory_, lod_memory_,
-        symbology_memory_;
+    DisplayMemory memory_;
     TerrainScene terrain_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;

@@ -1,0 +1,41 @@
+#include "render_core/display/display_memory.hpp"
+
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr std::uint64_t kAlignmentBytes = 4096;  // each arena may lose a little to alignment
+
+}  // namespace
+
+const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, &DisplayMemory::payloads_},
+                                                     {effects::kTerrainIndex, &DisplayMemory::index_},
+                                                     {effects::kTerrainChunkSlots, &DisplayMemory::records_},
+                                                     {effects::kTerrainAttributes, &DisplayMemory::attributes_},
+                                                     {effects::kTerrainDrape, &DisplayMemory::drape_},
+                                                     {effects::kStaging, &DisplayMemory::staging_},
+                                                     {effects::kLodScratch, &DisplayMemory::lod_},
+                                                     {effects::kSymbology, &DisplayMemory::symbology_}};
+
+std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
+    return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;
+}
+
+gl::GlError DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& reservation) {
+    for (const Part& part : kParts) {
+        const base::BudgetLine* line = budget.find(part.line);
+        base::Arena& arena = this->*part.arena;
+        arena = reservation.carve(static_cast<std::size_t>(line->bytes));
+        if (arena.use().capacity != line->bytes)
+            return gl::make_error("the reservation does not hold the budget line '", part.line,
+                                  "'; lower the budgets in the device file");
+    }
+    return {};
+}
+
+void DisplayMemory::note_use(base::BudgetTable& budget) const {
+    for (const Part& part : kParts) budget.find(part.line)->use = (this->*part.arena).use();
+}
+
+}  // namespace tedavis::display

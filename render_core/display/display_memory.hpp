@@ -1,0 +1,39 @@
+/// The processor memory of a display: one arena for each line of the device's budget table that it takes memory by.
+///
+/// Memory  of the reservation given to cut(). Thread  one. Failure  cut() gives one sentence that names the line.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/display/terrain_scene.hpp"
+#include "render_core/gl/gl_error.hpp"
+
+namespace tedavis::display {
+
+class DisplayMemory {
+public:
+    /// What a reservation must hold for a table.
+    [[nodiscard]] static std::uint64_t bytes_needed(const base::BudgetTable& budget);
+
+    /// The table has all the lines, as every device file has. An empty sentence means success.
+    [[nodiscard]] gl::GlError cut(const base::BudgetTable& budget, base::Arena& reservation);
+    /// Writes into the lines what their owners have taken.
+    void note_use(base::BudgetTable& budget) const;
+
+    /// References to the arenas: valid as long as this object.
+    [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
+    [[nodiscard]] base::Arena& symbology() { return symbology_; }
+
+private:
+    struct Part {
+        std::string_view line;
+        base::Arena DisplayMemory::*arena;
+    };
+    static const Part kParts[8];
+
+    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,74 @@
+#include "render_core/display/display_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/device_files.hpp"
+
+namespace tedavis::display {
+namespace {
+
+/// Budgets of a few kilobytes that are all different.
+base::BudgetTable small_budget() {
+    base::BudgetTable budget = test_support::shipped_device("es2-small").budget;
+    std::uint64_t bytes = 1000;
+    for (const base::BudgetLine& line : budget.lines()) budget.find(line.name.view())->bytes = bytes += 104;
+    return budget;
+}
+
+struct Cut {
+    base::BudgetTable budget = small_budget();
+    std::vector<std::uint8_t> block;
+    base::Arena reservation;
+    DisplayMemory memory;
+    std::string sentence;
+
+    explicit Cut(std::uint64_t bytes) : block(bytes), reservation(block.data(), block.size()) {
+        sentence = std::string(memory.cut(budget, reservation).sentence.view());
+    }
+    [[nodiscard]] std::uint64_t line(std::string_view name) const { return budget.find(name)->bytes; }
+};
+
+TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
+    Cut cut(DisplayMemory::bytes_needed(small_budget()));
+    ASSERT_EQ(cut.sentence, "");
+    const TerrainMemory terrain = cut.memory.terrain();
+    const std::pair<const base::Arena*, const char*> arenas[] = {
+        {&terrain.index, "terrain_index"},      {&terrain.records, "terrain_chunk_slots"},
+        {&terrain.payloads, "terrain_heights"}, {&terrain.attributes, "terrain_attributes"},
+        {&terrain.drape, "terrain_drape"},      {&terrain.lod, "lod_scratch"},
+        {&terrain.staging, "staging"},          {&cut.memory.symbology(), "symbology"}};
+    for (const auto& [arena, line] : arenas) EXPECT_EQ(arena->use().capacity, cut.line(line)) << line;
+}
+
+TEST(DisplayMemory, TheTableSaysWhatWasTakenOfEachLine) {
+    Cut cut(DisplayMemory::bytes_needed(small_budget()));
+    static_cast<void>(cut.memory.terrain().lod.allocate(300, 4));
+    static_cast<void>(cut.memory.symbology().allocate(2'000'000, 4));
+    cut.memory.note_use(cut.budget);
+    EXPECT_EQ(cut.budget.find("lod_scratch")->use.in_use, 300u);
+    EXPECT_EQ(cut.budget.find("symbology")->use.in_use, 0u);
+    EXPECT_EQ(cut.budget.find("symbology")->use.refused, 1u);
+    EXPECT_EQ(cut.budget.find("staging")->use.capacity, cut.line("staging"));
+    EXPECT_EQ(cut.budget.in_use(base::MemoryKind::cpu), 300u);
+    EXPECT_EQ(cut.budget.in_use(base::MemoryKind::gpu), 0u) << "not of this memory";
+}
+
+TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
+    const base::BudgetTable budget = small_budget();
+    std::uint64_t processor_bytes = 0;
+    for (const base::BudgetLine& line : budget.lines())
+        processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
+    EXPECT_EQ(Cut(processor_bytes - 1).sentence,
+              "the reservation does not hold the budget line 'symbology'; lower the budgets in the device file");
+    EXPECT_EQ(Cut(10).sentence,
+              "the reservation does not hold the budget line 'terrain_heights'; lower the budgets in the device file");
+    EXPECT_GE(DisplayMemory::bytes_needed(budget), processor_bytes);
+}
+
+}  // namespace
+}  // namespace tedavis::display
