@@ -61,8 +61,7 @@ TEST(DisplayMemory, TheTableSaysWhatWasTakenOfEachLine) {
 TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     const base::BudgetTable budget = small_budget();
     std::uint64_t processor_bytes = 0;
-    for (const base::BudgetLine& line : budget.lines())
-        processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
+    for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
     EXPECT_EQ(Cut(processor_bytes - 1).sentence,
               "the reservation does not hold the budget line 'symbology'; lower the budgets in the device file");
     EXPECT_EQ(Cut(10).sentence,
