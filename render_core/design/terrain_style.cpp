@@ -36,6 +36,7 @@ DirectedLight read_light(ConfigSection section, DirectedLight light) {
     light.azimuth_rad = read_angle(section, "azimuth_deg", 0, 360, light.azimuth_rad);
     light.elevation_rad = read_angle(section, "elevation_deg", 0, 90, light.elevation_rad);
     light.weight = section.number("weight", 0, 1, light.weight);
+    read_color(section, "color", light.color);
     return light;
 }
 
@@ -62,6 +63,7 @@ void read_shade(ConfigSection section, ShadeSettings& shade) {
     read_choice(section, kTerrainShadeNames, shade.technique);
     read_lights(section, shade);
     read_share(section, "ambient", shade.ambient);
+    read_color(section, "ambient_color", shade.ambient_color);
     shade.baked_normals = section.choice("normals", kNormalNames, shade.baked_normals ? 1 : 0) == 1;
     read_sun(section, shade);
     shade.cast_shadows = section.boolean("cast_shadows", shade.cast_shadows);
@@ -111,12 +113,21 @@ const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {
 const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
                                                                          "phong", "light_map", "aperture"};
 
+bool has_colored_light(const ShadeSettings& shade) noexcept {
+    if (shade.technique == TerrainShade::none || shade.technique == TerrainShade::light_map) return false;
+    const Color white{0xFF, 0xFF, 0xFF};
+    bool colored = shade.ambient_color != white;
+    const std::size_t count = shade.technique == TerrainShade::lights ? shade.light_count : 1;
+    for (std::size_t n = 0; n < count; ++n) colored = colored || shade.lights[n].color != white;
+    return colored;
+}
+
 bool fits_pixel_code(const TerrainStyle& style) noexcept {
     const ShadeSettings& shade = style.shade;
     const bool one_light = shade.technique == TerrainShade::none || shade.technique == TerrainShade::lambert ||
                            shade.technique == TerrainShade::lights;
     return (style.texture == TerrainTexture::plain || style.texture == TerrainTexture::hypsometric) && one_light &&
-           !(shade.baked_normals && shade.technique != TerrainShade::none) && !shade.cast_shadows &&
+           !(shade.baked_normals && shade.technique != TerrainShade::none) && !has_colored_light(shade) && !shade.cast_shadows &&
            shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch);
 }
 
@@ -143,11 +154,11 @@ bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
     const auto on = [](double x, double y) { return (x > 0) == (y > 0); };
     const SketchSettings &s = a.sketch, &t = b.sketch;
     return a.texture == b.texture && a.shade.technique == b.shade.technique && a.shade.light_count == b.shade.light_count &&
-           a.shade.cast_shadows == b.shade.cast_shadows && a.shade.baked_normals == b.shade.baked_normals &&
-           on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) && on(a.shade.openness, b.shade.openness) &&
-           on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) && on(s.valleys, t.valleys) &&
-           on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) && s.illuminated == t.illuminated &&
-           on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
+           has_colored_light(a.shade) == has_colored_light(b.shade) && a.shade.cast_shadows == b.shade.cast_shadows &&
+           a.shade.baked_normals == b.shade.baked_normals && on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) &&
+           on(a.shade.openness, b.shade.openness) && on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) &&
+           on(s.valleys, t.valleys) && on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) &&
+           s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
 }
 
 void read_terrain_style(ConfigSection& terrain, TerrainStyle& style) {

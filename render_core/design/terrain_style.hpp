@@ -50,6 +50,7 @@ struct DirectedLight {
     double azimuth_rad = base::radians(315);   ///< from which it shines, clockwise from true north
     double elevation_rad = base::radians(45);  ///< above the horizontal
     double weight = 1;
+    Color color{0xFF, 0xFF, 0xFF};
 };
 inline constexpr std::size_t kMaxLights = 4;
 
@@ -57,7 +58,8 @@ struct ShadeSettings {
     TerrainShade technique = TerrainShade::lambert;
     DirectedLight lights[kMaxLights];
     std::size_t light_count = 1;
-    double ambient = 0.35;       ///< 0..1 of full light that reaches slopes in the shade
+    double ambient = 0.35;  ///< 0..1 of full light that reaches slopes in the shade
+    Color ambient_color{0xFF, 0xFF, 0xFF};
     bool baked_normals = false;  ///< a pixel's normals come from the attribute pages, as with shadows; else from the mesh
     bool follows_sun = false;    ///< the first light is the sun of date, time and place; as stated where there is none
     bool sun_is_fixed = false;   ///< at `sun_utc` instead of the time of the source
@@ -91,6 +93,9 @@ struct TerrainStyle {
     SketchSettings sketch;
 };
 static_assert(std::is_trivially_copyable_v<TerrainStyle>);
+
+/// Some light that the shade uses is not white, so that lit ground changes its hue. The baked light map has no colours.
+[[nodiscard]] bool has_colored_light(const ShadeSettings& shade) noexcept;
 
 /// All that a pixel shows follows from its height, one number of light, its class and its distance.
 [[nodiscard]] bool fits_pixel_code(const TerrainStyle& style) noexcept;

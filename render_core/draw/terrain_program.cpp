@@ -18,8 +18,8 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "page_window",  "stroke_window",   "form_map",     "light_map",    "aperture_map", "horizon_map",   "page_origin",
     "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
     "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
-    "occlusion",    "line_color",      "form_lines",   "contour",      "strokes",      "page_texel",    "coast_sharp",
-    "band_color",   "band_lower",      "height_range"};
+    "light_color",  "ambient_color",   "occlusion",    "line_color",   "form_lines",   "contour",       "strokes",
+    "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -60,6 +60,7 @@ void add_shade(DefineList& defines, const design::ShadeSettings& shade, bool nee
     if (lit || needs_light)
         defines.add_number("LIGHTS", shade.technique == TerrainShade::lights ? shade.light_count : std::size_t{1});
     defines.add_if(lit || shade.ambient_occlusion > 0 || shade.openness > 0, "#define SHADED 1\n");
+    defines.add_if(has_colored_light(shade), "#define LIGHT_COLORS 1\n");
     defines.add_if(shade.technique == TerrainShade::phong, "#define SHADE_PHONG 1\n");
     defines.add_if(shade.technique == TerrainShade::light_map, "#define SHADE_LIGHT_MAP 1\n");
     defines.add_if(shade.technique == TerrainShade::aperture, "#define SHADE_APERTURE 1\n");

@@ -48,6 +48,8 @@ enum TerrainUniform : std::size_t {
     kGridLines,
     kLights,
     kLight,
+    kLightColor,
+    kAmbientColor,
     kOcclusion,
     kLineColor,
     kFormLines,

@@ -48,9 +48,26 @@ void set_to_local(gl::Gl& gl, GLint location, const glm::dvec3& east, const glm:
     gl->UniformMatrix3fv(location, 1, GL_FALSE, columns);
 }
 
+std::size_t lights_used(const design::ShadeSettings& shade) {
+    return shade.technique == design::TerrainShade::lights ? shade.light_count : 1;
+}
+
+void set_light_colors(gl::Gl& gl, const gl::Program& program, const design::ShadeSettings& shade) {
+    const std::size_t count = lights_used(shade);
+    float values[3 * design::kMaxLights];
+    for (std::size_t n = 0; n < count; ++n) {
+        const design::Color color = shade.lights[n].color;
+        values[3 * n] = static_cast<float>(color.red) / 255.0f;
+        values[3 * n + 1] = static_cast<float>(color.green) / 255.0f;
+        values[3 * n + 2] = static_cast<float>(color.blue) / 255.0f;
+    }
+    gl->Uniform3fv(program.uniform(kLightColor), static_cast<GLsizei>(count), values);
+    set_color(gl, program.uniform(kAmbientColor), shade.ambient_color);
+}
+
 void set_lights(gl::Gl& gl, GLint location, const ChunkUniforms& of, const design::ShadeSettings& shade,
                 const glm::dvec3 (&local)[3]) {
-    const std::size_t count = shade.technique == design::TerrainShade::lights ? shade.light_count : 1;
+    const std::size_t count = lights_used(shade);
     double weights = 0;
     for (std::size_t n = 0; n < count; ++n) weights += shade.lights[n].weight;
     float values[4 * design::kMaxLights];
@@ -133,6 +150,7 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
     const auto number = [](double value) { return static_cast<float>(value); };
     gl->Uniform4f(program.uniform(kLight), number(shade.ambient), number(1 - shade.ambient), number(shade.highlight),
                   number(shade.highlight_exponent));
+    if (program.uniform(kLightColor) >= 0) set_light_colors(gl, program, shade);
     gl->Uniform2f(program.uniform(kOcclusion), number(shade.ambient_occlusion), number(shade.openness));
     gl->Uniform4f(program.uniform(kFormLines), number(sketch.ridges), number(sketch.valleys), number(sketch.suggestive_contours),
                   number(sketch.contours));

@@ -31,6 +31,10 @@ uniform vec2 pixel;              // metres a pixel per metre of distance; stroke
 #ifdef LIGHTS
 uniform vec4 lights[LIGHTS];     // towards each: east, north, up; its weight
 uniform vec4 light;              // ambient, 1 - ambient, highlight, its exponent
+#ifdef LIGHT_COLORS
+uniform vec3 light_color[LIGHTS];
+uniform vec3 ambient_color;
+#endif
 #endif
 #ifdef OCCLUSION
 uniform vec2 occlusion;          // strength of sky view and of openness
@@ -189,18 +193,32 @@ void main() {
 #endif
 
     // -- shade
-    float lit = 1.0;
-    float shine = 0.0;
+    vec3 lit = vec3(1.0);
+    vec3 shine = vec3(0.0);
 #ifdef LIGHTS
-    float direct = 0.0;
-    for (int k = 0; k < LIGHTS; ++k) direct += lights[k].w * max(dot(n, lights[k].xyz), 0.0);
+    float first_seen = 1.0;  // share of the first light that no land hides
 #ifdef MAP_HORIZON
     float root = TEXTURE2D(horizon_map, (whole(v_page) * 0.5 + page_origin.zw) * page_scale.y).r;
     // The sun's disc is half a degree wide.
-    direct *= clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
+    first_seen = clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
+#endif
+    float direct = 0.0;
+    vec3 first_color = vec3(1.0), ambient = vec3(light.x), glow = vec3(0.0);
+    for (int k = 0; k < LIGHTS; ++k) {
+        float share = lights[k].w * max(dot(n, lights[k].xyz), 0.0) * (k == 0 ? first_seen : 1.0);
+        direct += share;
+#ifdef LIGHT_COLORS
+        glow += share * light_color[k];
+#endif
+    }
+#ifdef LIGHT_COLORS
+    first_color = light_color[0];
+    ambient *= ambient_color;
+#else
+    glow = vec3(direct);
 #endif
 #if defined(SHADE_LIGHT_MAP) && defined(MAP_LIGHT)
-    lit = baked.r * 1.25;
+    lit = vec3(baked.r * 1.25);
 #elif defined(SHADE_APERTURE) && defined(MAP_APERTURE)
     vec4 aperture = TEXTURE2D(aperture_map, map_place(v_page));
     vec3 opening = normal_of(aperture.xy);
@@ -208,13 +226,13 @@ void main() {
     float apart = acos(clamp(dot(opening, lights[0].xyz), -1.0, 1.0));
     // Share of a soft light of 17 degrees that stands in the opening; the sky light falls with the opening's cap.
     float seen = 1.0 - smoothstep(radius - 0.3, radius + 0.3, apart);
-    lit = light.x * (1.0 - aperture.z) + light.y * seen * max(dot(n, lights[0].xyz), 0.0);
+    lit = ambient * (1.0 - aperture.z) + light.y * seen * max(dot(n, lights[0].xyz), 0.0) * first_color;
 #else
-    lit = light.x + light.y * direct;
+    lit = ambient + light.y * glow;
 #endif
 #ifdef SHADE_PHONG
     float mirrored = max(dot(reflect(ray, n), lights[0].xyz), 0.0);
-    shine = light.z * pow(mirrored, light.w) * step(0.0001, direct);
+    shine = light.z * pow(mirrored, light.w) * step(0.0001, direct) * first_color;
 #endif
 #endif
 #if defined(OCCLUSION) && defined(MAP_FORM)

@@ -56,6 +56,27 @@ TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
     EXPECT_DOUBLE_EQ(got.style.shade.lights[1].weight, 1);
 }
 
+TEST(TerrainStyle, LightsAreWhiteUnlessTheFileGivesThemAColour) {
+    const auto style = [](const std::string& text) {
+        const ReadStyle got = read("[terrain.shade]\n" + text);
+        EXPECT_EQ(got.error, "");
+        return got.style;
+    };
+    const std::string warm = "[[terrain.shade.light]]\ncolor = '#ffb050'\n", white = "[[terrain.shade.light]]\nweight = 0.5\n";
+    const TerrainStyle colored = style("technique = 'lights'\n" + white + warm);
+    EXPECT_EQ(colored.shade.lights[0].color, (Color{255, 255, 255}));
+    EXPECT_EQ(colored.shade.lights[1].color, (Color{255, 0xB0, 0x50}));
+    EXPECT_TRUE(has_colored_light(colored.shade));
+    EXPECT_TRUE(has_colored_light(style("ambient_color = '#8090ff'\n").shade));
+    EXPECT_FALSE(has_colored_light(style("technique = 'lights'\n" + white + white).shade));
+    EXPECT_FALSE(has_colored_light(style("technique = 'lambert'\n" + white + warm).shade)) << "the second light is not used";
+    EXPECT_FALSE(has_colored_light(style("technique = 'light_map'\n" + warm).shade)) << "what is baked has no colours";
+    EXPECT_FALSE(has_colored_light(style("technique = 'none'\nambient_color = '#8090ff'\n").shade));
+    EXPECT_FALSE(same_programs(colored, style("technique = 'lights'\n" + white + white)));
+    EXPECT_TRUE(same_programs(colored, style("technique = 'lights'\n" + warm + warm))) << "which colour may change";
+    EXPECT_NE(read("[terrain.shade]\n[[terrain.shade.light]]\ncolor = 'warm'\n").error.find("d.toml:3"), std::string::npos);
+}
+
 TEST(TerrainStyle, TheSunMovesByTheSourceOrStandsAtAnInstant) {
     const ReadStyle moving = read("[terrain.shade]\nfollows_sun = true\n");
     EXPECT_EQ(moving.error, "");
@@ -124,6 +145,7 @@ TEST(TerrainStyle, CodesHoldHeightLightClassAndDistanceAndNothingElse) {
     EXPECT_TRUE(fits("[terrain.shade]\ntechnique = \"none\"\nnormals = \"baked\"\n")) << "nothing is shaded";
     EXPECT_FALSE(fits("[terrain.texture]\ntechnique = \"slope\"\n"));
     EXPECT_FALSE(fits("[terrain.shade]\ntechnique = \"phong\"\n"));
+    EXPECT_FALSE(fits("[terrain.shade]\nambient_color = \"#a0b0ff\"\n")) << "light of a colour is more than one number";
     EXPECT_FALSE(fits("[terrain.shade]\ncast_shadows = true\n"));
     EXPECT_FALSE(fits("[terrain.shade]\nambient_occlusion = 0.5\n"));
     EXPECT_FALSE(fits("[terrain.shade]\nopenness = 0.5\n"));

@@ -1,4 +1,5 @@
-// The colours of drawn terrain, pixel by pixel: heights, warning bands, baked normals, coasts and voids.
+// The colours of drawn terrain, pixel by pixel: heights, warning bands, coloured lights, baked normals, coasts and
+// voids.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,6 +89,47 @@ TEST(TerrainDrawer, LoweredBandsColourMoreTerrainAndNeverLess) {
         EXPECT_GE(coloured, before);
         before = coloured;
     }
+}
+
+/// A slope in three coloured lights and ambient light of a colour: every channel is its own sum of the shares.
+TEST(TerrainDrawer, EveryLightAddsItsColour) {
+    RasterScene scene(eastward_ramp());
+    design::DesignSettings design = clear_design();
+    design.terrain.style.texture = design::TerrainTexture::plain;
+    design.terrain.style.plain = {240, 220, 200};
+    design::ShadeSettings& shade = design.terrain.style.shade;
+    shade.technique = design::TerrainShade::lights;
+    shade.light_count = 3;
+    shade.ambient = 0.3;
+    shade.ambient_color = {128, 255, 64};
+    const Color colors[3] = {{255, 0, 128}, {0, 255, 255}, {255, 255, 0}};
+    const double weights[3] = {0.5, 0.3, 0.2};
+    TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));
+    const glm::dvec3 east = scene.post(81, 80) - scene.post(80, 80), north = scene.post(80, 79) - scene.post(80, 80);
+    const glm::dvec3 up = glm::normalize(glm::cross(east, north)), sideways = glm::normalize(east);
+    input.light_direction[0] = glm::normalize(up + sideways);
+    input.light_direction[1] = glm::normalize(up - 0.5 * sideways);
+    input.light_direction[2] = -up;  // from below: adds nothing
+    glm::dvec3 light = 0.3 * glm::dvec3(128, 255, 64);
+    for (int n = 0; n < 3; ++n) {
+        shade.lights[n].weight = weights[n];
+        shade.lights[n].color = colors[n];
+        const double share = 0.7 * weights[n] * std::max(glm::dot(up, input.light_direction[n]), 0.0);
+        light += share * glm::dvec3(colors[n].red, colors[n].green, colors[n].blue);
+    }
+    ChunkDrawing drawing(scene, design);
+    const Color expected{static_cast<std::uint8_t>(std::lround(240 * light.x / 255)),
+                         static_cast<std::uint8_t>(std::lround(220 * light.y / 255)),
+                         static_cast<std::uint8_t>(std::lround(200 * light.z / 255))};
+    const ChunkPicture picture = drawing.draw(input, 1);
+    for (std::uint32_t n = 60; n < 100; n += 8) {
+        const auto at = pixel_of(input.view, scene.post(n, n));
+        ASSERT_TRUE(at);
+        EXPECT_LE(color_difference(picture.at(at->x, at->y), expected), 2) << n;
+    }
+    shade.lights[0].color = {255, 255, 255};
+    ASSERT_TRUE(drawing.set_design(design));
+    EXPECT_GT(drawing.draw(input, 1).at(50, 50).green, picture.at(50, 50).green + 20) << "control: the colour counts";
 }
 
 /// How far the shading of the posts in view is from Lambert's of the full-resolution surface, on average, in steps of 255.

@@ -32,6 +32,7 @@ std::vector<TerrainStyle> styles() {
         style.texture = static_cast<TerrainTexture>(texture);
         style.shade.technique = static_cast<TerrainShade>(texture % design::kTerrainShades);
         style.shade.light_count = 1 + texture % design::kMaxLights;
+        if (texture % 3 != 1) style.shade.ambient_color = style.shade.lights[0].color = {255, 200, 180};
         style.shade.cast_shadows = texture % 2 == 0;
         style.shade.ambient_occlusion = texture % 3 == 0 ? 0.5 : 0;
         style.shade.openness = texture % 3 == 1 ? 0.5 : 0;

@@ -159,6 +159,8 @@ design::TerrainStyle rich_style() {
     style.shade.lights[0].weight = 0.5;
     style.shade.lights[1].weight = 0.25;
     style.shade.lights[2].weight = 0.5;
+    style.shade.lights[1].color = {255, 51, 0};
+    style.shade.ambient_color = {0, 102, 255};
     style.sketch.contours = 1;
     return style;
 }
@@ -265,6 +267,13 @@ TEST_F(TerrainUniformValues, LightsComeInLocalAxesWithSharesOfOne) {
     }
     const auto to_local = read<9>("to_local");  // column by column
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(double{to_local[static_cast<std::size_t>(3 * c)]}, east[c], 1e-6);
+}
+
+TEST_F(TerrainUniformValues, ColoursOfLightsAreSharesOfFullLight) {
+    set_style_uniforms(at_.gl, program_, style_, 500);
+    EXPECT_EQ(read<3>("light_color[0]"), (std::array<float, 3>{1, 1, 1}));
+    EXPECT_EQ(read<3>("light_color[1]"), (std::array<float, 3>{1, 0.2f, 0}));
+    EXPECT_EQ(read<3>("ambient_color"), (std::array<float, 3>{0, 0.4f, 1}));
 }
 
 TEST_F(TerrainUniformValues, LiftsLieWhereTheVerticesAre) {
