@@ -118,6 +118,12 @@ float reach_of(vec3 axis, vec3 n, vec3 ray, float facing, float pixel_m) {
     return pixel_m * length(axis + n * (dot(ray, axis) / facing));
 }
 
+/// Mesh and map do not know the same slope. The shorter of both reaches: with the longer one lines would run into blots.
+float shorter_reach(vec3 axis, vec3 n, vec3 bare, vec3 ray, float pixel_m) {
+    return min(reach_of(axis, n, ray, max(-dot(n, ray), 0.03), pixel_m),
+               reach_of(axis, bare, ray, max(-dot(bare, ray), 0.03), pixel_m));
+}
+
 /// A line's coverage at a distance from its middle.
 float line_at(float distance_m, float pixel_m, float half_width_px) {
     return clamp(half_width_px + 0.5 - abs(distance_m) / pixel_m, 0.0, 1.0);
@@ -248,11 +254,9 @@ void main() {
     // -- sketch
 #ifdef SKETCH
     float ink = 0.0;
-#ifdef CONTOURS
-    // Mesh and map do not know the same slope; the smaller one, or where a flat triangle lies on a slope lines would run into blots.
     vec3 bare = normalize(v_normal);
-    float rise = min(reach_of(vec3(0.0, 0.0, 1.0), n, ray, facing, pixel_m),
-                     reach_of(vec3(0.0, 0.0, 1.0), bare, ray, max(-dot(bare, ray), 0.03), pixel_m));
+#ifdef CONTOURS
+    float rise = shorter_reach(vec3(0.0, 0.0, 1.0), n, bare, ray, pixel_m);
     float per_pixel = max(rise, 1e-3) * contour.x;
     float phase = v_height * contour.x;
     float line = floor(phase + 0.5);
@@ -288,27 +292,32 @@ void main() {
                                                                   : vec2(twist, most - bend_east.x);
     way /= max(length(way), 1e-9);
     float away_m = dot(n.xy, way) / (most + (most < 0.0 ? -1e-6 : 1e-6));
-    float fold = line_at(away_m, reach_of(vec3(way, 0.0), n, ray, facing, pixel_m), 0.8);
+    float fold = line_at(away_m, shorter_reach(vec3(way, 0.0), n, bare, ray, pixel_m), 0.8);
     float sharp = abs(most) * sqrt(page_texel.x * page_texel.y);
     ink = max(ink, fold * (most > 0.0 ? form_lines.x : form_lines.y) * smoothstep(0.06, 0.14, sharp));
 #endif
 #if defined(SUGGESTIVE) && defined(MAP_FORM)
-    // Radial curvature from three normals along the view's direction over the ground (DeCarlo et al. 2003, section 3).
-    // Away from the eye it falls through zero where the surface begins to turn back towards the eye.
+    // Where radial curvature, the bend of the ground along the view, falls through zero away from the eye (DeCarlo et al. 2003,
+    // section 3). The bend, over six texels, is taken at two places half a texel or a pixel before and beyond the point: their
+    // difference says how steeply it falls, and where it is zero. Lines fade where it falls slowly or the ground faces the eye:
+    // there they would be blots of noise.
     vec2 along = normalize(ray.xy + vec2(1e-6));
-    float stride_m = 3.0 * min(page_texel.x, page_texel.y);
-    vec2 stride = vec2(along.x, -along.y) / page_texel * stride_m;
-    vec2 centre = clamp(v_page, abs(stride), 64.0 - abs(stride));
-    float before = dot(TEXTURE2D(form_map, map_place(centre - stride)).xy * kSigned - kZero, along);
-    float here = dot(TEXTURE2D(form_map, map_place(centre)).xy * kSigned - kZero, along);
-    float after = dot(TEXTURE2D(form_map, map_place(centre + stride)).xy * kSigned - kZero, along);
-    float fall = 2.0 * here - after - before;
-    float beyond = dot((v_page - centre) * page_texel, vec2(along.x, -along.y)) / stride_m;
-    float radial = 0.5 * (after - before) - fall * beyond;
-    float zero_m = radial / max(fall, 1e-3) * stride_m;
-    float turned_away = smoothstep(0.9, 0.6, facing);
-    ink = max(ink, form_lines.z * turned_away * smoothstep(0.04, 0.1, fall) *
-                       line_at(zero_m, reach_of(vec3(along, 0.0), n, ray, facing, pixel_m), 0.8));
+    float texel_m = min(page_texel.x, page_texel.y);
+    float reach_m = shorter_reach(vec3(along, 0.0), n, bare, ray, pixel_m);
+    float apart = clamp(reach_m / texel_m, 0.5, 2.0);
+    vec2 texel_on = vec2(along.x, -along.y) / page_texel * texel_m;
+    vec2 far_off = texel_on * (3.0 + apart), near_off = texel_on * (3.0 - apart);
+    vec2 centre = clamp(v_page, abs(far_off), 64.0 - abs(far_off));
+    float far_before = dot(TEXTURE2D(form_map, map_place(centre - far_off)).xy * kSigned - kZero, along);
+    float before = dot(TEXTURE2D(form_map, map_place(centre - near_off)).xy * kSigned - kZero, along);
+    float after = dot(TEXTURE2D(form_map, map_place(centre + near_off)).xy * kSigned - kZero, along);
+    float far_after = dot(TEXTURE2D(form_map, map_place(centre + far_off)).xy * kSigned - kZero, along);
+    float nearer = after - far_before, farther = far_after - before;
+    float fall = (nearer - farther) / (2.0 * apart);  // a texel
+    float off_centre = dot((v_page - centre) * page_texel, vec2(along.x, -along.y)) / texel_m;
+    float zero = (0.5 * (nearer + farther) - fall * off_centre) / max(fall, 1e-5);  // texels on
+    float turned_away = smoothstep(0.5, 0.3, facing);
+    ink = max(ink, form_lines.z * turned_away * smoothstep(0.03, 0.07, fall) * line_at(zero * texel_m, reach_m, 0.8));
 #endif
 #if defined(HATCHING) || defined(STIPPLING)
     // Level ground stays light, slopes turned away from the light become dark.

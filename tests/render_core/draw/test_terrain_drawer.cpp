@@ -152,7 +152,7 @@ SkylineCount compare_skylines(const RasterScene& scene, bool lifted) {
     SkylineCount count;
     for (const double heading : {20.0, 80.0, 140.0, 200.0, 260.0, 320.0}) {
         terrain::View view = scene.view(96, 96, kEye_m, heading, kPitch_deg);
-        view.focal_px = RasterScene::kWidth / 2 / std::tan(radians(kFieldOfView_deg / 2));
+        view.focal_px = RasterScene::kWidth / 2.0 / std::tan(radians(kFieldOfView_deg / 2));
         const ChunkPicture picture = drawing.draw(lit_from_above(view), kTau_px);
         const test_support::OracleCamera camera(base::degrees(eye.latitude_rad), base::degrees(eye.longitude_rad), eye.height.m,
                                                 heading, kPitch_deg, 0, kFieldOfView_deg, RasterScene::kWidth,
