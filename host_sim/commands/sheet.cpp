@@ -28,10 +28,15 @@ struct SheetJob {
     bool has_generated_image = false;
 };
 
-bool shows_drape(const FrameResult& result) {
-    for (const display::EffectRecord& effect : result.record.effects)
-        if (effect.name.view() == "drape") return effect.state == display::EffectState::run;
-    return false;
+/// What a title must add about the image that the design asks for, so that nobody takes the picture for what it is not.
+std::string words_about_image(const FrameResult& result, bool is_generated) {
+    for (const display::EffectRecord& effect : result.record.effects) {
+        if (effect.name.view() != "drape") continue;
+        if (effect.state == display::EffectState::run) return is_generated ? " (generated)" : "";
+        const std::string_view reason = effect.reason.view();
+        return " (" + std::string(reason.substr(0, reason.find(';'))) + ")";
+    }
+    return "";
 }
 
 PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture) {
@@ -76,7 +81,7 @@ std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned,
     drawn.file = planned.file;
     drawn.result = posed_frame(session, job.pose, {});
     drawn.pixels = upright(session.pixels());
-    if (job.has_generated_image && shows_drape(drawn.result)) drawn.title += " (generated)";
+    drawn.title += words_about_image(drawn.result, job.has_generated_image);
     gl = session.gl_description();
     return session.terrain_fault();
 }

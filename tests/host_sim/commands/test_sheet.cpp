@@ -104,7 +104,9 @@ TEST(SheetCommand, AGeneratedImageIsShownAndSaid) {
     EXPECT_EQ(shown.at(1).at("title"), "Heights (generated)");
     o.sheet = files().folder.write("plain.toml", plain);
     const auto without = run(o, true).json().at("pictures");
-    EXPECT_EQ(without.at(1).at("title"), "Heights");
+    EXPECT_EQ(without.at(0).at("title"), "One light");
+    EXPECT_EQ(without.at(1).at("title"), "Heights (the terrain database has no image)");
+    EXPECT_THAT(files().folder.read("image/index.html"), HasSubstr("<b>Heights (the terrain database has no image)</b>"));
     EXPECT_THAT(without.at(1).at("flags").dump(), HasSubstr("terrain.no_image"));
     EXPECT_NE(without.at(1).at("hash"), shown.at(1).at("hash"));
     EXPECT_EQ(without.at(0).at("hash"), shown.at(0).at("hash"));
