@@ -39,6 +39,15 @@ std::string words_about_image(const FrameResult& result, bool is_generated) {
     return "";
 }
 
+/// A sheet of nothing but the outside of a database shows no technique at all.
+void require_view_within(const SheetJob& job, const FrameResult& result) {
+    for (const display::Name& flag : result.record.flags)
+        if (flag.view() == "terrain.outside_database")
+            throw UserError(
+                job.path + ": the pose lies outside the terrain " + job.picture.terrain +
+                "; name a view of it with --pose lat,lon,alt_m,heading,pitch,roll ('tedavis terrain info' says what it covers)");
+}
+
 PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture) {
     PictureOptions options = job.picture;
     options.design = picture.design;
@@ -80,6 +89,7 @@ std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned,
     drawn.design = planned.design;
     drawn.file = planned.file;
     drawn.result = posed_frame(session, job.pose, {});
+    require_view_within(job, drawn.result);
     drawn.pixels = upright(session.pixels());
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
     gl = session.gl_description();

@@ -122,6 +122,9 @@ TEST(SheetCommand, WrongInputLeavesNothing) {
     o.picture.terrain = files().folder.file("none.tdb");
     refused(o, "none.tdb");
     o = options("none");
+    o.pose = AircraftPose{36.55, -84.2, 1200, 320, -8, 0};
+    refused(o, "two.toml: the pose lies outside the terrain " + files().terrain + "; name a view of it with --pose");
+    o = options("none");
     o.picture.device = "toaster";
     refused(o, "toaster");
     o = options("flight.log/none");
