@@ -245,6 +245,8 @@ void add_sheet(CLI::App& app, CommandLine& line) {
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; default: the sheet's");
     add_surface_options(command, o.picture);
+    command->get_option("--terrain")->description("terrain database (.tdb); default: built from the sheet's raster");
+    command->get_option("--size")->description("WIDTHxHEIGHT of a picture; default: the sheet's");
 }
 
 /// What --config says, with what may stand beside it on the command line.

@@ -39,6 +39,8 @@ TEST(CommandLine, HelpAndVersionSucceed) {
         EXPECT_THAT(help.results, HasSubstr(command));
     EXPECT_EQ(run({"convert", "--help"}).code, 0);
     EXPECT_THAT(run({"terrain", "build", "--help"}).results, HasSubstr("--vertical-datum"));
+    EXPECT_THAT(run({"sheet", "--help"}).results, HasSubstr("of a picture; default: the sheet's"));
+    EXPECT_THAT(run({"shot", "--help"}).results, HasSubstr("default: the device's"));
 }
 
 TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
