@@ -38,6 +38,8 @@ TEST(Device, ShippedFilesSayWhatTheDesignSays) {
     EXPECT_EQ(small.width_px, 640u);
     EXPECT_EQ(small.height_px, 480u);
     EXPECT_TRUE(small.capability.depth24_targets);
+    EXPECT_LE(small.budget.total(base::MemoryKind::cpu) + small.budget.total(base::MemoryKind::gpu), std::uint64_t{64} << 20)
+        << "the whole table, not only what is in use";
     const DeviceSettings mid = shipped_device("es3-mid");
     EXPECT_EQ(mid.capability.lane, Lane::es3);
     EXPECT_EQ(mid.triangle_budget, 250'000u);
