@@ -13,6 +13,8 @@ namespace tedavis::host_sim {
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
     std::error_code ignored;
     if (std::filesystem::is_directory(path_, ignored)) throw UserError(path_ + ": is a folder; name a file to write");
+    if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored))
+        throw UserError(path_ + ": is a device or a pipe, which would be replaced; name a file to write");
     stream_.open(part_, std::ios::binary | std::ios::trunc);
     if (!stream_) throw UserError(path_ + ": cannot be written (" + std::strerror(errno) + "); check the folder");
 }

@@ -19,6 +19,7 @@ constexpr std::uint32_t kAheadPercent = 125;
 constexpr double kAheadTau = 0.8;
 // Slots for chunks beside the view, for when it turns: about two a level of the deepest tree.
 constexpr std::uint32_t kSlotsBeside = 24;
+constexpr double kSplitMoves = 0.05;     // of a selection's split of depths, to the next one's of the same view
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
@@ -175,7 +176,9 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     return plan;
 }
 
-/// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too.
+/// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part
+/// follows from what is selected; so where it matters a second selection knows it from the first, a little widened, and where
+/// even that is not enough, twice the half is the whole.
 terrain::LodResult TerrainScene::select_drawn(const terrain::View& view, terrain::LodSettings lod) {
     const terrain::View seen = over_ground(view);
     const std::uint32_t budget = lod.max_triangles;
@@ -183,11 +186,10 @@ terrain::LodResult TerrainScene::select_drawn(const terrain::View& view, terrain
     for (int tries = 0; tries < 3; ++tries) {
         result = selector_.select(store_, seen, lod, SelectionKind::drawn, selected_);
         chunks_ = result.chunks;
-        const std::uint32_t submitted = submitted_triangles(view);
-        if (submitted <= budget) break;
-        // Twice the half is the whole.
-        const std::uint32_t excess = submitted - budget;
-        lod.max_triangles = tries == 0 && result.triangles > excess + budget / 2 ? result.triangles - excess : budget / 2;
+        if (submitted_triangles(view) <= budget) break;
+        const draw::DepthPlan depth = depth_plan(view);
+        lod.twice = {depth.ranges[0].near_m * (1 - kSplitMoves), depth.ranges[depth.count - 1].far_m * (1 + kSplitMoves)};
+        if (tries > 0) lod.max_triangles = budget / 2;
     }
     return result;
 }

@@ -46,14 +46,8 @@ bool is_coast(const terrain::ChunkEntry& entry) {
 }  // namespace
 
 DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m) {
-    const glm::dvec3 centre(entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]);
-    double reach = lift_m;
-    for (int a = 0; a < 3; ++a) {
-        const glm::dvec3 axis(entry.axes[3 * a], entry.axes[3 * a + 1], entry.axes[3 * a + 2]);
-        reach += entry.half_extent_m[a] * std::abs(glm::dot(axis, view.forward));
-    }
-    const double depth = glm::dot(centre - view.eye, view.forward);
-    return {depth - reach, depth + reach};
+    const terrain::DepthSpan span = terrain::depth_span(entry, view, lift_m);
+    return {span.near_m, span.far_m};
 }
 
 namespace {

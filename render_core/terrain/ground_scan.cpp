@@ -8,9 +8,9 @@
 namespace tedavis::terrain {
 namespace {
 
-constexpr double kLeastRadius_m = 6335000;  // below the least radius of curvature of WGS84
+constexpr double kLeastRadius_m = 6335000;  // below the least radius of curvature of WGS84, from 439 m below it up
 constexpr double kRounding_m = 1e-6;        // of places in space, computed in doubles
-constexpr double kLeastDepth = 3;           // of places on triangles, in margins
+constexpr double kLeastDepth = 1.25;        // of places on triangles, in margins
 
 struct Polygon {
     static constexpr int kMostCorners = 3 + 5;  // each plane adds one, but for slivers that rounding bends
@@ -70,11 +70,12 @@ double GroundScan::px_per_m(const ViewBox& box) const {
         if (box.low[axis] > reach_m || -box.high[axis] > reach_m) return 0;
     }
     const glm::dvec3 nearest = glm::max(glm::max(box.low, -box.high), glm::dvec3(0)), corner = glm::max(-box.low, box.high);
-    // Drawn points lie in the picture, and true ones no farther from them than the margin.
-    const double drawn_m = (glm::length(nearest) - aside_m_) / from_axis(off_axis_);
-    const double depth_m = std::max({box.low.z - error_m_, drawn_m - aside_m_, near_m_});
     const double turned = glm::length(corner) / kLeastRadius_m;
     const double across = std::hypot(down_.x, down_.y) + turned, along = std::abs(down_.z) + turned;
+    // Drawn points lie in the picture, which is as wide as it is deep, and true ones straight above or below them.
+    double drawn_m = (glm::length(nearest) - aside_m_) / from_axis(off_axis_);
+    for (int axis = 0; axis < 2; ++axis) drawn_m = std::max(drawn_m, (nearest[axis] - aside_m_) / side_[axis].tangent);
+    const double depth_m = std::max({box.low.z - error_m_, drawn_m - aside_m_ * std::min(along, 1.0), near_m_});
     return focal_px_ * (across + off_axis_ * along) / depth_m;
 }
 

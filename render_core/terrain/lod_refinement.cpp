@@ -180,12 +180,12 @@ LodStop LodRefinement::exceeded_by_group() const {
     for (std::uint32_t n = 0; n < group_.count; ++n) {
         const LodNode& node = tree_.node(group_.members[n]);
         if (!node.is_visible) continue;
-        load.triangles -= node.entry->triangle_count;
+        load.triangles -= triangles_of(*node.entry);
         --load.chunks;
     }
     for (std::uint32_t n = 0; n < children; ++n) {
         if (!group_.children[n].is_visible) continue;
-        load.triangles += group_.children[n].entry->triangle_count;
+        load.triangles += triangles_of(*group_.children[n].entry);
         ++load.chunks;
         ++load.parts;
     }
@@ -201,7 +201,7 @@ void LodRefinement::split_group() {
         node.is_leaf = false;
         node.is_tried = true;
         if (node.is_visible) {
-            load_.triangles -= node.entry->triangle_count;
+            load_.triangles -= triangles_of(*node.entry);
             --load_.chunks;
         }
         for (std::uint32_t child = group_.first_child[n]; child < group_.first_child[n + 1]; ++child)
@@ -215,7 +215,7 @@ void LodRefinement::add(const Child& child, NodeIndex parent) {
     node.is_visible = child.is_visible;
     largest_lift_m_ = larger(largest_lift_m_, larger(child.entry->below_m, child.entry->strip_below_m));
     if (!child.is_visible) return;
-    load_.triangles += child.entry->triangle_count;
+    load_.triangles += triangles_of(*child.entry);
     ++load_.chunks;
     if (parent != kNoNode) ++load_.parts;
     node.error_px = mesh_error_px(*child.entry);
@@ -235,6 +235,13 @@ double LodRefinement::texel_px(const LodNode& node) const {
     if (!(drape.texel_m > 0) || node.key.level <= drape.level || node.entry->drape.bytes == 0) return 0;
     const double texel_m = drape.texel_m * std::exp2(node.key.level - drape.level);
     return texel_m * view_.focal_px / std::fmax(box_distance_m(*node.entry, view_), view_.near_m);
+}
+
+std::int64_t LodRefinement::triangles_of(const ChunkEntry& entry) const {
+    if (!(settings_.twice.near_m <= settings_.twice.far_m)) return entry.triangle_count;
+    const DepthSpan span = depth_span(entry, view_, reach_m_);
+    const bool is_twice = span.far_m >= settings_.twice.near_m && span.near_m <= settings_.twice.far_m;
+    return entry.triangle_count * (is_twice ? 2 : 1);
 }
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.

@@ -73,6 +73,8 @@ private:
     [[nodiscard]] bool queue(NodeIndex leaf, double error_px);
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
+    /// What a chunk takes of the budget of triangles.
+    [[nodiscard]] std::int64_t triangles_of(const ChunkEntry& entry) const;
     [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;
     [[nodiscard]] double texel_px(const LodNode& node) const;
     [[nodiscard]] double milliseconds(const Load& load) const;

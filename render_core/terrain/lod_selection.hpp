@@ -28,6 +28,7 @@
 #include "render_core/terrain/chunk_lift.hpp"
 #include "render_core/terrain/lod_tree.hpp"
 #include "render_core/terrain/part_cache.hpp"
+#include "render_core/terrain/projected_error.hpp"
 #include "render_core/terrain/view.hpp"
 
 namespace tedavis::terrain {
@@ -55,6 +56,8 @@ struct LodSettings {
     std::uint32_t max_parts = std::numeric_limits<std::uint32_t>::max();  ///< chunks in view and all above them, without roots
     double max_ms = std::numeric_limits<double>::infinity();
     CostModel cost;
+    /// Chunks whose boxes reach into this span of depth are drawn twice, and cost twice their triangles. Of nothing: none is.
+    DepthSpan twice{1, 0};
     double haze_per_m = 0;
     bool conservative_up = false;
     /// 0..1: how much an error of height counts as such, in pixels of its length, down to kFinestCell_px: where colours and lines
@@ -85,7 +88,7 @@ enum class LodStop : std::uint8_t { met, triangles, chunks, milliseconds, nodes,
 
 struct LodResult {
     std::uint32_t chunks = 0;
-    std::uint32_t triangles = 0;  ///< upper bound, without coarser edges
+    std::uint32_t triangles = 0;  ///< upper bound, without coarser edges; those drawn twice count twice
     double predicted_ms = 0;
     double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;

@@ -12,7 +12,7 @@
 namespace tedavis::terrain {
 namespace {
 
-constexpr double kFirstMargin_m = 0.05, kMarginRatio = 4;
+constexpr double kFirstMargin_m = 0.05, kMarginRatio = 2;
 constexpr std::uint32_t kMostLooks = 256;  // at chunks with children, for one margin
 constexpr std::uint32_t kMostChunks = HeightQuery::kKeptChunks - 1;
 constexpr double kBeside = 0.5;  // of a chunk's half side: from so close its vertices are looked at

@@ -11,7 +11,8 @@
 
 namespace tedavis::terrain {
 
-/// Of this view. Without steps for numbers that are not finite. Reads the vertices of four chunks at most.
+/// Of this view. Without steps for numbers that are not finite. Reads the vertices of four chunks at most, and the directory
+/// pages on the way to them, at once: those that the query has kept are not read again.
 [[nodiscard]] NearGround near_ground(HeightQuery& heights, const View& view);
 
 }  // namespace tedavis::terrain

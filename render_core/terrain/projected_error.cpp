@@ -133,6 +133,12 @@ double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dve
     return std::isfinite(sum) ? highest : std::numeric_limits<double>::infinity();
 }
 
+DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m) {
+    const Box box = box_of(entry, view, 0);
+    const double depth = glm::dot(box.centre, view.forward), reach = reach_along(box, view.forward) + lift_m;
+    return {depth - reach, depth + reach};
+}
+
 float distance_m(const ChunkEntry& entry, const View& view) {
     return static_cast<float>(glm::length(centre_of(entry) - view.eye));
 }

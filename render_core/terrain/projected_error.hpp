@@ -25,6 +25,12 @@ namespace tedavis::terrain {
 /// bounded is infinite.
 [[nodiscard]] double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dvec2& up, double lift_m);
 
+/// Least and greatest depth of the chunk's box along the view, stretched by `lift_m` both ways.
+struct DepthSpan {
+    double near_m = 0, far_m = 0;
+};
+[[nodiscard]] DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m);
+
 /// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);
 [[nodiscard]] double box_distance_m(const ChunkEntry& entry, const View& view);

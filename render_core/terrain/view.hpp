@@ -11,7 +11,7 @@ namespace tedavis::terrain {
 
 /// What is known of the true surface round an eye, for errors of several sizes (near_ground.hpp).
 struct NearGround {
-    static constexpr int kMostSteps = 7;
+    static constexpr int kMostSteps = 13;
 
     /// A vertical error of no more than margin_m moves no drawn point by more than px_per_m for each metre of it.
     struct Step {

@@ -60,6 +60,7 @@ TEST(AtomicFile, RefusesAPlaceThatCannotBeWritten) {
     const test_support::TemporaryFolder folder;
     test_support::expect_user_error([&] { AtomicFile file(folder.file("none/a")); }, "cannot be written");
     test_support::expect_user_error([&] { AtomicFile file(folder.path()); }, "is a folder");
+    test_support::expect_user_error([] { AtomicFile file("/dev/null"); }, "is a device or a pipe");
 }
 
 TEST(AtomicFile, ReportsAFullDiskAndLeavesNothing) {

@@ -111,6 +111,13 @@ float reach_within(const Rect& box, const Point& center) {
     return std::fmin(std::fmin(center.y - box.y, box.bottom() - center.y), box.width / 2);
 }
 
+/// From the middle of the screen to where a line across `direction` (unit) leaves a box.
+float support_within(const Rect& box, const Point& center, const Point& direction) {
+    const float x = direction.x > 0 ? box.right() - center.x : box.x - center.x,
+                y = direction.y > 0 ? box.bottom() - center.y : box.y - center.y;
+    return x * direction.x + y * direction.y;
+}
+
 /// A strip of the other side with the horizon's line, when the horizon itself is out of the picture: it is never lost.
 void build_permanent_horizon(const Painter& painter, const SymbologyInput& input) {
     const glm::dmat3& axes = input.view.body_axes;
@@ -120,10 +127,13 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
     const double distance = input.view.focal_px * axes[0].z / slope;  // of the screen's middle below the horizon
     const Rect box = ladder_box(painter.layout());
     const Point center = painter.layout().screen.center();
-    if (std::fabs(distance) <= static_cast<double>(reach_within(painter.layout().attitude, center))) return;
-    const float limit = reach_within(box, center) - painter.text_px();
     const bool in_ground = distance > 0;
     const Point to_ground{static_cast<float>(across / slope), static_cast<float>(below / slope)};
+    const Point to_horizon{in_ground ? -to_ground.x : to_ground.x, in_ground ? -to_ground.y : to_ground.y};
+    // Where it cuts off less than a corner of the box it is hardly seen.
+    const float seen_to = support_within(painter.layout().attitude, center, to_horizon) - painter.text_px();
+    if (std::fabs(distance) <= static_cast<double>(seen_to)) return;
+    const float limit = reach_within(box, center) - painter.text_px();
     const Point along{to_ground.y, -to_ground.x};
     const float shift = in_ground ? -limit : limit, half = 0.45f * box.width, thick = 0.9f * painter.text_px();
     const Point middle{center.x + to_ground.x * shift, center.y + to_ground.y * shift};

@@ -22,6 +22,35 @@ using test_support::Selection;
 using test_support::view_from;
 using test_support::views_of;
 
+TEST(LodSelection, WhatIsDrawnTwiceCostsTwice) {
+    ResidentTdb catalogue(rough_region());
+    Selection selection;
+    int tried = 0;
+    for (const View& view : views_of(rough_region(), 8)) {
+        LodSettings settings;
+        settings.tau_px = 0.5;
+        const LodResult once = selection.select(catalogue, view, settings);
+        if (once.chunks < 12) continue;
+        const std::size_t middle = selection.chunks.size() / 2;
+        const DepthSpan some = depth_span(*selection.chunks[middle].entry, view, 0);
+        settings.twice = {some.near_m, some.far_m};
+        (void)selection.select(catalogue, view, settings);
+        std::uint32_t triangles = 0, twice = 0;
+        for (const SelectedChunk& chunk : selection.chunks) {
+            const DepthSpan span = depth_span(*chunk.entry, view, 0);
+            const bool is_twice = span.far_m >= some.near_m && span.near_m <= some.far_m;
+            triangles += chunk.entry->triangle_count * (is_twice ? 2u : 1u);
+            twice += is_twice ? 1 : 0;
+        }
+        EXPECT_EQ(selection.result.triangles, triangles);
+        EXPECT_GT(twice, 0u);
+        settings.max_triangles = once.triangles;
+        EXPECT_LE(selection.select(catalogue, view, settings).triangles, once.triangles) << "within the budget all the same";
+        ++tried;
+    }
+    EXPECT_GT(tried, 2);
+}
+
 TEST(LodSelection, BudgetsAreNeverExceededAndSayWhatTheyCost) {
     ResidentTdb catalogue(rough_region());
     Selection selection;
