@@ -18,9 +18,9 @@ int run_batch(const ReplayOptions& options, Console& console) {
     DisplaySession session(options.picture, is_generated_flight(options.log));
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
     const FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
+    const InterruptGuard interrupt;  // before anything is written
     RunRecorder recorder(options, session, player);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
-    const InterruptGuard interrupt;
     FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
         approach.approach(times.at(n));

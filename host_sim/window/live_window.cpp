@@ -13,9 +13,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRest(2);
 
-int run_until_closed(LiveRun& run, Console& console) {
+int run_until_closed(LiveRun& run, const InterruptGuard& interrupt, Console& console) {
     console.note("press h in the window for its keys");
-    const InterruptGuard interrupt;
     base::Time before = platform::monotonic_now();
     while (!run.closed() && !interrupt.requested()) {
         const base::Time now = platform::monotonic_now();
@@ -38,8 +37,9 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
     };
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
+    const InterruptGuard interrupt;  // before anything is written
     LiveRun run(options, session, player, *window, console);
-    return run_until_closed(run, console);
+    return run_until_closed(run, interrupt, console);
 }
 
 }  // namespace tedavis::host_sim
