@@ -1,0 +1,15 @@
+/// Writes a scene database. Equal drafts give equal bytes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/scene_builder/scene_draft.hpp"
+
+namespace tedavis::host_sim {
+
+/// The bytes of a .sdb. Throws UserError where a layer, attribute or class is one too many, or a text does not fit its field;
+/// such a sentence begins with the layer's name.
+[[nodiscard]] std::vector<std::uint8_t> sdb_bytes(const SceneDraft& draft);
+
+}  // namespace tedavis::host_sim

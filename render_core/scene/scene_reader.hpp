@@ -1,0 +1,36 @@
+/// Reads a scene database into an arena and verifies all of it (Scene::load).
+///
+/// A part is accepted when it lies in the file, has the size that its layer's counts ask for, its checksum, and values in range.
+#pragma once
+
+#include "render_core/scene/scene.hpp"
+
+namespace tedavis::scene {
+
+class SceneReader {
+public:
+    SceneReader(base::ByteSource& source, base::Arena& arena) : source_(source), arena_(arena) {}
+
+    /// Error `none` when both results are whole.
+    [[nodiscard]] SdbFailure read(SceneHeader& header, base::Span<const Layer>& layers);
+
+private:
+    [[nodiscard]] SdbFailure read_header(SceneHeader& header);
+    [[nodiscard]] SdbFailure read_tables(const SceneHeader& header);
+    [[nodiscard]] SdbFailure read_layer(const LayerEntry& entry, Layer& layer);
+    [[nodiscard]] SdbFailure read_attributes(const LayerEntry& entry, Layer& layer);
+    [[nodiscard]] SdbFailure read_attribute(const AttributeEntry& entry, Attribute& attribute);
+    /// An empty part is refused where `count` is not 0, unless it may be left out.
+    template <class T>
+    [[nodiscard]] SdbFailure read_part(const ScenePart& part, std::uint64_t count, bool may_be_left_out,
+                                       base::Span<const T>& values);
+    [[nodiscard]] static SdbFailure damaged(std::uint64_t offset) { return {SdbError::damaged, offset}; }
+
+    base::ByteSource& source_;
+    base::Arena& arena_;
+    std::uint64_t file_bytes_ = 0;
+    base::Span<LayerEntry> layer_entries_;
+    base::Span<AttributeEntry> attribute_entries_;
+};
+
+}  // namespace tedavis::scene

@@ -1,0 +1,162 @@
+/// The scene database (.sdb): spatial data and their uncertainty, as the desk writes them and the board reads them.
+///
+///     SceneHeader
+///     LayerEntry     x layer_count        at table_offset
+///     AttributeEntry x attribute_count    after the layers
+///     parts                               arrays, each with its checksum, at multiples of 8 bytes
+///
+/// A layer is a set of features that share a shape and attributes. Little-endian; all numbers SI and radians where a name does
+/// not say otherwise; times are nanoseconds since 1970 UTC. Texts are UTF-8, zero-terminated within their field.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "render_core/scene/uncertainty.hpp"
+
+namespace tedavis::scene {
+
+inline constexpr char kSdbMagic[8] = {'T', 'E', 'D', 'A', 'S', 'D', 'B', '\n'};
+inline constexpr std::uint32_t kSdbVersion = 1;
+inline constexpr std::uint32_t kMaxLayers = 32;
+inline constexpr std::uint32_t kMaxAttributes = 96;
+inline constexpr std::uint32_t kMaxClasses = 16;
+inline constexpr std::int64_t kNoTime = INT64_MIN;
+
+/// What features are made of.
+enum class LayerShape : std::uint8_t {
+    grid,    ///< values at posts of a lattice in longitude, latitude, height and time
+    points,  ///< a feature each
+    lines,   ///< runs of points
+    areas,   ///< runs of points, closed; the last one is not the first again
+    meshes,  ///< points at which the layer's model stands
+};
+
+/// What they are: it chooses symbols and the techniques that are offered.
+enum class LayerRole : std::uint8_t {
+    field,   ///< a quantity in space
+    wind,    ///< attributes "east" and "north", m/s; "up" may stand beside them
+    sample,  ///< measured or stated at points
+    trajectory,
+    traffic,  ///< other aircraft
+    obstacle,
+    no_go,  ///< areas with floor and ceiling that must not be entered
+    airspace,
+    storm_cell,
+    runway,
+    place,
+    road,
+    river,
+    land_cover,
+    building,
+    model,
+    count,
+};
+
+/// Of heights.
+enum class HeightDatum : std::uint8_t { msl, ellipsoid, ground };
+
+enum class AttributeScale : std::uint8_t { nominal, ordinal, quantitative };
+
+/// What an attribute has one value of.
+enum class AttributeOf : std::uint8_t { feature, point };
+
+/// Where an array lies. `bytes` 0: there is none.
+struct ScenePart {
+    std::uint64_t offset;
+    std::uint64_t bytes;
+    std::uint32_t crc;
+    std::uint32_t reserved;
+};
+
+struct SceneHeader {
+    char magic[8];
+    std::uint32_t version;
+    std::uint32_t header_bytes;
+    std::uint64_t revision;  ///< grows with every build; a display takes over larger ones only
+    std::uint64_t file_bytes;
+    std::uint64_t table_offset;
+    std::uint32_t layer_count, attribute_count;
+    std::uint32_t table_crc;
+    std::uint32_t reserved;
+    char name[64];
+    char origin[128];  ///< where the data come from; "generated" for a scenario's
+    std::uint32_t reserved1;
+    std::uint32_t header_crc;  ///< over all bytes before it
+};
+static_assert(std::is_trivially_copyable_v<SceneHeader> && sizeof(SceneHeader) == 256);
+
+/// Posts of a grid: column i at west + i * step, row j at north - j * step, heights and times from their parts. One level, one
+/// time: the value holds at any height, any time.
+struct GridShape {
+    double west_rad, north_rad, step_lon_rad, step_lat_rad;
+    std::uint32_t columns, rows, levels, times;
+};
+
+struct LayerEntry {
+    char name[32];     ///< unique; designs name it
+    char title[32];    ///< for legends
+    char source[128];  ///< file and licence, for the report
+    LayerShape shape;
+    LayerRole role;
+    HeightDatum height_datum;
+    std::uint8_t importance;  ///< 0..255: what budgets keep first
+    std::uint32_t first_attribute, attribute_count;
+    std::uint32_t feature_count, point_count;  ///< of a grid: its posts, both
+    std::int64_t data_time_ns;                 ///< when it was measured or computed; kNoTime: not stated
+    std::int64_t valid_from_ns, valid_until_ns;
+    float position_accuracy_m;  ///< of places, horizontal, 95 %; 0: not stated
+    float height_accuracy_m;    ///< the same, vertical
+    GridShape grid;
+    ScenePart points;     ///< ScenePoint x point_count; none for a grid
+    ScenePart starts;     ///< std::uint32_t x feature_count + 1: lines and areas
+    ScenePart levels;     ///< float x grid.levels: heights, m, ascending
+    ScenePart times;      ///< std::int64_t x grid.times, ascending
+    ScenePart names;      ///< char[kNameBytes] x feature_count
+    ScenePart vertices;   ///< ModelVertex: the model of meshes
+    ScenePart triangles;  ///< std::uint16_t x 3 a triangle
+    std::uint32_t vertex_count, triangle_count;
+};
+static_assert(std::is_trivially_copyable_v<LayerEntry> && sizeof(LayerEntry) == 472);
+
+inline constexpr std::uint32_t kNameBytes = 24;
+
+struct ScenePoint {
+    double latitude_rad, longitude_rad;
+    float height_m;  ///< in the layer's datum; NaN: on the ground
+    float reserved;
+    std::int64_t time_ns;  ///< kNoTime: the layer's
+};
+static_assert(std::is_trivially_copyable_v<ScenePoint> && sizeof(ScenePoint) == 32);
+
+/// Metres right, ahead and up of the model's point.
+struct ModelVertex {
+    float place_m[3];
+    std::int8_t normal[4];  ///< times 127; the fourth is 0
+    std::uint8_t color[4];
+};
+static_assert(std::is_trivially_copyable_v<ModelVertex> && sizeof(ModelVertex) == 20);
+
+struct AttributeEntry {
+    char name[24];  ///< unique in its layer
+    char title[16];
+    char unit[12];  ///< "m/s"; empty: a plain number
+    AttributeScale scale;
+    AttributeOf of;
+    UncertaintyKind uncertainty_kind;
+    UncertaintyScope uncertainty_scope;
+    std::uint32_t class_count;          ///< nominal and ordinal: values are 0..class_count-1
+    float minimum, maximum;             ///< of values that are not missing; both 0 where there are none
+    float uncertainty_full;             ///< in the unit (percent: a part of 100): what counts as 1
+    float uncertainty_growth_per_hour;  ///< of the level, by the data's age
+    std::uint64_t value_count;
+    ScenePart values;         ///< float; NaN where missing
+    ScenePart uncertainties;  ///< Uncertainty; none: all are `uncertainty_all`
+    ScenePart states;         ///< ValueState; none: valid where a value is
+    ScenePart classes;        ///< char[kNameBytes] x class_count
+    Uncertainty uncertainty_all;
+    std::uint8_t reserved[7];
+};
+static_assert(std::is_trivially_copyable_v<AttributeEntry> && sizeof(AttributeEntry) == 192);
+
+}  // namespace tedavis::scene
