@@ -182,6 +182,15 @@ void ConfigSection::numbers(std::string_view key, double low, double high, Span<
                                                      printed(low) + " to " + printed(high));
 }
 
+std::size_t ConfigSection::element_count(std::string_view key) {
+    const void* found = find(key, false);
+    if (found == nullptr) return 0;
+    const toml::array* array = as_node(found).as_array();
+    if (array != nullptr) return array->size();
+    fault(key, quoted(key) + " must be an array such as [1, 2]");
+    return 0;
+}
+
 std::size_t ConfigSection::texts(std::string_view key, Span<std::string_view> out) {
     const void* found = find(key, false);
     if (found == nullptr) return 0;

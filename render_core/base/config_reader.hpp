@@ -39,6 +39,8 @@ public:
     std::size_t choice(std::string_view key, Span<const std::string_view> choices, std::size_t fallback);
     /// Fills `out` from an array of exactly out.size() numbers; absent leaves it untouched.
     void numbers(std::string_view key, double low, double high, Span<double> out);
+    /// How many elements an array has; 0 where it is absent. What is no array is a fault.
+    [[nodiscard]] std::size_t element_count(std::string_view key);
     /// An array of texts; returns how many there are, writes at most out.size(), more is a fault.
     std::size_t texts(std::string_view key, Span<std::string_view> out);
 

@@ -103,6 +103,16 @@ TEST(ConfigReader, choices_are_listed) {
     EXPECT_EQ(reader.root().choice("c", choices, 0), 1u);
 }
 
+TEST(ConfigReader, arrays_say_how_long_they_are) {
+    ConfigReader reader("v = [1, 2, 3]\ne = []\nx = 4", "x.toml");
+    EXPECT_EQ(reader.root().element_count("v"), 3u);
+    EXPECT_EQ(reader.root().element_count("e"), 0u);
+    EXPECT_EQ(reader.root().element_count("none"), 0u);
+    EXPECT_TRUE(reader.ok());
+    EXPECT_EQ(reader.root().element_count("x"), 0u);
+    EXPECT_EQ(reader.error().sentence.view(), "x.toml:3: 'x' must be an array such as [1, 2]");
+}
+
 TEST(ConfigReader, unknown_keys_are_found_at_every_depth) {
     const auto nothing = [](ConfigSection) {};
     EXPECT_EQ(sentence_of("typo = 1", nothing), "x.toml:1: unknown key 'typo'; correct or remove it");

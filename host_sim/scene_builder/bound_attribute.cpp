@@ -1,0 +1,43 @@
+#include "host_sim/scene_builder/bound_attribute.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tedavis::host_sim {
+
+AttributeDraft bind_attribute(const AttributeRecipe& recipe) {
+    AttributeDraft attribute;
+    attribute.name = recipe.name;
+    attribute.title = recipe.title;
+    attribute.unit = recipe.unit;
+    attribute.scale = recipe.scale;
+    attribute.classes = recipe.classes;
+    attribute.uncertainty_kind = recipe.uncertainty.kind;
+    attribute.uncertainty_scope = recipe.uncertainty.scope;
+    attribute.uncertainty_full = recipe.uncertainty.full;
+    attribute.uncertainty_growth_per_hour = recipe.uncertainty.growth_per_hour;
+    return attribute;
+}
+
+float bound_value(const AttributeRecipe& recipe, double stated) {
+    constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+    double value = recipe.undetected && stated == *recipe.undetected ? recipe.undetected_value : stated;
+    const bool is_missing = !std::isfinite(value) ||
+                            std::find(recipe.missing.begin(), recipe.missing.end(), value) != recipe.missing.end() ||
+                            (recipe.least && value < *recipe.least) || (recipe.most && value > *recipe.most);
+    if (is_missing) return kMissing;
+    value = recipe.factor * value + recipe.offset;
+    if (recipe.scale == scene::AttributeScale::quantitative) return static_cast<float>(value);
+    const bool is_class = value == std::floor(value) && value >= 0 && value < static_cast<double>(recipe.classes.size());
+    return is_class ? static_cast<float>(value) : kMissing;
+}
+
+scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double stated) {
+    const UncertaintyRecipe& unsure = recipe.uncertainty;
+    if (unsure.kind == scene::UncertaintyKind::none) return {};
+    const double in_unit = unsure.is_spread ? std::abs(recipe.factor) * stated : unsure.value.value_or(stated);
+    return scene::Uncertainty::from_level(unsure.is_quality ? 1 - in_unit / unsure.full : in_unit / unsure.full);
+}
+
+}  // namespace tedavis::host_sim

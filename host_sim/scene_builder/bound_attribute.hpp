@@ -1,0 +1,17 @@
+/// What a recipe makes of what a source states.
+#pragma once
+
+#include "host_sim/scene_builder/scene_recipe.hpp"
+
+namespace tedavis::host_sim {
+
+/// Without values.
+[[nodiscard]] AttributeDraft bind_attribute(const AttributeRecipe& recipe);
+
+/// A value as the layer holds it; NaN where it is missing, and where a class is none.
+[[nodiscard]] float bound_value(const AttributeRecipe& recipe, double stated);
+/// A level from what the source states of one value (an ensemble's spread, the variable of the recipe); the recipe's own number
+/// goes before it. Unknown where the recipe says nothing, and for NaN.
+[[nodiscard]] scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double stated);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,55 @@
+#include "host_sim/scene_builder/grid_axes.hpp"
+
+#include <algorithm>
+
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+template <class T>
+void sort_once(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+template <class T>
+std::size_t place_of(const std::vector<T>& values, const std::optional<T>& value) {
+    if (!value || values.empty()) return 0;
+    return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), *value) - values.begin());
+}
+
+bool is_wanted(const GridPlane& plane, std::optional<std::int64_t> from_ns, std::optional<std::int64_t> until_ns) {
+    if (!plane.time_ns) return true;
+    return (!from_ns || *plane.time_ns >= *from_ns) && (!until_ns || *plane.time_ns <= *until_ns);
+}
+
+}  // namespace
+
+GridAxes sort_planes(const std::vector<GridPlane>& planes, std::optional<std::int64_t> from_ns,
+                     std::optional<std::int64_t> until_ns, bool has_members, const std::string& file) {
+    GridAxes axes;
+    for (const GridPlane& plane : planes) {
+        if (!is_wanted(plane, from_ns, until_ns)) continue;
+        if (plane.time_ns) axes.times_ns.push_back(*plane.time_ns);
+        if (plane.level) axes.levels.push_back(*plane.level);
+    }
+    sort_once(axes.times_ns);
+    sort_once(axes.levels);
+    axes.members.resize(axes.time_count() * axes.level_count());
+    for (const GridPlane& plane : planes)
+        if (is_wanted(plane, from_ns, until_ns))
+            axes.members[place_of(axes.times_ns, plane.time_ns) * axes.level_count() + place_of(axes.levels, plane.level)]
+                .push_back(plane);
+    for (const std::vector<GridPlane>& members : axes.members) {
+        if (members.empty())
+            throw UserError(file +
+                            ": has no grid at every time and level that is asked for; choose others with 'from' and 'until'");
+        if (members.size() > 1 && !has_members)
+            throw UserError(file + ": has " + std::to_string(members.size()) +
+                            " grids of one time and level; choose one with variable = \"band N\", or say members = \"bands\"");
+    }
+    return axes;
+}
+
+}  // namespace tedavis::host_sim

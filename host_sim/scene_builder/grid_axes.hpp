@@ -1,0 +1,26 @@
+/// Which planes of a raster make a grid: its times, its levels, and how many members an ensemble has.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/scene_builder/grid_source.hpp"
+
+namespace tedavis::host_sim {
+
+struct GridAxes {
+    std::vector<std::int64_t> times_ns;           ///< ascending; empty: the file states none
+    std::vector<double> levels;                   ///< ascending, as the file states them; empty: none
+    std::vector<std::vector<GridPlane>> members;  ///< of each time and level, time by time: [time * levels + level]
+
+    [[nodiscard]] std::size_t time_count() const { return times_ns.empty() ? 1 : times_ns.size(); }
+    [[nodiscard]] std::size_t level_count() const { return levels.empty() ? 1 : levels.size(); }
+};
+
+/// Of times from .. until, both included. Throws UserError, beginning with `file`, where none is left, a level is missing at a
+/// time, or several planes share one while the recipe wants no members.
+[[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, std::optional<std::int64_t> from_ns,
+                                   std::optional<std::int64_t> until_ns, bool has_members, const std::string& file);
+
+}  // namespace tedavis::host_sim

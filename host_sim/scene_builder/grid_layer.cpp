@@ -1,0 +1,206 @@
+#include "host_sim/scene_builder/grid_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "host_sim/scene_builder/bound_attribute.hpp"
+#include "host_sim/scene_builder/grid_axes.hpp"
+#include "host_sim/scene_builder/grid_preparation.hpp"
+#include "host_sim/scene_builder/grid_window.hpp"
+#include "host_sim/scene_builder/source_path.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using scene::ValueState;
+
+constexpr std::uint64_t kMostPosts = 1u << 26;
+constexpr std::int64_t kHour_ns = 3'600'000'000'000;
+
+bool are_alike(const GridPlaces& a, const GridPlaces& b) {
+    const double tolerance_deg = 1e-6 * a.step_lon_deg;
+    return a.columns == b.columns && a.rows == b.rows && std::abs(a.west_deg - b.west_deg) < tolerance_deg &&
+           std::abs(a.north_deg - b.north_deg) < tolerance_deg && std::abs(a.step_lon_deg - b.step_lon_deg) < tolerance_deg;
+}
+
+/// Mean and standard deviation of an ensemble's members (of the sample: divided by n - 1).
+struct Members {
+    std::vector<float> mean, spread;
+};
+Members join(const std::vector<std::vector<float>>& members) {
+    Members joined;
+    const std::size_t posts = members.front().size();
+    joined.mean.resize(posts);
+    joined.spread.resize(posts);
+    for (std::size_t n = 0; n < posts; ++n) {
+        double sum = 0, squares = 0;
+        for (const std::vector<float>& member : members) sum += double{member[n]};
+        const auto count = static_cast<double>(members.size()), mean = sum / count;
+        for (const std::vector<float>& member : members) squares += (double{member[n]} - mean) * (double{member[n]} - mean);
+        joined.mean[n] = static_cast<float>(mean);
+        joined.spread[n] = static_cast<float>(std::sqrt(squares / std::max(count - 1, 1.0)));
+    }
+    return joined;
+}
+
+class GridLayerMaker {
+public:
+    GridLayerMaker(const LayerRecipe& recipe, const std::string& folder)
+        : recipe_(recipe), folder_(folder), file_(source_path(folder, recipe.source)) {}
+
+    LayerDraft make() {
+        if (recipe_.attributes.empty()) throw UserError(recipe_.name + ": a grid needs an [[layer.attribute]]; bind one");
+        const AttributeRecipe& first = recipe_.attributes.front();
+        const GridSource source(file_, first.variable, recipe_.crs, is_blendable(first));
+        places_ = source.places();
+        window_ = window_of(places_, recipe_.prepare.region);
+        if (window_.columns.empty())
+            throw UserError(recipe_.name + ": " + file_ + " has nothing in the region that is asked for; move 'region'");
+        axes_ = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file_);
+        start_layer();
+        order_levels();
+        for (const AttributeRecipe& attribute : recipe_.attributes) add(attribute);
+        return std::move(layer_);
+    }
+
+private:
+    [[nodiscard]] bool has_members() const { return recipe_.members == "bands"; }
+    [[nodiscard]] static bool is_blendable(const AttributeRecipe& attribute) {
+        return attribute.scale == scene::AttributeScale::quantitative;
+    }
+
+    void start_layer() {
+        layer_.name = recipe_.name;
+        layer_.title = recipe_.title;
+        layer_.shape = scene::LayerShape::grid;
+        const std::uint64_t posts =
+            std::uint64_t{window_.columns.size()} * window_.rows.size() * axes_.level_count() * axes_.time_count();
+        if (posts > kMostPosts)
+            throw UserError(recipe_.name + ": " + std::to_string(posts) +
+                            " posts are too many for a scene; choose a region, or times");
+        layer_.grid = {base::radians(window_.west_deg),
+                       base::radians(window_.north_deg),
+                       base::radians(places_.step_lon_deg),
+                       base::radians(places_.step_lat_deg),
+                       static_cast<std::uint32_t>(window_.columns.size()),
+                       static_cast<std::uint32_t>(window_.rows.size()),
+                       static_cast<std::uint32_t>(axes_.level_count()),
+                       static_cast<std::uint32_t>(axes_.time_count())};
+        if (axes_.times_ns.size() > 1) layer_.times_ns = axes_.times_ns;
+        layer_.data_time_ns = recipe_.data_time_ns.value_or(axes_.times_ns.empty() ? scene::kNoTime : axes_.times_ns.front());
+        if (!axes_.times_ns.empty() && recipe_.valid_hours > 0)
+            layer_.valid_until_ns =
+                axes_.times_ns.back() + static_cast<std::int64_t>(recipe_.valid_hours * static_cast<double>(kHour_ns));
+    }
+
+    /// Heights of levels: given, or the mean of a variable over the layer's posts and times. Ascending in the layer.
+    void order_levels() {
+        std::vector<double> heights_m = recipe_.heights_m;
+        const std::size_t levels = axes_.level_count();
+        if (!recipe_.height_variable.empty()) heights_m = mean_heights();
+        order_.resize(levels);
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
+        if (heights_m.empty() && levels == 1) return;
+        if (heights_m.size() != levels)
+            throw UserError(recipe_.name + ": " + file_ + " has " + std::to_string(levels) + " levels and " +
+                            std::to_string(heights_m.size()) +
+                            " heights are given; give one for each in heights_m (levels ascending as the file states them), or "
+                            "name the variable that holds them in height_variable");
+        std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return heights_m[a] < heights_m[b]; });
+        for (const std::size_t level : order_) layer_.levels_m.push_back(static_cast<float>(heights_m[level]));
+        if (levels == 1) layer_.levels_m.clear();
+    }
+    std::vector<double> mean_heights() {
+        const GridSource source(file_, recipe_.height_variable, recipe_.crs, true);
+        const GridAxes axes = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file_);
+        require_alike(source.places(), axes, recipe_.height_variable);
+        std::vector<double> heights_m(axes.level_count());
+        for (std::size_t level = 0; level < heights_m.size(); ++level) {
+            double sum = 0, count = 0;
+            for (std::size_t time = 0; time < axes.time_count(); ++time)
+                for (const GridPlane& plane : axes.members[time * axes.level_count() + level])
+                    for (const float value : cut(source.read(plane), places_, window_))
+                        if (!std::isnan(value)) sum += double{value}, count += 1;
+            if (!(count > 0))
+                throw UserError(recipe_.name + ": '" + recipe_.height_variable + "' has no heights here; give heights_m");
+            heights_m[level] = recipe_.height_factor * sum / count;
+        }
+        return heights_m;
+    }
+
+    void require_alike(const GridPlaces& places, const GridAxes& axes, const std::string& variable) const {
+        if (!are_alike(places, places_) || axes.times_ns != axes_.times_ns || axes.levels != axes_.levels)
+            throw UserError(recipe_.name + ": '" + variable + "' lies on another grid than '" +
+                            recipe_.attributes.front().variable + "'; put it into a layer of its own");
+    }
+
+    /// Planes of a variable as the layer orders them, uncertainties not yet known.
+    struct Planes {
+        std::vector<std::vector<float>> mean, spread;
+    };
+    Planes read_planes(const std::string& file, const std::string& variable, bool may_blend) {
+        const GridSource source(file, variable, recipe_.crs, may_blend);
+        const GridAxes axes = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file);
+        require_alike(source.places(), axes, variable);
+        Planes planes;
+        for (std::size_t time = 0; time < axes.time_count(); ++time)
+            for (const std::size_t level : order_) {
+                std::vector<std::vector<float>> members;
+                for (const GridPlane& plane : axes.members[time * axes.level_count() + level])
+                    members.push_back(cut(source.read(plane), places_, window_));
+                Members joined = join(members);
+                planes.mean.push_back(std::move(joined.mean));
+                planes.spread.push_back(std::move(joined.spread));
+            }
+        return planes;
+    }
+
+    void add(const AttributeRecipe& recipe) {
+        AttributeDraft attribute = bind_attribute(recipe);
+        const Planes stated = read_planes(file_, recipe.variable, is_blendable(recipe));
+        const UncertaintyRecipe& unsure = recipe.uncertainty;
+        Planes levels;
+        if (!unsure.variable.empty())
+            levels = read_planes(unsure.source.empty() ? file_ : source_path(folder_, unsure.source), unsure.variable, true);
+        for (std::size_t n = 0; n < stated.mean.size(); ++n) {
+            PreparedPlane plane;
+            plane.columns = static_cast<int>(window_.columns.size());
+            plane.rows = static_cast<int>(window_.rows.size());
+            for (std::size_t post = 0; post < stated.mean[n].size(); ++post) {
+                plane.values.push_back(bound_value(recipe, double{stated.mean[n][post]}));
+                const double of_variable = levels.mean.empty() ? 0 : double{levels.mean[n][post]};
+                plane.uncertainties.push_back(
+                    bound_uncertainty(recipe, unsure.is_spread ? double{stated.spread[n][post]} : of_variable));
+                plane.states.push_back(std::isnan(plane.values.back()) ? ValueState::missing : ValueState::valid);
+            }
+            prepare(plane, is_blendable(recipe));
+            attribute.values.insert(attribute.values.end(), plane.values.begin(), plane.values.end());
+            attribute.uncertainties.insert(attribute.uncertainties.end(), plane.uncertainties.begin(), plane.uncertainties.end());
+            attribute.states.insert(attribute.states.end(), plane.states.begin(), plane.states.end());
+        }
+        layer_.attributes.push_back(std::move(attribute));
+    }
+    void prepare(PreparedPlane& plane, bool may_blend) const {
+        if (!may_blend) return;
+        fill_gaps(plane, recipe_.prepare.fill_cells, recipe_.prepare.fill_uncertainty);
+        smooth(plane, recipe_.prepare.smooth_cells);
+    }
+
+    const LayerRecipe& recipe_;
+    const std::string folder_, file_;
+    GridPlaces places_;
+    GridWindow window_;
+    GridAxes axes_;
+    std::vector<std::size_t> order_;  ///< levels of the file by height
+    LayerDraft layer_;
+};
+
+}  // namespace
+
+LayerDraft make_grid_layer(const LayerRecipe& recipe, const std::string& folder) { return GridLayerMaker(recipe, folder).make(); }
+
+}  // namespace tedavis::host_sim

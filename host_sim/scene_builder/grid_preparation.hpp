@@ -1,0 +1,26 @@
+/// Gaps closed and noise smoothed in one plane of a grid, and what that costs in certainty.
+#pragma once
+
+#include <vector>
+
+#include "render_core/scene/uncertainty.hpp"
+
+namespace tedavis::host_sim {
+
+/// Row by row; all of one size.
+struct PreparedPlane {
+    int columns = 0, rows = 0;
+    std::vector<float> values;  ///< NaN where missing
+    std::vector<scene::Uncertainty> uncertainties;
+    std::vector<scene::ValueState> states;
+};
+
+/// Missing posts no farther than `reach_cells` from known ones get their mean, weighted by 1 / distance^2 (Shepard 1968). They
+/// are marked as interpolated, and are as unsure as the least sure of those, plus `level_per_cell` for each cell to the nearest.
+void fill_gaps(PreparedPlane& plane, double reach_cells, double level_per_cell);
+
+/// A Gaussian of standard deviation `cells`, over known posts only; missing ones stay missing, and uncertainties are averaged
+/// with the same weights, for nothing is known of how their errors hang together.
+void smooth(PreparedPlane& plane, double cells);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,173 @@
+#include "host_sim/scene_builder/scene_recipe.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/config_reader.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using base::ConfigSection;
+using Texts = base::Span<const std::string_view>;
+
+constexpr std::array<std::string_view, 16> kRoles = {"field", "wind",       "sample",     "trajectory", "traffic", "obstacle",
+                                                     "no_go", "airspace",   "storm_cell", "runway",     "place",   "road",
+                                                     "river", "land_cover", "building",   "model"};
+static_assert(kRoles.size() == static_cast<std::size_t>(scene::LayerRole::count));
+constexpr std::array<std::string_view, 3> kDatums = {"msl", "ellipsoid", "ground"};
+constexpr std::array<std::string_view, 3> kScales = {"nominal", "ordinal", "quantitative"};
+constexpr std::array<std::string_view, 5> kKinds = {"none", "standard_deviation", "interval", "percent", "ordinal"};
+constexpr std::array<std::string_view, 4> kScopes = {"value", "point", "attribute", "data_set"};
+constexpr std::array<std::string_view, 2> kMembers = {"none", "bands"};
+constexpr double kLarge = 1e12;
+constexpr double kHoursOfAYear = 8784;
+
+std::string text(ConfigSection& section, std::string_view key, std::string_view fallback = "") {
+    return std::string(section.text(key, fallback));
+}
+
+std::vector<std::string> texts(ConfigSection& section, std::string_view key) {
+    std::array<std::string_view, scene::kMaxClasses> found;
+    const std::size_t count = section.texts(key, {found.data(), found.size()});
+    std::vector<std::string> all;
+    for (std::size_t n = 0; n < count && n < found.size(); ++n) all.emplace_back(found[n]);
+    return all;
+}
+
+std::optional<double> number(ConfigSection& section, std::string_view key) {
+    if (!section.has(key)) return std::nullopt;
+    return section.number(key, -kLarge, kLarge);
+}
+
+std::optional<std::int64_t> instant(ConfigSection& section, std::string_view key) {
+    if (!section.has(key)) return std::nullopt;
+    const std::optional<base::Time> time = parse_iso8601(section.text(key));
+    if (!time) section.fault(key, "no time such as 2026-06-01T14:00:00Z");
+    return time ? std::optional(time->ns) : std::nullopt;
+}
+
+RegionRecipe read_region(ConfigSection section) {
+    RegionRecipe region;
+    region.west_deg = section.number("west_deg", -360, 360);
+    region.south_deg = section.number("south_deg", -90, 90);
+    region.east_deg = section.number("east_deg", -360, 360);
+    region.north_deg = section.number("north_deg", -90, 90);
+    if (!(region.south_deg < region.north_deg)) section.fault("south_deg", "must be below north_deg");
+    return region;
+}
+
+UncertaintyRecipe read_uncertainty(ConfigSection section) {
+    UncertaintyRecipe uncertainty;
+    if (!section.present()) return uncertainty;
+    uncertainty.kind = static_cast<scene::UncertaintyKind>(section.choice("kind", Texts(kKinds.data(), kKinds.size()), 0));
+    uncertainty.scope = static_cast<scene::UncertaintyScope>(section.choice("scope", Texts(kScopes.data(), kScopes.size()), 0));
+    uncertainty.variable = text(section, "variable");
+    uncertainty.source = text(section, "source");
+    uncertainty.value = number(section, "value");
+    uncertainty.is_quality = section.boolean("is_quality", false);
+    uncertainty.is_spread = section.boolean("is_spread", false);
+    uncertainty.full = section.number("full", 1e-9, kLarge, 1);
+    uncertainty.growth_per_hour = section.number("growth_per_hour", 0, 1000, 0);
+    const int stated = (uncertainty.variable.empty() ? 0 : 1) + (uncertainty.value ? 1 : 0) + (uncertainty.is_spread ? 1 : 0);
+    if (uncertainty.kind != scene::UncertaintyKind::none && stated != 1)
+        section.fault("kind", "one of 'value', 'variable' and 'is_spread = true' must say how large it is");
+    return uncertainty;
+}
+
+AttributeRecipe read_attribute(ConfigSection section) {
+    AttributeRecipe attribute;
+    attribute.name = std::string(section.text("name"));
+    attribute.title = text(section, "title", attribute.name);
+    attribute.unit = text(section, "unit");
+    attribute.variable = text(section, "variable", attribute.name);
+    attribute.scale = static_cast<scene::AttributeScale>(section.choice("scale", Texts(kScales.data(), kScales.size()), 2));
+    attribute.classes = texts(section, "classes");
+    const bool is_classed = attribute.scale != scene::AttributeScale::quantitative;
+    if (is_classed == attribute.classes.empty())
+        section.fault("scale", is_classed ? "nominal and ordinal attributes need 'classes', their names in order"
+                                          : "a quantitative attribute has no 'classes'");
+    attribute.factor = section.number("factor", -kLarge, kLarge, 1);
+    attribute.offset = section.number("offset", -kLarge, kLarge, 0);
+    attribute.missing.resize(section.element_count("missing"));
+    section.numbers("missing", -kLarge, kLarge, {attribute.missing.data(), attribute.missing.size()});
+    attribute.undetected = number(section, "undetected");
+    if (attribute.undetected) attribute.undetected_value = section.number("undetected_value", -kLarge, kLarge);
+    attribute.least = number(section, "least");
+    attribute.most = number(section, "most");
+    attribute.uncertainty = read_uncertainty(section.section("uncertainty"));
+    return attribute;
+}
+
+PreparationRecipe read_preparation(ConfigSection section) {
+    PreparationRecipe prepare;
+    if (!section.present()) return prepare;
+    if (ConfigSection region = section.section("region"); region.present()) prepare.region = read_region(region);
+    prepare.fill_cells = section.number("fill_cells", 0, 64, 0);
+    prepare.fill_uncertainty = section.number("fill_uncertainty", 0, 1, prepare.fill_uncertainty);
+    prepare.smooth_cells = section.number("smooth_cells", 0, 16, 0);
+    prepare.keep_attribute = text(section, "keep_attribute");
+    if (!prepare.keep_attribute.empty()) {
+        prepare.keep_least = section.number("keep_least", -kLarge, kLarge, -kLarge);
+        prepare.keep_most = section.number("keep_most", -kLarge, kLarge, kLarge);
+    }
+    return prepare;
+}
+
+void read_times(ConfigSection& section, LayerRecipe& layer) {
+    layer.data_time_ns = instant(section, "data_time");
+    layer.from_ns = instant(section, "from");
+    layer.until_ns = instant(section, "until");
+    if (layer.from_ns && layer.until_ns && *layer.from_ns > *layer.until_ns) section.fault("from", "must not be after 'until'");
+    layer.valid_hours = section.number("valid_hours", 0, kHoursOfAYear, 0);
+}
+
+void read_heights(ConfigSection& section, LayerRecipe& layer) {
+    if (section.has("height_datum"))
+        layer.height_datum =
+            static_cast<scene::HeightDatum>(section.choice("height_datum", Texts(kDatums.data(), kDatums.size()), 0));
+    layer.height_variable = text(section, "height_variable");
+    layer.height_factor = section.number("height_factor", -1000, 1000, 1);
+    layer.heights_m.resize(section.element_count("heights_m"));
+    section.numbers("heights_m", -1000, 100000, {layer.heights_m.data(), layer.heights_m.size()});
+}
+
+LayerRecipe read_layer(ConfigSection section) {
+    LayerRecipe layer;
+    layer.name = std::string(section.text("name"));
+    layer.title = text(section, "title", layer.name);
+    layer.source = std::string(section.text("source"));
+    layer.licence = text(section, "licence");
+    layer.role = static_cast<scene::LayerRole>(section.choice("role", Texts(kRoles.data(), kRoles.size()), 0));
+    layer.importance = static_cast<std::uint8_t>(section.integer("importance", 0, 255, 128));
+    read_times(section, layer);
+    read_heights(section, layer);
+    layer.position_accuracy_m = section.number("position_accuracy_m", 0, 1e6, 0);
+    layer.height_accuracy_m = section.number("height_accuracy_m", 0, 1e5, 0);
+    layer.crs = text(section, "crs");
+    layer.members = std::string(kMembers[section.choice("members", Texts(kMembers.data(), kMembers.size()), 0)]);
+    layer.prepare = read_preparation(section.section("prepare"));
+    for (std::size_t n = 0; n < section.table_count("attribute"); ++n)
+        layer.attributes.push_back(read_attribute(section.table_at("attribute", n)));
+    return layer;
+}
+
+}  // namespace
+
+SceneRecipe parse_scene(std::string_view content, const std::string& file_name) {
+    base::ConfigReader reader(content, file_name);
+    ConfigSection root = reader.root();
+    SceneRecipe recipe;
+    recipe.name = std::string(root.text("name"));
+    recipe.origin = text(root, "origin");
+    const std::size_t layers = root.table_count("layer");
+    if (layers == 0 || layers > scene::kMaxLayers) root.fault("layer", "1 to 32 tables [[layer]] are needed");
+    for (std::size_t n = 0; n < layers && n < scene::kMaxLayers; ++n)
+        recipe.layers.push_back(read_layer(root.table_at("layer", n)));
+    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    return recipe;
+}
+
+}  // namespace tedavis::host_sim

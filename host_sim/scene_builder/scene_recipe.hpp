@@ -1,0 +1,81 @@
+/// What a scene file asks for (`configs/scenes/*.toml`, see configs/scenes/README.md): sources, and how their attributes are
+/// bound.
+///
+/// Units of the file are converted where it is read: SI and radians inside, texts of units are for legends only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/scene_builder/scene_draft.hpp"
+
+namespace tedavis::host_sim {
+
+/// Degrees; west may be greater than east, over the antimeridian.
+struct RegionRecipe {
+    double west_deg = -180, south_deg = -90, east_deg = 180, north_deg = 90;
+};
+
+/// A stated uncertainty: a number for all, or a variable of the source.
+struct UncertaintyRecipe {
+    scene::UncertaintyKind kind = scene::UncertaintyKind::none;
+    scene::UncertaintyScope scope = scene::UncertaintyScope::value;
+    std::string variable;  ///< empty: `value` holds
+    std::string source;    ///< another file with it; empty: the layer's
+    std::optional<double> value;
+    bool is_quality = false;  ///< the variable says how sure, 0..1, instead of how unsure
+    bool is_spread = false;   ///< the standard deviation of the ensemble's members
+    double full = 1;          ///< what counts as 1, in the attribute's unit (percent: of 100)
+    double growth_per_hour = 0;
+};
+
+struct AttributeRecipe {
+    std::string name, title, unit;
+    std::string variable;  ///< of a raster its variable or "band 2"; of a table its column; empty: the name
+    scene::AttributeScale scale = scene::AttributeScale::quantitative;
+    std::vector<std::string> classes;
+    double factor = 1, offset = 0;      ///< value = factor * stated + offset
+    std::vector<double> missing;        ///< stated values that mean there is none
+    std::optional<double> undetected;   ///< stated where there was a look and nothing was found ...
+    double undetected_value = 0;        ///< ... which is this stated value
+    std::optional<double> least, most;  ///< stated values beyond them mean the same
+    UncertaintyRecipe uncertainty;
+};
+
+struct PreparationRecipe {
+    std::optional<RegionRecipe> region;
+    double fill_cells = 0;          ///< gaps up to so many cells wide are interpolated
+    double fill_uncertainty = 0.5;  ///< level that a cell of interpolation adds
+    double smooth_cells = 0;        ///< standard deviation of the Gaussian
+    std::string keep_attribute;     ///< features (or posts) whose value lies in [keep_least, keep_most]; empty: all
+    double keep_least = 0, keep_most = 0;
+};
+
+struct LayerRecipe {
+    std::string name, title, source, licence;
+    scene::LayerRole role = scene::LayerRole::field;
+    std::optional<scene::HeightDatum> height_datum;
+    std::uint8_t importance = 128;
+    std::optional<std::int64_t> data_time_ns, from_ns, until_ns;  ///< from and until choose times of the source
+    double valid_hours = 0;                                       ///< after the data's last time; 0: for ever
+    double position_accuracy_m = 0, height_accuracy_m = 0;
+    std::string crs;              ///< of sources that do not state theirs
+    std::string height_variable;  ///< of a raster the geopotential or height of its levels; of a table the column of heights
+    double height_factor = 1;
+    std::vector<double> heights_m;  ///< of a raster's levels, where no variable gives them
+    std::string members;            ///< "bands": bands of one time are members of an ensemble
+    PreparationRecipe prepare;
+    std::vector<AttributeRecipe> attributes;
+};
+
+struct SceneRecipe {
+    std::string name, origin;
+    std::vector<LayerRecipe> layers;
+};
+
+/// Throws UserError with file and line.
+[[nodiscard]] SceneRecipe parse_scene(std::string_view text, const std::string& file_name);
+
+}  // namespace tedavis::host_sim

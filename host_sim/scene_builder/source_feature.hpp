@@ -1,0 +1,34 @@
+/// A thing in the world as some file states it, whatever the format: its places, what is said of it, and of each of its points.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render_core/scene/sdb_format.hpp"
+
+namespace tedavis::host_sim {
+
+struct SourcePoint {
+    double latitude_deg = 0, longitude_deg = 0;
+    std::optional<double> height_m;
+    std::optional<std::int64_t> time_ns;
+};
+
+struct SourceFeature {
+    scene::LayerShape shape = scene::LayerShape::points;  ///< points, lines or areas
+    std::vector<SourcePoint> points;
+    std::map<std::string, std::string> fields;                ///< as the file writes them; absent: not stated
+    std::map<std::string, std::vector<double>> point_values;  ///< one a point; NaN: not stated
+};
+
+/// What a file holds, and what was left out of it and why: sentences for the user.
+struct SourceFeatures {
+    std::vector<SourceFeature> features;
+    scene::HeightDatum height_datum = scene::HeightDatum::msl;
+    std::vector<std::string> notes;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,142 @@
+#include "host_sim/scene_builder/vector_source.hpp"
+
+#include <cpl_string.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+
+#include "host_sim/input_file.hpp"
+#include "host_sim/quiet_gdal.hpp"
+#include "host_sim/terrain_builder/raster_file.hpp"
+#include "host_sim/terrain_builder/raster_source.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+std::vector<SourcePoint> points_of(const OGRSimpleCurve& curve, bool is_ring) {
+    std::vector<SourcePoint> points;
+    const int count = is_ring && curve.get_IsClosed() != 0 ? curve.getNumPoints() - 1 : curve.getNumPoints();
+    for (int n = 0; n < count; ++n) {
+        SourcePoint point{curve.getY(n), curve.getX(n), {}, {}};
+        if (curve.Is3D() != 0) point.height_m = curve.getZ(n);
+        points.push_back(point);
+    }
+    return points;
+}
+
+class VectorReader {
+public:
+    VectorReader(std::string file, std::string crs) : file_(std::move(file)), crs_(std::move(crs)) {}
+
+    SourceFeatures read() {
+        GDALAllRegister();
+        require_regular_file(file_);
+        const QuietGdal quiet;
+        CPLStringList options;
+        options.AddString("X_POSSIBLE_NAMES=lon*,x");
+        options.AddString("Y_POSSIBLE_NAMES=lat*,y");
+        options.AddString("KEEP_GEOM_COLUMNS=YES");
+        const GdalDataset dataset(
+            GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
+        if (dataset == nullptr)
+            throw UserError(file_ + ": not a table or map that GDAL can read (" + QuietGdal::last_message() +
+                            "); give CSV or GeoJSON");
+        for (int n = 0; n < dataset->GetLayerCount(); ++n) read(*dataset->GetLayer(n));
+        if (holes_ > 0) found_.notes.push_back(file_ + ": " + std::to_string(holes_) + " holes in areas are not shown");
+        if (others_ > 0)
+            found_.notes.push_back(file_ + ": " + std::to_string(others_) + " features have a geometry that is not shown");
+        return std::move(found_);
+    }
+
+private:
+    void read(OGRLayer& layer) {
+        const Transformation to_wgs84 = transformation_of(layer);
+        layer.ResetReading();
+        for (auto& feature : layer) {
+            ++row_;
+            const OGRGeometry* const geometry = feature->GetGeometryRef();
+            if (geometry == nullptr)
+                throw UserError(
+                    file_ + ": feature " + std::to_string(row_) +
+                    " has no place; a CSV needs columns whose names begin with lon and lat, with a number in each row");
+            SourceFeature read_one;
+            read_one.fields = fields_of(*feature);
+            const std::unique_ptr<OGRGeometry> turned(geometry->clone());
+            if (to_wgs84 != nullptr && turned->transform(to_wgs84.get()) != OGRERR_NONE)
+                throw UserError(file_ + ": feature " + std::to_string(row_) +
+                                " lies where its system is not defined; check 'crs'");
+            add(*turned, read_one);
+        }
+    }
+    Transformation transformation_of(OGRLayer& layer) const {
+        OGRSpatialReference wgs84 = wgs84_longitude_latitude(), from;
+        const OGRSpatialReference* const stated = layer.GetSpatialRef();
+        if (!crs_.empty()) {
+            if (from.SetFromUserInput(crs_.c_str()) != OGRERR_NONE)
+                throw UserError(file_ + ": crs '" + crs_ + "' is unknown; name it as EPSG:4326");
+        } else if (stated != nullptr) {
+            from = *stated;
+        } else {
+            return nullptr;
+        }
+        from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        if (from.IsSame(&wgs84) != 0) return nullptr;
+        Transformation transformation(OGRCreateCoordinateTransformation(&from, &wgs84));
+        if (transformation == nullptr) throw UserError(file_ + ": cannot be brought to longitude and latitude; check 'crs'");
+        return transformation;
+    }
+    static std::map<std::string, std::string> fields_of(const OGRFeature& feature) {
+        std::map<std::string, std::string> fields;
+        for (int n = 0; n < feature.GetFieldCount(); ++n) {
+            if (feature.IsFieldSetAndNotNull(n) == 0) continue;
+            std::string text = feature.GetFieldAsString(n);
+            if (!text.empty()) fields[feature.GetFieldDefnRef(n)->GetNameRef()] = std::move(text);
+        }
+        return fields;
+    }
+
+    void add(const OGRGeometry& geometry, const SourceFeature& as_read) {
+        SourceFeature feature = as_read;
+        switch (wkbFlatten(geometry.getGeometryType())) {
+            case wkbPoint: {
+                const OGRPoint& point = *geometry.toPoint();
+                feature.points = {{point.getY(), point.getX(), {}, {}}};
+                if (point.Is3D() != 0) feature.points[0].height_m = point.getZ();
+                break;
+            }
+            case wkbLineString:
+                feature.shape = scene::LayerShape::lines;
+                feature.points = points_of(*geometry.toLineString(), false);
+                break;
+            case wkbPolygon:
+                feature.shape = scene::LayerShape::areas;
+                holes_ += geometry.toPolygon()->getNumInteriorRings();
+                if (geometry.toPolygon()->getExteriorRing() != nullptr)
+                    feature.points = points_of(*geometry.toPolygon()->getExteriorRing(), true);
+                break;
+            case wkbMultiPoint:
+            case wkbMultiLineString:
+            case wkbMultiPolygon:
+            case wkbGeometryCollection:
+                for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, as_read);
+                return;
+            default: ++others_; return;
+        }
+        if (!feature.points.empty()) found_.features.push_back(std::move(feature));
+    }
+
+    const std::string file_, crs_;
+    SourceFeatures found_;
+    std::size_t row_ = 0;
+    int holes_ = 0, others_ = 0;
+};
+
+}  // namespace
+
+SourceFeatures read_vector_file(const std::string& file, const std::string& crs) { return VectorReader(file, crs).read(); }
+
+}  // namespace tedavis::host_sim

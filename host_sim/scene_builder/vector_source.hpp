@@ -1,0 +1,15 @@
+/// Points, lines and areas of tables and maps: CSV with columns of places, GeoJSON, and what else GDAL reads as vectors.
+#pragma once
+
+#include <string>
+
+#include "host_sim/scene_builder/source_feature.hpp"
+
+namespace tedavis::host_sim {
+
+/// Parts of multipart geometries become features of their own; holes in areas are left out and noted. Places of a CSV stand in
+/// columns whose names begin with lon or x, and with lat or y. Throws UserError where the file is none, or a feature has no
+/// place.
+[[nodiscard]] SourceFeatures read_vector_file(const std::string& file, const std::string& crs);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,69 @@
+#include "host_sim/scene_builder/bound_attribute.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tedavis::host_sim {
+namespace {
+
+TEST(BoundAttribute, SaysWhatItsRecipeSays) {
+    AttributeRecipe recipe;
+    recipe.name = "gust";
+    recipe.unit = "m/s";
+    recipe.uncertainty.full = 10;
+    recipe.uncertainty.kind = scene::UncertaintyKind::interval;
+    const AttributeDraft draft = bind_attribute(recipe);
+    EXPECT_EQ(draft.name, "gust");
+    EXPECT_EQ(draft.unit, "m/s");
+    EXPECT_EQ(draft.uncertainty_full, 10);
+    EXPECT_EQ(draft.uncertainty_kind, scene::UncertaintyKind::interval);
+    EXPECT_TRUE(draft.values.empty());
+}
+
+TEST(BoundAttribute, ValuesAreConvertedAndWhatIsNoneIsMissing) {
+    AttributeRecipe recipe;
+    recipe.factor = 2;
+    recipe.offset = 1;
+    recipe.missing = {-9999};
+    recipe.least = -50;
+    recipe.most = 50;
+    EXPECT_EQ(bound_value(recipe, 20), 41);
+    for (const double none : {-9999.0, -51.0, 51.0, std::nan(""), HUGE_VAL}) EXPECT_TRUE(std::isnan(bound_value(recipe, none)));
+    recipe.undetected = -8888;
+    recipe.undetected_value = -32;
+    EXPECT_EQ(bound_value(recipe, -8888), -63) << "a look that found nothing is a value";
+}
+
+TEST(BoundAttribute, ClassesAreWholeNumbers) {
+    AttributeRecipe recipe;
+    recipe.scale = scene::AttributeScale::nominal;
+    recipe.classes = {"a", "b"};
+    EXPECT_EQ(bound_value(recipe, 1), 1);
+    for (const double none : {2.0, -1.0, 0.5}) EXPECT_TRUE(std::isnan(bound_value(recipe, none))) << none;
+}
+
+TEST(BoundAttribute, UncertaintiesBecomeLevels) {
+    AttributeRecipe recipe;
+    EXPECT_FALSE(bound_uncertainty(recipe, 1).is_known()) << "nothing is said";
+    recipe.uncertainty.kind = scene::UncertaintyKind::standard_deviation;
+    recipe.uncertainty.full = 8;
+    EXPECT_NEAR(bound_uncertainty(recipe, 2).level(), 0.25, 1.0 / 254);
+    EXPECT_EQ(bound_uncertainty(recipe, 20).level(), 1);
+    EXPECT_FALSE(bound_uncertainty(recipe, std::nan("")).is_known());
+    EXPECT_FALSE(bound_uncertainty(recipe, -1).is_known());
+    recipe.uncertainty.value = 4;
+    EXPECT_NEAR(bound_uncertainty(recipe, 2).level(), 0.5, 1.0 / 254) << "one number for all";
+    recipe.uncertainty = {};
+    recipe.uncertainty.kind = scene::UncertaintyKind::percent;
+    recipe.uncertainty.is_quality = true;
+    EXPECT_NEAR(bound_uncertainty(recipe, 0.9).level(), 0.1, 1.0 / 254) << "how sure, instead of how unsure";
+    recipe.uncertainty.is_quality = false;
+    recipe.uncertainty.is_spread = true;
+    recipe.uncertainty.full = 8;
+    recipe.factor = -2;
+    EXPECT_NEAR(bound_uncertainty(recipe, 1).level(), 0.25, 1.0 / 254) << "a spread is scaled with its values";
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

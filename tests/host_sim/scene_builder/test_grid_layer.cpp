@@ -1,0 +1,127 @@
+#include "host_sim/scene_builder/grid_layer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/raster_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::expect_user_error;
+using test_support::RasterFile;
+
+class GridLayerOfFiles : public ::testing::Test {
+protected:
+    GridLayerOfFiles() {
+        recipe_.name = "field";
+        recipe_.source = "grid.tif";
+        recipe_.attributes.resize(1);
+        recipe_.attributes[0].name = "value";
+        recipe_.attributes[0].variable = "band 1";
+    }
+    LayerDraft make() { return make_grid_layer(recipe_, folder_.path()); }
+    void write(const RasterFile& raster, const std::string& name = "grid.tif") {
+        (void)raster.write(folder_.path() + "/" + name);
+    }
+
+    LayerRecipe recipe_;
+    test_support::TemporaryFolder folder_;
+};
+
+TEST_F(GridLayerOfFiles, ValuesLieWhereTheFileHasThem) {
+    write({});
+    const LayerDraft layer = make();
+    EXPECT_EQ(layer.shape, scene::LayerShape::grid);
+    EXPECT_EQ(layer.grid.columns, 20u);
+    EXPECT_NEAR(base::degrees(layer.grid.west_rad), 9.605, 1e-9);
+    ASSERT_EQ(layer.attributes[0].values.size(), 300u);
+    EXPECT_EQ(layer.attributes[0].values[20 + 3], 1000 + 21 + 3);
+    EXPECT_FALSE(layer.attributes[0].uncertainties[0].is_known()) << "nothing is said of it";
+    EXPECT_TRUE(layer.levels_m.empty());
+    EXPECT_TRUE(layer.times_ns.empty());
+}
+
+TEST_F(GridLayerOfFiles, ARegionIsCutOut) {
+    write({});
+    recipe_.prepare.region = RegionRecipe{9.652, 46.98, 9.68, 47.02};
+    const LayerDraft layer = make();
+    EXPECT_NEAR(base::degrees(layer.grid.west_rad), 9.645, 1e-9);
+    EXPECT_EQ(layer.grid.columns, 5u);
+    EXPECT_EQ(layer.attributes[0].values[0], 1000 + 7 * 4 + 3 * 7);
+    recipe_.prepare.region = RegionRecipe{0, 0, 1, 1};
+    expect_user_error([this] { (void)make(); }, "has nothing in the region");
+}
+
+TEST_F(GridLayerOfFiles, UncertaintyComesFromANumberAVariableOrAnotherFile) {
+    RasterFile raster;
+    raster.bands = 2;
+    write(raster);
+    UncertaintyRecipe& unsure = recipe_.attributes[0].uncertainty;
+    unsure.kind = scene::UncertaintyKind::standard_deviation;
+    unsure.value = 2;
+    unsure.full = 8;
+    EXPECT_NEAR(make().attributes[0].uncertainties[7].level(), 0.25, 1.0 / 254);
+    unsure.value.reset();
+    unsure.variable = "band 2";
+    unsure.full = 10000;
+    EXPECT_NEAR(make().attributes[0].uncertainties[3].level(), 0.6021, 1.0 / 254);
+    RasterFile quality;
+    quality.value = [](int i, int) { return i / 20.0; };
+    write(quality, "quality.tif");
+    unsure.variable = "band 1";
+    unsure.source = "quality.tif";
+    unsure.full = 1;
+    unsure.is_quality = true;
+    EXPECT_NEAR(make().attributes[0].uncertainties[15].level(), 0.25, 1.0 / 254);
+    quality.columns = 19;
+    write(quality, "quality.tif");
+    expect_user_error([this] { (void)make(); }, "lies on another grid");
+}
+
+TEST_F(GridLayerOfFiles, MembersBecomeMeanAndSpread) {
+    RasterFile raster;
+    raster.bands = 2;  // the second is 5000 more
+    write(raster);
+    recipe_.attributes[0].variable = "";
+    expect_user_error([this] { (void)make(); }, "2 grids of one time and level");
+    recipe_.members = "bands";
+    recipe_.attributes[0].uncertainty.kind = scene::UncertaintyKind::standard_deviation;
+    recipe_.attributes[0].uncertainty.is_spread = true;
+    recipe_.attributes[0].uncertainty.full = 10000;
+    const LayerDraft layer = make();
+    EXPECT_EQ(layer.attributes[0].values[0], 3500);
+    EXPECT_NEAR(layer.attributes[0].uncertainties[0].level(), 5000 / std::sqrt(2) / 10000, 1.0 / 254) << "divided by n - 1";
+}
+
+TEST_F(GridLayerOfFiles, MissingOnesStayMissingUnlessGapsAreFilled) {
+    RasterFile raster;
+    raster.no_data = -1;
+    raster.value = [](int i, int j) { return i == 4 && j == 4 ? -1.0 : 50.0; };
+    write(raster);
+    LayerDraft layer = make();
+    EXPECT_TRUE(std::isnan(layer.attributes[0].values[84]));
+    EXPECT_EQ(layer.attributes[0].states[84], scene::ValueState::missing);
+    recipe_.prepare.fill_cells = 1;
+    layer = make();
+    EXPECT_EQ(layer.attributes[0].values[84], 50);
+    EXPECT_EQ(layer.attributes[0].states[84], scene::ValueState::interpolated);
+    recipe_.attributes[0].scale = scene::AttributeScale::nominal;
+    recipe_.attributes[0].classes = std::vector<std::string>(16, "c");
+    EXPECT_TRUE(std::isnan(make().attributes[0].values[84])) << "classes are never interpolated";
+}
+
+TEST_F(GridLayerOfFiles, WhatIsNotBoundIsSaid) {
+    write({});
+    recipe_.heights_m = {100, 200};
+    expect_user_error([this] { (void)make(); }, "has 1 levels and 2 heights are given");
+    recipe_.attributes.clear();
+    expect_user_error([this] { (void)make(); }, "needs an [[layer.attribute]]");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

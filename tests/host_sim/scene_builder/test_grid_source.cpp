@@ -1,0 +1,110 @@
+#include "host_sim/scene_builder/grid_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/raster_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::expect_user_error;
+using test_support::RasterFile;
+
+class GridSourceOfFiles : public ::testing::Test {
+protected:
+    GridSource source(const RasterFile& raster, const std::string& variable = "", const std::string& crs = "") {
+        return {raster.write(folder_.path() + "/grid.tif"), variable, crs, true};
+    }
+    test_support::TemporaryFolder folder_;
+};
+
+TEST_F(GridSourceOfFiles, PostsAreTheMiddlesOfPixels) {
+    RasterFile raster;
+    raster.no_data = 1000;
+    const GridSource grid = source(raster);
+    EXPECT_EQ(grid.places().columns, 20);
+    EXPECT_NEAR(grid.places().west_deg, 9.605, 1e-9);
+    EXPECT_NEAR(grid.places().north_deg, 47.095, 1e-9);
+    ASSERT_EQ(grid.planes().size(), 1u);
+    const std::vector<float> values = grid.read(grid.planes()[0]);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[21], 1010);
+}
+
+TEST_F(GridSourceOfFiles, RowsFromNorthToSouthWhateverTheFile) {
+    RasterFile raster;
+    raster.transform = {9.8, -0.01, 0, 46.9, 0, 0.01};  // east to west, south to north
+    const GridSource grid = source(raster);
+    EXPECT_NEAR(grid.places().west_deg, 9.605, 1e-9);
+    EXPECT_NEAR(grid.places().north_deg, 47.045, 1e-9);
+    EXPECT_NEAR(grid.places().step_lon_deg, 0.01, 1e-12);
+    const std::vector<float> values = grid.read(grid.planes()[0]);
+    EXPECT_EQ(values[0], 1000 + 7 * 19 + 3 * 14) << "the file's last pixel is the one in the north-west";
+    EXPECT_EQ(values.back(), 1000);
+}
+
+TEST_F(GridSourceOfFiles, LongitudesTo360) {
+    RasterFile raster;
+    raster.transform = {349.5, 1, 0, 50, 0, -1};
+    EXPECT_NEAR(source(raster).places().west_deg, -10, 1e-9);
+    raster.transform = {-0.5, 30, 0, 90, 0, -12};
+    EXPECT_NEAR(source(raster).places().west_deg, 14.5, 1e-9);
+}
+
+TEST_F(GridSourceOfFiles, ScaleAndOffsetAreApplied) {
+    RasterFile raster;
+    raster.type = GDT_Int16;
+    raster.scale = 0.5;
+    raster.offset = -3;
+    const GridSource grid = source(raster);
+    EXPECT_EQ(grid.read(grid.planes()[0])[0], 497);
+}
+
+TEST_F(GridSourceOfFiles, OneBandOfSeveral) {
+    RasterFile raster;
+    raster.bands = 3;
+    EXPECT_EQ(source(raster).planes().size(), 3u);
+    const GridSource second = source(raster, "band 2");
+    ASSERT_EQ(second.planes().size(), 1u);
+    EXPECT_EQ(second.read(second.planes()[0])[0], 6000);
+    expect_user_error([&] { (void)source(raster, "band 4"); }, "has no band 4; its bands are 1 to 3");
+    expect_user_error([&] { (void)source(raster, "band 0"); }, "has no band 0");
+}
+
+TEST_F(GridSourceOfFiles, OtherSystemsAreWarped) {
+    RasterFile raster;
+    raster.crs = "EPSG:2056";  // Swiss LV95
+    raster.transform = {2780000, 1000, 0, 1190000, 0, -1000};
+    raster.value = [](int i, int) { return 10.0 * i; };
+    const GridSource grid = source(raster);
+    EXPECT_NEAR(grid.places().west_deg, 9.78, 0.05);
+    EXPECT_NEAR(grid.places().north_deg, 46.85, 0.05);
+    const std::vector<float> values = grid.read(grid.planes()[0]);
+    int known = 0;
+    for (const float value : values) known += std::isnan(value) ? 0 : 1;
+    EXPECT_GT(known, 150);
+    EXPECT_LT(known, static_cast<int>(values.size())) << "corners that the file does not cover are missing";
+}
+
+TEST_F(GridSourceOfFiles, WithoutASystemItMustBeNamedUnlessItLooksLikeDegrees) {
+    RasterFile raster;
+    raster.crs = "";
+    EXPECT_NEAR(source(raster).places().west_deg, 9.605, 1e-9);
+    raster.transform = {2780000, 1000, 0, 1190000, 0, -1000};
+    expect_user_error([&] { (void)source(raster); }, "name it with crs = \"EPSG:...\"");
+    EXPECT_NEAR(source(raster, "", "EPSG:2056").places().west_deg, 9.78, 0.05);
+    expect_user_error([&] { (void)source(raster, "", "EPSG:nonsense"); }, "check 'crs'");
+}
+
+TEST_F(GridSourceOfFiles, WhatIsNoRasterIsSaid) {
+    expect_user_error([&] { (void)GridSource(folder_.path() + "/none.tif", "", "", true); }, "none.tif");
+    std::ofstream(folder_.path() + "/text.tif") << "not a raster";
+    expect_user_error([&] { (void)GridSource(folder_.path() + "/text.tif", "", "", true); }, "not a raster that GDAL can read");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim

@@ -1,0 +1,106 @@
+#include "host_sim/scene_builder/scene_recipe.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::expect_user_error;
+
+constexpr const char* kWhole = R"(name = "davos"
+origin = "Copernicus"
+[[layer]]
+name = "wind"
+title = "WIND"
+source = "era5.nc"
+role = "wind"
+importance = 200
+from = "2020-01-15T12:00:00Z"
+until = "2020-01-15T18:00:00Z"
+valid_hours = 1.5
+height_variable = "z"
+height_factor = 0.101971621
+height_datum = "msl"
+[layer.prepare]
+fill_cells = 2
+smooth_cells = 0.5
+[layer.prepare.region]
+west_deg = 9
+south_deg = 46
+east_deg = 10.5
+north_deg = 47.5
+[[layer.attribute]]
+name = "east"
+variable = "u"
+unit = "m/s"
+missing = [-32767, 9999]
+least = -150
+most = 150
+[layer.attribute.uncertainty]
+kind = "standard_deviation"
+value = 2
+full = 8
+growth_per_hour = 0.05
+[[layer.attribute]]
+name = "cover"
+scale = "nominal"
+classes = ["water", "wood", "rock"]
+)";
+
+std::string with(const std::string& text, const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    return changed;
+}
+
+void expect_fault(const std::string& text, const std::string& words) {
+    expect_user_error([&text] { (void)parse_scene(text, "s.toml"); }, words);
+}
+
+TEST(SceneRecipe, EveryKeyIsRead) {
+    const SceneRecipe scene = parse_scene(kWhole, "s.toml");
+    EXPECT_EQ(scene.name, "davos");
+    ASSERT_EQ(scene.layers.size(), 1u);
+    const LayerRecipe& layer = scene.layers[0];
+    EXPECT_EQ(layer.role, scene::LayerRole::wind);
+    EXPECT_EQ(layer.importance, 200);
+    ASSERT_TRUE(layer.from_ns && layer.until_ns);
+    EXPECT_EQ(*layer.until_ns - *layer.from_ns, std::int64_t{6} * 3'600'000'000'000);
+    EXPECT_EQ(layer.valid_hours, 1.5);
+    EXPECT_EQ(layer.height_variable, "z");
+    ASSERT_TRUE(layer.prepare.region.has_value());
+    EXPECT_EQ(layer.prepare.region->east_deg, 10.5);
+    EXPECT_EQ(layer.prepare.fill_cells, 2);
+    ASSERT_EQ(layer.attributes.size(), 2u);
+    const AttributeRecipe &east = layer.attributes[0], &cover = layer.attributes[1];
+    EXPECT_EQ(east.variable, "u");
+    EXPECT_EQ(east.missing, (std::vector<double>{-32767, 9999}));
+    EXPECT_EQ(east.most, 150);
+    EXPECT_EQ(east.uncertainty.kind, scene::UncertaintyKind::standard_deviation);
+    EXPECT_EQ(east.uncertainty.value, 2);
+    EXPECT_EQ(east.uncertainty.full, 8);
+    EXPECT_EQ(cover.variable, "cover") << "the column has the attribute's name unless said otherwise";
+    EXPECT_EQ(cover.classes.size(), 3u);
+    EXPECT_EQ(cover.uncertainty.kind, scene::UncertaintyKind::none);
+}
+
+TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
+    expect_fault("origin = 'x'", "name");
+    expect_fault("name = 'x'", "1 to 32 tables [[layer]]");
+    expect_fault(with(kWhole, "role = \"wind\"", "role = \"breeze\""), "s.toml:7: 'role' must be one of: field, wind");
+    expect_fault(with(kWhole, "from = \"2020-01-15T12:00:00Z\"", "from = \"noon\""), "s.toml:9: no time such as");
+    expect_fault(with(kWhole, "from = \"2020-01-15T12", "from = \"2021-01-15T12"), "must not be after 'until'");
+    expect_fault(with(kWhole, "south_deg = 46", "south_deg = 48"), "must be below north_deg");
+    expect_fault(with(kWhole, "classes = [\"water\", \"wood\", \"rock\"]\n", ""), "need 'classes'");
+    expect_fault(with(kWhole, "scale = \"nominal\"", "scale = \"quantitative\""), "has no 'classes'");
+    expect_fault(with(kWhole, "value = 2\n", ""), "must say how large it is");
+    expect_fault(with(kWhole, "value = 2\n", "value = 2\nvariable = \"e\"\n"), "must say how large it is");
+    expect_fault(with(kWhole, "full = 8", "full = 0"), "'full' must be");
+    expect_fault(with(kWhole, "source = \"era5.nc\"\n", ""), "source");
+    expect_fault(with(kWhole, "least = -150", "leest = -150"), "unknown key");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
