@@ -19,18 +19,20 @@ std::size_t place_of(const std::vector<T>& values, const std::optional<T>& value
     return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), *value) - values.begin());
 }
 
-bool is_wanted(const GridPlane& plane, std::optional<std::int64_t> from_ns, std::optional<std::int64_t> until_ns) {
-    if (!plane.time_ns) return true;
-    return (!from_ns || *plane.time_ns >= *from_ns) && (!until_ns || *plane.time_ns <= *until_ns);
+bool is_wanted(const GridPlane& plane, const PlaneChoice& choice) {
+    const bool at_level = choice.levels.empty() || !plane.level ||
+                          std::find(choice.levels.begin(), choice.levels.end(), *plane.level) != choice.levels.end();
+    if (!plane.time_ns) return at_level;
+    return at_level && (!choice.from_ns || *plane.time_ns >= *choice.from_ns) &&
+           (!choice.until_ns || *plane.time_ns <= *choice.until_ns);
 }
 
 }  // namespace
 
-GridAxes sort_planes(const std::vector<GridPlane>& planes, std::optional<std::int64_t> from_ns,
-                     std::optional<std::int64_t> until_ns, bool has_members, const std::string& file) {
+GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file) {
     GridAxes axes;
     for (const GridPlane& plane : planes) {
-        if (!is_wanted(plane, from_ns, until_ns)) continue;
+        if (!is_wanted(plane, choice)) continue;
         if (plane.time_ns) axes.times_ns.push_back(*plane.time_ns);
         if (plane.level) axes.levels.push_back(*plane.level);
     }
@@ -38,14 +40,15 @@ GridAxes sort_planes(const std::vector<GridPlane>& planes, std::optional<std::in
     sort_once(axes.levels);
     axes.members.resize(axes.time_count() * axes.level_count());
     for (const GridPlane& plane : planes)
-        if (is_wanted(plane, from_ns, until_ns))
+        if (is_wanted(plane, choice))
             axes.members[place_of(axes.times_ns, plane.time_ns) * axes.level_count() + place_of(axes.levels, plane.level)]
                 .push_back(plane);
     for (const std::vector<GridPlane>& members : axes.members) {
         if (members.empty())
-            throw UserError(file +
-                            ": has no grid at every time and level that is asked for; choose others with 'from' and 'until'");
-        if (members.size() > 1 && !has_members)
+            throw UserError(
+                file +
+                ": has no grid at every time and level that is asked for; choose others with 'from', 'until' and 'levels'");
+        if (members.size() > 1 && !choice.has_members)
             throw UserError(file + ": has " + std::to_string(members.size()) +
                             " grids of one time and level; choose one with variable = \"band N\", or say members = \"bands\"");
     }

@@ -18,9 +18,15 @@ struct GridAxes {
     [[nodiscard]] std::size_t level_count() const { return levels.empty() ? 1 : levels.size(); }
 };
 
-/// Of times from .. until, both included. Throws UserError, beginning with `file`, where none is left, a level is missing at a
+/// What of a file's planes is wanted.
+struct PlaneChoice {
+    std::optional<std::int64_t> from_ns, until_ns;  ///< both included
+    std::vector<double> levels;                     ///< as the file states them; empty: all
+    bool has_members = false;                       ///< planes of one time and level belong together
+};
+
+/// Throws UserError, beginning with `file`, where none is left, a level is missing at a
 /// time, or several planes share one while the recipe wants no members.
-[[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, std::optional<std::int64_t> from_ns,
-                                   std::optional<std::int64_t> until_ns, bool has_members, const std::string& file);
+[[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -50,7 +50,10 @@ Members join(const std::vector<std::vector<float>>& members) {
 class GridLayerMaker {
 public:
     GridLayerMaker(const LayerRecipe& recipe, const std::string& folder)
-        : recipe_(recipe), folder_(folder), file_(source_path(folder, recipe.source)) {}
+        : recipe_(recipe),
+          folder_(folder),
+          file_(source_path(folder, recipe.source)),
+          choice_{recipe.from_ns, recipe.until_ns, recipe.levels, recipe.members == "bands"} {}
 
     LayerDraft make() {
         if (recipe_.attributes.empty()) throw UserError(recipe_.name + ": a grid needs an [[layer.attribute]]; bind one");
@@ -60,7 +63,7 @@ public:
         window_ = window_of(places_, recipe_.prepare.region);
         if (window_.columns.empty())
             throw UserError(recipe_.name + ": " + file_ + " has nothing in the region that is asked for; move 'region'");
-        axes_ = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file_);
+        axes_ = sort_planes(source.planes(), choice_, file_);
         start_layer();
         order_levels();
         for (const AttributeRecipe& attribute : recipe_.attributes) add(attribute);
@@ -68,7 +71,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_members() const { return recipe_.members == "bands"; }
     [[nodiscard]] static bool is_blendable(const AttributeRecipe& attribute) {
         return attribute.scale == scene::AttributeScale::quantitative;
     }
@@ -116,7 +118,7 @@ private:
     }
     std::vector<double> mean_heights() {
         const GridSource source(file_, recipe_.height_variable, recipe_.crs, true);
-        const GridAxes axes = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file_);
+        const GridAxes axes = sort_planes(source.planes(), choice_, file_);
         require_alike(source.places(), axes, recipe_.height_variable);
         std::vector<double> heights_m(axes.level_count());
         for (std::size_t level = 0; level < heights_m.size(); ++level) {
@@ -144,7 +146,7 @@ private:
     };
     Planes read_planes(const std::string& file, const std::string& variable, bool may_blend) {
         const GridSource source(file, variable, recipe_.crs, may_blend);
-        const GridAxes axes = sort_planes(source.planes(), recipe_.from_ns, recipe_.until_ns, has_members(), file);
+        const GridAxes axes = sort_planes(source.planes(), choice_, file);
         require_alike(source.places(), axes, variable);
         Planes planes;
         for (std::size_t time = 0; time < axes.time_count(); ++time)
@@ -192,6 +194,7 @@ private:
 
     const LayerRecipe& recipe_;
     const std::string folder_, file_;
+    const PlaneChoice choice_;
     GridPlaces places_;
     GridWindow window_;
     GridAxes axes_;

@@ -130,6 +130,8 @@ void read_heights(ConfigSection& section, LayerRecipe& layer) {
             static_cast<scene::HeightDatum>(section.choice("height_datum", Texts(kDatums.data(), kDatums.size()), 0));
     layer.height_variable = text(section, "height_variable");
     layer.height_factor = section.number("height_factor", -1000, 1000, 1);
+    layer.levels.resize(section.element_count("levels"));
+    section.numbers("levels", 0, 1e6, {layer.levels.data(), layer.levels.size()});
     layer.heights_m.resize(section.element_count("heights_m"));
     section.numbers("heights_m", -1000, 100000, {layer.heights_m.data(), layer.heights_m.size()});
 }

@@ -64,6 +64,7 @@ struct LayerRecipe {
     std::string crs;              ///< of sources that do not state theirs
     std::string height_variable;  ///< of a raster the geopotential or height of its levels; of a table the column of heights
     double height_factor = 1;
+    std::vector<double> levels;     ///< of a raster those that are wanted, as it states them (pressures in hPa); empty: all
     std::vector<double> heights_m;  ///< of a raster's levels, where no variable gives them
     std::string members;            ///< "bands": bands of one time are members of an ensemble
     PreparationRecipe prepare;

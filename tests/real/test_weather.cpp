@@ -63,6 +63,7 @@ TEST(Weather, EcmwfEnsembleAsMeanAndSpread) {
     recipe.name = "gust";
     recipe.source = "ens_storm.grib";
     recipe.members = "bands";
+    recipe.levels = {0};  // beside them stands one of 850 hPa
     recipe.attributes = {attribute("gust", "")};
     recipe.attributes[0].uncertainty.kind = scene::UncertaintyKind::standard_deviation;
     recipe.attributes[0].uncertainty.is_spread = true;
@@ -79,7 +80,9 @@ TEST(Weather, EcmwfEnsembleAsMeanAndSpread) {
     int members = 0;
     for (int b = 1; b <= file->GetRasterCount(); ++b) {
         GDALRasterBand& band = *file->GetRasterBand(b);
-        if (std::string(band.GetMetadataItem("GRIB_VALID_TIME")) != std::to_string(layer.times_ns[1] / 1'000'000'000)) continue;
+        if (std::string(band.GetMetadataItem("GRIB_VALID_TIME")) != std::to_string(layer.times_ns[1] / 1'000'000'000) ||
+            std::string(band.GetMetadataItem("GRIB_SHORT_NAME")) != "0-SFC")
+            continue;
         double value = 0;
         ASSERT_EQ(band.RasterIO(GF_Read, i, j, 1, 1, &value, 1, 1, GDT_Float64, 0, 0), CE_None);
         sum += value;

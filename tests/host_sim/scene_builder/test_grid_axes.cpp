@@ -11,7 +11,7 @@ using test_support::expect_user_error;
 
 TEST(GridAxes, PlanesAreSortedByTimeAndLevel) {
     const std::vector<GridPlane> planes{{1, 20, 500.0}, {2, 20, 700.0}, {3, 10, 500.0}, {4, 10, 700.0}};
-    const GridAxes axes = sort_planes(planes, {}, {}, false, "f");
+    const GridAxes axes = sort_planes(planes, {}, "f");
     EXPECT_EQ(axes.times_ns, (std::vector<std::int64_t>{10, 20}));
     EXPECT_EQ(axes.levels, (std::vector<double>{500, 700}));
     ASSERT_EQ(axes.members.size(), 4u);
@@ -24,21 +24,23 @@ TEST(GridAxes, PlanesAreSortedByTimeAndLevel) {
 
 TEST(GridAxes, TimesAreChosenBothEndsIncluded) {
     const std::vector<GridPlane> planes{{1, 10, {}}, {2, 20, {}}, {3, 30, {}}, {4, 40, {}}};
-    EXPECT_EQ(sort_planes(planes, 20, 30, false, "f").times_ns, (std::vector<std::int64_t>{20, 30}));
-    expect_user_error([&] { (void)sort_planes(planes, 41, {}, false, "f"); }, "f: has no grid at every time");
+    EXPECT_EQ(sort_planes(planes, {20, 30, {}, false}, "f").times_ns, (std::vector<std::int64_t>{20, 30}));
+    expect_user_error([&] { (void)sort_planes(planes, {41, {}, {}, false}, "f"); }, "f: has no grid at every time");
 }
 
 TEST(GridAxes, MembersShareATime) {
     const std::vector<GridPlane> planes{{1, 10, {}}, {2, 10, {}}, {3, 10, {}}};
-    EXPECT_EQ(sort_planes(planes, {}, {}, true, "f").members[0].size(), 3u);
-    expect_user_error([&] { (void)sort_planes(planes, {}, {}, false, "f"); }, "3 grids of one time and level");
-    EXPECT_EQ(sort_planes({{1, {}, {}}}, {}, {}, false, "f").members.size(), 1u) << "a file without times or levels";
+    PlaneChoice members;
+    members.has_members = true;
+    EXPECT_EQ(sort_planes(planes, members, "f").members[0].size(), 3u);
+    expect_user_error([&] { (void)sort_planes(planes, {}, "f"); }, "3 grids of one time and level");
+    EXPECT_EQ(sort_planes({{1, {}, {}}}, {}, "f").members.size(), 1u) << "a file without times or levels";
 }
 
 TEST(GridAxes, AMissingLevelIsSaid) {
     expect_user_error(
         [] {
-            (void)sort_planes({{1, 10, 500.0}, {2, 10, 700.0}, {3, 20, 500.0}}, {}, {}, false, "f");
+            (void)sort_planes({{1, 10, 500.0}, {2, 10, 700.0}, {3, 20, 500.0}}, {}, "f");
         },
         "at every time and level");
 }
