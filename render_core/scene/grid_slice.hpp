@@ -1,0 +1,65 @@
+/// A grid field at one height and one time as texels, for colour on the ground: made a few rows at a time, so that a change of
+/// time or of height stalls no frame.
+///
+/// A texel is a post: its value in 16 bits between the attribute's limits (a 65,535th of them is less than any step of a colour
+/// scale shows), its uncertainty (Uncertainty::code) and its state. The finished slice stays until the next one is finished.
+/// Memory    the texels belong to the caller. Thread  one.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/scene/grid_field.hpp"
+
+namespace tedavis::scene {
+
+struct SliceTexel {
+    std::uint8_t value_high = 0, value_low = 0;
+    std::uint8_t uncertainty = Uncertainty::kUnknown;
+    std::uint8_t state = 0;  ///< 255 valid, 128 interpolated, 0 missing
+};
+static_assert(sizeof(SliceTexel) == 4);
+
+/// What texels stand for: value = lowest + (high * 256 + low) / 65535 * (highest - lowest).
+struct SliceRange {
+    double lowest = 0, highest = 0;
+};
+
+/// Of one value. A range of nothing gives 0.
+[[nodiscard]] SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept;
+[[nodiscard]] double value_of(const SliceTexel& texel, const SliceRange& range) noexcept;
+
+class GridSlice {
+public:
+    /// Room for grids of `most_posts` in one slice.
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t most_posts);
+    [[nodiscard]] bool start(std::uint32_t most_posts, base::Arena& arena);
+
+    /// What is to be seen; what was finished before stays. False where the grid has more posts than there is room for. Layer and
+    /// attribute must outlive the slice, or forget() be called.
+    [[nodiscard]] bool show(const Layer& layer, const Attribute& attribute);
+    void forget();
+    /// Goes on with at most `rows` rows, towards a slice at a height and a time; another height, or a time that is `step` or more
+    /// off that of the slice in work or finished, begins a new one. True when a slice was finished by this call.
+    [[nodiscard]] bool advance(double height_m, std::int64_t time_ns, base::Duration step, std::uint32_t rows);
+
+    [[nodiscard]] bool has_texels() const { return is_finished_; }
+    [[nodiscard]] std::uint32_t columns() const { return layer_ == nullptr ? 0 : layer_->entry->grid.columns; }
+    [[nodiscard]] std::uint32_t rows() const { return layer_ == nullptr ? 0 : layer_->entry->grid.rows; }
+    /// Row by row from the north-west; of the slice that was finished last.
+    [[nodiscard]] base::Span<const SliceTexel> texels() const { return {finished_.data(), std::size_t{columns()} * rows()}; }
+    [[nodiscard]] SliceRange range() const;
+    [[nodiscard]] const Layer* layer() const { return layer_; }
+    [[nodiscard]] const Attribute* attribute() const { return attribute_; }
+
+private:
+    void begin(double height_m, std::int64_t time_ns);
+
+    const Layer* layer_ = nullptr;
+    const Attribute* attribute_ = nullptr;
+    base::Span<SliceTexel> finished_, in_work_;
+    double height_m_ = 0;
+    std::int64_t time_ns_ = 0;
+    std::uint32_t next_row_ = 0;
+    bool is_in_work_ = false, is_begun_ = false, is_finished_ = false;
+};
+
+}  // namespace tedavis::scene

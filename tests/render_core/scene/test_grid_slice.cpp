@@ -1,0 +1,108 @@
+#include "render_core/scene/grid_slice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/flaky_bytes.hpp"
+#include "tests/support/scene_drafts.hpp"
+
+namespace tedavis::scene {
+namespace {
+
+constexpr base::Duration kStep = base::Duration::seconds(60);
+constexpr std::int64_t kMinute_ns = 60'000'000'000;
+
+class SliceOfAGrid : public ::testing::Test {
+protected:
+    SliceOfAGrid() {
+        host_sim::SceneDraft draft;
+        draft.layers = {test_support::small_grid(), test_support::small_points()};
+        test_support::FlakyBytes source(host_sim::sdb_bytes(draft));
+        base::Arena arena(memory_.data(), memory_.size());
+        scene_ = Scene::load(source, arena).value();
+        EXPECT_TRUE(slice_.start(100, arena));
+        EXPECT_TRUE(slice_.show(layer(), attribute()));
+    }
+    [[nodiscard]] const Layer& layer() const { return scene_.layers()[0]; }
+    [[nodiscard]] const Attribute& attribute() const { return layer().attributes[0]; }
+
+    std::vector<std::uint8_t> memory_ = std::vector<std::uint8_t>(1 << 16);
+    Scene scene_;
+    GridSlice slice_;
+};
+
+TEST_F(SliceOfAGrid, TexelsAreTheFieldAtThePosts) {
+    ASSERT_TRUE(slice_.advance(2000, kMinute_ns * 30, kStep, 1000));
+    const GridField field(layer(), attribute());
+    ASSERT_EQ(slice_.texels().size(), 12u);
+    const double step = (slice_.range().highest - slice_.range().lowest) / 65535;
+    int missing = 0;
+    for (std::uint32_t j = 0; j < 3; ++j)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const GridShape& g = layer().entry->grid;
+            const FieldValue expected =
+                field.at(g.north_rad - j * g.step_lat_rad, g.west_rad + i * g.step_lon_rad, 2000, kMinute_ns * 30);
+            const SliceTexel& texel = slice_.texels()[j * 4 + i];
+            missing += texel.state == 0 ? 1 : 0;
+            ASSERT_EQ(texel.state == 0, expected.state == ValueState::missing);
+            if (texel.state == 0) continue;
+            EXPECT_NEAR(value_of(texel, slice_.range()), expected.value, 0.51 * step + 1e-9);
+            EXPECT_EQ(texel.uncertainty, expected.uncertainty.code());
+        }
+    EXPECT_EQ(missing, 1);
+    EXPECT_EQ(slice_.texels()[7].state, 128) << "interpolated";
+}
+
+TEST_F(SliceOfAGrid, RowByRowAsAtOnce) {
+    ASSERT_TRUE(slice_.advance(1500, 0, kStep, 1000));
+    std::vector<SliceTexel> at_once(slice_.texels().begin(), slice_.texels().end());
+    slice_.forget();
+    ASSERT_TRUE(slice_.show(layer(), attribute()));
+    EXPECT_FALSE(slice_.has_texels());
+    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1));
+    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1));
+    EXPECT_FALSE(slice_.has_texels()) << "nothing half done is seen";
+    EXPECT_TRUE(slice_.advance(1500, 0, kStep, 1));
+    for (std::size_t n = 0; n < at_once.size(); ++n) EXPECT_EQ(slice_.texels()[n].value_low, at_once[n].value_low);
+    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1)) << "it is done";
+}
+
+TEST_F(SliceOfAGrid, AnotherTimeOrHeightBeginsAnother) {
+    ASSERT_TRUE(slice_.advance(1500, 0, kStep, 1000));
+    const int before = slice_.texels()[0].value_high;
+    EXPECT_FALSE(slice_.advance(1500, kMinute_ns - 1, kStep, 1000)) << "not a step later";
+    EXPECT_FALSE(slice_.advance(1500, 30 * kMinute_ns, kStep, 1));
+    EXPECT_EQ(slice_.texels()[0].value_high, before) << "the old one stays meanwhile";
+    EXPECT_FALSE(slice_.advance(1500, 55 * kMinute_ns, kStep, 1));
+    EXPECT_TRUE(slice_.advance(1500, 59 * kMinute_ns, kStep, 1)) << "the one in work is finished first";
+    EXPECT_NE(slice_.texels()[0].value_high, before);
+    EXPECT_TRUE(slice_.advance(2500, 30 * kMinute_ns, kStep, 1000));
+    EXPECT_TRUE(slice_.advance(2500, 0, kStep, 1000)) << "a time that runs back";
+}
+
+TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
+    GridSlice small;
+    std::vector<std::uint8_t> memory(GridSlice::bytes_needed(11) + 64);
+    base::Arena arena(memory.data(), memory.size());
+    ASSERT_TRUE(small.start(11, arena));
+    EXPECT_FALSE(small.show(layer(), attribute()));
+    EXPECT_FALSE(small.advance(0, 0, kStep, 10));
+    EXPECT_EQ(small.columns(), 0u);
+    EXPECT_FALSE(small.start(1000, arena));
+    EXPECT_FALSE(slice_.show(scene_.layers()[1], scene_.layers()[1].attributes[0])) << "no grid";
+}
+
+TEST(SliceTexel, GoesThereAndBack) {
+    const SliceRange range{-40, 60};
+    for (double value = -40; value <= 60; value += 0.37)
+        EXPECT_NEAR(value_of(texel_of({value, Uncertainty::from_level(0), ValueState::valid}, range), range), value,
+                    100 / 65535.0);
+    EXPECT_EQ(value_of(texel_of({1e9, {}, ValueState::valid}, range), range), 60);
+    EXPECT_EQ(value_of(texel_of({5, {}, ValueState::valid}, {7, 7}), {7, 7}), 7) << "a constant field";
+    EXPECT_EQ(texel_of({5, {}, ValueState::missing}, range).state, 0);
+    EXPECT_EQ(texel_of({std::nan(""), {}, ValueState::valid}, range).state, 0) << "what is no number is missing";
+}
+
+}  // namespace
+}  // namespace tedavis::scene
