@@ -160,6 +160,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
     read_view(root.section("view"), design.view);
     read_terrain(root.section("terrain"), palettes, design.terrain);
+    read_data_style(root.section("data"), palettes, design.data);
     read_sky(root.section("sky"), design.sky);
     read_warning(root.section("warning"), design);
     read_limits(root.section("degradation"), root.section("unusual_attitude"), design);

@@ -15,6 +15,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/design/band_widening.hpp"
 #include "render_core/design/color.hpp"
+#include "render_core/design/data_style.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/design/warning_bands.hpp"
@@ -95,6 +96,7 @@ struct DesignSettings {
     base::FixedString<47> name;
     ViewSettings view;
     TerrainSettings terrain;
+    DataStyle data;
     SkySettings sky;
     bool warning_colors = true;
     WarningBands warning_bands;

@@ -191,6 +191,9 @@ void main() {
     float sea = step(0.999, v_class.x);
 #endif
     color = mix(color, sea_color, sea);
+#ifdef GROUND_DATA
+    color = with_data(color, plain_color, unknown_color, v_ground, pixel_m);
+#endif
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
     vec4 band = vec4(0.0);

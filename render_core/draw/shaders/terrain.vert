@@ -8,6 +8,10 @@ VARYING vec2 v_page;
 uniform vec3 drape_window;     // texels of the page = place * x + yz
 VARYING vec2 v_drape;
 #endif
+#ifdef GROUND_DATA
+uniform vec4 data_window;      // posts of the field = place * xy + zw
+VARYING vec2 v_data;
+#endif
 #ifdef STROKES
 uniform vec4 stroke_window;    // metres east and south, modulo a whole number of strokes = place * xy + zw
 VARYING vec2 v_ground;
@@ -32,6 +36,9 @@ void main() {
 #endif
 #ifdef MAP_DRAPE
     v_drape = place * drape_window.x + drape_window.yz;
+#endif
+#ifdef GROUND_DATA
+    v_data = place * data_window.xy + data_window.zw;
 #endif
 #ifdef STROKES
     v_ground = place * stroke_window.xy + stroke_window.zw;
