@@ -123,6 +123,7 @@ std::string phase_from(const std::string& name) {
 void add_surface_options(CLI::App* command, PictureOptions& picture) {
     static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
     command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
+    command->add_option("--scene", picture.scene, "spatial data: scene database (.sdb)");
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
     command->add_option_function<std::string>(
         "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");

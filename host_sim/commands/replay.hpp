@@ -19,6 +19,7 @@ struct PictureSize {
 /// What replay and shot share. Names of shipped files may be short ("cruise"); the command resolves them.
 struct PictureOptions {
     std::string terrain;  ///< .tdb; empty: no terrain
+    std::string scene;    ///< .sdb; empty: no spatial data
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";

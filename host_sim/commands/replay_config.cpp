@@ -77,6 +77,7 @@ std::string text_of(base::ConfigSection& section, std::string_view key, const st
 
 void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.terrain = text_of(section, "terrain", "");
+    picture.scene = text_of(section, "scene", "");
     picture.design = text_of(section, "design", picture.design);
     picture.device = text_of(section, "device", picture.device);
     picture.bus = text_of(section, "bus", picture.bus);
@@ -102,6 +103,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     const PictureOptions& picture = options.picture;
     toml.section("picture");
     toml.path("terrain", picture.terrain);
+    toml.path("scene", picture.scene);
     toml.config("design", picture.design, "designs");
     toml.config("device", picture.device, "devices");
     toml.config("bus", picture.bus, "buses");

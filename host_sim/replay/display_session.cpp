@@ -22,9 +22,12 @@ effects::DeviceSettings load_device(const std::string& name) {
 }
 
 /// The display starts with one sentence for all; memory, programs and their limits come from the device file.
-std::string with_file(const std::string& sentence, const std::string& device, const std::string& terrain) {
-    const std::string_view fault = display::database_fault(sentence);
-    return fault.empty() ? device + ": " + sentence : terrain + ": " + std::string(fault);
+std::string with_file(const std::string& sentence, const std::string& device, const PictureOptions& options) {
+    if (const std::string_view fault = display::database_fault(sentence); !fault.empty())
+        return options.terrain + ": " + std::string(fault);
+    if (const std::string_view fault = display::scene_fault(sentence); !fault.empty())
+        return options.scene + ": " + std::string(fault);
+    return device + ": " + sentence;
 }
 
 SurfaceMaker headless_surface(GlChoice gl) {
@@ -47,6 +50,7 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     settings.height_px = options.size ? options.size->height : device_.height_px;
     settings.generated_flight = generated_flight;
     open_terrain(options.terrain);
+    open_scene(options.scene);
     const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
     open_surface({settings.width_px, settings.height_px, lane}, make_surface);
     start_display(settings, options);
@@ -65,6 +69,13 @@ void DisplaySession::open_terrain(const std::string& path) {
     terrain_reader_ = std::move(reader.value());
 }
 
+void DisplaySession::open_scene(const std::string& path) {
+    if (path.empty()) return;
+    auto file = platform::open_file(path.c_str());
+    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    scene_file_ = std::move(file.value());
+}
+
 void DisplaySession::open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface) {
     auto surface = make_surface(settings);
     if (!surface.ok()) throw UserError(std::string(surface.error().sentence.view()));
@@ -81,9 +92,10 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     display_ = std::make_unique<display::Display>();
     display::TerrainInput terrain;
     if (!options.terrain.empty()) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact};
-    const gl::GlError error = display_->start(settings, reservation_.arena(), *surface_, terrain);
+    const gl::GlError error =
+        display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
     if (error.sentence.empty()) return;
-    throw UserError(with_file(std::string(error.sentence.view()), device, options.terrain));
+    throw UserError(with_file(std::string(error.sentence.view()), device, options));
 }
 
 DisplaySession::~DisplaySession() {

@@ -49,6 +49,7 @@ public:
 private:
     void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
     void open_terrain(const std::string& path);
+    void open_scene(const std::string& path);
     void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
 
     effects::DeviceSettings device_;
@@ -56,6 +57,7 @@ private:
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
     std::unique_ptr<base::AsyncReader> terrain_reader_;
+    platform::FileByteSource scene_file_;
     std::unique_ptr<display::Display> display_;
     std::vector<std::uint8_t> pixels_;
     std::string terrain_name_;

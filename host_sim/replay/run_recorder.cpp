@@ -113,6 +113,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.device = options_.picture.device;
     s.design = options_.picture.design;
     s.terrain = options_.picture.terrain;
+    s.scene = options_.picture.scene;
     s.log = options_.log;
     s.switches = options_.switches;
     s.width = session_.width();

@@ -21,7 +21,7 @@ constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
 std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) { return DisplayMemory::bytes_needed(device.budget); }
 
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
-                           const TerrainInput& terrain) {
+                           const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
     keep_design(possible_design(settings.design));
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
@@ -31,6 +31,9 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
         const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), output());
         if (!error.sentence.empty()) return error;
     }
+    if (gl::GlError error = data_.start(scene, memory_.scene(), terrain_.is_started() ? terrain_.ground_side() : 0);
+        !error.sentence.empty())
+        return error;
     gl_.seal();
     memory_.note_use(settings_.device.budget);
     return {};
@@ -121,6 +124,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     begin_record(now);
     plan_view();
     plan_terrain();
+    plan_data(now);
 }
 
 void Display::decide(base::Time now) {
@@ -260,14 +264,23 @@ void Display::record_terrain(const TerrainPlan& plan) {
     record_.terrain.worst_chunk.append(gl::digits(worst.j).view());
 }
 
+void Display::plan_data(base::Time now) {
+    data_plan_ = data_.plan(settings_.design.data, now);
+    if (data_plan_.ground == GroundDataState::not_asked_for) return;
+    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing");
+    if (!data_plan_.has_date) flag("ground_data.no_date");
+}
+
 draw::TerrainOutput Display::output() const {
-    return draw::output_of(settings_.design.terrain.style, settings_.device.capability.depth24_targets);
+    return draw::output_of(settings_.design.terrain.style, settings_.design.data, settings_.device.capability.depth24_targets);
 }
 
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
     terrain_result_ = {};
+    if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
+        flag("ground_data.missing");
     const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, terrain_input());
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
@@ -276,7 +289,7 @@ void Display::draw(base::Surface& surface) {
     draw_scene(surface);
     if (!free_view_active_) draw_symbology();
     note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-                  terrain_.drape()},
+                  terrain_.drape(), data_plan_.ground, &settings_.design.data},
                  record_);
     finish_record();
 }

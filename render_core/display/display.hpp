@@ -14,6 +14,7 @@
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/display/view_transition.hpp"
 #include "render_core/draw/picture_pass.hpp"
@@ -40,8 +41,9 @@ public:
     Display& operator=(const Display&) = delete;
 
     /// The surface must be current. An empty sentence means success.
+    /// `scene`: a scene database, or null; it is read whole, now.
     [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
-                                    const TerrainInput& terrain);
+                                    const TerrainInput& terrain, base::ByteSource* scene = nullptr);
     /// What the reservation handed to start() must hold for this device.
     [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device);
 
@@ -86,6 +88,7 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
+    void plan_data(base::Time now);
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
@@ -108,6 +111,8 @@ private:
     gl::Gl gl_;
     DisplayMemory memory_;
     TerrainScene terrain_;
+    SpatialData data_;
+    SpatialDataPlan data_plan_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;

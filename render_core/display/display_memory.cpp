@@ -16,7 +16,9 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kTerrainDrape, &DisplayMemory::drape_},
                                                      {effects::kStaging, &DisplayMemory::staging_},
                                                      {effects::kLodScratch, &DisplayMemory::lod_},
-                                                     {effects::kSymbology, &DisplayMemory::symbology_}};
+                                                     {effects::kSymbology, &DisplayMemory::symbology_},
+                                                     {effects::kSceneData, &DisplayMemory::scene_},
+                                                     {effects::kSceneSlices, &DisplayMemory::slices_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
     return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/gl/gl_error.hpp"
 
@@ -25,15 +26,16 @@ public:
     /// References to the arenas: valid as long as this object.
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
+    [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
 
 private:
     struct Part {
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[8];
+    static const Part kParts[10];
 
-    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_;
+    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_;
 };
 
 }  // namespace tedavis::display

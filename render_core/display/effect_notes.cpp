@@ -60,6 +60,18 @@ void note_drape(const EffectInput& input, FrameRecord& record) {
                                                     : "removed by the failure policy");
 }
 
+void note_ground_data(const EffectInput& input, FrameRecord& record) {
+    if (input.ground_data == GroundDataState::not_asked_for) return;
+    const bool shown = input.ground_data == GroundDataState::shown, runs = shown && input.decisions.show_terrain;
+    note(record, "ground_data", run_or_skipped(runs),
+         shown && !runs ? "removed by the failure policy" : reason_of(input.ground_data));
+    if (!runs || input.data == nullptr) return;
+    record.data_aspect = {Name(input.data->ground.scale.breaks.empty() ? "ground_color" : "ground_color_classes"), 1, 1};
+    const design::GroundUncertainty& uncertainty = input.data->ground.uncertainty;
+    if (uncertainty.technique == design::IntrinsicUncertainty::none) return;
+    record.uncertainty_aspect = {Name(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(uncertainty.technique)]), 1, 1};
+}
+
 void state_terrain_aspect(const EffectInput& input, AspectRecord& aspect) {
     design::TerrainStyle shown = input.style;
     if (input.drape == DrapeState::not_in_database || input.drape == DrapeState::not_on_device)
@@ -79,6 +91,7 @@ void note_effects(const EffectInput& input, FrameRecord& record) {
     note_silhouettes(input, record);
     note_sun(input, record);
     note_drape(input, record);
+    note_ground_data(input, record);
     state_terrain_aspect(input, record.terrain_aspect);
 }
 

@@ -6,6 +6,7 @@
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 
 namespace tedavis::display {
@@ -17,9 +18,11 @@ struct EffectInput {
     bool has_silhouettes = false;  ///< the view lets something hide something else
     LightSource light = LightSource::fixed;
     DrapeState drape = DrapeState::not_asked_for;
+    GroundDataState ground_data = GroundDataState::not_asked_for;
+    const design::DataStyle* data = nullptr;  ///< null: none is asked for
 };
 
-/// Appends to the record's effects and states its terrain aspect.
+/// Appends to the record's effects and states its aspects.
 void note_effects(const EffectInput& input, FrameRecord& record);
 
 }  // namespace tedavis::display

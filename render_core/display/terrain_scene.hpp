@@ -66,6 +66,10 @@ public:
 
     /// Chooses the chunks of this frame from what is there, and asks for what the view needs.
     [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design);
+    /// The slice of the scene that colours the ground; null for none. After start(). False where the device has no room for it.
+    [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) { return drawer_.set_ground_data(gl, slice); }
+    /// Posts across and down that such a slice may have; 0 where the design did not ask for any.
+    [[nodiscard]] std::uint32_t ground_side() const { return drawer_.ground_side(); }
     /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
     void rest();
     /// Uploads what is new. False when nothing of the terrain may be drawn.

@@ -21,6 +21,9 @@ constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles
 constexpr double kSmallestTexel_px = 0.7;
 constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
+/// After the palette and the baked maps; eight units are enough on the smallest device.
+constexpr std::uint32_t kGroundMapUnit = design::kBakedMaps + 1, kGroundColorUnit = design::kBakedMaps + 2;
+
 enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
 
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
@@ -68,6 +71,11 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_drape(gl, device, staging); !error.sentence.empty()) return error;
+    if (design.data.ground.is_shown)
+        if (gl::GlError error =
+                ground_.start(gl, *device.budget.find(effects::kSceneGround), device.capability.gl.max_texture_px);
+            !error.sentence.empty())
+            return error;
     return build_programs(gl);
 }
 
@@ -122,6 +130,8 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     TerrainVariant variant;
     variant.output = output_;
     variant.lifted = design_.terrain.conservative_up;
+    variant.ground_data = ground_.is_started();
+    variant.uncertainty = design_.data.ground.uncertainty.technique;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
@@ -143,6 +153,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
 void TerrainDrawer::destroy(gl::Gl& gl) {
     for (auto& of_bands : programs_)
         for (gl::Program& program : of_bands) program.destroy(gl);
+    ground_.destroy(gl);
     drape_.destroy(gl);
     atlas_.destroy(gl);
     palette_.destroy(gl);
@@ -151,11 +162,18 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 }
 
 bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
-    if (!same_programs(design_.terrain.style, design.terrain.style) ||
+    if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
         design_.terrain.conservative_up != design.terrain.conservative_up)
         return false;
     design_ = design;
+    if (ground_.has_data()) ground_.set_look(gl, design.data.ground);
     if (palette_.valid()) upload_palette(gl);
+    return true;
+}
+
+bool TerrainDrawer::set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) {
+    if (slice != nullptr) return ground_.is_started() && ground_.upload(gl, *slice, design_.data.ground);
+    ground_.clear();
     return true;
 }
 
@@ -283,6 +301,7 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
     if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
     if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
+    if (ground_.is_started()) ground_.bind(gl, kGroundMapUnit, kGroundColorUnit);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
@@ -303,6 +322,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
+    if (ground_.is_started()) ground_.set_frame_uniforms(gl, program, kGroundMapUnit, kGroundColorUnit);
 }
 
 std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool baked) const {
@@ -350,6 +370,7 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
         else
             set_no_drape(gl, program, drape_);
     }
+    if (ground_.is_started()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});

@@ -11,6 +11,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/drape_atlas.hpp"
+#include "render_core/draw/ground_map.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
 #include "render_core/draw/terrain_uniforms.hpp"
@@ -53,6 +54,12 @@ public:
                                     TerrainOutput output = TerrainOutput::color);
     /// Palette, lights and bands of another design. False, and nothing changes, where its style needs other programs.
     [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
+
+    /// A finished slice of the scene's field that the design colours the ground by; null: there is none, and the ground is as it
+    /// is. False where it has no room.
+    [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice);
+    /// Posts across and down for which there is room; 0 where the design does not ask for data on the ground. After start().
+    [[nodiscard]] std::uint32_t ground_side() const { return ground_.is_started() ? ground_.side() : 0; }
 
     /// Uploads what is missing of available chunks. False when a chunk contradicts its format: nothing of it may be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input);
@@ -108,6 +115,7 @@ private:
     gl::Texture palette_;  ///< not for codes: who colours them has it
     PageAtlas atlas_;
     DrapeAtlas drape_;
+    GroundMap ground_;
     base::Span<GpuSlot> slots_;
     base::Span<PageSlot> page_slots_;
     base::Span<std::uint32_t> drape_generations_;  ///< by slot: what was uploaded

@@ -19,7 +19,8 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
     "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
     "light_color",  "ambient_color",   "occlusion",    "line_color",   "form_lines",   "contour",       "strokes",
-    "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range"};
+    "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range", "data_map",      "data_colors",
+    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -31,6 +32,14 @@ constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "#define TEXTURE_IMAGE 1\n",
     "#define TEXTURE_MATERIAL 1\n#define STROKES 1\n",
     "#define TEXTURE_LINES 1\n#define STROKES 1\n",
+};
+constexpr const char* kUncertaintyDefines[design::kIntrinsicUncertainties] = {
+    "",
+    "#define DATA_TRANSPARENCY 1\n",
+    "#define DATA_SATURATION 1\n",
+    "#define DATA_NOISE 1\n",
+    "#define DATA_STROKES 1\n",
+    "#define DATA_BIVARIATE 1\n",
 };
 constexpr const char* kMapDefines[design::kBakedMaps] = {"#define MAP_FORM 1\n", "#define MAP_LIGHT 1\n",
                                                          "#define MAP_APERTURE 1\n", "#define MAP_HORIZON 1\n",
@@ -94,9 +103,9 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 
 }  // namespace
 
-TerrainOutput output_of(const design::TerrainStyle& style, bool off_screen_depth) noexcept {
+TerrainOutput output_of(const design::TerrainStyle& style, const design::DataStyle& data, bool off_screen_depth) noexcept {
     if (!off_screen_depth) return TerrainOutput::color;
-    if (design::fits_pixel_code(style)) return TerrainOutput::code;
+    if (design::fits_pixel_code(style) && !data.ground.is_shown) return TerrainOutput::code;
     return style.sketch.silhouettes > 0 ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
 
@@ -106,7 +115,14 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add(kTextureDefines[static_cast<std::size_t>(style.texture)]);
     const design::SketchSettings& sketch = style.sketch;
     add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
-    add_sketch(defines, sketch, style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines);
+    const bool strokes_by_texture = style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines;
+    const bool strokes_by_sketch = sketch.hatching > 0 || sketch.stippling > 0;
+    add_sketch(defines, sketch, strokes_by_texture);
+    if (variant.ground_data) {
+        defines.add("#define GROUND_DATA 1\n");
+        defines.add_if(!strokes_by_texture && !strokes_by_sketch, "#define STROKES 1\n");
+        defines.add(kUncertaintyDefines[static_cast<std::size_t>(variant.uncertainty)]);
+    }
     defines.add_if(variant.baked, "#define BAKED 1\n");
     const bool coast = variant.baked && variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
     defines.add_if(coast, "#define COAST 1\n");
@@ -124,10 +140,11 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
 base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
-    base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view()), fragment(defines.view());
+    base::FixedString<kMaxTerrainDefines + 2 * kMaxShaderText> vertex(defines.view()), fragment(defines.view());
     const bool code = variant.output == TerrainOutput::code;
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
+    if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "render_core/base/fixed_string.hpp"
+#include "render_core/design/data_style.hpp"
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/design/warning_bands.hpp"
 #include "render_core/draw/shader_texts.hpp"
@@ -60,6 +61,13 @@ enum TerrainUniform : std::size_t {
     kBandColor,
     kBandLower,
     kHeightRange,
+    kDataMap,
+    kDataColors,
+    kDataSize,
+    kDataScale,
+    kDataBreaks,
+    kDataLook,
+    kDataWindow,
     kTerrainUniforms
 };
 
@@ -69,8 +77,9 @@ enum class TerrainOutput : std::uint8_t {
     color_and_distance,  ///< the distance in alpha: silhouettes are found in it
     code,                ///< heights, light and distance of terrain_code.frag
 };
-/// The cheapest that shows the style on a device that has off-screen depth or not.
-[[nodiscard]] TerrainOutput output_of(const design::TerrainStyle& style, bool off_screen_depth) noexcept;
+/// The cheapest that shows the style and the data on a device that has off-screen depth or not.
+[[nodiscard]] TerrainOutput output_of(const design::TerrainStyle& style, const design::DataStyle& data,
+                                      bool off_screen_depth) noexcept;
 
 struct TerrainVariant {
     std::size_t bands = 0;  ///< warning bands that it tells apart
@@ -79,6 +88,8 @@ struct TerrainVariant {
     bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
     bool lifted = false;    ///< never below the true terrain
     TerrainOutput output = TerrainOutput::color;
+    bool ground_data = false;                                                       ///< a field of the scene colours the ground
+    design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 

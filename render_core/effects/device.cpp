@@ -20,7 +20,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kRenderTargets, base::MemoryKind::gpu},     {kStaging, base::MemoryKind::cpu},
     {kLodScratch, base::MemoryKind::cpu},        {kTerrainAttributes, base::MemoryKind::cpu},
     {kTerrainPages, base::MemoryKind::gpu},      {kTerrainDrape, base::MemoryKind::cpu},
-    {kTerrainDrapePages, base::MemoryKind::gpu}};
+    {kTerrainDrapePages, base::MemoryKind::gpu}, {kSceneData, base::MemoryKind::cpu},
+    {kSceneSlices, base::MemoryKind::cpu},       {kSceneGround, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxCallExceptions> names;

@@ -30,6 +30,9 @@ inline constexpr std::string_view kFontAtlas = "font_atlas";
 inline constexpr std::string_view kRenderTargets = "render_targets";
 inline constexpr std::string_view kStaging = "staging";
 inline constexpr std::string_view kLodScratch = "lod_scratch";
+inline constexpr std::string_view kSceneData = "scene_data";
+inline constexpr std::string_view kSceneSlices = "scene_slices";
+inline constexpr std::string_view kSceneGround = "scene_ground";
 
 struct DeviceSettings {
     base::FixedString<31> name;

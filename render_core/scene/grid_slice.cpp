@@ -32,17 +32,17 @@ double value_of(const SliceTexel& texel, const SliceRange& range) noexcept {
 std::uint64_t GridSlice::bytes_needed(std::uint32_t most_posts) { return 2 * std::uint64_t{most_posts} * sizeof(SliceTexel); }
 
 bool GridSlice::start(std::uint32_t most_posts, base::Arena& arena) {
-    finished_ = arena.allocate_array<SliceTexel>(most_posts);
-    in_work_ = arena.allocate_array<SliceTexel>(most_posts);
+    shown_.texels = arena.allocate_array<SliceTexel>(most_posts);
+    next_.texels = arena.allocate_array<SliceTexel>(most_posts);
     forget();
-    return finished_.size() == most_posts && in_work_.size() == most_posts;
+    return shown_.texels.size() == most_posts && next_.texels.size() == most_posts;
 }
 
-bool GridSlice::show(const Layer& layer, const Attribute& attribute) {
+bool GridSlice::set_field(const Layer& layer, const Attribute& attribute) {
     if (&layer == layer_ && &attribute == attribute_) return true;
     forget();
     const GridShape& grid = layer.entry->grid;
-    if (layer.entry->shape != LayerShape::grid || std::uint64_t{grid.columns} * grid.rows > finished_.size()) return false;
+    if (layer.entry->shape != LayerShape::grid || std::uint64_t{grid.columns} * grid.rows > shown_.texels.size()) return false;
     layer_ = &layer;
     attribute_ = &attribute;
     return true;
@@ -51,7 +51,7 @@ bool GridSlice::show(const Layer& layer, const Attribute& attribute) {
 void GridSlice::forget() {
     layer_ = nullptr;
     attribute_ = nullptr;
-    is_in_work_ = is_begun_ = is_finished_ = false;
+    shown_.is_begun = next_.is_begun = false;
 }
 
 SliceRange GridSlice::range() const {
@@ -59,34 +59,36 @@ SliceRange GridSlice::range() const {
     return {double{attribute_->entry->minimum}, double{attribute_->entry->maximum}};
 }
 
-void GridSlice::begin(double height_m, std::int64_t time_ns) {
-    height_m_ = height_m;
-    time_ns_ = time_ns;
-    next_row_ = 0;
-    is_begun_ = is_in_work_ = true;
+void GridSlice::Sheet::begin(double height, std::int64_t time) {
+    height_m = height;
+    time_ns = time;
+    rows = 0;
+    is_begun = true;
 }
 
-bool GridSlice::advance(double height_m, std::int64_t time_ns, base::Duration step, std::uint32_t rows) {
-    if (layer_ == nullptr) return false;
-    const base::Duration off = base::Time{time_ns} - base::Time{time_ns_};
-    // One in work is ended first, so that a time that runs on cannot keep every slice from being finished.
-    const bool is_old = height_m != height_m_ || off >= step || base::Duration{} - off >= step;
-    if (!is_in_work_ && (!is_begun_ || is_old)) begin(height_m, time_ns);
-    if (!is_in_work_) return false;
+void GridSlice::make(Sheet& sheet, std::uint32_t most_rows) const {
     const GridField field(*layer_, *attribute_);
-    const AxisPlace level = field.level_at(height_m_), time = field.time_at(time_ns_);
-    const base::Duration age = field.age(time_ns_);
-    const GridShape& grid = layer_->entry->grid;
-    const std::uint32_t end = next_row_ + std::min(rows, grid.rows - next_row_);
-    for (std::uint32_t j = next_row_; j < end; ++j)
-        for (std::uint32_t i = 0; i < grid.columns; ++i)
-            in_work_[std::size_t{j} * grid.columns + i] = texel_of(field.at_post(i, j, level, time, age), range());
-    next_row_ = end;
-    if (next_row_ < grid.rows) return false;
-    std::swap(finished_, in_work_);
-    is_in_work_ = false;
-    is_finished_ = true;
+    const AxisPlace level = field.level_at(sheet.height_m), time = field.time_at(sheet.time_ns);
+    const base::Duration age = field.age(sheet.time_ns);
+    const std::uint32_t across = columns(), end = sheet.rows + std::min(most_rows, rows() - sheet.rows);
+    for (; sheet.rows < end; ++sheet.rows)
+        for (std::uint32_t i = 0; i < across; ++i)
+            sheet.texels[std::size_t{sheet.rows} * across + i] =
+                texel_of(field.at_post(i, sheet.rows, level, time, age), range());
+}
+
+bool GridSlice::show(double height_m, std::int64_t time_ns) {
+    if (layer_ == nullptr || shown_.is_of(height_m, time_ns)) return false;
+    if (!next_.is_of(height_m, time_ns)) next_.begin(height_m, time_ns);
+    make(next_, rows());
+    std::swap(shown_, next_);
     return true;
+}
+
+void GridSlice::prepare(double height_m, std::int64_t time_ns, std::uint32_t rows) {
+    if (layer_ == nullptr) return;
+    if (!next_.is_of(height_m, time_ns)) next_.begin(height_m, time_ns);
+    make(next_, rows);
 }
 
 }  // namespace tedavis::scene

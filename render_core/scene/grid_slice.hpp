@@ -2,7 +2,7 @@
 /// time or of height stalls no frame.
 ///
 /// A texel is a post: its value in 16 bits between the attribute's limits (a 65,535th of them is less than any step of a colour
-/// scale shows), its uncertainty (Uncertainty::code) and its state. The finished slice stays until the next one is finished.
+/// scale shows), its uncertainty (Uncertainty::code) and its state.
 /// Memory    the texels belong to the caller. Thread  one.
 #pragma once
 
@@ -33,33 +33,43 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t most_posts);
     [[nodiscard]] bool start(std::uint32_t most_posts, base::Arena& arena);
 
-    /// What is to be seen; what was finished before stays. False where the grid has more posts than there is room for. Layer and
-    /// attribute must outlive the slice, or forget() be called.
-    [[nodiscard]] bool show(const Layer& layer, const Attribute& attribute);
+    /// What is to be seen. False where the layer is no grid, or has more posts than there is room for. Layer and attribute must
+    /// outlive the slice, or forget() be called.
+    [[nodiscard]] bool set_field(const Layer& layer, const Attribute& attribute);
     void forget();
-    /// Goes on with at most `rows` rows, towards a slice at a height and a time; another height, or a time that is `step` or more
-    /// off that of the slice in work or finished, begins a new one. True when a slice was finished by this call.
-    [[nodiscard]] bool advance(double height_m, std::int64_t time_ns, base::Duration step, std::uint32_t rows);
+    /// The slice at a height and a time; after set_field(). True when the texels are others than before.
+    [[nodiscard]] bool show(double height_m, std::int64_t time_ns);
+    /// Goes on with at most `rows` rows of the slice that show() will ask for next.
+    void prepare(double height_m, std::int64_t time_ns, std::uint32_t rows);
 
-    [[nodiscard]] bool has_texels() const { return is_finished_; }
+    [[nodiscard]] bool has_texels() const { return shown_.is_whole(rows()); }
     [[nodiscard]] std::uint32_t columns() const { return layer_ == nullptr ? 0 : layer_->entry->grid.columns; }
     [[nodiscard]] std::uint32_t rows() const { return layer_ == nullptr ? 0 : layer_->entry->grid.rows; }
-    /// Row by row from the north-west; of the slice that was finished last.
-    [[nodiscard]] base::Span<const SliceTexel> texels() const { return {finished_.data(), std::size_t{columns()} * rows()}; }
+    /// Row by row from the north-west; of the slice that was shown last.
+    [[nodiscard]] base::Span<const SliceTexel> texels() const { return {shown_.texels.data(), std::size_t{columns()} * rows()}; }
     [[nodiscard]] SliceRange range() const;
     [[nodiscard]] const Layer* layer() const { return layer_; }
     [[nodiscard]] const Attribute* attribute() const { return attribute_; }
 
 private:
-    void begin(double height_m, std::int64_t time_ns);
+    struct Sheet {
+        base::Span<SliceTexel> texels;
+        double height_m = 0;
+        std::int64_t time_ns = 0;
+        std::uint32_t rows = 0;  ///< that are made
+        bool is_begun = false;
+
+        [[nodiscard]] bool is_whole(std::uint32_t all) const { return is_begun && rows == all; }
+        [[nodiscard]] bool is_of(double height, std::int64_t time) const {
+            return is_begun && height_m == height && time_ns == time;
+        }
+        void begin(double height, std::int64_t time);
+    };
+    void make(Sheet& sheet, std::uint32_t most_rows) const;
 
     const Layer* layer_ = nullptr;
     const Attribute* attribute_ = nullptr;
-    base::Span<SliceTexel> finished_, in_work_;
-    double height_m_ = 0;
-    std::int64_t time_ns_ = 0;
-    std::uint32_t next_row_ = 0;
-    bool is_in_work_ = false, is_begun_ = false, is_finished_ = false;
+    Sheet shown_, next_;
 };
 
 }  // namespace tedavis::scene

@@ -85,12 +85,12 @@ TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {
 TEST(TerrainProgram, TheCheapestOutputThatShowsTheStyle) {
     TerrainStyle style;
     style.sketch.silhouettes = 1;
-    EXPECT_EQ(output_of(style, true), TerrainOutput::code);
-    EXPECT_EQ(output_of(style, false), TerrainOutput::color);
+    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::code);
+    EXPECT_EQ(output_of(style, {}, false), TerrainOutput::color);
     style.sketch.contours = 1;
-    EXPECT_EQ(output_of(style, true), TerrainOutput::color_and_distance);
+    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::color_and_distance);
     style.sketch.silhouettes = 0;
-    EXPECT_EQ(output_of(style, true), TerrainOutput::color);
+    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::color);
 }
 
 TEST(TerrainProgram, CodesCompileInBothLanes) {

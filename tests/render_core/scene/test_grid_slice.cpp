@@ -10,7 +10,6 @@
 namespace tedavis::scene {
 namespace {
 
-constexpr base::Duration kStep = base::Duration::seconds(60);
 constexpr std::int64_t kMinute_ns = 60'000'000'000;
 
 class SliceOfAGrid : public ::testing::Test {
@@ -22,7 +21,7 @@ protected:
         base::Arena arena(memory_.data(), memory_.size());
         scene_ = Scene::load(source, arena).value();
         EXPECT_TRUE(slice_.start(100, arena));
-        EXPECT_TRUE(slice_.show(layer(), attribute()));
+        EXPECT_TRUE(slice_.set_field(layer(), attribute()));
     }
     [[nodiscard]] const Layer& layer() const { return scene_.layers()[0]; }
     [[nodiscard]] const Attribute& attribute() const { return layer().attributes[0]; }
@@ -33,7 +32,7 @@ protected:
 };
 
 TEST_F(SliceOfAGrid, TexelsAreTheFieldAtThePosts) {
-    ASSERT_TRUE(slice_.advance(2000, kMinute_ns * 30, kStep, 1000));
+    ASSERT_TRUE(slice_.show(2000, kMinute_ns * 30));
     const GridField field(layer(), attribute());
     ASSERT_EQ(slice_.texels().size(), 12u);
     const double step = (slice_.range().highest - slice_.range().lowest) / 65535;
@@ -54,31 +53,37 @@ TEST_F(SliceOfAGrid, TexelsAreTheFieldAtThePosts) {
     EXPECT_EQ(slice_.texels()[7].state, 128) << "interpolated";
 }
 
-TEST_F(SliceOfAGrid, RowByRowAsAtOnce) {
-    ASSERT_TRUE(slice_.advance(1500, 0, kStep, 1000));
-    std::vector<SliceTexel> at_once(slice_.texels().begin(), slice_.texels().end());
-    slice_.forget();
-    ASSERT_TRUE(slice_.show(layer(), attribute()));
-    EXPECT_FALSE(slice_.has_texels());
-    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1));
-    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1));
-    EXPECT_FALSE(slice_.has_texels()) << "nothing half done is seen";
-    EXPECT_TRUE(slice_.advance(1500, 0, kStep, 1));
-    for (std::size_t n = 0; n < at_once.size(); ++n) EXPECT_EQ(slice_.texels()[n].value_low, at_once[n].value_low);
-    EXPECT_FALSE(slice_.advance(1500, 0, kStep, 1)) << "it is done";
+std::vector<int> values_of(const GridSlice& slice) {
+    std::vector<int> values;
+    for (const SliceTexel& texel : slice.texels()) values.push_back(texel.value_high * 256 + texel.value_low);
+    return values;
 }
 
-TEST_F(SliceOfAGrid, AnotherTimeOrHeightBeginsAnother) {
-    ASSERT_TRUE(slice_.advance(1500, 0, kStep, 1000));
-    const int before = slice_.texels()[0].value_high;
-    EXPECT_FALSE(slice_.advance(1500, kMinute_ns - 1, kStep, 1000)) << "not a step later";
-    EXPECT_FALSE(slice_.advance(1500, 30 * kMinute_ns, kStep, 1));
-    EXPECT_EQ(slice_.texels()[0].value_high, before) << "the old one stays meanwhile";
-    EXPECT_FALSE(slice_.advance(1500, 55 * kMinute_ns, kStep, 1));
-    EXPECT_TRUE(slice_.advance(1500, 59 * kMinute_ns, kStep, 1)) << "the one in work is finished first";
-    EXPECT_NE(slice_.texels()[0].value_high, before);
-    EXPECT_TRUE(slice_.advance(2500, 30 * kMinute_ns, kStep, 1000));
-    EXPECT_TRUE(slice_.advance(2500, 0, kStep, 1000)) << "a time that runs back";
+TEST_F(SliceOfAGrid, WhatIsMadeAheadIsWhatAJumpMakes) {
+    EXPECT_FALSE(slice_.has_texels());
+    ASSERT_TRUE(slice_.show(1500, 0));
+    const std::vector<int> first = values_of(slice_);
+    slice_.prepare(1500, kMinute_ns, 1);
+    slice_.prepare(1500, kMinute_ns, 1);
+    EXPECT_EQ(values_of(slice_), first) << "nothing half done is seen";
+    ASSERT_TRUE(slice_.show(1500, kMinute_ns)) << "what is left is made at once";
+    const std::vector<int> ahead = values_of(slice_);
+    slice_.forget();
+    EXPECT_FALSE(slice_.has_texels());
+    ASSERT_TRUE(slice_.set_field(layer(), attribute()));
+    ASSERT_TRUE(slice_.show(1500, kMinute_ns));
+    EXPECT_EQ(values_of(slice_), ahead);
+    EXPECT_NE(ahead, first);
+}
+
+TEST_F(SliceOfAGrid, TheSameMomentIsNotMadeAgain) {
+    ASSERT_TRUE(slice_.show(1500, 0));
+    EXPECT_FALSE(slice_.show(1500, 0));
+    EXPECT_TRUE(slice_.show(1600, 0));
+    slice_.prepare(1600, kMinute_ns, 100);
+    slice_.prepare(1600, 2 * kMinute_ns, 100);
+    EXPECT_TRUE(slice_.show(1600, kMinute_ns)) << "another one was made ahead";
+    EXPECT_TRUE(slice_.show(1600, 0)) << "a time that runs back";
 }
 
 TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
@@ -86,11 +91,12 @@ TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
     std::vector<std::uint8_t> memory(GridSlice::bytes_needed(11) + 64);
     base::Arena arena(memory.data(), memory.size());
     ASSERT_TRUE(small.start(11, arena));
-    EXPECT_FALSE(small.show(layer(), attribute()));
-    EXPECT_FALSE(small.advance(0, 0, kStep, 10));
+    EXPECT_FALSE(small.set_field(layer(), attribute()));
+    EXPECT_FALSE(small.show(0, 0));
+    small.prepare(0, 0, 10);
     EXPECT_EQ(small.columns(), 0u);
     EXPECT_FALSE(small.start(1000, arena));
-    EXPECT_FALSE(slice_.show(scene_.layers()[1], scene_.layers()[1].attributes[0])) << "no grid";
+    EXPECT_FALSE(slice_.set_field(scene_.layers()[1], scene_.layers()[1].attributes[0])) << "no grid";
 }
 
 TEST(SliceTexel, GoesThereAndBack) {

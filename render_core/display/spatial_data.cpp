@@ -1,0 +1,104 @@
+#include "render_core/display/spatial_data.hpp"
+
+#include <algorithm>
+
+namespace tedavis::display {
+namespace {
+
+constexpr base::Time kFirstDate{946'684'800'000'000'000};  // 2000-01-01: earlier stamps are counted from somewhere else
+constexpr std::int64_t kSlice_ns = 60'000'000'000;
+constexpr std::uint32_t kPostsAhead = 8192;  // made a frame; some hundred microseconds
+
+constexpr std::string_view kOfScene = "the scene database ";
+
+std::int64_t start_of_minute(std::int64_t time_ns) {
+    const std::int64_t into = time_ns % kSlice_ns;
+    return time_ns - (into < 0 ? into + kSlice_ns : into);
+}
+
+/// Where the data of a layer begin; for a source without a date.
+std::int64_t own_time_of(const scene::Layer& layer) {
+    if (!layer.times_ns.empty()) return layer.times_ns[0];
+    return layer.entry->data_time_ns == scene::kNoTime ? 0 : layer.entry->data_time_ns;
+}
+
+}  // namespace
+
+const char* reason_of(GroundDataState state) noexcept {
+    switch (state) {
+        case GroundDataState::not_asked_for: return "not asked for by the design";
+        case GroundDataState::no_scene: return "the display has no scene";
+        case GroundDataState::no_such_layer: return "the scene has no such layer";
+        case GroundDataState::no_such_attribute: return "the layer has no such attribute";
+        case GroundDataState::too_large: return "the layer is no grid, or too large for the device";
+        case GroundDataState::out_of_date: return "the data are not valid at this time";
+        case GroundDataState::shown: return "asked for by the design";
+    }
+    return "unknown";
+}
+
+std::string_view scene_fault(std::string_view sentence) noexcept {
+    const bool is_one = sentence.substr(0, kOfScene.size()) == kOfScene;
+    return is_one ? sentence.substr(kOfScene.size()) : std::string_view();
+}
+
+gl::GlError SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
+    most_side_ = most_side;
+    const auto posts = static_cast<std::uint32_t>(memory.slices.use().capacity / (2 * sizeof(scene::SliceTexel)));
+    if (!slice_.start(posts, memory.slices))
+        return gl::make_error("the budget line 'scene_slices' is too small for data on the ground; raise it in the device file");
+    if (file == nullptr) return {};
+    auto loaded = scene::Scene::load(*file, memory.scene);
+    if (!loaded.ok()) return gl::make_error(kOfScene, scene::describe(loaded.error()).view());
+    scene_ = loaded.value();
+    has_scene_ = true;
+    return {};
+}
+
+GroundDataState SpatialData::choose(const design::GroundData& ground) {
+    if (!ground.is_shown) return GroundDataState::not_asked_for;
+    if (!has_scene_) return GroundDataState::no_scene;
+    const scene::Layer* const layer = scene_.find(ground.layer.view());
+    if (layer == nullptr) return GroundDataState::no_such_layer;
+    const scene::Attribute* const attribute = layer->find(ground.attribute.view());
+    if (attribute == nullptr) return GroundDataState::no_such_attribute;
+    const scene::GridShape& grid = layer->entry->grid;
+    const bool fits = std::max(grid.columns, grid.rows) <= most_side_ && slice_.set_field(*layer, *attribute);
+    return fits ? GroundDataState::shown : GroundDataState::too_large;
+}
+
+SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time now) {
+    SpatialDataPlan plan;
+    plan.ground = choose(design.ground);
+    if (plan.ground != GroundDataState::shown) {
+        show(false);
+        return plan;
+    }
+    const scene::Layer& layer = *slice_.layer();
+    plan.has_date = now >= kFirstDate;
+    const std::int64_t time_ns = plan.has_date ? start_of_minute(now.ns) : own_time_of(layer);
+    if (time_ns < layer.entry->valid_from_ns || time_ns > layer.entry->valid_until_ns) {
+        plan.ground = GroundDataState::out_of_date;
+        show(false);
+        return plan;
+    }
+    plan.age = scene::GridField(layer, *slice_.attribute()).age(time_ns);
+    if (slice_.show(design.ground.height_m, time_ns)) has_changed_ = true;
+    show(true);
+    if (plan.has_date)
+        slice_.prepare(design.ground.height_m, time_ns + kSlice_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
+    return plan;
+}
+
+void SpatialData::show(bool shown) {
+    has_changed_ = has_changed_ || shown != is_shown_;
+    is_shown_ = shown;
+}
+
+bool SpatialData::take_change() {
+    const bool has_changed = has_changed_;
+    has_changed_ = false;
+    return has_changed;
+}
+
+}  // namespace tedavis::display

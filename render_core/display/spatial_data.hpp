@@ -1,0 +1,64 @@
+/// The scene of a display: spatial data in memory, and what of it colours the ground now.
+///
+///   start(...) · plan(design, time) each frame, without GL · take_change() before drawing
+///
+/// Time      data follow the source's time where it is a date; where it is none (a log with stamps from zero) they stand at their
+///           own first time, and the plan says so. Slices are of whole minutes, so that the same moment shows the same picture.
+/// Memory    the arenas given to start(). Thread  the display's. Failure  start() gives one sentence.
+#pragma once
+
+#include "render_core/base/ports/byte_source.hpp"
+#include "render_core/design/data_style.hpp"
+#include "render_core/gl/gl_error.hpp"
+#include "render_core/scene/grid_slice.hpp"
+
+namespace tedavis::display {
+
+enum class GroundDataState : std::uint8_t {
+    not_asked_for,
+    no_scene,
+    no_such_layer,
+    no_such_attribute,
+    too_large,    ///< the layer is no grid, or has more posts than the device has room for
+    out_of_date,  ///< the data's validity has ended, or has not begun
+    shown,
+};
+/// For records: "the scene has no such layer".
+[[nodiscard]] const char* reason_of(GroundDataState state) noexcept;
+
+struct SpatialDataPlan {
+    GroundDataState ground = GroundDataState::not_asked_for;
+    bool has_date = true;  ///< the source's time is a date, by which data have an age
+    base::Duration age;    ///< of the data on the ground
+};
+
+/// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
+[[nodiscard]] std::string_view scene_fault(std::string_view sentence) noexcept;
+
+class SpatialData {
+public:
+    struct Memory {
+        base::Arena &scene, &slices;
+    };
+    /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for.
+    [[nodiscard]] gl::GlError start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
+    [[nodiscard]] bool has_scene() const { return has_scene_; }
+    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+
+    [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, base::Time now);
+    /// True once after the texels of the ground, or whether there are any, have changed.
+    [[nodiscard]] bool take_change();
+    /// What colours the ground; null for nothing.
+    [[nodiscard]] const scene::GridSlice* ground() const { return is_shown_ ? &slice_ : nullptr; }
+
+private:
+    [[nodiscard]] GroundDataState choose(const design::GroundData& ground);
+    void show(bool shown);
+
+    scene::Scene scene_;
+    scene::GridSlice slice_;
+    std::uint32_t most_side_ = 0;
+    bool has_scene_ = false, is_shown_ = false, has_changed_ = false;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,54 @@
+/// A slice of a scene's grid on the GPU, and the colours of its scale: what terrain programs with ground data read.
+///
+/// Memory    GPU, from the budget line scene_ground. Thread  the GL thread. Failure  one sentence.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/design/data_style.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/texture.hpp"
+#include "render_core/scene/grid_slice.hpp"
+#include "render_core/terrain/lattice.hpp"
+
+namespace tedavis::draw {
+
+/// Where a chunk's posts lie on a grid: posts of the grid = places of the chunk * scale + offset.
+struct GridWindow {
+    double scale_i = 0, scale_j = 0, offset_i = 0, offset_j = 0;
+};
+/// Longitudes by the shorter way round the Earth from the middle of the grid.
+[[nodiscard]] GridWindow grid_window(const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
+                                     const scene::GridShape& grid);
+
+class GroundMap {
+public:
+    /// The largest square of a power of two that the line pays beside the colours.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px);
+    [[nodiscard]] bool is_started() const { return map_.valid(); }
+    /// Posts across and down for which there is room.
+    [[nodiscard]] std::uint32_t side() const { return map_.settings().width_px; }
+
+    /// A finished slice, and the scale that its values are coloured by. False, and nothing is shown, where it has no room.
+    [[nodiscard]] bool upload(gl::Gl& gl, const scene::GridSlice& slice, const design::GroundData& look);
+    /// The scale alone.
+    void set_look(gl::Gl& gl, const design::GroundData& look);
+    void clear() { has_data_ = false; }
+    [[nodiscard]] bool has_data() const { return has_data_; }
+
+    /// Units of the two textures.
+    void bind(gl::Gl& gl, std::uint32_t map_unit, std::uint32_t color_unit) const;
+    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::uint32_t map_unit, std::uint32_t color_unit) const;
+    void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice,
+                            const terrain::ChunkKey& chunk) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    gl::Texture map_, colors_;
+    design::GroundData look_;
+    scene::GridShape grid_{};
+    scene::SliceRange range_;
+    bool is_classed_ = false;  ///< values are those of the nearest post
+    bool has_data_ = false;
+};
+
+}  // namespace tedavis::draw
