@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "host_sim/number_list.hpp"
@@ -20,6 +22,8 @@ constexpr double kStepOfArc_deg = 10;  // a chord of it lies 0.4 % of the radius
 constexpr double kMeanRadius_m = 6371008.8;
 constexpr double kFlightLevel_m = 100 * base::kMetresPerFoot;
 constexpr double kUnlimited_m = 100000;
+constexpr double kNoHeight_m = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargestRadius_m = 2000 * base::kMetresPerNauticalMile;
 
 struct Place {
     double latitude_deg = 0, longitude_deg = 0;
@@ -54,6 +58,24 @@ std::string trimmed(std::string_view text) {
 std::string upper(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return text;
+}
+
+std::string without_spaces(std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    return text;
+}
+
+void skip(std::string_view& text, std::string_view characters) {
+    text.remove_prefix(std::min(text.find_first_not_of(characters), text.size()));
+}
+
+/// Takes a number from the front. "9E" is 9, for E is a side of the world there.
+std::optional<double> number_at(std::string_view& text) {
+    double number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (fault != std::errc() || !std::isfinite(number)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
 }
 
 class OpenAirReader {
@@ -130,31 +152,40 @@ private:
 
     /// "FL145", "1000ft AMSL", "300m AGL", "GND", "UNL", "4500MSL". Feet where no unit stands.
     void read_limit(const std::string& text, const std::string& limit) {
-        std::string words = upper(text);
-        words.erase(std::remove(words.begin(), words.end(), ' '), words.end());
-        double number = 0;
-        int used = 0;
-        std::string datum = "msl";
+        const std::string words = upper(without_spaces(text));
+        Limit found;
         if (words == "GND" || words == "SFC" || words == "0") {
-            datum = "ground";
+            found = {0, "ground"};
         } else if (words.rfind("UNL", 0) == 0) {
-            number = kUnlimited_m;
-        } else if (std::sscanf(words.c_str(), "FL%lf%n", &number, &used) == 1) {
-            number *= kFlightLevel_m;
-            datum = "standard";
-        } else if (std::sscanf(words.c_str(), "%lf%n", &number, &used) == 1) {
-            const std::string unit = words.substr(static_cast<std::size_t>(used));
-            const bool is_metres = unit.rfind('M', 0) == 0 && unit.rfind("MSL", 0) != 0;
-            number *= is_metres ? 1 : base::kMetresPerFoot;
-            if (unit.find("AGL") != std::string::npos || unit.find("GND") != std::string::npos ||
-                unit.find("SFC") != std::string::npos)
-                datum = "ground";
-            if (unit.find("STD") != std::string::npos) datum = "standard";
+            found = {kUnlimited_m, "msl"};
         } else {
-            refuse("'" + text + "' is no height; write for instance 1500ft AMSL, FL100, GND");
+            found = limit_in(words);
         }
-        feature().fields[limit] = std::to_string(number);
-        feature().fields[limit + "_datum"] = datum;
+        if (!(std::abs(found.height_m) <= kUnlimited_m))
+            refuse("'" + text + "' is no height; write for instance 1500ft AMSL, FL100, GND");
+        feature().fields[limit] = std::to_string(found.height_m);
+        feature().fields[limit + "_datum"] = found.datum;
+    }
+    struct Limit {
+        double height_m = kNoHeight_m;
+        const char* datum = "msl";
+    };
+    /// Of a number with its unit, without spaces.
+    static Limit limit_in(std::string_view words) {
+        const bool is_level = words.substr(0, 2) == "FL";
+        if (is_level) words.remove_prefix(2);
+        const std::optional<double> number = number_at(words);
+        if (!number || (is_level && !words.empty()) || !is_unit_of_height(std::string(words))) return {};
+        if (is_level) return {*number * kFlightLevel_m, "standard"};
+        const auto says = [words](const char* word) { return words.find(word) != std::string_view::npos; };
+        const bool is_metres = !words.empty() && words[0] == 'M' && words.substr(0, 3) != "MSL";
+        const char* const datum = says("AGL") || says("GND") || says("SFC") ? "ground" : says("STD") ? "standard" : "msl";
+        return {*number * (is_metres ? 1 : base::kMetresPerFoot), datum};
+    }
+    static bool is_unit_of_height(std::string unit) {
+        for (const char* const word : {"AMSL", "MSL", "AGL", "GND", "SFC", "STD", "FEET", "FT", "F", "M", "ALT"})
+            if (const std::size_t at = unit.find(word); at != std::string::npos) unit.erase(at, std::string_view(word).size());
+        return unit.empty();
     }
 
     void read_variable(const std::string& text) {
@@ -173,11 +204,13 @@ private:
         if (command != "DC" && command != "DA" && command != "DB") return;
         if (!has_centre_) refuse(command + " needs a centre; write V X=... before it");
         if (command == "DC") {
-            add_arc(0, 360, number_of(rest) * base::kMetresPerNauticalMile, true);
+            add_arc(0, 360, radius_of(rest), true);
         } else if (command == "DA") {
-            const std::vector<double> n = parse_number_list(rest, ',');
-            if (n.size() != 3) refuse("DA needs radius, first and last bearing; write for instance DA 10, 270, 290");
-            add_arc(n[1], n[2], n[0] * base::kMetresPerNauticalMile, false);
+            const std::vector<double> n = parse_number_list(without_spaces(rest), ',');
+            const double radius_m = n.size() == 3 ? n[0] * base::kMetresPerNauticalMile : 0;
+            if (!(radius_m > 0 && radius_m <= kLargestRadius_m))
+                refuse("DA needs radius, first and last bearing; write for instance DA 10, 270, 290");
+            add_arc(n[1], n[2], radius_m, std::abs(n[2] - n[1]) == 360);
         } else {
             const std::size_t comma = rest.find(',');
             if (comma == std::string::npos) refuse("DB needs two places with a comma between them");
@@ -188,10 +221,11 @@ private:
             add(to);
         }
     }
-    double number_of(const std::string& text) const {
+    double radius_of(const std::string& text) const {
         const std::vector<double> numbers = parse_number_list(text, ',');
-        if (numbers.size() != 1 || !(numbers[0] > 0)) refuse("'" + text + "' is no radius; write nautical miles");
-        return numbers[0];
+        const double radius_m = numbers.size() == 1 ? numbers[0] * base::kMetresPerNauticalMile : 0;
+        if (!(radius_m > 0 && radius_m <= kLargestRadius_m)) refuse("'" + text + "' is no radius; write nautical miles");
+        return radius_m;
     }
     void add_arc(double from_deg, double to_deg, double radius_m, bool is_circle) {
         double turn_deg = is_circle ? 360 : std::fmod(to_deg - from_deg, 360);
@@ -204,29 +238,28 @@ private:
 
     /// "53:47:06N 008:21:41E", "53:47.1 N 8:21.7 E", "53.78N 8.36E".
     [[nodiscard]] Place place_of(const std::string& text) const {
-        const char* at = text.c_str();
+        std::string_view rest = text;
         Place place;
-        if (!read_angle(at, 'N', 'S', 90, place.latitude_deg) || !read_angle(at, 'E', 'W', 180, place.longitude_deg))
+        if (!read_angle(rest, 'N', 'S', 90, place.latitude_deg) || !read_angle(rest, 'E', 'W', 180, place.longitude_deg) ||
+            !rest.empty())
             refuse("'" + text + "' is no place; write for instance 46:47:30N 009:49:20E");
         return place;
     }
-    static bool read_angle(const char*& at, char positive, char negative, double most_deg, double& angle_deg) {
-        double part = 0, scale = 1;
-        int used = 0, parts = 0;
-        for (angle_deg = 0; parts < 3 && std::sscanf(at, "%lf%n", &part, &used) == 1; ++parts, scale *= 60) {
-            if (!(part >= 0)) return false;
-            angle_deg += part / scale;
-            at += used;
-            if (*at != ':') {
-                ++parts;
-                break;
-            }
-            ++at;
+    static bool read_angle(std::string_view& text, char positive, char negative, double most_deg, double& angle_deg) {
+        double scale = 1;
+        angle_deg = 0;
+        for (int parts = 0; parts < 3; ++parts, scale *= 60) {
+            skip(text, " \t,");
+            const std::optional<double> part = number_at(text);
+            if (!part || *part < 0) return false;
+            angle_deg += *part / scale;
+            if (text.empty() || text[0] != ':') break;
+            text.remove_prefix(1);
         }
-        while (*at == ' ' || *at == '\t' || *at == ',') ++at;
-        const char side = static_cast<char>(std::toupper(static_cast<unsigned char>(*at)));
-        if (parts == 0 || (side != positive && side != negative) || !(angle_deg <= most_deg)) return false;
-        ++at;
+        skip(text, " \t,");
+        const char side = text.empty() ? '?' : static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+        if ((side != positive && side != negative) || !(angle_deg <= most_deg)) return false;
+        text.remove_prefix(1);
         if (side == negative) angle_deg = -angle_deg;
         return true;
     }

@@ -67,6 +67,9 @@ UncertaintyRecipe read_uncertainty(ConfigSection section) {
     uncertainty.variable = text(section, "variable");
     uncertainty.source = text(section, "source");
     uncertainty.value = number(section, "value");
+    uncertainty.classes = texts(section, "classes");
+    if (!uncertainty.classes.empty() && (uncertainty.classes.size() < 2 || uncertainty.variable.empty()))
+        section.fault("classes", "two or more names are needed, and the 'variable' that holds them");
     uncertainty.is_quality = section.boolean("is_quality", false);
     uncertainty.is_spread = section.boolean("is_spread", false);
     uncertainty.full = section.number("full", 1e-9, kLarge, 1);
@@ -128,6 +131,9 @@ void read_heights(ConfigSection& section, LayerRecipe& layer) {
     if (section.has("height_datum"))
         layer.height_datum =
             static_cast<scene::HeightDatum>(section.choice("height_datum", Texts(kDatums.data(), kDatums.size()), 0));
+    layer.aircraft = text(section, "aircraft");
+    layer.name_variable = text(section, "name_variable", layer.name_variable);
+    layer.time_variable = text(section, "time_variable");
     layer.height_variable = text(section, "height_variable");
     layer.height_factor = section.number("height_factor", -1000, 1000, 1);
     layer.levels.resize(section.element_count("levels"));

@@ -25,9 +25,10 @@ struct UncertaintyRecipe {
     std::string variable;  ///< empty: `value` holds
     std::string source;    ///< another file with it; empty: the layer's
     std::optional<double> value;
-    bool is_quality = false;  ///< the variable says how sure, 0..1, instead of how unsure
-    bool is_spread = false;   ///< the standard deviation of the ensemble's members
-    double full = 1;          ///< what counts as 1, in the attribute's unit (percent: of 100)
+    std::vector<std::string> classes;  ///< of a variable in words: from certain to wholly unsure
+    bool is_quality = false;           ///< the variable says how sure, 0..1, instead of how unsure
+    bool is_spread = false;            ///< the standard deviation of the ensemble's members
+    double full = 1;                   ///< what counts as 1, in the attribute's unit (percent: of 100)
     double growth_per_hour = 0;
 };
 
@@ -61,7 +62,10 @@ struct LayerRecipe {
     std::optional<std::int64_t> data_time_ns, from_ns, until_ns;  ///< from and until choose times of the source
     double valid_hours = 0;                                       ///< after the data's last time; 0: for ever
     double position_accuracy_m = 0, height_accuracy_m = 0;
-    std::string crs;              ///< of sources that do not state theirs
+    std::string crs;                     ///< of sources that do not state theirs
+    std::string aircraft;                ///< of a flight: the only one that is shown; empty: all
+    std::string name_variable = "name";  ///< of a table its column of names
+    std::string time_variable;           ///< of a table the column of instants; empty: those that the format states
     std::string height_variable;  ///< of a raster the geopotential or height of its levels; of a table the column of heights
     double height_factor = 1;
     std::vector<double> levels;     ///< of a raster those that are wanted, as it states them (pressures in hPa); empty: all

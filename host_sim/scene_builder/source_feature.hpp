@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct SourceFeature {
 /// What a file holds, and what was left out of it and why: sentences for the user.
 struct SourceFeatures {
     std::vector<SourceFeature> features;
+    std::set<std::string> columns;  ///< that fields may have, stated or not; formats without columns have none
     scene::HeightDatum height_datum = scene::HeightDatum::msl;
     std::vector<std::string> notes;
 };

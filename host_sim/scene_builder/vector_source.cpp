@@ -55,6 +55,8 @@ public:
 private:
     void read(OGRLayer& layer) {
         const Transformation to_wgs84 = transformation_of(layer);
+        for (int n = 0; n < layer.GetLayerDefn()->GetFieldCount(); ++n)
+            found_.columns.insert(layer.GetLayerDefn()->GetFieldDefn(n)->GetNameRef());
         layer.ResetReading();
         for (auto& feature : layer) {
             ++row_;
@@ -126,7 +128,17 @@ private:
                 return;
             default: ++others_; return;
         }
+        for (SourcePoint& point : feature.points) hold_to_earth(point);
         if (!feature.points.empty()) found_.features.push_back(std::move(feature));
+    }
+    /// Longitudes of 0..360 become -180..180.
+    void hold_to_earth(SourcePoint& point) const {
+        if (!(std::abs(point.latitude_deg) <= 90) || !(std::abs(point.longitude_deg) <= 360))
+            throw UserError(file_ + ": feature " + std::to_string(row_) + " lies at latitude " +
+                            std::to_string(point.latitude_deg) + ", longitude " + std::to_string(point.longitude_deg) +
+                            ", which is no place; state its system with 'crs', or correct it");
+        point.longitude_deg = std::remainder(point.longitude_deg, 360);
+        if (point.height_m && !std::isfinite(*point.height_m)) point.height_m.reset();
     }
 
     const std::string file_, crs_;

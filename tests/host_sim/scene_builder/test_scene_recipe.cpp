@@ -86,6 +86,31 @@ TEST(SceneRecipe, EveryKeyIsRead) {
     EXPECT_EQ(cover.uncertainty.kind, scene::UncertaintyKind::none);
 }
 
+TEST(SceneRecipe, KeysOfTablesAndFlights) {
+    const std::string head = "name = 's'\n[[layer]]\nname = 'masts'\nsource = 'm.csv'\nrole = 'obstacle'\n";
+    const LayerRecipe plain = parse_scene(head, "s.toml").layers[0];
+    EXPECT_EQ(plain.name_variable, "name");
+    EXPECT_EQ(plain.time_variable, "");
+    EXPECT_TRUE(plain.attributes.empty());
+    const LayerRecipe masts = parse_scene(head +
+                                              "name_variable = 'ident'\ntime_variable = 'seen'\naircraft = 'HBKRA'\n"
+                                              "[layer.prepare]\nkeep_attribute = 'kind'\nkeep_most = 1\n"
+                                              "[[layer.attribute]]\nname = 'kind'\n[layer.attribute.uncertainty]\n"
+                                              "kind = 'ordinal'\nvariable = 'trust'\nclasses = ['sure', 'so-so', 'guessed']\n",
+                                          "s.toml")
+                                  .layers[0];
+    EXPECT_EQ(masts.name_variable, "ident");
+    EXPECT_EQ(masts.time_variable, "seen");
+    EXPECT_EQ(masts.aircraft, "HBKRA");
+    EXPECT_EQ(masts.prepare.keep_most, 1);
+    EXPECT_LT(masts.prepare.keep_least, -1e9);
+    EXPECT_EQ(masts.attributes[0].uncertainty.classes.size(), 3u);
+    expect_fault(head +
+                     "[[layer.attribute]]\nname = 'kind'\n[layer.attribute.uncertainty]\nkind = 'ordinal'\nvalue = 1\n"
+                     "classes = ['sure', 'guessed']\n",
+                 "two or more names are needed, and the 'variable' that holds them");
+}
+
 TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
     expect_fault("origin = 'x'", "name");
     expect_fault("name = 'x'", "1 to 32 tables [[layer]]");
