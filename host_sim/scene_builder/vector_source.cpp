@@ -28,23 +28,37 @@ std::vector<SourcePoint> points_of(const OGRSimpleCurve& curve, bool is_ring) {
     return points;
 }
 
+std::map<std::string, std::string> fields_of(const OGRFeature& feature) {
+    std::map<std::string, std::string> fields;
+    for (int n = 0; n < feature.GetFieldCount(); ++n) {
+        if (feature.IsFieldSetAndNotNull(n) == 0) continue;
+        std::string text = feature.GetFieldAsString(n);
+        if (!text.empty()) fields[feature.GetFieldDefnRef(n)->GetNameRef()] = std::move(text);
+    }
+    return fields;
+}
+
+GdalDataset open_vector(const std::string& file, const CPLStringList& options) {
+    GDALAllRegister();
+    require_regular_file(file);
+    GdalDataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
+    if (dataset == nullptr)
+        throw UserError(file + ": not a table or map that GDAL can read (" + QuietGdal::last_message() +
+                        "); give CSV or GeoJSON");
+    return dataset;
+}
+
 class VectorReader {
 public:
     VectorReader(std::string file, std::string crs) : file_(std::move(file)), crs_(std::move(crs)) {}
 
     SourceFeatures read() {
-        GDALAllRegister();
-        require_regular_file(file_);
         const QuietGdal quiet;
         CPLStringList options;
         options.AddString("X_POSSIBLE_NAMES=lon*,x");
         options.AddString("Y_POSSIBLE_NAMES=lat*,y");
         options.AddString("KEEP_GEOM_COLUMNS=YES");
-        const GdalDataset dataset(
-            GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
-        if (dataset == nullptr)
-            throw UserError(file_ + ": not a table or map that GDAL can read (" + QuietGdal::last_message() +
-                            "); give CSV or GeoJSON");
+        const GdalDataset dataset = open_vector(file_, options);
         for (int n = 0; n < dataset->GetLayerCount(); ++n) read(*dataset->GetLayer(n));
         if (holes_ > 0) found_.notes.push_back(file_ + ": " + std::to_string(holes_) + " holes in areas are not shown");
         if (others_ > 0)
@@ -91,16 +105,6 @@ private:
         if (transformation == nullptr) throw UserError(file_ + ": cannot be brought to longitude and latitude; check 'crs'");
         return transformation;
     }
-    static std::map<std::string, std::string> fields_of(const OGRFeature& feature) {
-        std::map<std::string, std::string> fields;
-        for (int n = 0; n < feature.GetFieldCount(); ++n) {
-            if (feature.IsFieldSetAndNotNull(n) == 0) continue;
-            std::string text = feature.GetFieldAsString(n);
-            if (!text.empty()) fields[feature.GetFieldDefnRef(n)->GetNameRef()] = std::move(text);
-        }
-        return fields;
-    }
-
     void add(const OGRGeometry& geometry, const SourceFeature& as_read) {
         SourceFeature feature = as_read;
         switch (wkbFlatten(geometry.getGeometryType())) {
@@ -148,6 +152,15 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::map<std::string, std::string>> read_table_file(const std::string& file) {
+    const QuietGdal quiet;
+    const GdalDataset dataset = open_vector(file, {});
+    std::vector<std::map<std::string, std::string>> rows;
+    for (int n = 0; n < dataset->GetLayerCount(); ++n)
+        for (auto& feature : dataset->GetLayer(n)) rows.push_back(fields_of(*feature));
+    return rows;
+}
 
 SourceFeatures read_vector_file(const std::string& file, const std::string& crs) { return VectorReader(file, crs).read(); }
 

@@ -1,7 +1,9 @@
 /// Points, lines and areas of tables and maps: CSV with columns of places, GeoJSON, and what else GDAL reads as vectors.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "host_sim/scene_builder/source_feature.hpp"
 
@@ -11,5 +13,7 @@ namespace tedavis::host_sim {
 /// columns whose names begin with lon or x, and with lat or y. Throws UserError where the file is none, or a feature has no
 /// place.
 [[nodiscard]] SourceFeatures read_vector_file(const std::string& file, const std::string& crs);
+/// Rows of a CSV: what each states, by column. Throws UserError where the file is none.
+[[nodiscard]] std::vector<std::map<std::string, std::string>> read_table_file(const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -123,5 +123,13 @@ TEST_F(VectorFiles, WhatIsNoTableIsRefused) {
     EXPECT_TRUE(read_geojson(R"({"type":"LineString","coordinates":[]})").features.empty()) << "an empty geometry is nothing";
 }
 
+TEST_F(VectorFiles, RowsOfATableNeedNoPlaces) {
+    const auto rows = read_table_file(folder_.write("x.csv", "\"id\",ident\n7,\"LS,ZS\"\n8,\n"));
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].at("ident"), "LS,ZS");
+    EXPECT_EQ(rows[1].count("ident"), 0u);
+    expect_user_error([this] { (void)read_table_file(folder_.file("none.csv")); }, "none.csv");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim
