@@ -273,6 +273,22 @@ private:
     int line_ = 0, first_line_ = 0, airways_ = 0;
 };
 
+AttributeRecipe limit_of(const char* name, const char* title) {
+    AttributeRecipe recipe;
+    recipe.name = recipe.variable = name;
+    recipe.title = title;
+    recipe.unit = "m";
+    return recipe;
+}
+
+AttributeRecipe datum_of(const AttributeRecipe& limit) {
+    AttributeRecipe recipe = limit_of((limit.name + "_datum").c_str(), (limit.title + " ABOVE").c_str());
+    recipe.unit.clear();
+    recipe.scale = scene::AttributeScale::nominal;
+    recipe.classes = {"msl", "ground", "standard"};
+    return recipe;
+}
+
 }  // namespace
 
 bool is_openair(std::string_view text) {
@@ -286,5 +302,10 @@ bool is_openair(std::string_view text) {
 }
 
 SourceFeatures read_openair(std::string_view text, const std::string& name) { return OpenAirReader(text, name).read(); }
+
+std::vector<AttributeRecipe> usual_attributes_of_airspaces() {
+    const AttributeRecipe floor = limit_of("floor", "FLOOR"), ceiling = limit_of("ceiling", "CEILING");
+    return {floor, datum_of(floor), ceiling, datum_of(ceiling)};
+}
 
 }  // namespace tedavis::host_sim

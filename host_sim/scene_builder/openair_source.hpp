@@ -7,7 +7,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "host_sim/scene_builder/scene_recipe.hpp"
 #include "host_sim/scene_builder/source_feature.hpp"
 
 namespace tedavis::host_sim {
@@ -16,5 +18,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] bool is_openair(std::string_view text);
 /// Throws UserError with `name`, the line and what to do.
 [[nodiscard]] SourceFeatures read_openair(std::string_view text, const std::string& name);
+
+/// What a layer of airspaces shows where its recipe binds nothing: floor and ceiling with what they are above.
+[[nodiscard]] std::vector<AttributeRecipe> usual_attributes_of_airspaces();
 
 }  // namespace tedavis::host_sim

@@ -50,7 +50,7 @@ struct PreparationRecipe {
     double fill_cells = 0;          ///< gaps up to so many cells wide are interpolated
     double fill_uncertainty = 0.5;  ///< level that a cell of interpolation adds
     double smooth_cells = 0;        ///< standard deviation of the Gaussian
-    std::string keep_attribute;     ///< features (or posts) whose value lies in [keep_least, keep_most]; empty: all
+    std::string keep_attribute;     ///< features whose value lies in [keep_least, keep_most]; empty: all
     double keep_least = 0, keep_most = 0;
 };
 

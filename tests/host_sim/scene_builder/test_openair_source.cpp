@@ -193,5 +193,15 @@ TEST(OpenAir, FaultsAreSaidWithTheirLine) {
     EXPECT_TRUE(read("").features.empty());
 }
 
+TEST(OpenAir, FloorAndCeilingAreItsUsualAttributes) {
+    const SourceFeatures found = read(std::string(kHead) + "V X=46:00:00N 9:00:00E\nDC 2\n");
+    std::vector<std::string> names;
+    for (const AttributeRecipe& usual : usual_attributes_of_airspaces()) {
+        EXPECT_EQ(found.features[0].fields.count(usual.variable), 1u) << usual.variable;
+        names.push_back(usual.name);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"floor", "floor_datum", "ceiling", "ceiling_datum"}));
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim

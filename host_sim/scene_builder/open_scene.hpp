@@ -1,0 +1,24 @@
+/// A scene database on disk, read whole and verified as the board does.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render_core/scene/scene.hpp"
+
+namespace tedavis::host_sim {
+
+class OpenScene {
+public:
+    /// Throws UserError: what is wrong, at which offset, and what to do.
+    explicit OpenScene(const std::string& path);
+
+    /// Lives as long as this object.
+    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+
+private:
+    std::unique_ptr<unsigned char[]> memory_;
+    scene::Scene scene_;
+};
+
+}  // namespace tedavis::host_sim

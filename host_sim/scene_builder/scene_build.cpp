@@ -1,0 +1,150 @@
+#include "host_sim/scene_builder/scene_build.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/scene_builder/feature_layer.hpp"
+#include "host_sim/scene_builder/flight_source.hpp"
+#include "host_sim/scene_builder/grid_layer.hpp"
+#include "host_sim/scene_builder/open_scene.hpp"
+#include "host_sim/scene_builder/openair_source.hpp"
+#include "host_sim/scene_builder/runway_source.hpp"
+#include "host_sim/scene_builder/sdb_writer.hpp"
+#include "host_sim/scene_builder/source_kind.hpp"
+#include "host_sim/scene_builder/source_path.hpp"
+#include "host_sim/scene_builder/vector_source.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr double kHour_ns = 3.6e12;
+
+void require_no_words_for_features(const LayerRecipe& recipe) {
+    const char* word = nullptr;
+    if (!recipe.aircraft.empty()) word = "aircraft";
+    if (recipe.name_variable != LayerRecipe().name_variable) word = "name_variable";
+    if (!recipe.time_variable.empty()) word = "time_variable";
+    if (!recipe.prepare.keep_attribute.empty()) word = "keep_attribute";
+    for (const AttributeRecipe& attribute : recipe.attributes)
+        if (!attribute.uncertainty.classes.empty()) word = "uncertainty.classes";
+    if (word != nullptr)
+        throw UserError(recipe.name + ": '" + word + "' is for tables and flights, and " + recipe.source +
+                        " is a grid; leave it out (an attribute's 'least' and 'most' choose values of a grid)");
+}
+
+struct Source {
+    SourceFeatures features;
+    std::vector<AttributeRecipe> usual_attributes;  ///< shown where the recipe binds none
+};
+
+Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string& path) {
+    if (kind != SourceKind::flight && !recipe.aircraft.empty())
+        throw UserError(recipe.name + ": 'aircraft' chooses one of a file of flights, and " + recipe.source + " is none");
+    switch (kind) {
+        case SourceKind::flight: return {read_flight_file(path, recipe.aircraft), usual_attributes_of_flights()};
+        case SourceKind::runways: return {read_runway_file(path), usual_attributes_of_runways()};
+        case SourceKind::openair: return {read_openair(read_file(path), path), usual_attributes_of_airspaces()};
+        default: return {read_vector_file(path, recipe.crs), {}};
+    }
+}
+
+/// What the recipe says of the layer as a whole, whatever its source.
+void finish(const LayerRecipe& recipe, LayerDraft& layer) {
+    layer.source = std::filesystem::path(recipe.source).filename().string();
+    if (!recipe.licence.empty()) layer.source += ", " + recipe.licence;
+    layer.role = recipe.role;
+    layer.importance = recipe.importance;
+    layer.position_accuracy_m = recipe.position_accuracy_m;
+    layer.height_accuracy_m = recipe.height_accuracy_m;
+    if (recipe.height_datum) layer.height_datum = *recipe.height_datum;
+    if (!(recipe.valid_hours > 0) || layer.valid_until_ns != INT64_MAX) return;
+    if (layer.data_time_ns == scene::kNoTime)
+        throw UserError(recipe.name + ": 'valid_hours' counts from the data's time, and " + recipe.source +
+                        " states none; give it as data_time");
+    layer.valid_until_ns = layer.data_time_ns + static_cast<std::int64_t>(recipe.valid_hours * kHour_ns);
+}
+
+LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std::vector<std::string>& notes) {
+    const std::string path = source_path(folder, recipe.source);
+    const SourceKind kind = source_kind(path, recipe.role);
+    if (kind == SourceKind::grid) {
+        require_no_words_for_features(recipe);
+        return make_grid_layer(recipe, folder);
+    }
+    Source source = read_source(kind, recipe, path);
+    LayerRecipe bound = recipe;
+    if (bound.attributes.empty()) bound.attributes = std::move(source.usual_attributes);
+    FeatureLayer made = make_feature_layer(bound, std::move(source.features));
+    notes.insert(notes.end(), made.notes.begin(), made.notes.end());
+    return std::move(made.draft);
+}
+
+void require_unique_names(const SceneRecipe& recipe) {
+    std::set<std::string> layers;
+    for (const LayerRecipe& layer : recipe.layers) {
+        if (!layers.insert(layer.name).second) throw UserError(layer.name + ": two layers have this name; give each its own");
+        std::set<std::string> attributes;
+        for (const AttributeRecipe& attribute : layer.attributes)
+            if (!attributes.insert(attribute.name).second)
+                throw UserError(layer.name + ": two attributes have the name '" + attribute.name + "'; give each its own");
+    }
+}
+
+std::vector<std::string> inputs_of(const SceneRecipe& recipe, const std::string& folder) {
+    std::vector<std::string> inputs;
+    for (const LayerRecipe& layer : recipe.layers) {
+        inputs.push_back(source_path(folder, layer.source));
+        for (const AttributeRecipe& attribute : layer.attributes)
+            if (!attribute.uncertainty.source.empty()) inputs.push_back(source_path(folder, attribute.uncertainty.source));
+    }
+    return inputs;
+}
+
+/// What stands at the output's place may be anything; only a sound database counts.
+std::uint64_t next_revision(const std::string& output) {
+    std::error_code not_there;
+    if (!std::filesystem::is_regular_file(output, not_there)) return 1;
+    try {
+        return OpenScene(output).scene().header().revision + 1;
+    } catch (const UserError&) {
+        return 1;
+    }
+}
+
+}  // namespace
+
+MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress) {
+    require_unique_names(recipe);
+    MadeScene made;
+    made.draft.name = recipe.name;
+    made.draft.origin = recipe.origin;
+    for (const LayerRecipe& layer : recipe.layers) {
+        progress(layer.name, made.draft.layers.size(), recipe.layers.size());
+        made.draft.layers.push_back(make_layer(layer, folder, made.notes));
+        finish(layer, made.draft.layers.back());
+    }
+    return made;
+}
+
+std::vector<std::string> build_scene(const std::string& scene_file, const std::string& output, const SceneProgress& progress) {
+    const SceneRecipe recipe = parse_scene(read_file(scene_file), scene_file);
+    const std::string folder = std::filesystem::path(scene_file).parent_path().string();
+    std::vector<std::string> inputs = inputs_of(recipe, folder);
+    inputs.push_back(scene_file);
+    require_other_file(output, inputs);
+    MadeScene made = make_scene(recipe, folder, progress);
+    made.draft.revision = next_revision(output);
+    const std::vector<std::uint8_t> bytes = sdb_bytes(made.draft);
+    AtomicFile file(output);
+    file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.seal();
+    (void)OpenScene(file.part_path());  // what the board would refuse is not put in its place
+    file.commit();
+    return made.notes;
+}
+
+}  // namespace tedavis::host_sim
