@@ -19,6 +19,8 @@
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/replay/read_switch_log.hpp"
 #include "host_sim/scenario/scenario.hpp"
+#include "host_sim/scene_builder/open_scene.hpp"
+#include "host_sim/scene_builder/scene_build.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
@@ -91,6 +93,13 @@ std::string check_replay_config(const std::string& path) {
     return "replay options";
 }
 
+/// Made as a build does, from all of its sources, and not written.
+std::string check_scene(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const MadeScene made = make_scene(parse_scene(read_file(path), path), folder, [](auto, auto, auto) {});
+    return "a scene of " + std::to_string(made.draft.layers.size()) + " layers";
+}
+
 std::string check_sheet(const std::string& path) {
     const SheetPlan plan = parse_sheet_plan(read_file(path), path);
     require_designs(plan, path);
@@ -150,6 +159,12 @@ std::string check_terrain(const std::string& path) {
     return "a terrain database, every checksum right";
 }
 
+std::string check_scene_database(const std::string& path) {
+    const OpenScene open(path);
+    return "a scene database of " + std::to_string(open.scene().layers().size()) + " layers, revision " +
+           std::to_string(open.scene().header().revision) + ", every checksum right";
+}
+
 constexpr std::array<std::string_view, 17> kRasterExtensions = {".tif", ".tiff", ".hgt", ".zip", ".hf2", ".hfz",
                                                                 ".ter", ".bt",   ".asc", ".img", ".vrt", ".dem",
                                                                 ".dt0", ".dt1",  ".dt2", ".nc",  ".mmf"};
@@ -183,12 +198,13 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 8> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 9> kConfigKinds = {{{"designs", "[view]", check_design},
                                                      {"palettes", "[[stop]]", check_palette},
                                                      {"devices", "[[budget]]", check_device},
                                                      {"buses", "[dialect]", check_bus},
                                                      {"switches", "[[pattern]]", check_switches},
                                                      {"scenarios", "[[leg]]", check_scenario},
+                                                     {"scenes", "[[layer]]", check_scene},
                                                      {"sheets", "[[group.picture]]", check_sheet},
                                                      {"replays", "[picture]", check_replay_config}}};
 
@@ -209,13 +225,14 @@ FileChecker config_checker(const std::string& path) {
     throw UserError(
         path +
         ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches, "
-        "scenarios or sheets");
+        "scenarios, scenes or sheets");
 }
 
 std::string check_file(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (extension == ".toml") return config_checker(path)(path);
     if (extension == ".tdb") return check_terrain(path);
+    if (extension == ".sdb") return check_scene_database(path);
     if (extension == ".switches") return check_switch_log(path);
     if (extension == ".log" || extension == ".gz") return check_log(path);
     if (is_raster_name(extension)) return check_raster(path);
@@ -225,7 +242,7 @@ std::string check_file(const std::string& path) {
                         ": a CAN database for other tools, which no program here reads; check the bus file (.toml) instead");
     throw UserError(
         path + ": '" + extension +
-        "' is no kind of file that is checked here; known are .toml, .tdb, .log, .log.gz, .switches and height rasters");
+        "' is no kind of file that is checked here; known are .toml, .tdb, .sdb, .log, .log.gz, .switches and height rasters");
 }
 
 }  // namespace

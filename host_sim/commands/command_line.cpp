@@ -19,6 +19,7 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/scenario.hpp"
+#include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/sheet.hpp"
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/terrain.hpp"
@@ -38,6 +39,8 @@ constexpr int kDone = 0, kWrongUsage = 2;
 struct CommandLine {
     ConvertOptions convert;
     ScenarioBuildOptions scenario;
+    SceneBuildOptions scene_build;
+    SceneInfoOptions scene_info;
     TerrainBuildOptions terrain_build;
     TerrainCheckOptions terrain_check;
     TerrainInfoOptions terrain_info;
@@ -165,6 +168,20 @@ void add_scenario(CLI::App& app, CommandLine& line) {
     command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(from_zero());
+}
+
+void add_scene(CLI::App& app, CommandLine& line) {
+    CLI::App* group = app.add_subcommand("scene", "scene databases: spatial data and their uncertainty");
+    group->require_subcommand(1);
+    SceneBuildOptions& b = line.scene_build;
+    CLI::App* build = add_command(*group, line, "build", "scene file and its sources to a database",
+                                  [&b](Console& console) { return run_scene_build(b, console); });
+    build->add_option("SCENE", b.scene, "scene file or shipped name")->required();
+    build->add_option("-o", b.output, "the database to write (.sdb)")->required();
+    SceneInfoOptions& i = line.scene_info;
+    CLI::App* info =
+        add_command(*group, line, "info", "what a database holds", [&i](Console& console) { return run_scene_info(i, console); });
+    info->add_option("DATABASE", i.database, "database (.sdb)")->required();
 }
 
 void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
@@ -341,6 +358,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     app.require_subcommand(1);
     add_convert(app, line);
     add_scenario(app, line);
+    add_scene(app, line);
     add_terrain(app, line);
     add_shot(app, line);
     add_sheet(app, line);

@@ -16,7 +16,6 @@ namespace {
 using scene::LayerShape;
 
 constexpr double kHighest_m = 100000;
-constexpr const char* kShapeNames[] = {"grids", "points", "lines", "areas", "models"};
 
 std::string counted(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what; }
 
@@ -121,8 +120,8 @@ private:
             return is_other;
         });
         for (std::size_t shape = 1; shape < 4; ++shape)
-            note_count(others[shape], std::string(kShapeNames[shape]) + " are left out: the role shows " +
-                                          kShapeNames[static_cast<std::size_t>(shape_)]);
+            note_count(others[shape], std::string(shape_name(static_cast<LayerShape>(shape))) + " are left out: the role shows " +
+                                          std::string(shape_name(shape_)));
         if (shape_ == LayerShape::areas)
             note_count(remove([](const SourceFeature& feature) { return feature.points.size() < 3; }),
                        "areas have fewer than three points and are left out");

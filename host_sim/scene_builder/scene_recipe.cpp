@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 16> kRoles = {"field", "wind",       "sam
                                                      "no_go", "airspace",   "storm_cell", "runway",     "place",   "road",
                                                      "river", "land_cover", "building",   "model"};
 static_assert(kRoles.size() == static_cast<std::size_t>(scene::LayerRole::count));
+constexpr std::array<std::string_view, 5> kShapes = {"grid", "points", "lines", "areas", "meshes"};
 constexpr std::array<std::string_view, 3> kDatums = {"msl", "ellipsoid", "ground"};
 constexpr std::array<std::string_view, 3> kScales = {"nominal", "ordinal", "quantitative"};
 constexpr std::array<std::string_view, 5> kKinds = {"none", "standard_deviation", "interval", "percent", "ordinal"};
@@ -164,6 +165,12 @@ LayerRecipe read_layer(ConfigSection section) {
 
 }  // namespace
 
+std::string_view role_name(scene::LayerRole role) { return kRoles[static_cast<std::size_t>(role)]; }
+std::string_view shape_name(scene::LayerShape shape) { return kShapes[static_cast<std::size_t>(shape)]; }
+std::string_view scale_name(scene::AttributeScale scale) { return kScales[static_cast<std::size_t>(scale)]; }
+std::string_view kind_name(scene::UncertaintyKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+std::string_view scope_name(scene::UncertaintyScope scope) { return kScopes[static_cast<std::size_t>(scope)]; }
+
 SceneRecipe parse_scene(std::string_view content, const std::string& file_name) {
     base::ConfigReader reader(content, file_name);
     ConfigSection root = reader.root();
@@ -171,7 +178,8 @@ SceneRecipe parse_scene(std::string_view content, const std::string& file_name) 
     recipe.name = std::string(root.text("name"));
     recipe.origin = text(root, "origin");
     const std::size_t layers = root.table_count("layer");
-    if (layers == 0 || layers > scene::kMaxLayers) root.fault("layer", "1 to 32 tables [[layer]] are needed");
+    if (layers == 0 || layers > scene::kMaxLayers)
+        root.fault("layer", "1 to 32 tables [[layer]] are needed; add one for each source");
     for (std::size_t n = 0; n < layers && n < scene::kMaxLayers; ++n)
         recipe.layers.push_back(read_layer(root.table_at("layer", n)));
     if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));

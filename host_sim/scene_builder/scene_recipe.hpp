@@ -80,6 +80,13 @@ struct SceneRecipe {
     std::vector<LayerRecipe> layers;
 };
 
+/// As scene files and reports write them.
+[[nodiscard]] std::string_view role_name(scene::LayerRole role);
+[[nodiscard]] std::string_view shape_name(scene::LayerShape shape);
+[[nodiscard]] std::string_view scale_name(scene::AttributeScale scale);
+[[nodiscard]] std::string_view kind_name(scene::UncertaintyKind kind);
+[[nodiscard]] std::string_view scope_name(scene::UncertaintyScope scope);
+
 /// Throws UserError with file and line.
 [[nodiscard]] SceneRecipe parse_scene(std::string_view text, const std::string& file_name);
 

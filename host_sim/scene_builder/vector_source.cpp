@@ -140,7 +140,7 @@ private:
         if (!(std::abs(point.latitude_deg) <= 90) || !(std::abs(point.longitude_deg) <= 360))
             throw UserError(file_ + ": feature " + std::to_string(row_) + " lies at latitude " +
                             std::to_string(point.latitude_deg) + ", longitude " + std::to_string(point.longitude_deg) +
-                            ", which is no place; state its system with 'crs', or correct it");
+                            ", which is no place; name its system in 'crs', or correct it");
         point.longitude_deg = std::remainder(point.longitude_deg, 360);
         if (point.height_m && !std::isfinite(*point.height_m)) point.height_m.reset();
     }

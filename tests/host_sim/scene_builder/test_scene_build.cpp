@@ -72,9 +72,10 @@ protected:
         (void)test_support::RasterFile().write(folder_.file("grid.tif"));
         folder_.write("masts.csv", "lon,lat,name,height\n9.8,46.8,A,40\n9.9,46.9,B,tall\n");
         folder_.write("zones.txt", "AC D\nAN ZONE\nAL GND\nAH FL100\nV X=46:48:00N 9:48:00E\nDC 3\n");
-        folder_.write("runways.csv",
-                      "airport_ident,length_ft,width_ft,closed,le_ident,le_latitude_deg,le_longitude_deg,le_elevation_ft,he_ident,"
-                      "he_latitude_deg,he_longitude_deg,he_elevation_ft\nLSZS,5906,131,0,03,46.52,9.87,5600,21,46.54,9.89,5590\n");
+        folder_.write(
+            "runways.csv",
+            "airport_ident,length_ft,width_ft,closed,le_ident,le_latitude_deg,le_longitude_deg,le_elevation_ft,he_ident,"
+            "he_latitude_deg,he_longitude_deg,he_elevation_ft\nLSZS,5906,131,0,03,46.52,9.87,5600,21,46.54,9.89,5590\n");
         folder_.write("flight.csv", kFlight);
     }
     std::vector<std::string> build(const std::string& scene = kScene) {
@@ -146,15 +147,17 @@ TEST_F(SceneFiles, BadInputLeavesWhatWasThere) {
     const std::string head = "name = 's'\n[[layer]]\nname = 'a'\n";
     expect_refused(head, "scene.toml:2");
     expect_refused(head + "source = 'none.csv'\n", "none.csv");
-    expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nvalid_hours = 3\n", "a: 'valid_hours' counts from the data's time");
+    expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nvalid_hours = 3\n",
+                   "a: 'valid_hours' counts from the data's time");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\naircraft = 'HB1'\n", "a: 'aircraft' chooses one");
     expect_refused(head + "source = 'grid.tif'\ntime_variable = 't'\n", "a: 'time_variable' is for tables and flights");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nlicence = '" + std::string(200, 'x') + "'\n",
                    "a: its source 'masts.csv, xxx");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\n[[layer]]\nname = 'a'\nsource = 'masts.csv'\nrole = 'place'\n",
                    "a: two layers have this name");
-    expect_refused(head + "source = 'masts.csv'\nrole = 'place'\n[[layer.attribute]]\nname = 'height'\n[[layer.attribute]]\nname = "
-                          "'height'\n",
+    expect_refused(head +
+                       "source = 'masts.csv'\nrole = 'place'\n[[layer.attribute]]\nname = 'height'\n[[layer.attribute]]\nname = "
+                       "'height'\n",
                    "a: two attributes have the name 'height'");
     build();
     const std::string before = folder_.read("x.sdb");

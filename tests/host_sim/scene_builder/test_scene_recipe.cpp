@@ -7,6 +7,7 @@
 namespace tedavis::host_sim {
 namespace {
 
+using scene::LayerRole;
 using test_support::expect_user_error;
 
 constexpr const char* kWhole = R"(name = "davos"
@@ -109,6 +110,15 @@ TEST(SceneRecipe, KeysOfTablesAndFlights) {
                      "[[layer.attribute]]\nname = 'kind'\n[layer.attribute.uncertainty]\nkind = 'ordinal'\nvalue = 1\n"
                      "classes = ['sure', 'guessed']\n",
                  "two or more names are needed, and the 'variable' that holds them");
+}
+
+TEST(SceneRecipe, NamesAreThoseOfTheFile) {
+    EXPECT_EQ(role_name(LayerRole::storm_cell), "storm_cell");
+    EXPECT_EQ(role_name(LayerRole::model), "model");
+    EXPECT_EQ(shape_name(scene::LayerShape::areas), "areas");
+    EXPECT_EQ(scale_name(scene::AttributeScale::ordinal), "ordinal");
+    EXPECT_EQ(kind_name(scene::UncertaintyKind::percent), "percent");
+    EXPECT_EQ(scope_name(scene::UncertaintyScope::data_set), "data_set");
 }
 
 TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {

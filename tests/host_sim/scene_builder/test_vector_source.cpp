@@ -112,7 +112,7 @@ TEST_F(VectorFiles, AFeatureWithoutAPlaceIsRefusedWithItsNumber) {
 TEST_F(VectorFiles, PlacesLieOnTheEarth) {
     expect_at(read_csv("lon,lat\n350.5,46.8\n").features[0].points[0], 46.8, -9.5);
     expect_user_error([this] { (void)read_csv("lon,lat\n9.8,46.8\n46.8,99.8\n"); }, "feature 2 lies at latitude 99.8");
-    expect_user_error([this] { (void)read_csv("x,y\n2600000,1200000\n"); }, "state its system with 'crs'");
+    expect_user_error([this] { (void)read_csv("x,y\n2600000,1200000\n"); }, "name its system in 'crs'");
     expect_user_error([this] { (void)read_csv("lon,lat\nnan,46.8\n"); }, "feature 1");
 }
 

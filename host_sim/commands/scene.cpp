@@ -1,0 +1,195 @@
+#include "host_sim/commands/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/json_text.hpp"
+#include "host_sim/scene_builder/open_scene.hpp"
+#include "host_sim/scene_builder/scene_build.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What values and uncertainties of an attribute are like, over all that it has.
+struct AttributeSummary {
+    std::size_t values = 0, missing = 0, interpolated = 0;
+    std::size_t unknown = 0;         ///< values of which nobody knows how sure they are
+    double least = 1, greatest = 0;  ///< levels of the others
+
+    explicit AttributeSummary(const scene::Attribute& attribute) : values(attribute.values.size()) {
+        for (std::size_t n = 0; n < values; ++n) {
+            const scene::ValueState state = attribute.state(n);
+            missing += state == scene::ValueState::missing ? 1 : 0;
+            interpolated += state == scene::ValueState::interpolated ? 1 : 0;
+            if (state == scene::ValueState::missing) continue;
+            const scene::Uncertainty uncertainty = attribute.uncertainty(n);
+            unknown += uncertainty.is_known() ? 0 : 1;
+            if (!uncertainty.is_known()) continue;
+            least = std::min(least, uncertainty.level());
+            greatest = std::max(greatest, uncertainty.level());
+        }
+    }
+    [[nodiscard]] bool has_values() const { return missing < values; }
+    [[nodiscard]] bool has_levels() const { return missing + unknown < values; }
+};
+
+std::string iso8601(std::int64_t time_ns) {
+    const CalendarDate date = calendar_date(base::Time{time_ns});
+    char text[80];
+    std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02dZ", date.year, date.month, date.day, date.second_of_day / 3600,
+                  date.second_of_day / 60 % 60, date.second_of_day % 60);
+    return text;
+}
+
+Json time_or_null(std::int64_t time_ns, std::int64_t none) { return time_ns == none ? Json(nullptr) : Json(iso8601(time_ns)); }
+
+/// Of a float as a reader writes it: 0.1, not 0.10000000149.
+double rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", value);
+    return std::strtod(text, nullptr);
+}
+
+Json describe(const scene::Attribute& attribute) {
+    const scene::AttributeEntry& entry = *attribute.entry;
+    const AttributeSummary summary(attribute);
+    Json uncertainty = nullptr;
+    if (summary.has_levels() || entry.uncertainty_kind != scene::UncertaintyKind::none) {
+        uncertainty = {{"kind", kind_name(entry.uncertainty_kind)},
+                       {"scope", scope_name(entry.uncertainty_scope)},
+                       {"full", rounded(double{entry.uncertainty_full})},
+                       {"growth_per_hour", rounded(double{entry.uncertainty_growth_per_hour})},
+                       {"least", summary.has_levels() ? Json(rounded(summary.least)) : Json(nullptr)},
+                       {"greatest", summary.has_levels() ? Json(rounded(summary.greatest)) : Json(nullptr)},
+                       {"unknown", summary.unknown}};
+    }
+    Json json = {{"name", entry.name},
+                 {"unit", entry.unit},
+                 {"scale", scale_name(entry.scale)},
+                 {"of", entry.of == scene::AttributeOf::feature ? "feature" : "point"},
+                 {"min", summary.has_values() ? Json(rounded(double{entry.minimum})) : Json(nullptr)},
+                 {"max", summary.has_values() ? Json(rounded(double{entry.maximum})) : Json(nullptr)},
+                 {"missing", summary.missing},
+                 {"interpolated", summary.interpolated},
+                 {"uncertainty", uncertainty}};
+    if (entry.class_count > 0) json["classes"] = Json::array();
+    for (std::uint32_t n = 0; n < entry.class_count; ++n) json["classes"].push_back(std::string(attribute.class_name(n)));
+    return json;
+}
+
+Json describe(const scene::Layer& layer) {
+    const scene::LayerEntry& entry = *layer.entry;
+    Json attributes = Json::array();
+    for (const scene::Attribute& attribute : layer.attributes) attributes.push_back(describe(attribute));
+    Json json = {{"name", entry.name},
+                 {"title", entry.title},
+                 {"role", role_name(entry.role)},
+                 {"shape", shape_name(entry.shape)},
+                 {"features", entry.feature_count},
+                 {"points", entry.point_count},
+                 {"attributes", attributes},
+                 {"data_time", time_or_null(entry.data_time_ns, scene::kNoTime)},
+                 {"valid_until", time_or_null(entry.valid_until_ns, INT64_MAX)},
+                 {"source", entry.source}};
+    if (entry.shape == scene::LayerShape::grid)
+        json["grid"] = {{"columns", entry.grid.columns},
+                        {"rows", entry.grid.rows},
+                        {"levels", entry.grid.levels},
+                        {"times", entry.grid.times}};
+    return json;
+}
+
+Json describe(const scene::Scene& scene) {
+    Json layers = Json::array();
+    for (const scene::Layer& layer : scene.layers()) layers.push_back(describe(layer));
+    return {{"name", scene.header().name},
+            {"origin", scene.header().origin},
+            {"revision", scene.header().revision},
+            {"bytes", scene.header().file_bytes},
+            {"layers", layers}};
+}
+
+std::string with_unit(double value, const char* unit) {
+    std::ostringstream text;
+    text << value << (unit[0] != 0 ? " " : "") << unit;
+    return text.str();
+}
+
+void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
+    const scene::AttributeEntry& entry = *attribute.entry;
+    const AttributeSummary summary(attribute);
+    text << "\n    " << entry.name << ": ";
+    if (!summary.has_values())
+        text << "no values";
+    else if (entry.class_count > 0)
+        text << entry.class_count << " classes";
+    else
+        text << entry.minimum << " .. " << with_unit(double{entry.maximum}, entry.unit);
+    if (summary.missing > 0) text << ", " << summary.missing << " missing";
+    if (summary.interpolated > 0) text << ", " << summary.interpolated << " interpolated";
+    if (summary.has_levels())
+        text << "; " << kind_name(entry.uncertainty_kind) << " " << rounded(summary.least) << " .. " << rounded(summary.greatest)
+             << " of " << with_unit(double{entry.uncertainty_full}, entry.unit);
+    else
+        text << "; uncertainty not stated";
+}
+
+void write_in_words(std::ostream& text, const scene::Layer& layer) {
+    const scene::LayerEntry& entry = *layer.entry;
+    text << "\n  " << entry.name << " (" << role_name(entry.role) << "): ";
+    if (entry.shape == scene::LayerShape::grid)
+        text << entry.grid.columns << " x " << entry.grid.rows << " posts, " << entry.grid.levels << " levels, "
+             << entry.grid.times << " times";
+    else
+        text << entry.feature_count << " " << shape_name(entry.shape);
+    if (entry.feature_count != entry.point_count) text << " of " << entry.point_count << " points";
+    if (entry.data_time_ns != scene::kNoTime) text << ", " << iso8601(entry.data_time_ns);
+    text << ", from " << entry.source;
+    for (const scene::Attribute& attribute : layer.attributes) write_in_words(text, attribute);
+}
+
+std::string describe_in_words(const scene::Scene& scene, const std::string& path) {
+    std::ostringstream text;
+    text << path << ": scene " << scene.header().name << ", revision " << scene.header().revision << ", " << scene.layers().size()
+         << " layers, " << scene.header().file_bytes << " bytes";
+    if (scene.header().origin[0] != 0) text << ", from " << scene.header().origin;
+    for (const scene::Layer& layer : scene.layers()) write_in_words(text, layer);
+    return text.str();
+}
+
+void say(const std::string& path, Console& console) {
+    const OpenScene open(path);
+    console.result(describe_in_words(open.scene(), path), json_text(describe(open.scene())));
+}
+
+}  // namespace
+
+int run_scene_build(const SceneBuildOptions& options, Console& console) {
+    const InterruptGuard interrupt;
+    const std::string scene_file = resolve_config(options.scene, "scenes");
+    const std::vector<std::string> notes =
+        build_scene(scene_file, options.output, [&](std::string_view layer, std::size_t done, std::size_t total) {
+            console.progress(layer, done, total);
+            if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+        });
+    console.progress_done();
+    for (const std::string& note : notes) console.note("note: " + note);
+    say(options.output, console);
+    return 0;
+}
+
+int run_scene_info(const SceneInfoOptions& options, Console& console) {
+    say(options.database, console);
+    return 0;
+}
+
+}  // namespace tedavis::host_sim
