@@ -27,7 +27,7 @@ struct DataScale {
 
 /// The class of a value, 0 .. breaks.size(); of a continuous scale 0. NaN is in the lowest: ask first whether it is missing.
 [[nodiscard]] std::size_t class_of(const DataScale& scale, double value) noexcept;
-/// Of a class: the palette's at its middle, at its only limit's side for the first and the last.
+/// Of a class, 0 .. breaks.size(): the palette's at its middle, at its only limit's side for the first and the last.
 [[nodiscard]] Color color_of_class(const DataScale& scale, std::size_t number) noexcept;
 /// Of a value, by its class where the scale has classes.
 [[nodiscard]] Color scale_color(const DataScale& scale, double value) noexcept;

@@ -1,5 +1,6 @@
 #include "render_core/draw/ground_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
@@ -73,7 +74,7 @@ void GroundMap::set_look(gl::Gl& gl, const design::GroundData& look) {
     std::uint8_t texels[kColors * kColorRows * 4];
     for (std::uint32_t n = 0; n < kColors; ++n) {
         put(texels + 4 * n, design::color_of_value(palette, low + (high - low) * n / (kColors - 1)));
-        put(texels + 4 * (kColors + n), design::color_of_class(look.scale, n));
+        put(texels + 4 * (kColors + n), design::color_of_class(look.scale, std::min<std::size_t>(n, look.scale.breaks.size())));
     }
     TEDAVIS_CHECK(colors_.upload(gl, {0, 0, kColors, kColorRows}, texels));
 }

@@ -80,6 +80,7 @@ public:
         return draw_chunks(drawn, input, depth);
     }
     [[nodiscard]] bool set_design(const design::DesignSettings& design) { return drawer_.set_design(session_.gl, design); }
+    [[nodiscard]] bool set_ground_data(const scene::GridSlice* slice) { return drawer_.set_ground_data(session_.gl, slice); }
     [[nodiscard]] const std::set<std::uint32_t>& levels() const { return levels_; }
     [[nodiscard]] int beside_coarser() const { return beside_coarser_; }
     [[nodiscard]] std::uint64_t uploaded() const { return session_.gl.frame().uploaded_bytes; }

@@ -54,6 +54,9 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
         for (const TerrainStyle& style : styles())
             for (const int pages : {0, 1, 2}) {
                 TerrainVariant variant = full_variant();
+                variant.ground_data = pages > 0;
+                variant.uncertainty = static_cast<design::IntrinsicUncertainty>(static_cast<std::size_t>(style.texture) %
+                                                                                design::kIntrinsicUncertainties);
                 variant.baked = pages > 0;
                 variant.coast = pages > 1;
                 auto program = build_terrain_program(session.gl, style, variant);

@@ -1,0 +1,128 @@
+#include "render_core/display/spatial_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/flaky_bytes.hpp"
+#include "tests/support/scene_drafts.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr std::int64_t kHour_ns = 3'600'000'000'000;
+constexpr std::int64_t kDate_ns = 1'700'000'000'000'000'000 / 60'000'000'000 * 60'000'000'000;
+
+/// The small grid, at two times from a date on.
+host_sim::SceneDraft dated_scene() {
+    host_sim::SceneDraft scene = test_support::small_scene();
+    scene.layers[0].times_ns = {kDate_ns, kDate_ns + kHour_ns};
+    scene.layers[0].valid_until_ns = kDate_ns + 3 * kHour_ns;
+    return scene;
+}
+
+class SpatialDataOf : public ::testing::Test {
+protected:
+    void start(const host_sim::SceneDraft& scene, std::uint32_t most_side = 64) {
+        source_.content = host_sim::sdb_bytes(scene);
+        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, most_side).sentence.view(), "");
+        style_.ground.is_shown = true;
+        style_.ground.layer = "air";
+        style_.ground.attribute = "temperature";
+        style_.ground.height_m = 1000;
+    }
+    [[nodiscard]] const scene::GridSlice& shown() const {
+        static const scene::GridSlice kNone;
+        const scene::GridSlice* const slice = data_.ground();
+        EXPECT_NE(slice, nullptr);
+        return slice == nullptr ? kNone : *slice;
+    }
+    SpatialDataPlan plan(std::int64_t time_ns) { return data_.plan(style_, {time_ns}); }
+
+    std::vector<std::uint8_t> memory_ = std::vector<std::uint8_t>(1 << 17);
+    base::Arena scene_memory_{memory_.data(), 1 << 16}, slice_memory_{memory_.data() + (1 << 16), 1 << 12};
+    test_support::FlakyBytes source_{{}};
+    SpatialData data_;
+    design::DataStyle style_;
+};
+
+TEST_F(SpatialDataOf, TheGroundFollowsTheSourcesTime) {
+    start(dated_scene());
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
+    EXPECT_TRUE(data_.take_change());
+    EXPECT_FALSE(data_.take_change()) << "once";
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
+    EXPECT_EQ(plan(kDate_ns + 59'000'000'000).ground, GroundDataState::shown);
+    EXPECT_FALSE(data_.take_change()) << "the same minute";
+    static_cast<void>(plan(kDate_ns + kHour_ns / 2));
+    EXPECT_TRUE(data_.take_change());
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 272, 0.01) << "between 260 and 284";
+}
+
+TEST_F(SpatialDataOf, TheSameMomentHasTheSameTexelsFromWhereverItIsReached) {
+    start(dated_scene());
+    for (std::int64_t t = 0; t < 40; ++t) static_cast<void>(plan(kDate_ns + t * 10'000'000'000));
+    std::vector<int> flown;
+    for (const scene::SliceTexel& texel : shown().texels()) flown.push_back(texel.value_low);
+    static_cast<void>(plan(kDate_ns + 2 * kHour_ns));
+    static_cast<void>(plan(kDate_ns + 39 * 10'000'000'000));
+    for (std::size_t n = 0; n < flown.size(); ++n) EXPECT_EQ(shown().texels()[n].value_low, flown[n]);
+}
+
+TEST_F(SpatialDataOf, DataHaveAnAgeAndAnEnd) {
+    start(dated_scene());
+    EXPECT_EQ(plan(kDate_ns + kHour_ns / 2).age.ns, 0);
+    EXPECT_EQ(plan(kDate_ns + 2 * kHour_ns).age.ns, kHour_ns);
+    EXPECT_EQ(plan(kDate_ns + 3 * kHour_ns + 60'000'000'000).ground, GroundDataState::out_of_date);
+    EXPECT_EQ(data_.ground(), nullptr) << "what is no longer valid is taken away";
+    EXPECT_TRUE(data_.take_change());
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
+    EXPECT_TRUE(data_.take_change()) << "and comes back";
+}
+
+TEST_F(SpatialDataOf, ASourceWithoutADateShowsTheirFirstTimeAndSaysSo) {
+    start(dated_scene());
+    const SpatialDataPlan plan_at_start = plan(12'000'000'000);
+    EXPECT_EQ(plan_at_start.ground, GroundDataState::shown);
+    EXPECT_FALSE(plan_at_start.has_date);
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
+    EXPECT_TRUE(plan(kDate_ns).has_date);
+}
+
+TEST_F(SpatialDataOf, WhatCannotBeShownIsSaid) {
+    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+    EXPECT_EQ(plan(0).ground, GroundDataState::not_asked_for);
+    style_.ground.is_shown = true;
+    EXPECT_EQ(plan(0).ground, GroundDataState::no_scene);
+    scene_memory_.reset();
+    slice_memory_.reset();
+    start(dated_scene());
+    style_.ground.layer = "nothing";
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_layer);
+    style_.ground.layer = "masts";
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_attribute);
+    style_.ground.attribute = "kind";
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::too_large) << "no grid";
+    for (const GroundDataState state : {GroundDataState::no_scene, GroundDataState::no_such_layer, GroundDataState::too_large,
+                                        GroundDataState::out_of_date, GroundDataState::shown})
+        EXPECT_GT(std::string(reason_of(state)).size(), 10u);
+}
+
+TEST_F(SpatialDataOf, AGridThatIsTooLargeForTheDeviceIsRefused) {
+    start(dated_scene(), 3);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::too_large) << "four columns";
+}
+
+TEST_F(SpatialDataOf, AFaultySceneIsNamed) {
+    test_support::FlakyBytes damaged(host_sim::sdb_bytes(dated_scene()));
+    damaged.content[300] = static_cast<std::uint8_t>(damaged.content[300] ^ 1u);
+    const gl::GlError error = data_.start(&damaged, {scene_memory_, slice_memory_}, 64);
+    EXPECT_EQ(std::string(scene_fault(error.sentence.view())).rfind("is damaged (offset ", 0), 0u) << error.sentence.view();
+    EXPECT_EQ(scene_fault("the reservation does not hold"), "");
+    base::Arena little(memory_.data(), 8);
+    SpatialData other;
+    EXPECT_NE(other.start(nullptr, {scene_memory_, little}, 64).sentence.view().find("scene_slices"), 0u);
+}
+
+}  // namespace
+}  // namespace tedavis::display
