@@ -118,10 +118,21 @@ Json describe(const scene::Scene& scene) {
             {"layers", layers}};
 }
 
+double hundredths(double level) { return std::round(100 * level) / 100; }
+
 std::string with_unit(double value, const char* unit) {
     std::ostringstream text;
     text << value << (unit[0] != 0 ? " " : "") << unit;
     return text.str();
+}
+
+/// What the uncertainty that counts as 1 is measured in.
+const char* unit_of_uncertainty(const scene::AttributeEntry& entry) {
+    switch (entry.uncertainty_kind) {
+        case scene::UncertaintyKind::percent: return "%";
+        case scene::UncertaintyKind::ordinal: return "";
+        default: return entry.unit;
+    }
 }
 
 void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
@@ -137,8 +148,8 @@ void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
     if (summary.missing > 0) text << ", " << summary.missing << " missing";
     if (summary.interpolated > 0) text << ", " << summary.interpolated << " interpolated";
     if (summary.has_levels())
-        text << "; " << kind_name(entry.uncertainty_kind) << " " << rounded(summary.least) << " .. " << rounded(summary.greatest)
-             << " of " << with_unit(double{entry.uncertainty_full}, entry.unit);
+        text << "; " << kind_name(entry.uncertainty_kind) << " " << hundredths(summary.least) << " .. "
+             << hundredths(summary.greatest) << " of " << with_unit(double{entry.uncertainty_full}, unit_of_uncertainty(entry));
     else
         text << "; uncertainty not stated";
 }

@@ -5,7 +5,7 @@
 
 namespace tedavis::host_sim {
 
-scene::LayerShape shape_of(scene::LayerRole role) {
+scene::LayerShape shape_of(scene::LayerRole role, const std::vector<SourceFeature>& features) {
     switch (role) {
         case scene::LayerRole::trajectory:
         case scene::LayerRole::traffic:
@@ -17,8 +17,11 @@ scene::LayerShape shape_of(scene::LayerRole role) {
         case scene::LayerRole::storm_cell:
         case scene::LayerRole::land_cover:
         case scene::LayerRole::building: return scene::LayerShape::areas;
-        default: return scene::LayerShape::points;
+        default: break;
     }
+    const bool has_points = std::any_of(features.begin(), features.end(),
+                                        [](const SourceFeature& feature) { return feature.shape == scene::LayerShape::points; });
+    return has_points || features.empty() ? scene::LayerShape::points : features[0].shape;
 }
 
 bool reaches(const SourceFeature& feature, const RegionRecipe& region) {

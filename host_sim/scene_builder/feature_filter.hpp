@@ -6,8 +6,9 @@
 
 namespace tedavis::host_sim {
 
-/// What features of a role are made of; other shapes do not show it.
-[[nodiscard]] scene::LayerShape shape_of(scene::LayerRole role);
+/// What features of a role are made of; other shapes do not show it. Roles without a shape of their own are points where a
+/// feature is one, else what the first feature is (cables between masts are obstacles too).
+[[nodiscard]] scene::LayerShape shape_of(scene::LayerRole role, const std::vector<SourceFeature>& features);
 
 /// True where the box round a feature and the region have something in common. Both may lie across the antimeridian; a feature
 /// goes from point to point by the shorter way.

@@ -22,7 +22,7 @@ std::string counted(std::size_t count, const std::string& what) { return std::to
 class FeatureLayerMaker {
 public:
     FeatureLayerMaker(const LayerRecipe& recipe, SourceFeatures source)
-        : recipe_(recipe), source_(std::move(source)), shape_(shape_of(recipe.role)) {
+        : recipe_(recipe), source_(std::move(source)), shape_(shape_of(recipe.role, source_.features)) {
         for (const std::string& note : source_.notes) this->note(note);
     }
 

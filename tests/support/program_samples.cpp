@@ -75,6 +75,12 @@ std::string sheet() {
            "[[group]]\ntitle = 'All'\n[[group.picture]]\ntitle = 'Default'\ndesign = 'default'\n";
 }
 
+std::string scene() {
+    return "name = 'masts'\n[[layer]]\nname = 'masts'\nsource = 'masts.csv'\nrole = 'obstacle'\nheight_variable = 'height'\n"
+           "[[layer.attribute]]\nname = 'height'\nunit = 'm'\n";
+}
+std::string masts() { return "longitude,latitude,name,height\n10.02,46.98,A,40\n10.03,46.99,B,60\n"; }
+
 /// A binary portable pixmap.
 std::string image() {
     std::string text = "P6 64 64 255\n";
@@ -105,8 +111,8 @@ void ProgramSamples::make(const std::string& name) const {
         {"palette.toml", "palettes/alpine.toml"},    {"device.toml", "devices/es3-mid.toml"},
         {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
     static const std::map<std::string, std::string (*)()> kWritten = {
-        {"flight.igc", igc},           {"flight.gpx", gpx},   {"flight.json", json}, {"flight.csv", csv},
-        {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image},  {"tour.csv", tour}};
+        {"flight.igc", igc},   {"flight.gpx", gpx},  {"flight.json", json}, {"flight.csv", csv},  {"flight.csv.gz", packed_csv},
+        {"sheet.toml", sheet}, {"image.ppm", image}, {"tour.csv", tour},    {"masts.csv", masts}, {"scene.toml", scene}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {
         std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
     } else if (const auto written = kWritten.find(name); written != kWritten.end()) {
@@ -121,6 +127,9 @@ void ProgramSamples::make_with_program(const std::string& name) const {
         run({"terrain", "fractal", "--size", "129", "-o", folder_.file(name)});
     } else if (name == "terrain.tdb") {
         run({"terrain", "build", path("raster.tif"), "-o", folder_.file(name)});
+    } else if (name == "scene.sdb") {
+        (void)path("masts.csv");
+        run({"scene", "build", path("scene.toml"), "-o", folder_.file(name)});
     } else if (name == "run.log" || name == "run.switches") {
         run({"scenario", "build", "default", "-o", folder_.file("scenario")});
         std::filesystem::rename(folder_.file("scenario/flight.log"), folder_.file("run.log"));

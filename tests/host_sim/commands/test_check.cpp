@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
 #include "tests/support/command_run.hpp"
@@ -68,6 +69,23 @@ TEST(CheckCommand, PalettesAreJudgedAloneAndInTheirDesign) {
     EXPECT_EQ(check({design}).code, 0) << "no band is displayed with it";
     place.write("own.toml", "name = 'own'\n[view]\n[terrain.shade]\nambient = 0.02\n");
     EXPECT_THAT(check({design}).notes, HasSubstr("in 2.0 % of the light stop "));
+}
+
+TEST(CheckCommand, ScenesAreMadeAndTheirDatabasesRead) {
+    const test_support::TemporaryFolder place;
+    place.write("masts.csv", "lon,lat,height\n9.8,46.8,40\n");
+    const std::string text =
+        "name = 's'\n[[layer]]\nname = 'masts'\nsource = 'masts.csv'\nrole = 'obstacle'\n[[layer.attribute]]\nname = 'height'\n";
+    const std::string scene = place.write("s.toml", text), database = place.file("s.sdb");
+    EXPECT_THAT(check({scene}).results, HasSubstr("s.toml: sound, a scene of 1 layers"));
+    EXPECT_EQ(place.entries(), 2u) << "nothing is written";
+    (void)run_command([&](Console& console) { return run_scene_build({scene, database}, console); });
+    EXPECT_THAT(check({database}).results, HasSubstr("sound, a scene database of 1 layers, revision 1, every checksum right"));
+    const CommandRun misspelt = check({place.write("t.toml", text + "variable = 'hight'\n")});
+    EXPECT_EQ(misspelt.code, 2);
+    EXPECT_THAT(misspelt.notes, HasSubstr("masts: 'hight' is not in masts.csv"));
+    place.write("s.sdb", place.read("s.sdb").substr(0, 700));
+    EXPECT_THAT(check({database}).notes, HasSubstr("s.sdb: is not as long as its header says"));
 }
 
 TEST(CheckCommand, LogsAreCountedAndTheirBrokenLinesNamed) {

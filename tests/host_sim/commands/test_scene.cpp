@@ -82,7 +82,7 @@ TEST_F(SceneCommand, WordsSayTheSame) {
     const std::string text = build().results;
     EXPECT_THAT(text, HasSubstr("s.sdb: scene masts, revision 1, 1 layers, "));
     EXPECT_THAT(text, HasSubstr("\n  masts (obstacle): 3 points, 2020-04-12T09:47:00Z, from masts.csv"));
-    EXPECT_THAT(text, HasSubstr("\n    height: 12.5 .. 40 m, 1 missing; standard_deviation 0.25"));
+    EXPECT_THAT(text, HasSubstr("\n    height: 12.5 .. 40 m, 1 missing; standard_deviation 0.25 .. 0.25 of 4 m"));
     EXPECT_THAT(text, HasSubstr("\n    kind: 2 classes; uncertainty not stated"));
 }
 

@@ -16,11 +16,16 @@ SourceFeature through(const std::vector<std::pair<double, double>>& places_deg) 
 
 TEST(FeatureFilter, RolesAskForTheirShape) {
     for (const LayerRole role : {LayerRole::trajectory, LayerRole::traffic, LayerRole::runway, LayerRole::road, LayerRole::river})
-        EXPECT_EQ(shape_of(role), LayerShape::lines);
+        EXPECT_EQ(shape_of(role, {}), LayerShape::lines);
     for (const LayerRole role : {LayerRole::no_go, LayerRole::airspace, LayerRole::storm_cell, LayerRole::building})
-        EXPECT_EQ(shape_of(role), LayerShape::areas);
+        EXPECT_EQ(shape_of(role, {}), LayerShape::areas);
     for (const LayerRole role : {LayerRole::obstacle, LayerRole::place, LayerRole::sample, LayerRole::wind})
-        EXPECT_EQ(shape_of(role), LayerShape::points);
+        EXPECT_EQ(shape_of(role, {}), LayerShape::points);
+    SourceFeature cable = through({{46, 9}, {46, 10}}), mast = through({{46, 9}});
+    cable.shape = LayerShape::lines;
+    EXPECT_EQ(shape_of(LayerRole::obstacle, {cable}), LayerShape::lines);
+    EXPECT_EQ(shape_of(LayerRole::obstacle, {cable, mast}), LayerShape::points);
+    EXPECT_EQ(shape_of(LayerRole::no_go, {cable, mast}), LayerShape::areas);
 }
 
 TEST(FeatureFilter, RegionsAreReachedByWhatTouchesThem) {
