@@ -18,7 +18,6 @@ namespace {
 using test_support::expect_user_error;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr std::int64_t kStart_s = 1'586'684'820;
 
@@ -40,7 +39,7 @@ std::string csv(
         double latitude = 0, longitude = 0;
         GeographicLib::Geodesic::WGS84().Direct(46.8, 9.8, 45, 50 * second(n), latitude, longitude);
         char place[100];
-        std::snprintf(place, sizeof place, "%lld,%.9f,%.9f,", static_cast<long long>(kStart_s + second(n)), latitude, longitude);
+        std::snprintf(place, sizeof place, "%.0f,%.9f,%.9f,", static_cast<double>(kStart_s + second(n)), latitude, longitude);
         text += place + cells(n) + "\n";
     }
     return text;
