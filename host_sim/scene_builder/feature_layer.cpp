@@ -236,7 +236,7 @@ private:
     }
 
     void set_data_time() {
-        std::int64_t last = scene::kNoTime;
+        std::int64_t last = source_.data_time_ns.value_or(scene::kNoTime);
         for (const scene::ScenePoint& point : made_.draft.points) last = std::max(last, point.time_ns);
         made_.draft.data_time_ns = recipe_.data_time_ns.value_or(last);
     }

@@ -1,8 +1,8 @@
 /// A layer of points, lines or areas from what a file states of them, as its recipe binds it.
 ///
 /// The role chooses the shape: lines for trajectories, traffic, roads, rivers and runways, areas for no-go areas, airspaces,
-/// storm cells, land cover and buildings, else points where the file has any; other shapes of the file are left out and noted. Of a feature that a file cannot place
-/// in time or in a class nothing is made up: the value is missing, and the notes count it.
+/// storm cells, land cover and buildings, else points where the file has any; other shapes of the file are left out and noted. Of
+/// a feature that a file cannot place in time or in a class nothing is made up: the value is missing, and the notes count it.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"

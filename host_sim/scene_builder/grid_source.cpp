@@ -98,7 +98,7 @@ void GridSource::warp_to_longitude_latitude(const std::string& crs, bool may_ble
         return;
     }
     const bool is_turned = has_places && (transform[2] != 0 || transform[4] != 0);
-    if (crs.empty() && stated->IsGeographic() != 0 && has_places && !is_turned) return;
+    if (crs.empty() && stated != nullptr && stated->IsGeographic() != 0 && has_places && !is_turned) return;
     CPLStringList words;
     for (const char* const word : {"-of", "VRT", "-t_srs", "EPSG:4326", "-dstnodata", "nan", "-ot", "Float64", "-r"})
         words.AddString(word);

@@ -6,6 +6,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/feature_layer.hpp"
 #include "host_sim/scene_builder/flight_source.hpp"
 #include "host_sim/scene_builder/grid_layer.hpp"
@@ -48,6 +49,7 @@ Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string
         case SourceKind::flight: return {read_flight_file(path, recipe.aircraft), usual_attributes_of_flights()};
         case SourceKind::runways: return {read_runway_file(path), usual_attributes_of_runways()};
         case SourceKind::openair: return {read_openair(read_file(path), path), usual_attributes_of_airspaces()};
+        case SourceKind::dof: return {read_dof(read_file(path), path), usual_attributes_of_dof()};
         default: return {read_vector_file(path, recipe.crs), {}};
     }
 }

@@ -30,6 +30,7 @@ struct SourceFeatures {
     std::vector<SourceFeature> features;
     std::set<std::string> columns;  ///< that fields may have, stated or not; formats without columns have none
     scene::HeightDatum height_datum = scene::HeightDatum::msl;
+    std::optional<std::int64_t> data_time_ns;  ///< of a file that states one for all of it
     std::vector<std::string> notes;
 };
 

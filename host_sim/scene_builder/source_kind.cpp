@@ -10,6 +10,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/quiet_gdal.hpp"
+#include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/openair_source.hpp"
 #include "host_sim/scene_builder/runway_source.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
@@ -61,6 +62,7 @@ SourceKind source_kind(const std::string& path, scene::LayerRole role) {
     if (may_be_flight && (is_packed(text) || (is_text(text) && !is_geojson(text)))) return SourceKind::flight;
     if (is_text(text) && is_openair(text)) return SourceKind::openair;
     if (is_text(text) && is_runway_table(text)) return SourceKind::runways;
+    if (is_text(text) && is_dof(text)) return SourceKind::dof;
     return !is_table_name(path) && is_raster(path) ? SourceKind::grid : SourceKind::vector;
 }
 

@@ -12,6 +12,7 @@ enum class SourceKind : std::uint8_t {
     grid,     ///< a raster that GDAL reads
     openair,  ///< airspaces
     runways,  ///< OurAirports
+    dof,      ///< the FAA's obstacles
     flight,   ///< IGC, GPX, ADS-B JSON or CSV
     vector,   ///< what is none of these; GDAL may read it as a table or map
 };

@@ -17,7 +17,7 @@ SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept {
     if (value.state == ValueState::missing || !std::isfinite(value.value)) return texel;
     const double span = range.highest - range.lowest;
     const double level = span > 0 ? std::clamp((value.value - range.lowest) / span, 0.0, 1.0) : 0;
-    const auto steps = static_cast<std::uint32_t>(level * kMostSteps + 0.5);
+    const auto steps = static_cast<std::uint32_t>(std::lround(level * kMostSteps));
     texel.value_high = static_cast<std::uint8_t>(steps >> 8);
     texel.value_low = static_cast<std::uint8_t>(steps & 0xFFu);
     texel.uncertainty = value.uncertainty.code();

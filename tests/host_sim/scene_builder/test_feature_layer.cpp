@@ -142,6 +142,8 @@ TEST(FeatureLayer, TrajectoriesHaveValuesByPointAndTheirFaultsAreCounted) {
     EXPECT_THAT(made.notes,
                 ElementsAre("things: 1 points repeat the one before", "things: 1 points are earlier than the one before"));
     EXPECT_EQ(made.draft.data_time_ns, 3000) << "the latest";
+    source.data_time_ns = 4000;
+    EXPECT_EQ(make_feature_layer(recipe, source).draft.data_time_ns, 4000) << "the file's, where it is later";
     recipe.data_time_ns = 77;
     EXPECT_EQ(make_feature_layer(recipe, source).draft.data_time_ns, 77);
 }

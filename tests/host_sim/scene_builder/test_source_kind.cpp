@@ -23,6 +23,7 @@ TEST(SourceKind, IsToldByContent) {
     EXPECT_EQ(kind("zones.txt", "* airspaces\nAC D\nAN ZONE\n", LayerRole::airspace), SourceKind::openair);
     EXPECT_EQ(kind("runways.csv", "id,le_latitude_deg,le_longitude_deg,he_latitude_deg,he_longitude_deg\n", LayerRole::runway),
               SourceKind::runways);
+    EXPECT_EQ(kind("dof.dat", "  CURRENCY DATE = 05/31/26\n", LayerRole::obstacle), SourceKind::dof);
     EXPECT_EQ(kind("strips.geojson", R"({"type":"FeatureCollection","features":[]})", LayerRole::runway), SourceKind::vector);
     EXPECT_EQ(kind("x.csv", "lon,lat,height\n9,46,1\n10,46,2\n9,47,1\n10,47,1\n", LayerRole::sample), SourceKind::vector);
     EXPECT_EQ(kind("noise.bin", std::string("\1\2\0\3", 4), LayerRole::field), SourceKind::vector);

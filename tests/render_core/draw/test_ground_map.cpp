@@ -12,7 +12,6 @@
 namespace tedavis::draw {
 namespace {
 
-using base::radians;
 using design::Color;
 using design::IntrinsicUncertainty;
 using scene::FieldValue;
@@ -191,7 +190,7 @@ TEST_P(GroundMapOf, TransparencySaturationAndBivariateTakeAwayWithTheLevel) {
                 const Color full = design::scale_color(design.data.ground.scale, value.value);
                 const double loss = 0.75 * value.uncertainty.level(),
                              grey = 0.2126 * full.red + 0.7152 * full.green + 0.0722 * full.blue;
-                const auto level = static_cast<std::uint8_t>(grey + 0.5);
+                const auto level = static_cast<std::uint8_t>(std::lround(grey));
                 Color expected = color_blend(kGround, full, 0.8);
                 if (technique == IntrinsicUncertainty::transparency) expected = color_blend(kGround, full, 0.8 * (1 - loss));
                 if (technique == IntrinsicUncertainty::saturation)
