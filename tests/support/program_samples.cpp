@@ -117,6 +117,7 @@ void ProgramSamples::make(const std::string& name) const {
         std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
     } else if (const auto written = kWritten.find(name); written != kWritten.end()) {
         folder_.write(name, written->second());
+        if (name == "scene.toml") (void)path("masts.csv");  // which it names
     } else {
         make_with_program(name);
     }
@@ -128,7 +129,6 @@ void ProgramSamples::make_with_program(const std::string& name) const {
     } else if (name == "terrain.tdb") {
         run({"terrain", "build", path("raster.tif"), "-o", folder_.file(name)});
     } else if (name == "scene.sdb") {
-        (void)path("masts.csv");
         run({"scene", "build", path("scene.toml"), "-o", folder_.file(name)});
     } else if (name == "run.log" || name == "run.switches") {
         run({"scenario", "build", "default", "-o", folder_.file("scenario")});
