@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "host_sim/input_file.hpp"
@@ -41,7 +42,7 @@ std::string name_of_variable(GDALDataset& container, const std::string& file, co
 
 std::optional<int> band_of(const std::string& variable) {
     if (variable.rfind("band ", 0) != 0) return std::nullopt;
-    return std::atoi(variable.c_str() + 5);
+    return static_cast<int>(std::strtol(variable.c_str() + 5, nullptr, 10));  // what is no number is no band
 }
 
 std::optional<double> number_of(GDALRasterBand& band, const char* key) {
