@@ -4,6 +4,7 @@ namespace tedavis::base {
 namespace {
 
 constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
+constexpr Time kFirstUtc{946'684'800'000'000'000}, kLastUtc{4'102'444'800'000'000'000};
 constexpr int kFirstYear = 1970, kLastYear = 2199;
 constexpr int kDaysOfMonth[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
 
@@ -43,5 +44,7 @@ bool parse_utc(std::string_view text, Time& time) noexcept {
     time = Time{} + Duration::seconds(days_since_epoch(year, month, day) * 86400 + hour * 3600 + minute * 60 + second);
     return true;
 }
+
+bool can_be_utc(Time time) noexcept { return kFirstUtc <= time && time <= kLastUtc; }
 
 }  // namespace tedavis::base

@@ -1,4 +1,4 @@
-/// An instant of UTC as files write it. Pure function; any thread; allocates nothing.
+/// An instant of UTC: as files write it, and whether one can be. Pure functions; any thread; nothing allocates.
 #pragma once
 
 #include <string_view>
@@ -10,5 +10,9 @@ namespace tedavis::base {
 /// Reads "2026-06-01T14:00:00Z", exactly so: years 1970..2199, proleptic Gregorian, no leap seconds. False, and `time` stays,
 /// for anything else.
 [[nodiscard]] bool parse_utc(std::string_view text, Time& time) noexcept;
+
+/// True for 2000-01-01 to 2100-01-01 as nanoseconds since 1970: what a log with stamps from zero, or a board that has lost its
+/// clock, never shows.
+[[nodiscard]] bool can_be_utc(Time time) noexcept;
 
 }  // namespace tedavis::base

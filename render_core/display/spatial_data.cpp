@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "render_core/base/utc_time.hpp"
+
 namespace tedavis::display {
 namespace {
 
-constexpr base::Time kFirstDate{946'684'800'000'000'000};  // 2000-01-01: earlier stamps are counted from somewhere else
 constexpr std::int64_t kSlice_ns = 60'000'000'000;
 constexpr std::uint32_t kPostsAhead = 8192;  // made a frame; some hundred microseconds
 
@@ -27,6 +28,7 @@ std::int64_t own_time_of(const scene::Layer& layer) {
 const char* reason_of(GroundDataState state) noexcept {
     switch (state) {
         case GroundDataState::not_asked_for: return "not asked for by the design";
+        case GroundDataState::no_terrain: return "the display has no terrain";
         case GroundDataState::no_scene: return "the display has no scene";
         case GroundDataState::no_such_layer: return "the scene has no such layer";
         case GroundDataState::no_such_attribute: return "the layer has no such attribute";
@@ -37,10 +39,7 @@ const char* reason_of(GroundDataState state) noexcept {
     return "unknown";
 }
 
-std::string_view scene_fault(std::string_view sentence) noexcept {
-    const bool is_one = sentence.substr(0, kOfScene.size()) == kOfScene;
-    return is_one ? sentence.substr(kOfScene.size()) : std::string_view();
-}
+std::string_view scene_fault(std::string_view sentence) noexcept { return base::text_behind(kOfScene, sentence); }
 
 gl::GlError SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
     most_side_ = most_side;
@@ -57,6 +56,7 @@ gl::GlError SpatialData::start(base::ByteSource* file, const Memory& memory, std
 
 GroundDataState SpatialData::choose(const design::GroundData& ground) {
     if (!ground.is_shown) return GroundDataState::not_asked_for;
+    if (most_side_ == 0) return GroundDataState::no_terrain;
     if (!has_scene_) return GroundDataState::no_scene;
     const scene::Layer* const layer = scene_.find(ground.layer.view());
     if (layer == nullptr) return GroundDataState::no_such_layer;
@@ -75,14 +75,13 @@ SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time no
         return plan;
     }
     const scene::Layer& layer = *slice_.layer();
-    plan.has_date = now >= kFirstDate;
+    plan.has_date = base::can_be_utc(now);
     const std::int64_t time_ns = plan.has_date ? start_of_minute(now.ns) : own_time_of(layer);
     if (time_ns < layer.entry->valid_from_ns || time_ns > layer.entry->valid_until_ns) {
         plan.ground = GroundDataState::out_of_date;
         show(false);
         return plan;
     }
-    plan.age = scene::GridField(layer, *slice_.attribute()).age(time_ns);
     if (slice_.show(design.ground.height_m, time_ns)) has_changed_ = true;
     show(true);
     if (plan.has_date)

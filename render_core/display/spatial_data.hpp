@@ -16,6 +16,7 @@ namespace tedavis::display {
 
 enum class GroundDataState : std::uint8_t {
     not_asked_for,
+    no_terrain,
     no_scene,
     no_such_layer,
     no_such_attribute,
@@ -29,7 +30,6 @@ enum class GroundDataState : std::uint8_t {
 struct SpatialDataPlan {
     GroundDataState ground = GroundDataState::not_asked_for;
     bool has_date = true;  ///< the source's time is a date, by which data have an age
-    base::Duration age;    ///< of the data on the ground
 };
 
 /// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
@@ -40,7 +40,8 @@ public:
     struct Memory {
         base::Arena &scene, &slices;
     };
-    /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for.
+    /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for; 0
+    /// without terrain.
     [[nodiscard]] gl::GlError start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
     [[nodiscard]] bool has_scene() const { return has_scene_; }
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render_core/base/utc_time.hpp"
 #include "render_core/earth/sun_position.hpp"
 #include "render_core/earth/wgs84.hpp"
 
@@ -9,11 +10,8 @@ namespace tedavis::display {
 namespace {
 
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-constexpr base::Time kFirstUtc{946'684'800 * kNanosecondsPerSecond}, kLastUtc{4'102'444'800 * kNanosecondsPerSecond};
 
 }  // namespace
-
-bool can_be_utc(base::Time time) noexcept { return kFirstUtc <= time && time <= kLastUtc; }
 
 TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place, base::Time now) noexcept {
     TerrainLight light;
@@ -21,7 +19,7 @@ TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geod
     light.elevation_rad = shade.lights[0].elevation_rad;
     if (!shade.follows_sun) return light;
     const base::Time utc = shade.sun_is_fixed ? shade.sun_utc : now;
-    if (!can_be_utc(utc)) {
+    if (!base::can_be_utc(utc)) {
         light.source = LightSource::no_date;
         return light;
     }

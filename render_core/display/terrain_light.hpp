@@ -28,10 +28,6 @@ struct TerrainLight {
     double azimuth_rad = 0, elevation_rad = 0;  ///< of the first light as it shines; azimuth 0..2 pi, clockwise from true north
 };
 
-/// True for 2000-01-01 to 2100-01-01 as nanoseconds since 1970: what a log with stamps from zero, or a board that has lost its
-/// clock, never shows.
-[[nodiscard]] bool can_be_utc(base::Time time) noexcept;
-
 [[nodiscard]] TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place,
                                          base::Time now) noexcept;
 

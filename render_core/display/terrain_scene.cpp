@@ -58,10 +58,7 @@ gl::GlError database_error(const terrain::TdbFailure& failure) {
 
 }  // namespace
 
-std::string_view database_fault(std::string_view sentence) {
-    const bool is_one = sentence.substr(0, kOfDatabase.size()) == kOfDatabase;
-    return is_one ? sentence.substr(kOfDatabase.size()) : std::string_view();
-}
+std::string_view database_fault(std::string_view sentence) { return base::text_behind(kOfDatabase, sentence); }
 
 std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device) {
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
@@ -198,9 +195,9 @@ std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const
     const draw::DepthPlan depth = depth_plan(view);
     std::uint32_t triangles = 0;
     for (const terrain::SelectedChunk& chunk : selected()) {
-        const draw::DepthRange reach = draw::depths_of(*chunk.entry, view, draw::greatest_lift_m(chunk.lift));
+        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, double{draw::greatest_lift_m(chunk.lift)});
         for (std::size_t n = 0; n < depth.count; ++n)
-            triangles += draw::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
+            triangles += terrain::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
     }
     return triangles;
 }
@@ -226,7 +223,7 @@ void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const d
 double TerrainScene::farthest_depth_m(const terrain::View& view) const {
     double farthest = 0;
     for (const terrain::SelectedChunk& chunk : selected())
-        farthest = std::fmax(farthest, draw::depths_of(*chunk.entry, view, draw::greatest_lift_m(chunk.lift)).far_m);
+        farthest = std::fmax(farthest, terrain::depth_span(*chunk.entry, view, double{draw::greatest_lift_m(chunk.lift)}).far_m);
     return farthest;
 }
 

@@ -8,13 +8,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render_core/terrain/projected_error.hpp"
+
 namespace tedavis::draw {
 
-struct DepthRange {
-    double near_m = 1, far_m = 400000;
-};
-
-[[nodiscard]] inline bool overlap(const DepthRange& a, const DepthRange& b) { return a.far_m >= b.near_m && a.near_m <= b.far_m; }
+using DepthRange = terrain::DepthSpan;
 
 struct DepthPlan {
     DepthRange ranges[2];  ///< in drawing order

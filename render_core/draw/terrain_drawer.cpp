@@ -46,15 +46,6 @@ bool is_coast(const terrain::ChunkEntry& entry) {
     return (entry.flags & kBoth) == kBoth;
 }
 
-}  // namespace
-
-DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m) {
-    const terrain::DepthSpan span = terrain::depth_span(entry, view, lift_m);
-    return {span.near_m, span.far_m};
-}
-
-namespace {
-
 /// The light's azimuth at a page, in whole steps: what a page shows depends on this frame's light alone.
 double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
     const glm::dvec3 north(entry.axes[0], entry.axes[1], entry.axes[2]), east(entry.axes[3], entry.axes[4], entry.axes[5]);
@@ -306,7 +297,7 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
     indices_.bind(gl);
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     for (const SelectedChunk& chunk : selected) {
-        const DepthRange depths = depths_of(*chunk.entry, input.view, greatest_lift_m(chunk.lift));
+        const DepthRange depths = terrain::depth_span(*chunk.entry, input.view, double{greatest_lift_m(chunk.lift)});
         if (overlap(depths, range)) draw_chunk(gl, chunk, input, result);
     }
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);

@@ -40,9 +40,6 @@ struct TerrainDrawResult {
     std::uint32_t draws = 0;
 };
 
-/// Least and greatest depth of a chunk's box along the view, lifted or not.
-[[nodiscard]] DepthRange depths_of(const terrain::ChunkEntry& entry, const terrain::View& view, double lift_m);
-
 class TerrainDrawer {
 public:
     /// For chunks without attribute pages, with them, and with a coast as well. Of codes: sea and void by the vertices, land

@@ -1,7 +1,5 @@
 #include "render_core/scene/scene.hpp"
 
-#include <cstdio>
-
 #include "render_core/scene/scene_reader.hpp"
 
 namespace tedavis::scene {
@@ -37,13 +35,8 @@ const char* to_string(SdbError error) noexcept {
     return "is unknown";
 }
 
-base::FixedString<191> describe(const SdbFailure& failure) noexcept {
-    char offset[40];  // 32 with the longest number
-    std::snprintf(offset, sizeof offset, " (offset %llu); ", static_cast<unsigned long long>(failure.offset));
-    base::FixedString<191> text(to_string(failure.error));
-    text.append(offset);
-    text.append(remedy(failure.error));
-    return text;
+base::FaultText describe(const SdbFailure& failure) noexcept {
+    return base::fault_text(to_string(failure.error), failure.offset, remedy(failure.error));
 }
 
 ValueState Attribute::state(std::size_t n) const {

@@ -8,7 +8,7 @@
 
 #include <string_view>
 
-#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fault_text.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/result.hpp"
@@ -26,7 +26,7 @@ struct SdbFailure {
 };
 
 /// What, where and what to do, to be put behind the file's name.
-[[nodiscard]] base::FixedString<191> describe(const SdbFailure& failure) noexcept;
+[[nodiscard]] base::FaultText describe(const SdbFailure& failure) noexcept;
 
 /// An attribute of a layer, by feature or by point.
 struct Attribute {

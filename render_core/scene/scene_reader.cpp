@@ -9,11 +9,6 @@
 namespace tedavis::scene {
 namespace {
 
-template <std::size_t N>
-bool ends(const char (&text)[N]) {
-    return std::memchr(text, 0, N) != nullptr;
-}
-
 bool header_holds(const SceneHeader& h) {
     return base::crc32(&h, offsetof(SceneHeader, header_crc)) == h.header_crc && h.header_bytes == sizeof h && ends(h.name) &&
            ends(h.origin) && h.layer_count <= kMaxLayers && h.attribute_count <= kMaxAttributes;

@@ -1,7 +1,6 @@
 #include "render_core/scene/scene_rules.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 
 #include "render_core/base/units.hpp"
@@ -16,11 +15,6 @@ constexpr float kLargestValue = 1e30F;
 constexpr std::uint64_t kMostPosts = 1u << 28;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
-
-template <std::size_t N>
-bool ends(const char (&text)[N]) {
-    return std::memchr(text, 0, N) != nullptr;
-}
 
 bool is_latitude(double angle_rad) { return std::abs(angle_rad) <= 0.5 * base::kPi + kRounding_rad; }
 bool is_longitude(double angle_rad) { return std::abs(angle_rad) <= base::kPi + kRounding_rad; }

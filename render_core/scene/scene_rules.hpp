@@ -2,10 +2,19 @@
 /// them where it is not allowed.
 #pragma once
 
+#include <cstddef>
+#include <cstring>
+
 #include "render_core/base/span.hpp"
 #include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::scene {
+
+/// A text ends within its field.
+template <std::size_t N>
+[[nodiscard]] bool ends(const char (&field)[N]) {
+    return std::memchr(field, 0, N) != nullptr;
+}
 
 [[nodiscard]] bool entry_holds(const LayerEntry& entry, std::uint32_t all_attributes);
 [[nodiscard]] bool entry_holds(const AttributeEntry& entry, const LayerEntry& layer);

@@ -22,11 +22,6 @@ Uncertainty aged(Uncertainty uncertainty, base::Duration age, double growth_per_
     return Uncertainty::from_level(uncertainty.level() + growth_per_hour * std::abs(age.to_seconds()) / kHour_s);
 }
 
-Uncertainty combined(Uncertainty a, Uncertainty b) noexcept {
-    if (!a.is_known() || !b.is_known()) return {};
-    return Uncertainty::from_level(std::hypot(a.level(), b.level()));
-}
-
 Uncertainty worse(Uncertainty a, Uncertainty b) noexcept { return a.code() > b.code() ? a : b; }
 
 }  // namespace tedavis::scene

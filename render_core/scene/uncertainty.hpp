@@ -48,9 +48,6 @@ static_assert(std::is_trivially_copyable_v<Uncertainty> && sizeof(Uncertainty) =
 /// (a forecast is the less sure the farther off it is); a growth that is negative or NaN makes it unknown.
 [[nodiscard]] Uncertainty aged(Uncertainty uncertainty, base::Duration age, double growth_per_hour) noexcept;
 
-/// Of what needs both, from independent causes: the root of the sum of squares, at most 1; unknown when one is.
-[[nodiscard]] Uncertainty combined(Uncertainty a, Uncertainty b) noexcept;
-
 /// Of a value between others: not below the least sure of those that have weight, and unknown when one of these is.
 [[nodiscard]] Uncertainty worse(Uncertainty a, Uncertainty b) noexcept;
 

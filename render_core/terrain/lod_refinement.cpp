@@ -239,8 +239,7 @@ double LodRefinement::texel_px(const LodNode& node) const {
 
 std::int64_t LodRefinement::triangles_of(const ChunkEntry& entry) const {
     if (!(settings_.twice.near_m <= settings_.twice.far_m)) return entry.triangle_count;
-    const DepthSpan span = depth_span(entry, view_, reach_m_);
-    const bool is_twice = span.far_m >= settings_.twice.near_m && span.near_m <= settings_.twice.far_m;
+    const bool is_twice = overlap(depth_span(entry, view_, reach_m_), settings_.twice);
     return entry.triangle_count * (is_twice ? 2 : 1);
 }
 

@@ -6,10 +6,10 @@
 #include <initializer_list>
 #include <limits>
 
+#include "render_core/earth/wgs84.hpp"
+
 namespace tedavis::terrain {
 namespace {
-
-constexpr double kLeastRadius_m = 6335000;  // below the least radius of curvature of WGS84
 
 struct Box {
     glm::dvec3 centre;   ///< relative to the eye
@@ -91,7 +91,7 @@ double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m
     const double tx = view.half_width_tangent(), ty = view.half_height_tangent();
     const double off_axis = std::sqrt(tx * tx + ty * ty);
     // The vertical at any place of the box, as parts along and across the view.
-    const double turn = (box.half[0] + box.half[1]) / kLeastRadius_m;
+    const double turn = (box.half[0] + box.half[1]) / earth::kLeastCurvatureRadius_m;
     const double at_centre = std::abs(glm::dot(box.axis[2], view.forward));
     const double along = std::fmin(at_centre + turn, 1.0), least_along = std::fmax(at_centre - turn, 0.0);
     const double across = std::sqrt(std::fmax(1 - least_along * least_along, 0.0));

@@ -29,6 +29,9 @@ namespace tedavis::terrain {
 struct DepthSpan {
     double near_m = 0, far_m = 0;
 };
+[[nodiscard]] constexpr bool overlap(const DepthSpan& a, const DepthSpan& b) {
+    return a.far_m >= b.near_m && a.near_m <= b.far_m;
+}
 [[nodiscard]] DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m);
 
 /// From the eye to the chunk's centre; and to its box, 0 inside.

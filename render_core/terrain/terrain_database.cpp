@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 
 #include "render_core/base/hash.hpp"
@@ -172,13 +171,8 @@ const char* to_string(TdbError error) noexcept {
     return "is unknown";
 }
 
-base::FixedString<191> describe(const TdbFailure& failure) noexcept {
-    char offset[40];  // 32 with the longest number
-    std::snprintf(offset, sizeof offset, " (offset %llu); ", static_cast<unsigned long long>(failure.offset));
-    base::FixedString<191> text(to_string(failure.error));
-    text.append(offset);
-    text.append(remedy(failure.error));
-    return text;
+base::FaultText describe(const TdbFailure& failure) noexcept {
+    return base::fault_text(to_string(failure.error), failure.offset, remedy(failure.error));
 }
 
 base::Result<TerrainDatabase, TdbFailure> TerrainDatabase::open(base::ByteSource& source, base::Arena& arena) {

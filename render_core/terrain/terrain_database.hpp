@@ -6,7 +6,7 @@
 /// Thread    const after open(); reads are as thread-safe as the byte source.
 #pragma once
 
-#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fault_text.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/result.hpp"
@@ -38,7 +38,7 @@ struct TdbFailure {
 };
 
 /// What, where and what to do, to be put behind the file's name: "is not a terrain database (offset 0); name a file that ...".
-[[nodiscard]] base::FixedString<191> describe(const TdbFailure& failure) noexcept;
+[[nodiscard]] base::FaultText describe(const TdbFailure& failure) noexcept;
 
 class TerrainDatabase {
 public:

@@ -29,15 +29,16 @@ vec4 data_at(vec2 place) {
     float unknown = dot(used, step(1.002, unsure));
     float filled = dot(used, 1.0 - step(0.75, state));
     vec2 beside = step(place, vec2(-1e-4)) + step(data_size.zw + 1e-4, place);
-    float there = (beside.x + beside.y > 0.5 ? 0.0 : missing > 0.5 ? -1.0 : 1.0) * data_look.w;
+    float there = beside.x + beside.y > 0.5 ? 0.0 : missing > 0.5 ? -1.0 : 1.0;
     return vec4(value, unknown > 0.5 ? 2.0 : dot(weight, unsure), there, step(0.5, filled));
 }
 
 vec3 data_color(float value) {
-    float level = clamp(value * data_scale.x + data_scale.y, 0.0, 1.0);
-    float number = 0.0;
-    for (int n = 0; n < 15; ++n) number += step(data_breaks[n], value);
-    float along = data_scale.z > 0.5 ? number : level * 1023.0;
+    float along = clamp(value * data_scale.x + data_scale.y, 0.0, 1.0) * 1023.0;
+    if (data_scale.z > 0.5) {
+        along = 0.0;
+        for (int n = 0; n < 15; ++n) along += step(data_breaks[n], value);
+    }
     return TEXTURE2D(data_colors, vec2((along + 0.5) / 1024.0, data_scale.z > 0.5 ? 0.75 : 0.25)).rgb;
 }
 
@@ -46,6 +47,7 @@ float data_grain(vec2 cell) { return fract(sin(dot(cell, vec2(12.9898, 78.233)))
 
 // `ground`: metres east and south; `pixel_m`: a pixel there.
 vec3 with_data(vec3 color, vec3 plain, vec3 unknown, vec2 ground, float pixel_m) {
+    if (data_look.w < 0.5) return color;
     vec4 data = data_at(v_data);
     vec3 shown = data_color(data.x);
     float unsure = min(data.y, 1.0);

@@ -35,5 +35,12 @@ TEST(UtcTime, WhatIsNoInstantIsRefusedAndChangesNothing) {
     EXPECT_TRUE(parse_utc("2024-02-29T14:00:00Z", time)) << "control";
 }
 
+TEST(CanBeUtc, ACenturyOfIt) {
+    Time first, last;
+    ASSERT_TRUE(parse_utc("2000-01-01T00:00:00Z", first) && parse_utc("2100-01-01T00:00:00Z", last));
+    EXPECT_TRUE(can_be_utc(first) && can_be_utc(last));
+    EXPECT_FALSE(can_be_utc(Time{first.ns - 1}) || can_be_utc(Time{last.ns + 1}) || can_be_utc(Time{0}));
+}
+
 }  // namespace
 }  // namespace tedavis::base

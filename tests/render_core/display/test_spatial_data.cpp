@@ -17,6 +17,7 @@ constexpr std::int64_t kDate_ns = 1'700'000'000'000'000'000 / 60'000'000'000 * 6
 host_sim::SceneDraft dated_scene() {
     host_sim::SceneDraft scene = test_support::small_scene();
     scene.layers[0].times_ns = {kDate_ns, kDate_ns + kHour_ns};
+    scene.layers[0].attributes[0].uncertainty_growth_per_hour = 0.1;
     scene.layers[0].valid_until_ns = kDate_ns + 3 * kHour_ns;
     return scene;
 }
@@ -71,8 +72,13 @@ TEST_F(SpatialDataOf, TheSameMomentHasTheSameTexelsFromWhereverItIsReached) {
 
 TEST_F(SpatialDataOf, DataHaveAnAgeAndAnEnd) {
     start(dated_scene());
-    EXPECT_EQ(plan(kDate_ns + kHour_ns / 2).age.ns, 0);
-    EXPECT_EQ(plan(kDate_ns + 2 * kHour_ns).age.ns, kHour_ns);
+    const auto first_uncertainty = [this](std::int64_t time_ns) {
+        EXPECT_EQ(plan(time_ns).ground, GroundDataState::shown);
+        return int{shown().texels()[1].uncertainty};
+    };
+    const int within = first_uncertainty(kDate_ns + kHour_ns / 2);
+    EXPECT_NEAR(first_uncertainty(kDate_ns + 2 * kHour_ns) - first_uncertainty(kDate_ns + kHour_ns), 254 / 10, 2);
+    EXPECT_LE(within, first_uncertainty(kDate_ns + kHour_ns)) << "within its times it has no age";
     EXPECT_EQ(plan(kDate_ns + 3 * kHour_ns + 60'000'000'000).ground, GroundDataState::out_of_date);
     EXPECT_EQ(data_.ground(), nullptr) << "what is no longer valid is taken away";
     EXPECT_TRUE(data_.take_change());
@@ -90,6 +96,9 @@ TEST_F(SpatialDataOf, ASourceWithoutADateShowsTheirFirstTimeAndSaysSo) {
 }
 
 TEST_F(SpatialDataOf, WhatCannotBeShownIsSaid) {
+    style_.ground.is_shown = true;
+    EXPECT_EQ(plan(0).ground, GroundDataState::no_terrain);
+    style_.ground.is_shown = false;
     EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
     EXPECT_EQ(plan(0).ground, GroundDataState::not_asked_for);
     style_.ground.is_shown = true;

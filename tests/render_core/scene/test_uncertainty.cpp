@@ -66,14 +66,6 @@ TEST(Uncertainty, GrowsWithAgeAndNeverShrinks) {
     EXPECT_FALSE(aged(fresh, {}, -0.1).is_known());
 }
 
-TEST(Uncertainty, IndependentCausesAddInSquares) {
-    EXPECT_NEAR(combined(level(0.3), level(0.4)).level(), 0.5, 1.0 / 254);
-    EXPECT_EQ(combined(level(0), level(0.7)), level(0.7));
-    EXPECT_EQ(combined(level(0.9), level(0.9)).level(), 1);
-    EXPECT_FALSE(combined({}, level(0)).is_known());
-    EXPECT_FALSE(combined(level(0), {}).is_known());
-}
-
 TEST(Uncertainty, TheWorseOfTwo) {
     EXPECT_EQ(worse(level(0.2), level(0.6)), level(0.6));
     EXPECT_EQ(worse(level(0.6), level(0.2)), level(0.6));
