@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
+
+#include "render_core/draw/view_projection.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -12,19 +13,6 @@ namespace {
 // of strokes are.
 constexpr double kGroundPeriod_m = 131072;
 constexpr double kLinesPerPeriod = 128;
-
-/// Perspective with the view's axes in ECEF, from eye-relative metres to clip space (z -1..1).
-glm::dmat4 view_projection(const terrain::View& view, const DepthRange& range, const glm::dvec3& eye_fraction) {
-    const double n = range.near_m, f = range.far_m;
-    const double sx = 1.0 / view.half_width_tangent(), sy = 1.0 / view.half_height_tangent();
-    const glm::dvec3 rows[3] = {view.right * sx, -view.down * sy, view.forward};
-    const double zs = (f + n) / (f - n), zo = -2.0 * f * n / (f - n);
-    glm::dmat4 m(0.0);
-    for (int c = 0; c < 3; ++c) m[c] = {rows[0][c], rows[1][c], rows[2][c] * zs, rows[2][c]};
-    const double depth = -glm::dot(rows[2], eye_fraction);
-    m[3] = {-glm::dot(rows[0], eye_fraction), -glm::dot(rows[1], eye_fraction), depth * zs + zo, depth};
-    return m;
-}
 
 void set_vec3(gl::Gl& gl, GLint location, const glm::dvec3& v) {
     gl->Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
@@ -124,11 +112,7 @@ GroundSize post_size(const terrain::Lattice& lattice, const terrain::ChunkKey& c
 }  // namespace
 
 void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range) {
-    const glm::dmat4 matrix = view_projection(view, range, view.eye - glm::round(view.eye));
-    float values[16];
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) values[4 * c + r] = static_cast<float>(matrix[c][r]);
-    gl->UniformMatrix4fv(program.uniform(kViewProjection), 1, GL_FALSE, values);
+    set_matrix(gl, program.uniform(kViewProjection), view_projection(view, range, view.eye - glm::round(view.eye)));
 }
 
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m) {
