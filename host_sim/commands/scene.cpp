@@ -92,7 +92,7 @@ Json describe(const scene::Layer& layer) {
     for (const scene::Attribute& attribute : layer.attributes) attributes.push_back(describe(attribute));
     Json json = {{"name", entry.name},
                  {"title", entry.title},
-                 {"role", role_name(entry.role)},
+                 {"role", scene::name_of(entry.role)},
                  {"shape", shape_name(entry.shape)},
                  {"features", entry.feature_count},
                  {"points", entry.point_count},
@@ -156,7 +156,7 @@ void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
 
 void write_in_words(std::ostream& text, const scene::Layer& layer) {
     const scene::LayerEntry& entry = *layer.entry;
-    text << "\n  " << entry.name << " (" << role_name(entry.role) << "): ";
+    text << "\n  " << entry.name << " (" << scene::name_of(entry.role) << "): ";
     if (entry.shape == scene::LayerShape::grid)
         text << entry.grid.columns << " x " << entry.grid.rows << " posts, " << entry.grid.levels << " levels, "
              << entry.grid.times << " times";

@@ -38,6 +38,13 @@ Json signals_json(const display::FrameRecord& record) {
     return json;
 }
 
+Json data_json(const display::FrameRecord& record) {
+    Json json = Json::object();
+    for (const display::DataRecord& type : record.data)
+        json[text(type.type.view())] = {{"drawn", type.drawn}, {"aggregated", type.aggregated}, {"hidden", type.hidden}};
+    return json;
+}
+
 Json effects_json(const display::FrameRecord& record) {
     static constexpr const char* kStates[] = {"run", "replaced", "skipped"};
     Json json = Json::array();
@@ -109,7 +116,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"triangles", record.terrain.triangles},
                        {"chunks", record.terrain.chunks},
                        {"pending", record.terrain.pending}};
-    json["data"] = Json::object();
+    json["data"] = data_json(record);
     json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
     json["bytes"] = {{"cpu", record.bytes.cpu},
                      {"gpu", record.bytes.gpu},

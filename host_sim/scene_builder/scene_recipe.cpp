@@ -13,10 +13,6 @@ namespace {
 using base::ConfigSection;
 using Texts = base::Span<const std::string_view>;
 
-constexpr std::array<std::string_view, 16> kRoles = {"field", "wind",       "sample",     "trajectory", "traffic", "obstacle",
-                                                     "no_go", "airspace",   "storm_cell", "runway",     "place",   "road",
-                                                     "river", "land_cover", "building",   "model"};
-static_assert(kRoles.size() == static_cast<std::size_t>(scene::LayerRole::count));
 constexpr std::array<std::string_view, 5> kShapes = {"grid", "points", "lines", "areas", "meshes"};
 constexpr std::array<std::string_view, 3> kDatums = {"msl", "ellipsoid", "ground"};
 constexpr std::array<std::string_view, 3> kScales = {"nominal", "ordinal", "quantitative"};
@@ -149,7 +145,8 @@ LayerRecipe read_layer(ConfigSection section) {
     layer.title = text(section, "title", layer.name);
     layer.source = std::string(section.text("source"));
     layer.licence = text(section, "licence");
-    layer.role = static_cast<scene::LayerRole>(section.choice("role", Texts(kRoles.data(), kRoles.size()), 0));
+    layer.role = static_cast<scene::LayerRole>(
+        section.choice("role", Texts(scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()), 0));
     layer.importance = static_cast<std::uint8_t>(section.integer("importance", 0, 255, 128));
     read_times(section, layer);
     read_heights(section, layer);
@@ -165,7 +162,6 @@ LayerRecipe read_layer(ConfigSection section) {
 
 }  // namespace
 
-std::string_view role_name(scene::LayerRole role) { return kRoles[static_cast<std::size_t>(role)]; }
 std::string_view shape_name(scene::LayerShape shape) { return kShapes[static_cast<std::size_t>(shape)]; }
 std::string_view scale_name(scene::AttributeScale scale) { return kScales[static_cast<std::size_t>(scale)]; }
 std::string_view kind_name(scene::UncertaintyKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }

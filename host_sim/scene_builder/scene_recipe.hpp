@@ -81,7 +81,6 @@ struct SceneRecipe {
 };
 
 /// As scene files and reports write them.
-[[nodiscard]] std::string_view role_name(scene::LayerRole role);
 [[nodiscard]] std::string_view shape_name(scene::LayerShape shape);
 [[nodiscard]] std::string_view scale_name(scene::AttributeScale scale);
 [[nodiscard]] std::string_view kind_name(scene::UncertaintyKind kind);

@@ -1,4 +1,5 @@
-/// How spatial data and their uncertainty are shown: colours on the ground, read from the section [data.ground] of a design.
+/// How spatial data and their uncertainty are shown: colours on the ground, read from the section [data.ground] of a design, and
+/// elements over it (data_element.hpp).
 ///
 /// Values are in the unit of the scene's attribute; an attribute in SI has SI values.
 #pragma once
@@ -9,28 +10,10 @@
 #include <type_traits>
 
 #include "render_core/base/config_reader.hpp"
-#include "render_core/base/fixed_string.hpp"
-#include "render_core/base/fixed_vector.hpp"
-#include "render_core/design/palette.hpp"
+#include "render_core/design/data_element.hpp"
+#include "render_core/design/data_scale.hpp"
 
 namespace tedavis::design {
-
-inline constexpr std::size_t kMaxClasses = 16;
-
-/// A palette over values, as it is or in classes.
-struct DataScale {
-    Palette palette;
-    /// Limits between classes, ascending; classes are half open, a value on a limit belongs to the class above it. Empty:
-    /// continuous.
-    base::FixedVector<double, kMaxClasses - 1> breaks;
-};
-
-/// The class of a value, 0 .. breaks.size(); of a continuous scale 0. NaN is in the lowest: ask first whether it is missing.
-[[nodiscard]] std::size_t class_of(const DataScale& scale, double value) noexcept;
-/// Of a class, 0 .. breaks.size(): the palette's at its middle, at its only limit's side for the first and the last.
-[[nodiscard]] Color color_of_class(const DataScale& scale, std::size_t number) noexcept;
-/// Of a value, by its class where the scale has classes.
-[[nodiscard]] Color scale_color(const DataScale& scale, double value) noexcept;
 
 /// Uncertainty in the colours themselves (thesis 4.2.3): what each of them takes away grows with the level.
 enum class IntrinsicUncertainty : std::uint8_t {
@@ -62,6 +45,7 @@ struct GroundData {
 
 struct DataStyle {
     GroundData ground;
+    DataElementList elements;
 };
 static_assert(std::is_trivially_copyable_v<DataStyle>);
 

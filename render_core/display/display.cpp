@@ -5,6 +5,8 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/effect_notes.hpp"
+#include "render_core/display/frame_notes.hpp"
+#include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
@@ -31,12 +33,18 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
         const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), output());
         if (!error.sentence.empty()) return error;
     }
-    if (gl::GlError error = data_.start(scene, memory_.scene(), terrain_.is_started() ? terrain_.ground_side() : 0);
-        !error.sentence.empty())
-        return error;
+    if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
     gl_.seal();
     memory_.note_use(settings_.device.budget);
     return {};
+}
+
+gl::GlError Display::start_data(base::ByteSource* scene) {
+    const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
+    if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
+    if (!data_.has_scene() || !terrain_.is_started()) return {};
+    elements_.set(data_.scene(), settings_.design.data.elements);
+    return elements_.start(gl_, settings_.device.budget, memory_.elements());
 }
 
 gl::GlError Display::start_drawers() {
@@ -56,6 +64,7 @@ void Display::stop() {
     quad_drawer_.destroy(gl_);
     sky_drawer_.destroy(gl_);
     picture_.destroy(gl_);
+    elements_.destroy(gl_);
     terrain_.destroy(gl_);
 }
 
@@ -72,6 +81,7 @@ design::DesignSettings Display::possible_design(const design::DesignSettings& de
 
 void Display::keep_design(const design::DesignSettings& possible) {
     settings_.design = possible;
+    if (elements_.is_started()) elements_.set(data_.scene(), settings_.design.data.elements);
     band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
 }
 
@@ -159,7 +169,7 @@ void Display::give_up_terrain(TerrainSource reason) {
 
 void Display::decide_again() {
     decisions_ = decide_display(state_, record_.time, conditions_, settings_.design);
-    for (const auto& name : decisions_.flags) flag(name.view());
+    for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }
 
 void Display::begin_record(base::Time now) {
@@ -175,14 +185,7 @@ void Display::begin_record(base::Time now) {
     record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
     record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
-    for (const auto& name : decisions_.flags) flag(name.view());
-}
-
-void Display::flag(std::string_view name) {
-    for (const Name& known : record_.flags)
-        if (known.view() == name) return;
-    // A full list has counted the refusal itself.
-    static_cast<void>(record_.flags.try_push_back(Name(name)));
+    for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }
 
 void Display::plan_view() {
@@ -223,7 +226,8 @@ void Display::plan_terrain() {
         give_up_terrain(TerrainSource::over_budget);
         return;
     }
-    record_terrain(plan);
+    terrain_has_void_ = plan.has_void;
+    note_terrain(plan, record_);
     // What budgets leave is the best there will be, and is said to be coarse.
     if (plan.pending != 0 && plan.lod.worst_waiting_px > settings_.design.degradation.terrain_removed_px) {
         give_up_terrain(TerrainSource::too_coarse);
@@ -241,34 +245,23 @@ void Display::widen_bands() {
         accuracy.position_m = state_[Signal::vertical_accuracy].value_or(0);
     accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
     record_.bands = design::band_widening(settings_.design.widening, band_deviations_, accuracy);
-    if (record_.bands.position_assumed) flag("vertical_accuracy.assumed");
-    if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed");
+    if (record_.bands.position_assumed) flag("vertical_accuracy.assumed", record_);
+    if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
 }
 
-void Display::record_terrain(const TerrainPlan& plan) {
-    record_.terrain.worst_error_px = plan.lod.worst_error_px;
-    record_.terrain.tau_reached_px = plan.lod.tau_reached_px;
-    record_.terrain.limit = Name(terrain::to_string(plan.lod.reason));
-    record_.terrain.pending = plan.pending;
-    if (plan.lod.tau_reached_px > settings_.design.terrain.tau_px) flag("terrain.tau_raised");
-    terrain_has_void_ = plan.has_void;
-    if (plan.has_void) flag("terrain.void");
-    if (plan.is_late) flag("terrain.late");
-    if (plan.is_failing) flag("terrain.failing");
-    if (plan.lod.worst_chunk == terrain::kNoChunk) return;
-    const terrain::ChunkKey& worst = plan.lod.worst_chunk;
-    record_.terrain.worst_chunk.append(gl::digits(worst.level).view());
-    record_.terrain.worst_chunk.append("/");
-    record_.terrain.worst_chunk.append(gl::digits(worst.i).view());
-    record_.terrain.worst_chunk.append("/");
-    record_.terrain.worst_chunk.append(gl::digits(worst.j).view());
+void Display::plan_elements(base::Time now) {
+    if (!elements_.is_started()) return;
+    if (!decisions_.show_terrain) return elements_.rest();
+    TerrainGround ground(terrain_);
+    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now});
 }
 
 void Display::plan_data(base::Time now) {
+    plan_elements(now);
     data_plan_ = data_.plan(settings_.design.data, now);
     if (data_plan_.ground == GroundDataState::not_asked_for) return;
-    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing");
-    if (!data_plan_.has_date) flag("ground_data.no_date");
+    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
+    if (!data_plan_.has_date) flag("ground_data.no_date", record_);
 }
 
 draw::TerrainOutput Display::output() const {
@@ -280,8 +273,9 @@ void Display::draw(base::Surface& surface) {
     gl::bind_surface(gl_, surface);
     terrain_result_ = {};
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
-        flag("ground_data.missing");
+        flag("ground_data.missing", record_);
     const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, terrain_input());
+    if (elements_.is_started()) elements_.prepare(gl_);
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
@@ -291,7 +285,9 @@ void Display::draw(base::Surface& surface) {
     note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
                   terrain_.drape(), data_plan_.ground, &settings_.design.data},
                  record_);
-    finish_record();
+    note_elements(elements_.reports(), record_);
+    note_drawn(terrain_result_, settings_.device.budget, record_);
+    record_.bytes.uploaded = gl_.frame().uploaded_bytes;
 }
 
 void Display::draw_scene(const base::Surface& surface) {
@@ -304,7 +300,9 @@ void Display::draw_scene(const base::Surface& surface) {
         draw_terrain();
     else
         sky_drawer_.draw(gl_, sky_input());
-    if (off_screen) picture_.finish(gl_, surface, settings_.design, picture_input());
+    if (!off_screen) return;
+    picture_.finish(gl_, surface, settings_.design, picture_input());
+    if (elements_.has_anything()) draw_elements_over_picture();
 }
 
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
@@ -319,8 +317,40 @@ void Display::draw_terrain() {
         terrain_.draw(gl_, input, depth.ranges[n], terrain_result_);
         gl_->Disable(GL_CULL_FACE);
         gl_->Disable(GL_DEPTH_TEST);
-        if (n == 0 && !picture_.is_started()) sky_drawer_.draw(gl_, sky_input());
+        if (picture_.is_started()) continue;
+        if (n == 0) sky_drawer_.draw(gl_, sky_input());
+        if (!elements_.has_anything()) continue;
+        gl_->Enable(GL_DEPTH_TEST);
+        elements_.draw(gl_, data_frame(), depth.ranges[n]);
+        gl_->Disable(GL_DEPTH_TEST);
     }
+}
+
+/// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
+void Display::draw_elements_over_picture() {
+    const draw::DepthPlan depth = terrain_.depth_plan(eye_.view);
+    draw::TerrainDrawResult depths_only;
+    for (std::size_t n = 0; n < depth.count; ++n) {
+        gl_->Clear(GL_DEPTH_BUFFER_BIT);
+        gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl_->Enable(GL_DEPTH_TEST);
+        gl_->Enable(GL_CULL_FACE);
+        terrain_.draw(gl_, terrain_input(), depth.ranges[n], depths_only);
+        gl_->Disable(GL_CULL_FACE);
+        gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        if (n > 0) picture_.repaint(gl_, settings_.design, picture_input());
+        elements_.draw(gl_, data_frame(), depth.ranges[n]);
+        gl_->Disable(GL_DEPTH_TEST);
+    }
+}
+
+draw::DataFrame Display::data_frame() const {
+    draw::DataFrame frame;
+    frame.view = eye_.view;
+    frame.towards_light = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, record_.own_ship.position);
+    frame.haze_per_m = eye_.haze_per_m;
+    frame.haze = settings_.design.sky.haze;
+    return frame;
 }
 
 draw::PictureInput Display::picture_input() const {
@@ -392,19 +422,6 @@ draw::TerrainDrawInput Display::terrain_input() const {
         input.heights = {double{header.min_height_m}, double{header.max_height_m}};
     }
     return input;
-}
-
-void Display::finish_record() {
-    record_.terrain.triangles = terrain_result_.triangles;
-    record_.terrain.chunks = terrain_result_.draws;
-    for (EffectRecord& effect : record_.effects)
-        if (effect.name.view() == "terrain") effect.draws = terrain_result_.draws;
-    const base::BudgetTable& budget = settings_.device.budget;
-    record_.bytes.cpu = budget.in_use(base::MemoryKind::cpu);
-    record_.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
-    record_.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);
-    record_.bytes.gpu_budget = budget.total(base::MemoryKind::gpu);
-    record_.bytes.uploaded = gl_.frame().uploaded_bytes;
 }
 
 }  // namespace tedavis::display

@@ -10,6 +10,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_memory.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
@@ -82,6 +83,7 @@ public:
 
 private:
     [[nodiscard]] gl::GlError start_drawers();
+    [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void decide(base::Time now);
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
@@ -89,6 +91,7 @@ private:
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
     void plan_data(base::Time now);
+    void plan_elements(base::Time now);
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
@@ -96,16 +99,15 @@ private:
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void keep_design(const design::DesignSettings& possible);
-    void flag(std::string_view name);
-    void record_terrain(const TerrainPlan& plan);
     [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
     void draw_scene(const base::Surface& surface);
     void draw_terrain();
+    void draw_elements_over_picture();
+    [[nodiscard]] draw::DataFrame data_frame() const;
     [[nodiscard]] draw::SkyInput sky_input() const;
     [[nodiscard]] draw::PictureInput picture_input() const;
     [[nodiscard]] draw::TerrainOutput output() const;
     void draw_symbology();
-    void finish_record();
 
     DisplaySettings settings_;
     gl::Gl gl_;
@@ -113,6 +115,7 @@ private:
     TerrainScene terrain_;
     SpatialData data_;
     SpatialDataPlan data_plan_;
+    DataElements elements_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/display/data_elements.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/gl/gl_error.hpp"
@@ -27,15 +28,16 @@ public:
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
+    [[nodiscard]] DataElements::Memory elements() { return {solids_}; }
 
 private:
     struct Part {
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[10];
+    static const Part kParts[11];
 
-    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_;
+    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_;
 };
 
 }  // namespace tedavis::display

@@ -55,6 +55,14 @@ struct ByteRecord {
     std::uint64_t cpu = 0, gpu = 0, cpu_budget = 0, gpu_budget = 0, uploaded = 0;
 };
 
+/// Features of one type, by the role of their layer.
+struct DataRecord {
+    Name type;
+    std::uint32_t drawn = 0;
+    std::uint32_t aggregated = 0;  ///< within what stands for several
+    std::uint32_t hidden = 0;
+};
+
 struct FrameRecord {
     std::uint64_t frame = 0;
     base::Time time;
@@ -68,6 +76,7 @@ struct FrameRecord {
     TerrainLight light;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
+    base::FixedVector<DataRecord, 16> data;
     ByteRecord bytes;
     base::FixedVector<EffectRecord, 32> effects;
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;

@@ -92,12 +92,25 @@ void PicturePass::finish(gl::Gl& gl, const base::Surface& surface, const design:
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
+    paint_ground(gl, design, input);
+    use(gl, sky_, design, input);
+    grid_.draw_cells(gl, input.ground, false);
+}
+
+void PicturePass::repaint(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) {
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_GREATER);  // the picture lies on the far plane
+    gl->DepthMask(GL_FALSE);
+    paint_ground(gl, design, input);
+    gl->DepthMask(GL_TRUE);
+    gl->DepthFunc(GL_LESS);
+}
+
+void PicturePass::paint_ground(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) const {
     target_.color().bind(gl, 0);
     const gl::Program& ground = programs_[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
     use(gl, ground, design, input);
     grid_.draw_cells(gl, input.ground, true);
-    use(gl, sky_, design, input);
-    grid_.draw_cells(gl, input.ground, false);
 }
 
 void PicturePass::use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design,

@@ -37,6 +37,9 @@ public:
     void begin(gl::Gl& gl) const;
     /// Puts the picture on the surface.
     void finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design, const PictureInput& input);
+    /// Paints the ground of the finished picture once more, where the surface's depth is not empty: near terrain, over what was
+    /// drawn behind it since.
+    void repaint(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input);
     /// The next picture is of another design.
     void forget_design() { colors_.forget(); }
     void destroy(gl::Gl& gl);
@@ -44,6 +47,7 @@ public:
 private:
     [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, const design::TerrainStyle& style);
     [[nodiscard]] gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const;
+    void paint_ground(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) const;
     void use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, const PictureInput& input) const;
     void set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const;
     void set_colors(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design) const;

@@ -33,6 +33,8 @@ inline constexpr std::string_view kLodScratch = "lod_scratch";
 inline constexpr std::string_view kSceneData = "scene_data";
 inline constexpr std::string_view kSceneSlices = "scene_slices";
 inline constexpr std::string_view kSceneGround = "scene_ground";
+inline constexpr std::string_view kSceneSolids = "scene_solids";
+inline constexpr std::string_view kSceneSolidVertices = "scene_solid_vertices";
 
 struct DeviceSettings {
     base::FixedString<31> name;

@@ -9,7 +9,10 @@
 /// not say otherwise; times are nanoseconds since 1970 UTC. Texts are UTF-8, zero-terminated within their field.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "render_core/scene/uncertainty.hpp"
@@ -52,6 +55,12 @@ enum class LayerRole : std::uint8_t {
     model,
     count,
 };
+
+/// As scene files, records and reports write them.
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(LayerRole::count)> kLayerRoleNames = {
+    "field",      "wind",   "sample", "trajectory", "traffic", "obstacle",   "no_go",    "airspace",
+    "storm_cell", "runway", "place",  "road",       "river",   "land_cover", "building", "model"};
+[[nodiscard]] constexpr std::string_view name_of(LayerRole role) { return kLayerRoleNames[static_cast<std::size_t>(role)]; }
 
 /// Of heights.
 enum class HeightDatum : std::uint8_t { msl, ellipsoid, ground };

@@ -1,8 +1,10 @@
 // Colour of spatial data behind haze.
 uniform vec3 haze_color;
+uniform float haze_per_m;  // 1 / distance, 0 for none
 VARYING vec4 v_color;
-VARYING float v_haze;
+VARYING vec3 v_eye;
 
 void main() {
-    FRAGMENT_COLOR = vec4(mix(v_color.rgb, haze_color, v_haze), v_color.a);
+    float haze = 1.0 - exp(-length(v_eye) * haze_per_m);
+    FRAGMENT_COLOR = vec4(mix(v_color.rgb, haze_color, haze), v_color.a);
 }

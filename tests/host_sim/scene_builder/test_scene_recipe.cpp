@@ -113,8 +113,8 @@ TEST(SceneRecipe, KeysOfTablesAndFlights) {
 }
 
 TEST(SceneRecipe, NamesAreThoseOfTheFile) {
-    EXPECT_EQ(role_name(LayerRole::storm_cell), "storm_cell");
-    EXPECT_EQ(role_name(LayerRole::model), "model");
+    EXPECT_EQ(scene::name_of(LayerRole::storm_cell), "storm_cell");
+    EXPECT_EQ(scene::name_of(LayerRole::model), "model");
     EXPECT_EQ(shape_name(scene::LayerShape::areas), "areas");
     EXPECT_EQ(scale_name(scene::AttributeScale::ordinal), "ordinal");
     EXPECT_EQ(kind_name(scene::UncertaintyKind::percent), "percent");

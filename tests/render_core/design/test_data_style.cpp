@@ -2,30 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <string>
+
+#include "tests/support/grey_palettes.hpp"
 
 namespace tedavis::design {
 namespace {
 
-/// From black at 0 to white at 100.
-Palette grey_palette() {
-    Palette palette;
-    palette.name = "grey";
-    palette.kind = PaletteKind::sequential;
-    palette.unit = PaletteUnit::one;
-    EXPECT_TRUE(palette.stops.try_push_back({0, {0, 0, 0}}) && palette.stops.try_push_back({100, {255, 255, 255}}));
-    return palette;
-}
-
-class GreyPalettes final : public PaletteSource {
-public:
-    base::Result<Palette, base::ConfigError> find(std::string_view name) override {
-        if (name != "grey") return base::fail(base::ConfigError{"no palette is called so"});
-        return grey_palette();
-    }
-};
+using test_support::GreyPalettes;
 
 struct Read {
     DataStyle style;
@@ -38,13 +22,6 @@ Read read(const std::string& text) {
     read_data_style(reader.root().section("data"), palettes, result.style);
     if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
     return result;
-}
-
-DataScale scale_of(const std::vector<double>& breaks) {
-    DataScale scale;
-    scale.palette = grey_palette();
-    for (const double limit : breaks) EXPECT_TRUE(scale.breaks.try_push_back(limit));
-    return scale;
 }
 
 TEST(DataStyle, EveryKeyIsRead) {
@@ -87,27 +64,6 @@ TEST(DataStyle, FaultsAreSaid) {
     EXPECT_NE(read(start + "palette = 'grey'\n[data.ground.uncertainty]\nlevels = 1").fault, "");
     EXPECT_NE(read(start + "palette = 'grey'\nbreaks = [0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]").fault.find("at most 15"),
               std::string::npos);
-}
-
-TEST(DataStyle, AValueBelongsToExactlyOneClass) {
-    const DataScale scale = scale_of({10, 20, 40});
-    EXPECT_EQ(class_of(scale, -1e9), 0u);
-    EXPECT_EQ(class_of(scale, std::nextafter(10.0, 0.0)), 0u);
-    EXPECT_EQ(class_of(scale, 10), 1u) << "a limit belongs to the class above it";
-    EXPECT_EQ(class_of(scale, 20), 2u);
-    EXPECT_EQ(class_of(scale, 39.999), 2u);
-    EXPECT_EQ(class_of(scale, 40), 3u);
-    EXPECT_EQ(class_of(scale, std::numeric_limits<double>::infinity()), 3u);
-    EXPECT_EQ(class_of(scale_of({}), 55), 0u);
-}
-
-TEST(DataStyle, ClassesHaveTheColoursOfTheirMiddles) {
-    const DataScale scale = scale_of({10, 20, 40});
-    EXPECT_NEAR(scale_color(scale, 3).red, 255 * 0.05, 0.6);
-    EXPECT_NEAR(scale_color(scale, 12).red, 255 * 0.15, 0.6);
-    EXPECT_NEAR(scale_color(scale, 25).red, 255 * 0.3, 0.6);
-    EXPECT_NEAR(scale_color(scale, 99).red, 255 * 0.7, 0.6);
-    EXPECT_NEAR(scale_color(scale_of({}), 25).red, 255 * 0.25, 0.6) << "without classes it is the palette";
 }
 
 TEST(DataStyle, ManyClassesAreAlmostThePalette) {

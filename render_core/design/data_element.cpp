@@ -1,0 +1,92 @@
+#include "render_core/design/data_element.hpp"
+
+#include "render_core/design/config_values.hpp"
+
+namespace tedavis::design {
+namespace {
+
+using base::ConfigSection;
+
+constexpr double kLargestValue = 1e12;
+
+template <std::size_t N, class Enum>
+void read_choice(ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {
+    value = static_cast<Enum>(section.choice("technique", {names.data(), names.size()}, static_cast<std::size_t>(value)));
+}
+
+void read_name(ConfigSection& section, std::string_view key, DataName& name) {
+    name = section.text(key, "");
+    if (name.cut()) fault_of(section, key, "is longer than 31 bytes; nothing in a scene has such a name");
+}
+
+void read_encoding(ConfigSection& section, PaletteSource& palettes, std::string_view attribute, const ScaleKeys& keys,
+                   ColorEncoding& encoding) {
+    read_name(section, attribute, encoding.attribute);
+    if (encoding.is_used()) return read_scale(section, palettes, encoding.scale, keys);
+    if (section.has(keys.palette)) fault_of(section, keys.palette, "has no attribute to colour; name one");
+}
+
+template <std::size_t N>
+void read_list(ConfigSection& section, std::string_view key, double low, double high, base::FixedVector<double, N>& list) {
+    double values[N]{};
+    const std::size_t count = section.element_count(key);
+    if (count > N) return fault_of(section, key, "has too many values");
+    section.numbers(key, low, high, {values, count});
+    list.clear();
+    for (std::size_t n = 0; n < count; ++n) static_cast<void>(list.try_push_back(values[n]));
+}
+
+void read_uncertainty(ConfigSection section, DataElement& element) {
+    read_choice(section, kElementUncertaintyNames, element.uncertainty);
+    element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
+    element.uncertainty_levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, 0));
+    if (element.uncertainty_levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
+}
+
+void read_layer(ConfigSection& section, DataElement& element) {
+    read_name(section, "layer", element.layer);
+    if (section.has("layer") == section.has("role"))
+        return fault_of(section, "layer", "or 'role' says what is shown; give one of them");
+    if (section.has("role"))
+        element.role = static_cast<scene::LayerRole>(
+            section.choice("role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
+}
+
+DataElement read_element(ConfigSection section, PaletteSource& palettes) {
+    DataElement element;
+    read_layer(section, element);
+    read_choice(section, kDataTechniqueNames, element.technique);
+    if (section.has("color")) element.color = required_color(section, "color");
+    read_encoding(section, palettes, "attribute", {}, element.by_color);
+    read_encoding(section, palettes, "second_attribute", {"second_palette", "second_classes", "second_breaks"},
+                  element.by_second_color);
+    read_name(section, "size_attribute", element.size_attribute);
+    element.size_m = section.number("size_m", 0, 100'000, element.size_m);
+    read_list(section, "heights_m", -1000, 100'000, element.heights_m);
+    read_list(section, "levels", -kLargestValue, kLargestValue, element.levels);
+    element.opacity = section.number("opacity", 0, 1, element.opacity);
+    element.ghost = section.number("ghost", 0, 1, element.ghost);
+    element.halo_px = section.number("halo_px", 0, 20, element.halo_px);
+    element.link = section.boolean("link", element.link);
+    element.detail = section.number("detail", 0, 1, element.detail);
+    read_uncertainty(section.section("uncertainty"), element);
+    return element;
+}
+
+}  // namespace
+
+const std::array<std::string_view, kDataTechniques> kDataTechniqueNames{
+    "tube",   "space_time",  "prism", "solid",   "ribbon", "billboard", "diagram",
+    "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface"};
+const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames{
+    "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra"};
+
+void read_data_elements(ConfigSection& data, PaletteSource& palettes, DataElementList& elements) {
+    const std::size_t count = data.table_count("element");
+    elements.clear();
+    for (std::size_t n = 0; n < count; ++n)
+        if (!elements.try_push_back(read_element(data.table_at("element", n), palettes)))
+            return fault_of(data, "element", "is more often there than a display has room for; keep at most 12");
+}
+
+}  // namespace tedavis::design

@@ -1,0 +1,107 @@
+/// One element of the data aspect: which layer of the scene is shown, by which technique, with which colours and sizes. Read from
+/// the tables [[data.element]] of a design, drawn in their order.
+///
+///     [[data.element]]
+///     layer = "no_go"              a layer of the scene, or
+///     role = "obstacle"            all its layers of a role (scene::kLayerRoleNames)
+///     technique = "prism"          a name of kDataTechniqueNames
+///     color = "#e05020"            without a scale
+///     attribute = "intensity"      what the colour says, with
+///     palette = "data_radar"       and `classes` or `breaks`
+///     second_attribute = "..."     of tubes: on every other side, with second_palette
+///     size_attribute = "..."       what the size says: size_m is that of its largest value
+///     size_m = 300                 radius of tubes and spheres, length of arrows, height of bars and markers
+///     heights_m = [1500, 3000]     of slices through a field
+///     levels = [30, 40]            of isosurfaces
+///     opacity = 0.5                0..1
+///     ghost = 0.25                 what terrain before it leaves of the opacity, 0..1
+///     halo_px = 1.5                dark rim, 0 for none
+///     link = true                  a line down to the ground
+///     detail = 0.7                 0..1: what the technique is to convey of its most
+///     [data.element.uncertainty]
+///     technique = "widening"       a name of kElementUncertaintyNames
+///     strength = 0.8
+///     levels = 4
+#pragma once
+
+#include <array>
+
+#include "render_core/design/data_scale.hpp"
+#include "render_core/scene/sdb_format.hpp"
+
+namespace tedavis::design {
+
+enum class DataTechnique : std::uint8_t {
+    tube,        ///< trajectories, and routes: a tube round the way
+    space_time,  ///< trajectories whose height is time
+    prism,       ///< areas from their floor to their ceiling
+    solid,       ///< obstacles, cables, runways, buildings and models in their shapes
+    ribbon,      ///< lines on the ground
+    billboard,   ///< icons and names that face the eye
+    diagram,     ///< small diagrams that face the eye
+    arrows,      ///< wind, a glyph a site
+    flat_arrows,
+    barbs,
+    spheres,
+    bars,
+    isosurface,
+    count
+};
+inline constexpr std::size_t kDataTechniques = static_cast<std::size_t>(DataTechnique::count);
+extern const std::array<std::string_view, kDataTechniques> kDataTechniqueNames;
+
+enum class ElementUncertainty : std::uint8_t {
+    none,
+    transparency,  ///< what is less sure is less there
+    saturation,    ///< and greyer
+    widening,      ///< tubes and prisms reach as far as the thing may be
+    ellipsoid,     ///< round a place, where the thing may be
+    circles,       ///< glyphs by their level, redundantly by size and colour
+    triangles,
+    tetrahedra,
+    count
+};
+inline constexpr std::size_t kElementUncertainties = static_cast<std::size_t>(ElementUncertainty::count);
+extern const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames;
+
+inline constexpr std::size_t kMaxDataElements = 12;
+inline constexpr std::size_t kMaxElementHeights = 8;
+inline constexpr std::size_t kMaxElementLevels = 4;
+
+using DataName = base::FixedString<31>;
+
+/// What an attribute says by colour.
+struct ColorEncoding {
+    DataName attribute;  ///< empty: the plain colour
+    DataScale scale;
+
+    [[nodiscard]] bool is_used() const { return !attribute.view().empty(); }
+};
+
+struct DataElement {
+    DataName layer;  ///< empty: by role
+    scene::LayerRole role = scene::LayerRole::count;
+    DataTechnique technique = DataTechnique::solid;
+    Color color{255, 255, 255, 255};
+    ColorEncoding by_color, by_second_color;
+    DataName size_attribute;
+    double size_m = 0;  ///< 0: the technique's own
+    base::FixedVector<double, kMaxElementHeights> heights_m;
+    base::FixedVector<double, kMaxElementLevels> levels;
+    double opacity = 1;
+    double ghost = 0;
+    double halo_px = 0;
+    bool link = false;
+    double detail = 1;
+    ElementUncertainty uncertainty = ElementUncertainty::none;
+    double uncertainty_strength = 0.85;
+    std::uint32_t uncertainty_levels = 0;  ///< 0: continuous
+};
+static_assert(std::is_trivially_copyable_v<DataElement>);
+
+using DataElementList = base::FixedVector<DataElement, kMaxDataElements>;
+
+/// `data` is the section [data].
+void read_data_elements(base::ConfigSection& data, PaletteSource& palettes, DataElementList& elements);
+
+}  // namespace tedavis::design

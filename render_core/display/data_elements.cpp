@@ -1,0 +1,154 @@
+#include "render_core/display/data_elements.hpp"
+
+#include "render_core/base/utc_time.hpp"
+#include "render_core/draw/data/area_prisms.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::DataTechnique;
+
+constexpr std::uint32_t kStandingQuarters = 3;  // of the room; the rest moves
+constexpr std::uint32_t kVerticesAPiece = 64, kIndicesAVertex = 3;
+
+struct Rooms {
+    draw::SolidRoom standing, moving;
+};
+
+Rooms rooms_of(std::uint64_t gpu_bytes) {
+    constexpr std::uint64_t kQuarterVertex = 4 * (sizeof(draw::SolidVertex) + kIndicesAVertex * sizeof(std::uint16_t));
+    const auto quarter = static_cast<std::uint32_t>(gpu_bytes / kQuarterVertex);
+    const auto room = [&](std::uint32_t quarters) {
+        const std::uint32_t vertices = quarter * quarters;
+        return draw::SolidRoom{vertices, vertices * kIndicesAVertex, vertices / kVerticesAPiece};
+    };
+    return {room(kStandingQuarters), room(4 - kStandingQuarters)};
+}
+
+bool shows(DataTechnique technique, const scene::Layer& layer) {
+    switch (technique) {
+        case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
+        default: return false;
+    }
+}
+
+bool moves(DataTechnique technique, const scene::Layer& layer) {
+    return technique == DataTechnique::prism && draw::prisms_move(layer);
+}
+
+}  // namespace
+
+const char* reason_of(ElementState state) noexcept {
+    switch (state) {
+        case ElementState::shown: return "asked for by the design";
+        case ElementState::no_such_layer: return "the scene has no such layer";
+        case ElementState::wrong_layer: return "the technique does not show layers of this kind";
+        case ElementState::out_of_date: return "the data are not valid at this time";
+        case ElementState::no_terrain: return "no terrain is shown";
+    }
+    return "unknown";
+}
+
+gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory) {
+    base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
+    const Rooms rooms = rooms_of(line.bytes);
+    if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
+        !error.sentence.empty())
+        return error;
+    if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
+        !error.sentence.empty())
+        return error;
+    if (!mesh_.start(memory.solids))
+        return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
+}
+
+void DataElements::set(const scene::Scene& scene, const design::DataElementList& elements) {
+    scene_ = &scene;
+    elements_ = &elements;
+    has_changed_ = true;
+}
+
+ElementState DataElements::state_of(const ElementReport& report) const {
+    if (report.layer == nullptr) return ElementState::no_such_layer;
+    if (!shows(report.element->technique, *report.layer)) return ElementState::wrong_layer;
+    const scene::LayerEntry& entry = *report.layer->entry;
+    const bool is_valid = time_ns_ >= entry.valid_from_ns && time_ns_ <= entry.valid_until_ns;
+    return has_date_ && !is_valid ? ElementState::out_of_date : ElementState::shown;
+}
+
+void DataElements::plan(const ElementFrame& frame) {
+    time_ns_ = frame.now.ns;
+    has_date_ = base::can_be_utc(frame.now);
+    shown_ = 0;
+    if (has_changed_) begin_reports();
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        reports_[n].state = state_of(reports_[n]);
+        if (reports_[n].state == ElementState::shown) shown_ |= 1u << n;
+    }
+    if (has_changed_) build(standing_.batch(), false, frame);
+    build(moving_.batch(), true, frame);
+    is_uploaded_ = is_uploaded_ && !has_changed_;
+    has_changed_ = false;
+}
+
+void DataElements::rest() {
+    shown_ = 0;
+    for (ElementReport& report : reports_) report.state = ElementState::no_terrain;
+}
+
+void DataElements::begin_reports() {
+    reports_.clear();
+    for (const design::DataElement& element : *elements_) {
+        const std::size_t before = reports_.size();
+        for (const scene::Layer& layer : scene_->layers())
+            if (element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name)
+                begin_report(element, &layer);
+        if (reports_.size() == before) begin_report(element, nullptr);
+    }
+}
+
+/// A full list has counted the refusal itself.
+void DataElements::begin_report(const design::DataElement& element, const scene::Layer* layer) {
+    static_cast<void>(reports_.try_push_back({ElementState::no_such_layer, &element, layer, {}}));
+}
+
+/// What stands is built whether it is valid now or not: it may become so.
+void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
+    batch.clear();
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        ElementReport& report = reports_[n];
+        if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
+        if (moves(report.element->technique, *report.layer) != moving) continue;
+        report.count = build_element(batch, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
+                                             frame.missing, time_ns_, has_date_});
+    }
+}
+
+draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {
+    switch (input.element.technique) {
+        case DataTechnique::prism: return draw::add_area_prisms(batch, mesh_, input);
+        default: return {};
+    }
+}
+
+void DataElements::prepare(gl::Gl& gl) {
+    if (reports_.empty()) return;
+    is_uploaded_ = is_uploaded_ || standing_.upload(gl);
+    moving_is_uploaded_ = moving_.upload(gl);
+}
+
+std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
+    if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
+    const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
+    return drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
+}
+
+void DataElements::destroy(gl::Gl& gl) {
+    drawer_.destroy(gl);
+    standing_.destroy(gl);
+    moving_.destroy(gl);
+}
+
+}  // namespace tedavis::display

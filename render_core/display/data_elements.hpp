@@ -1,0 +1,88 @@
+/// Elements of the data aspect over the terrain: what the design asks for of the scene's layers, built and drawn.
+///
+///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
+///
+/// What a layer says once is built by set() and stands; what moves is built by every plan().
+/// Memory    the budget lines scene_solids (CPU) and scene_solid_vertices (GPU). Thread  the display's. Failure  start() gives
+/// one
+///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
+#pragma once
+
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/design/data_style.hpp"
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/solid_drawer.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+
+namespace tedavis::display {
+
+enum class ElementState : std::uint8_t {
+    shown,
+    no_such_layer,
+    wrong_layer,  ///< the technique does not show layers of this kind
+    out_of_date,  ///< the layer is not valid at this time
+    no_terrain,   ///< which is what data are shown over
+};
+/// For records: "the scene has no such layer".
+[[nodiscard]] const char* reason_of(ElementState state) noexcept;
+
+/// What became of an element and one of the layers that it names.
+struct ElementReport {
+    ElementState state = ElementState::no_such_layer;
+    const design::DataElement* element = nullptr;
+    const scene::Layer* layer = nullptr;  ///< null where the scene has none
+    draw::ElementCount count;
+};
+inline constexpr std::size_t kMaxElementGroups = 32;
+using ElementReports = base::FixedVector<ElementReport, kMaxElementGroups>;  ///< in the design's order, then the scene's
+
+struct ElementFrame {
+    draw::Ground& ground;
+    const terrain::View& view;  ///< of the eye
+    design::Color missing;
+    base::Time now;
+};
+
+class DataElements {
+public:
+    struct Memory {
+        base::Arena& solids;
+    };
+    /// Only for displays that have a scene.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory);
+    [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
+
+    /// What is shown from the next plan() on. Scene and design must stay.
+    void set(const scene::Scene& scene, const design::DataElementList& elements);
+    void plan(const ElementFrame& frame);
+    /// Instead of plan() in a frame that shows none of it.
+    void rest();
+    [[nodiscard]] const ElementReports& reports() const { return reports_; }
+    [[nodiscard]] bool has_anything() const { return shown_ != 0; }
+
+    /// Uploads what is new; before draw().
+    void prepare(gl::Gl& gl);
+    /// Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
+    void destroy(gl::Gl& gl);
+
+private:
+    [[nodiscard]] ElementState state_of(const ElementReport& report) const;
+    void begin_reports();
+    void begin_report(const design::DataElement& element, const scene::Layer* layer);
+    void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
+    [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
+
+    draw::SolidDrawer drawer_;
+    draw::SolidBuffers standing_, moving_;
+    draw::SolidMesh mesh_;
+    const scene::Scene* scene_ = nullptr;
+    const design::DataElementList* elements_ = nullptr;
+    ElementReports reports_;
+    std::uint32_t shown_ = 0;  ///< a bit a report: the group of what it draws
+    std::int64_t time_ns_ = 0;
+    bool has_date_ = false, has_changed_ = false;
+    bool is_uploaded_ = false, moving_is_uploaded_ = false;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,66 @@
+#include "render_core/display/frame_notes.hpp"
+
+namespace tedavis::display {
+namespace {
+
+DataRecord* record_of(std::string_view type, FrameRecord& record) {
+    for (DataRecord& known : record.data)
+        if (known.type.view() == type) return &known;
+    DataRecord begun;
+    begun.type = Name(type);
+    return record.data.try_push_back(begun) ? &record.data.back() : nullptr;
+}
+
+}  // namespace
+
+void flag(std::string_view name, FrameRecord& record) {
+    for (const Name& known : record.flags)
+        if (known.view() == name) return;
+    // A full list has counted the refusal itself.
+    static_cast<void>(record.flags.try_push_back(Name(name)));
+}
+
+void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
+    TerrainRecord& terrain = record.terrain;
+    terrain.worst_error_px = plan.lod.worst_error_px;
+    terrain.tau_reached_px = plan.lod.tau_reached_px;
+    terrain.limit = Name(terrain::to_string(plan.lod.reason));
+    terrain.pending = plan.pending;
+    if (plan.lod.tau_reached_px > terrain.tau_px) flag("terrain.tau_raised", record);
+    if (plan.has_void) flag("terrain.void", record);
+    if (plan.is_late) flag("terrain.late", record);
+    if (plan.is_failing) flag("terrain.failing", record);
+    if (plan.lod.worst_chunk == terrain::kNoChunk) return;
+    const terrain::ChunkKey& worst = plan.lod.worst_chunk;
+    terrain.worst_chunk.append(gl::digits(worst.level).view());
+    terrain.worst_chunk.append("/");
+    terrain.worst_chunk.append(gl::digits(worst.i).view());
+    terrain.worst_chunk.append("/");
+    terrain.worst_chunk.append(gl::digits(worst.j).view());
+}
+
+void note_elements(const ElementReports& reports, FrameRecord& record) {
+    for (const ElementReport& report : reports) {
+        if (report.state != ElementState::shown) flag("data.missing", record);
+        if (report.layer == nullptr) continue;
+        DataRecord* const type = record_of(scene::name_of(report.layer->entry->role), record);
+        if (type == nullptr) continue;
+        const bool is_shown = report.state == ElementState::shown;
+        type->drawn += is_shown ? report.count.drawn : 0;
+        type->aggregated += is_shown ? report.count.aggregated : 0;
+        type->hidden += is_shown ? report.count.hidden : report.count.all();
+    }
+}
+
+void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record) {
+    record.terrain.triangles = drawn.triangles;
+    record.terrain.chunks = drawn.draws;
+    for (EffectRecord& effect : record.effects)
+        if (effect.name.view() == "terrain") effect.draws = drawn.draws;
+    record.bytes.cpu = budget.in_use(base::MemoryKind::cpu);
+    record.bytes.gpu = budget.in_use(base::MemoryKind::gpu);
+    record.bytes.cpu_budget = budget.total(base::MemoryKind::cpu);
+    record.bytes.gpu_budget = budget.total(base::MemoryKind::gpu);
+}
+
+}  // namespace tedavis::display

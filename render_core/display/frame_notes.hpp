@@ -1,0 +1,22 @@
+/// What a frame's record says of the terrain, the data and the memory. Pure; any thread.
+#pragma once
+
+#include <string_view>
+
+#include "render_core/display/data_elements.hpp"
+#include "render_core/display/frame_record.hpp"
+#include "render_core/display/terrain_scene.hpp"
+
+namespace tedavis::display {
+
+/// Once, however often it is raised. A full list counts what it refuses.
+void flag(std::string_view name, FrameRecord& record);
+
+/// Asks for record.terrain.tau_px.
+void note_terrain(const TerrainPlan& plan, FrameRecord& record);
+/// Counts by type, and the aspect that the first shown element speaks for.
+void note_elements(const ElementReports& reports, FrameRecord& record);
+/// After the terrain is noted among the effects.
+void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
+
+}  // namespace tedavis::display

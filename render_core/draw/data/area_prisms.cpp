@@ -1,0 +1,215 @@
+#include "render_core/draw/data/area_prisms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string_view>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/solid_look.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/polygon_triangles.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMostWidened = 2;  // of the widening, where a corner is sharp
+
+/// A height over something.
+struct Limit {
+    double m = kNone;  ///< NaN: not known
+    scene::HeightDatum datum = scene::HeightDatum::msl;
+};
+
+struct Corner {
+    double latitude_rad, longitude_rad;
+};
+
+scene::HeightDatum datum_of(const scene::Layer& layer, std::string_view attribute, std::uint32_t feature) {
+    const scene::Attribute* const datum = layer.find(attribute);
+    const double code = value_or_nan(layer, attribute, feature);
+    if (datum == nullptr || !(code >= 0)) return layer.entry->height_datum;
+    return datum->class_name(static_cast<std::uint32_t>(code)) == "ground" ? scene::HeightDatum::ground : scene::HeightDatum::msl;
+}
+
+/// One area: its corners on the ellipsoid, what it reaches from and to.
+class Prism {
+public:
+    Prism(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) : mesh_(mesh), input_(input), feature_(feature) {}
+
+    /// False where it cannot be placed.
+    bool build(double widened_m) {
+        const scene::Run run = input_.layer.points_of(feature_);
+        if (run.count < 3) return false;
+        first_ = input_.layer.points[run.first];
+        move();
+        axes_ = local_axes(first_.latitude_rad, first_.longitude_rad);
+        metres_ = {std::cos(first_.latitude_rad) * earth::prime_vertical_radius_m(first_.latitude_rad),
+                   earth::meridian_radius_m(first_.latitude_rad)};
+        if (!take_corners(run)) return false;
+        if (widened_m > 0) widen(widened_m);
+        take_limits();
+        const Placed base = over(Corner{first_.latitude_rad, first_.longitude_rad}, floor_);
+        if (!base.is_known) return false;
+        mesh_.begin(base.place);
+        mesh_.set_color(encoded_color(input_, input_.element.by_color, feature_), encoded_uncertainty(input_, feature_));
+        return add_sides() && add_cap(ceiling_, true) && add_cap(floor_, false);
+    }
+
+private:
+    /// Metres east and north that the feature has gone since the data's time.
+    void move() {
+        const double speed = value_or_nan(input_.layer, "speed", feature_),
+                     toward = value_or_nan(input_.layer, "toward", feature_);
+        const std::int64_t since = input_.layer.entry->data_time_ns;
+        if (!input_.has_date || since == scene::kNoTime || !std::isfinite(speed) || !std::isfinite(toward)) return;
+        const double gone_m = speed * 1e-9 * static_cast<double>(input_.time_ns - since);
+        moved_ = {gone_m * std::sin(toward), gone_m * std::cos(toward)};
+    }
+
+    bool take_corners(const scene::Run& run) {
+        for (std::uint32_t n = 0; n < run.count; ++n) {
+            const glm::dvec2 from = flat(input_.layer.points[run.first + n]);
+            const glm::dvec2 to = flat(input_.layer.points[run.first + (n + 1) % run.count]);
+            const double parts = std::max(1.0, std::ceil(glm::distance(from, to) / kLongestSide_m));
+            for (double part = 0; part < parts; ++part) {
+                if (count_ == scene::kMostPolygonCorners) return false;
+                mesh_.corners()[count_++] = from + (to - from) * (part / parts) + moved_;
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] glm::dvec2 flat(const scene::ScenePoint& point) const {
+        const double east = std::remainder(point.longitude_rad - first_.longitude_rad, 2 * base::kPi);
+        return {east * metres_.x, (point.latitude_rad - first_.latitude_rad) * metres_.y};
+    }
+
+    [[nodiscard]] Corner corner(std::size_t n) const {
+        const glm::dvec2& at = mesh_.corners()[n % count_];
+        return {first_.latitude_rad + at.y / metres_.y, first_.longitude_rad + at.x / metres_.x};
+    }
+
+    /// Every side goes outwards; corners go along the middle of their two sides' normals.
+    void widen(double by_m) {
+        const base::Span<glm::dvec2> all = mesh_.corners();
+        const double turn = scene::twice_area({all.data(), count_}) < 0 ? -1 : 1;
+        const glm::dvec2 first = all[0];
+        glm::dvec2 before = all[count_ - 1];
+        for (std::size_t n = 0; n < count_; ++n) {
+            const glm::dvec2 here = all[n], next = n + 1 < count_ ? all[n + 1] : first;
+            all[n] = here + outward(here - before, next - here) * (turn * by_m);
+            before = here;
+        }
+    }
+
+    [[nodiscard]] static glm::dvec2 outward(glm::dvec2 in, glm::dvec2 out) {
+        const double in_length = glm::length(in), out_length = glm::length(out);
+        if (!(in_length > 0) || !(out_length > 0)) return glm::dvec2(0);
+        const glm::dvec2 sum(in.y / in_length + out.y / out_length, -in.x / in_length - out.x / out_length);
+        const double half = 0.5 * glm::dot(sum, sum);  // 1 + cosine of the turn
+        return half > 0 ? sum * std::min(1 / half, kMostWidened) : glm::dvec2(0);
+    }
+
+    void take_limits() {
+        const scene::Layer& layer = input_.layer;
+        floor_ = {value_or_nan(layer, "floor", feature_), datum_of(layer, "floor_datum", feature_)};
+        ceiling_ = {value_or_nan(layer, "ceiling", feature_), datum_of(layer, "ceiling_datum", feature_)};
+        const double height = value_or_nan(layer, "height", feature_);
+        if (std::isnan(ceiling_.m) && !std::isnan(height)) ceiling_ = {height, scene::HeightDatum::ground};
+        if (const scene::Attribute* const size = layer.find(input_.element.size_attribute.view()); size != nullptr) {
+            const double value = value_or_nan(layer, input_.element.size_attribute.view(), feature_);
+            const double largest = static_cast<double>(size->entry->maximum);
+            const double bottom = std::isnan(floor_.m) ? 0 : floor_.m;
+            ceiling_ = {largest > 0 ? bottom + std::max(value, 0.0) / largest * input_.element.size_m : bottom, floor_.datum};
+        }
+        if (std::isnan(floor_.m)) floor_ = {0, scene::HeightDatum::ground};
+        if (std::isnan(ceiling_.m)) ceiling_ = {kUnknownCeiling_m, scene::HeightDatum::msl};
+    }
+
+    [[nodiscard]] Placed over(const Corner& at, const Limit& limit) {
+        Ground& ground = input_.ground;
+        Placed result;
+        result.height_m = limit.m;
+        if (limit.datum == scene::HeightDatum::ground)
+            result.height_m += ground.height_m(at.latitude_rad, at.longitude_rad);
+        else if (limit.datum == scene::HeightDatum::msl)
+            result.height_m += ground.undulation_m(at.latitude_rad, at.longitude_rad);
+        result.is_known = std::isfinite(result.height_m);
+        if (result.is_known) result.place = earth::to_ecef({at.latitude_rad, at.longitude_rad, {result.height_m}});
+        return result;
+    }
+
+    bool add_sides() {
+        const bool is_clockwise = scene::twice_area({mesh_.corners().data(), count_}) < 0;
+        Placed low = over(corner(0), floor_), high = over(corner(0), ceiling_);
+        for (std::size_t n = 0; n < count_; ++n) {
+            const Placed next_low = over(corner(n + 1), floor_), next_high = over(corner(n + 1), ceiling_);
+            if (!low.is_known || !high.is_known || !next_low.is_known || !next_high.is_known) return false;
+            if (is_clockwise)
+                mesh_.quad(next_low.place, low.place, high.place, next_high.place);
+            else
+                mesh_.quad(low.place, next_low.place, next_high.place, high.place);
+            low = next_low;
+            high = next_high;
+        }
+        return true;
+    }
+
+    bool add_cap(const Limit& limit, bool faces_up) {
+        const std::uint32_t first = mesh_.vertex_count();
+        for (std::size_t n = 0; n < count_; ++n) {
+            const Placed at = over(corner(n), limit);
+            if (!at.is_known) return false;
+            static_cast<void>(mesh_.vertex(at.place, faces_up ? axes_.up : -axes_.up));
+        }
+        const base::Span<std::uint16_t> cut = mesh_.corner_indices();
+        const std::size_t indices = scene::triangulate({mesh_.corners().data(), count_}, cut);
+        for (std::size_t n = 0; n < indices; n += 3) {
+            const auto at = [&](std::size_t k) { return static_cast<std::uint16_t>(first + cut[n + k]); };
+            mesh_.triangle(at(0), at(faces_up ? 1 : 2), at(faces_up ? 2 : 1));
+        }
+        return true;
+    }
+
+    SolidMesh& mesh_;
+    const ElementInput& input_;
+    std::uint32_t feature_;
+    scene::ScenePoint first_{};
+    LocalAxes axes_;
+    glm::dvec2 metres_{1}, moved_{0};
+    std::size_t count_ = 0;
+    Limit floor_, ceiling_;
+};
+
+/// Where the area may reach to as well.
+void add_margin(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
+    const double accuracy_m = static_cast<double>(input.layer.entry->position_accuracy_m);
+    if (input.element.uncertainty != design::ElementUncertainty::widening || !(accuracy_m > 0)) return;
+    SolidLook look = look_of(input);
+    constexpr float kShare = 0.35f;
+    look.opacity *= kShare * static_cast<float>(input.element.uncertainty_strength);
+    look.is_mixed = true;
+    batch.set_look(look, input.layer.entry->data_time_ns);
+    if (Prism(mesh, input, feature).build(accuracy_m)) mesh.add_to(batch);
+}
+
+}  // namespace
+
+ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
+    ElementCount count;
+    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        batch.set_look(look_of(input), input.layer.entry->data_time_ns);
+        const bool is_drawn = Prism(mesh, input, feature).build(0) && mesh.add_to(batch);
+        ++(is_drawn ? count.drawn : count.hidden);
+        if (is_drawn) add_margin(batch, mesh, input, feature);
+    }
+    return count;
+}
+
+bool prisms_move(const scene::Layer& layer) { return layer.entry->role == scene::LayerRole::storm_cell; }
+
+}  // namespace tedavis::draw

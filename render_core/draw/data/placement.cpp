@@ -1,0 +1,72 @@
+#include "render_core/draw/data/placement.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+const scene::Attribute* unsure_attribute(const ElementInput& input) {
+    if (input.element.by_color.is_used()) return input.layer.find(input.element.by_color.attribute.view());
+    for (const scene::Attribute& attribute : input.layer.attributes)
+        if (attribute.entry->uncertainty_kind != scene::UncertaintyKind::none) return &attribute;
+    return nullptr;
+}
+
+/// Attributes of features may be asked by points, which do not count alike.
+bool holds(const scene::Attribute* attribute, std::size_t n) { return attribute != nullptr && n < attribute->values.size(); }
+
+}  // namespace
+
+LocalAxes local_axes(double latitude_rad, double longitude_rad) {
+    const glm::dmat3 ned = earth::north_east_down(latitude_rad, longitude_rad);
+    return {ned[1], ned[0], -ned[2]};
+}
+
+Placed placed(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m) {
+    Placed result;
+    const bool on_ground = std::isnan(height_m);
+    const double over = on_ground ? 0 : height_m;
+    if (on_ground || input.layer.entry->height_datum == scene::HeightDatum::ground)
+        result.height_m = over + input.ground.height_m(latitude_rad, longitude_rad);
+    else if (input.layer.entry->height_datum == scene::HeightDatum::msl)
+        result.height_m = over + input.ground.undulation_m(latitude_rad, longitude_rad);
+    else
+        result.height_m = over;
+    result.is_known = std::isfinite(result.height_m);
+    if (result.is_known) result.place = earth::to_ecef({latitude_rad, longitude_rad, {result.height_m}});
+    return result;
+}
+
+Placed placed(const ElementInput& input, const scene::ScenePoint& point) {
+    return placed(input, point.latitude_rad, point.longitude_rad, static_cast<double>(point.height_m));
+}
+
+design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
+    if (!encoding.is_used()) return input.element.color;
+    const scene::Attribute* const attribute = input.layer.find(encoding.attribute.view());
+    if (!holds(attribute, n) || attribute->state(n) == scene::ValueState::missing) return input.missing;
+    return design::scale_color(encoding.scale, static_cast<double>(attribute->values[n]));
+}
+
+scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n) {
+    const scene::Attribute* const attribute = unsure_attribute(input);
+    if (attribute == nullptr)
+        return scene::Uncertainty::from_code(input.element.by_color.is_used() ? scene::Uncertainty::kUnknown : 0);
+    if (attribute->entry->uncertainty_kind == scene::UncertaintyKind::none) return scene::Uncertainty::from_code(0);
+    return holds(attribute, n) ? attribute->uncertainty(n) : scene::Uncertainty();
+}
+
+double uncertainty_growth_per_hour(const ElementInput& input) {
+    const scene::Attribute* const attribute = unsure_attribute(input);
+    return attribute == nullptr ? 0 : static_cast<double>(attribute->entry->uncertainty_growth_per_hour);
+}
+
+double value_or_nan(const scene::Layer& layer, std::string_view name, std::size_t n) {
+    const scene::Attribute* const attribute = layer.find(name);
+    return holds(attribute, n) ? static_cast<double>(attribute->values[n]) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace tedavis::draw

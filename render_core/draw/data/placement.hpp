@@ -1,0 +1,39 @@
+/// Where features of a scene are in space, and what colours they have.
+///
+/// Pure but for the ground that is asked. Bounded. Thread  the ground's.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+/// Axes at a place: unit vectors in ECEF.
+struct LocalAxes {
+    glm::dvec3 east{0}, north{0}, up{0};
+};
+[[nodiscard]] LocalAxes local_axes(double latitude_rad, double longitude_rad);
+
+struct Placed {
+    glm::dvec3 place{0};    ///< ECEF, m
+    double height_m = 0;    ///< over the ellipsoid
+    bool is_known = false;  ///< false: no ground is known where the place asks for it
+};
+/// A height in a layer's datum as one over the ellipsoid; NaN stands on the ground.
+[[nodiscard]] Placed placed(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m);
+[[nodiscard]] Placed placed(const ElementInput& input, const scene::ScenePoint& point);
+
+/// The colour of an encoding at value n of its attribute; `plain` where the element has no such encoding, the colour of missing
+/// data where the layer has no such attribute or the value is missing.
+[[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n);
+/// How unsure the element's coloured value is; where it shows none, how unsure the layer's first attribute with an uncertainty
+/// is; certain where nothing is stated.
+[[nodiscard]] scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n);
+/// Of the uncertainty that encoded_uncertainty() gives.
+[[nodiscard]] double uncertainty_growth_per_hour(const ElementInput& input);
+
+/// Value n of an attribute; NaN where there is none.
+[[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, std::size_t n);
+
+}  // namespace tedavis::draw

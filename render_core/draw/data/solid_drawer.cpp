@@ -1,0 +1,182 @@
+#include "render_core/draw/data/solid_drawer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+
+#include "render_core/draw/shader_texts.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/draw_triangles.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+enum Attribute : GLuint { kPlace, kNormal, kColor, kAttributes };
+enum Uniform : std::size_t { kAnchor = kFirstOwnDataUniform, kFading, kCover, kUniforms };
+
+constexpr double kHour_ns = 3.6e12;
+
+void point_attributes(gl::Gl& gl, const SolidPiece& piece) {
+    const std::uintptr_t start = std::uintptr_t{piece.first_vertex} * sizeof(SolidVertex);
+    const auto at = [&](std::size_t offset) { return reinterpret_cast<const void*>(start + offset); };
+    constexpr GLsizei kStride = sizeof(SolidVertex);
+    gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SolidVertex, place_m)));
+    gl->VertexAttribPointer(kNormal, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, normal)));
+    gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, rgba)));
+}
+
+bool is_mixed(const SolidPiece& piece) {
+    return piece.look.is_mixed || piece.look.opacity < 1 || piece.look.fading == SolidFading::transparency;
+}
+
+float grown_since(const SolidPiece& piece, const SolidFrame& frame) {
+    if (!frame.has_date || piece.data_time_ns == INT64_MIN) return 0;
+    const double hours = std::fabs(static_cast<double>(frame.time_ns - piece.data_time_ns)) / kHour_ns;
+    return static_cast<float>(std::min(hours * static_cast<double>(piece.look.growth_per_hour), 1.0));
+}
+
+}  // namespace
+
+gl::GlError SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+                                gl::BufferUse use) {
+    batch_ = SolidBatch(memory.allocate_array<SolidVertex>(room.vertices), memory.allocate_array<std::uint16_t>(room.indices),
+                        memory.allocate_array<SolidPiece>(room.pieces));
+    auto vertices = gl::make_buffer(gl, line, gl::BufferKind::vertices, use, std::uint64_t{room.vertices} * sizeof(SolidVertex));
+    if (!vertices.ok()) return vertices.error();
+    vertices_ = static_cast<gl::Buffer&&>(vertices.value());
+    auto indices = gl::make_buffer(gl, line, gl::BufferKind::indices, use, std::uint64_t{room.indices} * sizeof(std::uint16_t));
+    if (!indices.ok()) return indices.error();
+    indices_ = static_cast<gl::Buffer&&>(indices.value());
+    return {};
+}
+
+bool SolidBuffers::upload(gl::Gl& gl) const {
+    const auto vertices = batch_.vertices();
+    const auto indices = batch_.indices();
+    return vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(SolidVertex)) &&
+           indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t));
+}
+
+void SolidBuffers::bind(gl::Gl& gl) const {
+    vertices_.bind(gl);
+    indices_.bind(gl);
+}
+
+void SolidBuffers::destroy(gl::Gl& gl) {
+    vertices_.destroy(gl);
+    indices_.destroy(gl);
+}
+
+gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces) {
+    order_ = memory.allocate_array<Ordered>(most_pieces);
+    if (order_.size() < most_pieces)
+        return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+    static constexpr gl::AttributeBinding kBindings[kAttributes] = {
+        {"place", kPlace}, {"normal_unsure", kNormal}, {"color", kColor}};
+    static constexpr const char* kNames[kUniforms] = {
+        kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2], kDataUniformNames[3], "anchor", "fading", "cover"};
+    base::FixedString<kMaxShaderText> vertex(shader_text(k_data_light_vert));
+    vertex.append(shader_text(k_solid_vert));
+    auto built =
+        gl::build_program(gl, {"solid", vertex.view(), shader_text(k_data_color_frag),
+                               base::Span<const gl::AttributeBinding>(kBindings), base::Span<const char* const>(kNames)});
+    if (!built.ok()) return built.error();
+    program_ = built.value();
+    return {};
+}
+
+void SolidDrawer::choose(base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, const DepthRange& range) {
+    chosen_ = 0;
+    for (std::uint32_t b = 0; b < solids.size(); ++b) {
+        const auto pieces = solids[b]->batch().pieces();
+        for (std::uint32_t n = 0; n < pieces.size() && chosen_ < order_.size(); ++n) {
+            const SolidPiece& piece = pieces[n];
+            const double depth_m = glm::dot(piece.anchor - frame.frame.view.eye, frame.frame.view.forward);
+            const double reach_m = static_cast<double>(piece.radius_m);
+            const bool is_shown = (frame.shown_groups >> piece.look.group & 1u) != 0;
+            if (!is_shown || !terrain::overlap({depth_m - reach_m, depth_m + reach_m}, range)) continue;
+            order_[chosen_++] = {depth_m, b, n};
+        }
+    }
+}
+
+/// The farthest first, the same order for equal ones. Few are mixed, and their order changes little from frame to frame.
+void SolidDrawer::order_by_depth() {
+    for (std::uint32_t n = 1; n < chosen_; ++n) {
+        const Ordered moved = order_[n];
+        std::uint32_t place = n;
+        for (; place > 0 && order_[place - 1].depth_m < moved.depth_m; --place) order_[place] = order_[place - 1];
+        order_[place] = moved;
+    }
+}
+
+std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
+                                const DepthRange& range) {
+    draws_ = 0;
+    choose(solids, frame, range);
+    if (chosen_ == 0) return 0;
+    order_by_depth();
+    program_.use(gl);
+    set_data_frame(gl, program_, frame.frame, range);
+    for (GLuint attribute = 0; attribute < kAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
+    gl->Enable(GL_CULL_FACE);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    draw_pass(gl, solids, frame, Pass::ghosts);
+    draw_pass(gl, solids, frame, Pass::opaque);
+    draw_pass(gl, solids, frame, Pass::mixed);
+    gl->Disable(GL_CULL_FACE);
+    for (GLuint attribute = 0; attribute < kAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
+    return draws_;
+}
+
+void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass) {
+    const bool blends = pass != Pass::opaque;
+    if (blends) {
+        gl->Enable(GL_BLEND);
+        gl->DepthMask(GL_FALSE);
+    }
+    if (pass == Pass::ghosts) gl->DepthFunc(GL_GREATER);
+    std::uint32_t bound = kMostBuffers;
+    for (std::uint32_t n = 0; n < chosen_; ++n) {
+        const SolidBuffers& buffers = *solids[order_[n].buffer];
+        const SolidPiece& piece = buffers.batch().pieces()[order_[n].piece];
+        const bool takes_part =
+            pass == Pass::ghosts ? piece.look.ghost > 0 && piece.look.halo_px <= 0 : is_mixed(piece) == (pass == Pass::mixed);
+        if (!takes_part) continue;
+        if (bound != order_[n].buffer) buffers.bind(gl);
+        bound = order_[n].buffer;
+        draw_piece(gl, piece, frame, pass);
+    }
+    if (!blends) return;
+    gl->DepthFunc(GL_LESS);
+    gl->DepthMask(GL_TRUE);
+    gl->Disable(GL_BLEND);
+}
+
+void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
+    const glm::vec3 anchor(piece.anchor - frame.frame.view.eye);
+    const SolidLook& look = piece.look;
+    const float strength = look.fading == SolidFading::none ? 0 : look.fading_strength;
+    const bool is_transparency = look.fading == SolidFading::transparency;
+    gl->Uniform3f(program_.uniform(kAnchor), anchor.x, anchor.y, anchor.z);
+    gl->Uniform4f(program_.uniform(kFading), is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels,
+                  grown_since(piece, frame));
+    gl->Uniform2f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f),
+                  look.halo_px / static_cast<float>(frame.frame.view.focal_px));
+    point_attributes(gl, piece);
+    const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
+    if (pass == Pass::mixed || look.halo_px > 0) {
+        gl->CullFace(GL_FRONT);
+        gl::draw_triangles(gl, range);
+        ++draws_;
+    }
+    gl->CullFace(GL_BACK);
+    if (look.halo_px > 0) return;
+    gl::draw_triangles(gl, range);
+    ++draws_;
+}
+
+void SolidDrawer::destroy(gl::Gl& gl) { program_.destroy(gl); }
+
+}  // namespace tedavis::draw

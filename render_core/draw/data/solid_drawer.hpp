@@ -1,0 +1,80 @@
+/// Draws solids: what stands, uploaded when it changes, and what moves, uploaded every frame.
+///
+/// Within a range of depths, in which the terrain's depths must be there and nobody else's: faintly what terrain hides, then what
+/// is opaque, with its rims, then what is mixed with what is behind, the farthest first, of each the far sides before the near.
+///
+/// Memory    GPU bytes of the budget line scene_solid_vertices; order from the arena. Thread  the GL thread. Failure  one
+/// sentence.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/data/data_frame.hpp"
+#include "render_core/draw/data/solid_batch.hpp"
+#include "render_core/gl/buffer.hpp"
+
+namespace tedavis::draw {
+
+struct SolidRoom {
+    std::uint32_t vertices = 0, indices = 0, pieces = 0;
+
+    [[nodiscard]] std::uint64_t gpu_bytes() const {
+        return std::uint64_t{vertices} * sizeof(SolidVertex) + std::uint64_t{indices} * sizeof(std::uint16_t);
+    }
+    [[nodiscard]] std::uint64_t cpu_bytes() const { return gpu_bytes() + std::uint64_t{pieces} * sizeof(SolidPiece); }
+};
+
+/// What is drawn of the batches.
+struct SolidFrame {
+    const DataFrame& frame;
+    std::uint32_t shown_groups = ~0u;  ///< a bit a group
+    std::int64_t time_ns = 0;          ///< by which data have an age
+    bool has_date = false;             ///< without, nothing ages
+};
+
+/// A batch and its copy on the GPU.
+class SolidBuffers {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+                                    gl::BufferUse use);
+    [[nodiscard]] SolidBatch& batch() { return batch_; }
+    [[nodiscard]] const SolidBatch& batch() const { return batch_; }
+    /// After the batch has changed. False when it cannot be had; then nothing of it may be drawn.
+    [[nodiscard]] bool upload(gl::Gl& gl) const;
+    void bind(gl::Gl& gl) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    SolidBatch batch_;
+    gl::Buffer vertices_, indices_;
+};
+
+class SolidDrawer {
+public:
+    static constexpr std::size_t kMostBuffers = 2;
+
+    /// `most_pieces` of all buffers that are drawn together.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces);
+    [[nodiscard]] bool is_started() const { return program_.valid(); }
+    /// At most kMostBuffers of them; all uploaded. Returns the number of draws. The depth test is on, blending and culling off,
+    /// before and after.
+    std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
+                       const DepthRange& range);
+    void destroy(gl::Gl& gl);
+
+private:
+    struct Ordered {
+        double depth_m;
+        std::uint32_t buffer, piece;
+    };
+    enum class Pass : std::uint8_t { ghosts, opaque, mixed };
+    void choose(base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, const DepthRange& range);
+    void order_by_depth();
+    void draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass);
+    void draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
+
+    gl::Program program_;
+    base::Span<Ordered> order_;
+    std::uint32_t chosen_ = 0, draws_ = 0;
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,54 @@
+/// A mesh under construction: what builders put together before it goes into a SolidBatch as one.
+///
+/// Memory  from an arena, once. Thread  one. Failure  a full mesh refuses; is_whole() tells, and add_to() then adds nothing.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/data/solid_batch.hpp"
+
+namespace tedavis::draw {
+
+class SolidMesh {
+public:
+    static constexpr std::uint32_t kVertices = 4096, kIndices = 3 * kVertices, kCorners = 1024;
+
+    [[nodiscard]] static std::uint64_t bytes_needed();
+    [[nodiscard]] bool start(base::Arena& arena);
+
+    /// Empties it; places are round `origin` (ECEF) from here on.
+    void begin(const glm::dvec3& origin);
+    [[nodiscard]] const glm::dvec3& origin() const { return origin_; }
+
+    /// The next vertex is certain until told otherwise.
+    void set_color(design::Color color, scene::Uncertainty uncertainty = scene::Uncertainty::from_code(0));
+    /// `place` in ECEF; a normal of length 0 is not shaded. Returns its number.
+    std::uint16_t vertex(const glm::dvec3& place, const glm::dvec3& normal);
+    /// Counter-clockwise seen from outside.
+    void triangle(std::uint16_t a, std::uint16_t b, std::uint16_t c);
+    /// A flat one, its normal by its corners: counter-clockwise seen from outside. Without area it is left out.
+    void quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
+
+    [[nodiscard]] bool is_whole() const { return is_whole_; }
+    [[nodiscard]] std::uint32_t vertex_count() const { return vertex_count_; }
+    /// False when the mesh is not whole or the batch has no room.
+    bool add_to(SolidBatch& batch) const;
+
+    /// Room for polygons that builders cut.
+    [[nodiscard]] base::Span<glm::dvec2> corners() const { return corners_; }
+    [[nodiscard]] base::Span<std::uint16_t> corner_indices() const { return corner_indices_; }
+
+private:
+    base::Span<SolidVertex> vertices_;
+    base::Span<std::uint16_t> indices_;
+    base::Span<glm::dvec2> corners_;
+    base::Span<std::uint16_t> corner_indices_;
+    glm::dvec3 origin_{0};
+    design::Color color_;
+    scene::Uncertainty uncertainty_;
+    std::uint32_t vertex_count_ = 0, index_count_ = 0;
+    bool is_whole_ = true;
+};
+
+}  // namespace tedavis::draw

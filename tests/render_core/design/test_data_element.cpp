@@ -1,0 +1,123 @@
+#include "render_core/design/data_element.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render_core/design/data_style.hpp"
+#include "tests/support/grey_palettes.hpp"
+
+namespace tedavis::design {
+namespace {
+
+struct Read {
+    DataElementList elements;
+    std::string fault;
+};
+Read read(const std::string& text) {
+    test_support::GreyPalettes palettes;
+    base::ConfigReader reader(text, "d.toml");
+    Read result;
+    base::ConfigSection data = reader.root().section("data");
+    read_data_elements(data, palettes, result.elements);
+    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    return result;
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int n = 0; n < times; ++n) all += text;
+    return all;
+}
+
+TEST(DataElement, EveryKeyIsRead) {
+    const Read whole = read(R"([[data.element]]
+layer = "tracks"
+technique = "tube"
+color = "#102030"
+attribute = "cross_wind"
+palette = "grey"
+classes = 4
+second_attribute = "wind_speed"
+second_palette = "grey"
+second_breaks = [5, 9]
+size_attribute = "fuel"
+size_m = 120
+heights_m = [1000, 2000.5]
+levels = [30]
+opacity = 0.5
+ghost = 0.25
+halo_px = 1.5
+link = true
+detail = 0.75
+[data.element.uncertainty]
+technique = "widening"
+strength = 0.4
+levels = 3
+)");
+    EXPECT_EQ(whole.fault, "");
+    ASSERT_EQ(whole.elements.size(), 1u);
+    const DataElement& element = whole.elements[0];
+    EXPECT_EQ(element.layer.view(), "tracks");
+    EXPECT_EQ(element.technique, DataTechnique::tube);
+    EXPECT_EQ(element.color, (Color{0x10, 0x20, 0x30}));
+    EXPECT_EQ(element.by_color.attribute.view(), "cross_wind");
+    EXPECT_EQ(element.by_color.scale.breaks.size(), 3u);
+    EXPECT_EQ(element.by_second_color.attribute.view(), "wind_speed");
+    ASSERT_EQ(element.by_second_color.scale.breaks.size(), 2u);
+    EXPECT_EQ(element.by_second_color.scale.breaks[1], 9);
+    EXPECT_EQ(element.size_attribute.view(), "fuel");
+    EXPECT_EQ(element.size_m, 120);
+    ASSERT_EQ(element.heights_m.size(), 2u);
+    EXPECT_EQ(element.heights_m[1], 2000.5);
+    ASSERT_EQ(element.levels.size(), 1u);
+    EXPECT_EQ(element.levels[0], 30);
+    EXPECT_EQ(element.opacity, 0.5);
+    EXPECT_EQ(element.ghost, 0.25);
+    EXPECT_EQ(element.halo_px, 1.5);
+    EXPECT_TRUE(element.link);
+    EXPECT_EQ(element.detail, 0.75);
+    EXPECT_EQ(element.uncertainty, ElementUncertainty::widening);
+    EXPECT_EQ(element.uncertainty_strength, 0.4);
+    EXPECT_EQ(element.uncertainty_levels, 3u);
+}
+
+TEST(DataElement, EveryTechniqueHasItsName) {
+    for (std::size_t n = 0; n < kDataTechniques; ++n) {
+        const Read one = read("[[data.element]]\nlayer = \"a\"\ntechnique = \"" + std::string(kDataTechniqueNames[n]) + "\"\n");
+        EXPECT_EQ(one.fault, "");
+        ASSERT_EQ(one.elements.size(), 1u);
+        EXPECT_EQ(one.elements[0].technique, static_cast<DataTechnique>(n));
+    }
+}
+
+TEST(DataElement, LayersAreChosenByNameOrByRole) {
+    const Read by_role = read("[[data.element]]\nrole = \"storm_cell\"\n");
+    EXPECT_EQ(by_role.fault, "");
+    EXPECT_EQ(by_role.elements[0].role, scene::LayerRole::storm_cell);
+    EXPECT_TRUE(by_role.elements[0].layer.view().empty());
+    EXPECT_NE(read("[[data.element]]\nlayer = \"a\"\nrole = \"place\"\n").fault.find("give one"), std::string::npos);
+    EXPECT_NE(read("[[data.element]]\nrole = \"ghost\"\n").fault, "");
+}
+
+TEST(DataElement, OrderIsKept) {
+    const Read two = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nlayer = \"b\"\n");
+    ASSERT_EQ(two.elements.size(), 2u);
+    EXPECT_EQ(two.elements[1].layer.view(), "b");
+}
+
+TEST(DataElement, FaultsNameTheirKeyAndLine) {
+    const std::string one = "[[data.element]]\nlayer = \"a\"\n";
+    EXPECT_NE(read("[[data.element]]\n").fault.find("'layer'"), std::string::npos);
+    EXPECT_NE(read(one + "technique = \"smoke\"\n").fault.find("d.toml:3"), std::string::npos);
+    EXPECT_NE(read(one + "palette = \"grey\"\n").fault.find("name one"), std::string::npos);
+    EXPECT_NE(read(one + "attribute = \"x\"\npalette = \"none\"\n").fault.find("no palette"), std::string::npos);
+    EXPECT_NE(read(one + "levels = [1, 2, 3, 4, 5]\n").fault.find("too many"), std::string::npos);
+    EXPECT_NE(read(one + "[data.element.uncertainty]\nlevels = 1\n").fault.find("2 to 16"), std::string::npos);
+    EXPECT_NE(read(one + "opasity = 1\n").fault.find("opasity"), std::string::npos);
+    EXPECT_NE(read(repeated(one, static_cast<int>(kMaxDataElements) + 1)).fault.find("at most 12"), std::string::npos);
+    EXPECT_EQ(read(repeated(one, static_cast<int>(kMaxDataElements))).fault, "");
+}
+
+}  // namespace
+}  // namespace tedavis::design

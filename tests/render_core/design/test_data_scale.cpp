@@ -1,0 +1,45 @@
+#include "render_core/design/data_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/grey_palettes.hpp"
+
+namespace tedavis::design {
+namespace {
+
+using test_support::grey_palette;
+
+DataScale scale_of(const std::vector<double>& breaks) {
+    DataScale scale;
+    scale.palette = grey_palette();
+    for (const double limit : breaks) EXPECT_TRUE(scale.breaks.try_push_back(limit));
+    return scale;
+}
+
+TEST(DataScale, AValueBelongsToExactlyOneClass) {
+    const DataScale scale = scale_of({10, 20, 40});
+    EXPECT_EQ(class_of(scale, -1e9), 0u);
+    EXPECT_EQ(class_of(scale, std::nextafter(10.0, 0.0)), 0u);
+    EXPECT_EQ(class_of(scale, 10), 1u) << "a limit belongs to the class above it";
+    EXPECT_EQ(class_of(scale, 20), 2u);
+    EXPECT_EQ(class_of(scale, 39.999), 2u);
+    EXPECT_EQ(class_of(scale, 40), 3u);
+    EXPECT_EQ(class_of(scale, std::numeric_limits<double>::infinity()), 3u);
+    EXPECT_EQ(class_of(scale_of({}), 55), 0u);
+}
+
+TEST(DataScale, ClassesHaveTheColoursOfTheirMiddles) {
+    const DataScale scale = scale_of({10, 20, 40});
+    EXPECT_NEAR(scale_color(scale, 3).red, 255 * 0.05, 0.6);
+    EXPECT_NEAR(scale_color(scale, 12).red, 255 * 0.15, 0.6);
+    EXPECT_NEAR(scale_color(scale, 25).red, 255 * 0.3, 0.6);
+    EXPECT_NEAR(scale_color(scale, 99).red, 255 * 0.7, 0.6);
+    EXPECT_NEAR(scale_color(scale_of({}), 25).red, 255 * 0.25, 0.6) << "without classes it is the palette";
+}
+
+}  // namespace
+}  // namespace tedavis::design

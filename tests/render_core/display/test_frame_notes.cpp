@@ -1,0 +1,108 @@
+#include "render_core/display/frame_notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tedavis::display {
+namespace {
+
+bool has_flag(const FrameRecord& record, std::string_view name) {
+    for (const Name& flag : record.flags)
+        if (flag.view() == name) return true;
+    return false;
+}
+
+/// A layer of a role, of which nothing else is asked.
+struct LayerOf {
+    explicit LayerOf(scene::LayerRole role) {
+        entry.role = role;
+        layer.entry = &entry;
+    }
+    [[nodiscard]] ElementReport report(draw::ElementCount count, ElementState state = ElementState::shown) const {
+        return {state, nullptr, &layer, count};
+    }
+
+    scene::LayerEntry entry{};
+    scene::Layer layer;
+};
+
+TEST(FrameNotes, AFlagIsRaisedOnce) {
+    FrameRecord record;
+    flag("a", record);
+    flag("b", record);
+    flag("a", record);
+    EXPECT_EQ(record.flags.size(), 2u);
+}
+
+TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
+    FrameRecord record;
+    record.terrain.tau_px = 1;
+    TerrainPlan plan;
+    plan.lod.tau_reached_px = 1;
+    plan.lod.worst_chunk = {2, 30, 4};
+    plan.has_void = true;
+    note_terrain(plan, record);
+    EXPECT_EQ(record.terrain.worst_chunk.view(), "2/30/4");
+    EXPECT_TRUE(has_flag(record, "terrain.void"));
+    EXPECT_FALSE(has_flag(record, "terrain.tau_raised"));
+    plan.lod.tau_reached_px = 1.5;
+    plan.is_late = plan.is_failing = true;
+    FrameRecord other;
+    other.terrain.tau_px = 1;
+    note_terrain(plan, other);
+    for (const char* name : {"terrain.tau_raised", "terrain.late", "terrain.failing"}) EXPECT_TRUE(has_flag(other, name)) << name;
+}
+
+TEST(FrameNotes, FeaturesAreCountedByTheirType) {
+    const LayerOf obstacles(scene::LayerRole::obstacle), storm(scene::LayerRole::storm_cell);
+    ElementReports reports;
+    ASSERT_TRUE(reports.try_push_back(obstacles.report({5, 2, 1})));
+    ASSERT_TRUE(reports.try_push_back(storm.report({1, 0, 0})));
+    ASSERT_TRUE(reports.try_push_back(obstacles.report({10, 0, 0})));
+    FrameRecord record;
+    note_elements(reports, record);
+    ASSERT_EQ(record.data.size(), 2u);
+    EXPECT_EQ(record.data[0].type.view(), "obstacle");
+    EXPECT_EQ(record.data[0].drawn, 15u);
+    EXPECT_EQ(record.data[0].aggregated, 2u);
+    EXPECT_EQ(record.data[0].hidden, 1u);
+    EXPECT_FALSE(has_flag(record, "data.missing"));
+}
+
+TEST(FrameNotes, WhatIsNotShownIsHiddenAndFlagged) {
+    const LayerOf areas(scene::LayerRole::no_go);
+    ElementReports reports;
+    ASSERT_TRUE(reports.try_push_back(areas.report({4, 3, 2}, ElementState::out_of_date)));
+    ASSERT_TRUE(reports.try_push_back({}));
+    FrameRecord record;
+    note_elements(reports, record);
+    ASSERT_EQ(record.data.size(), 1u);
+    EXPECT_EQ(record.data[0].drawn + record.data[0].aggregated, 0u);
+    EXPECT_EQ(record.data[0].hidden, 9u);
+    EXPECT_TRUE(has_flag(record, "data.missing"));
+}
+
+TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {
+    FrameRecord record;
+    EffectRecord terrain;
+    terrain.name = Name("terrain");
+    ASSERT_TRUE(record.effects.try_push_back(terrain));
+    draw::TerrainDrawResult drawn;
+    drawn.triangles = 900;
+    drawn.draws = 7;
+    base::BudgetTable budget;
+    base::BudgetLine line;
+    line.name = "a";
+    line.bytes = 100;
+    line.use.take(40);
+    ASSERT_TRUE(budget.try_add(line));
+    note_drawn(drawn, budget, record);
+    EXPECT_EQ(record.terrain.triangles, 900u);
+    EXPECT_EQ(record.effects[0].draws, 7u);
+    EXPECT_EQ(record.bytes.cpu, 40u);
+    EXPECT_EQ(record.bytes.cpu_budget, 100u);
+}
+
+}  // namespace
+}  // namespace tedavis::display

@@ -1,0 +1,92 @@
+#include "render_core/draw/data/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "render_core/earth/wgs84.hpp"
+#include "tests/support/built_element.hpp"
+#include "tests/support/grey_palettes.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::ElementOfTest;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double height_of(ElementOfTest& test, double height_m) { return placed(test.input(), 0.8, 0.2, height_m).height_m; }
+
+TEST(Placement, HeightsAreOverWhatTheLayerSays) {
+    host_sim::LayerDraft layer = test_support::small_points();
+    const auto with = [&](scene::HeightDatum datum) {
+        layer.height_datum = datum;
+        return ElementOfTest(layer);
+    };
+    ElementOfTest ground = with(scene::HeightDatum::ground), msl = with(scene::HeightDatum::msl);
+    ElementOfTest ellipsoid = with(scene::HeightDatum::ellipsoid);
+    EXPECT_EQ(height_of(ground, 40), 640);
+    EXPECT_EQ(height_of(msl, 40), 90);
+    EXPECT_EQ(height_of(ellipsoid, 40), 40);
+    for (ElementOfTest* test : {&ground, &msl, &ellipsoid}) EXPECT_EQ(height_of(*test, kNone), 600) << "on the ground";
+}
+
+TEST(Placement, WithoutGroundNothingStandsOnIt) {
+    ElementOfTest test(test_support::small_points());
+    test.ground.is_known = false;
+    EXPECT_FALSE(placed(test.input(), 0.8, 0.2, 40).is_known);
+    host_sim::LayerDraft high = test_support::small_points();
+    high.height_datum = scene::HeightDatum::msl;
+    ElementOfTest other(high);
+    other.ground.is_known = false;
+    const Placed at = placed(other.input(), 0.8, 0.2, 40);
+    EXPECT_TRUE(at.is_known);
+    EXPECT_LT(glm::distance(at.place, earth::to_ecef({0.8, 0.2, {90}})), 1e-6);
+}
+
+TEST(Placement, AxesAreEastNorthAndUp) {
+    const LocalAxes axes = local_axes(0.8, 0.2);
+    EXPECT_LT(glm::distance(glm::cross(axes.east, axes.north), axes.up), 1e-12);
+    const glm::dvec3 step = earth::to_ecef({0.8, 0.2 + 1e-6, {0}}) - earth::to_ecef({0.8, 0.2, {0}});
+    EXPECT_GT(glm::dot(glm::normalize(step), axes.east), 0.999999);
+}
+
+TEST(Placement, ColoursComeFromTheValueOrSayThatThereIsNone) {
+    ElementOfTest test(test_support::small_grid());
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), test.element.color) << "no encoding";
+    test.element.by_color.attribute = "temperature";
+    test.element.by_color.scale.palette = test_support::grey_palette();
+    const design::Color missing{255, 0, 255, 255};
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), (design::Color{255, 255, 255}));
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 5), missing) << "NaN";
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 4711), missing) << "beyond the values";
+    test.element.by_color.attribute = "smoke";
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), missing) << "no such attribute";
+}
+
+TEST(Placement, WhatNobodyStatesIsNeverCertain) {
+    ElementOfTest test(test_support::small_grid());
+    test.element.by_color.attribute = "temperature";
+    EXPECT_EQ(encoded_uncertainty(test.input(), 3), scene::Uncertainty::from_level(3 / 60.0));
+    EXPECT_FALSE(encoded_uncertainty(test.input(), 5).is_known()) << "missing";
+    EXPECT_FALSE(encoded_uncertainty(test.input(), 4711).is_known());
+    test.element.by_color.attribute = "smoke";
+    EXPECT_FALSE(encoded_uncertainty(test.input(), 0).is_known());
+    test.element.by_color.attribute = "";
+    EXPECT_EQ(encoded_uncertainty(test.input(), 3), scene::Uncertainty::from_level(3 / 60.0)) << "the first that is stated";
+    ElementOfTest plain(test_support::small_areas());
+    EXPECT_EQ(encoded_uncertainty(plain.input(), 0), scene::Uncertainty::from_code(0)) << "no value is shown, none is unsure";
+}
+
+TEST(Placement, ValuesThatAreNotThereAreNaN) {
+    ElementOfTest test(test_support::small_points());
+    const scene::Layer& layer = test.input().layer;
+    EXPECT_EQ(value_or_nan(layer, "kind", 1), 1);
+    EXPECT_TRUE(std::isnan(value_or_nan(layer, "kind", 3)));
+    EXPECT_TRUE(std::isnan(value_or_nan(layer, "colour", 0)));
+}
+
+}  // namespace
+}  // namespace tedavis::draw
