@@ -16,6 +16,7 @@
 #include "host_sim/commands/check.hpp"
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
+#include "host_sim/commands/option_texts.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/scenario.hpp"
@@ -24,11 +25,9 @@
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/console.hpp"
-#include "host_sim/number_list.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/version.hpp"
 #include "host_sim/window/window_keys.hpp"
-#include "render_core/flight/flight_phase.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -94,32 +93,6 @@ Choice choice_from(const std::string& option, const std::string& word, const std
     std::string names;
     for (const auto& [name, choice] : choices) names += (names.empty() ? "" : ", ") + name;
     throw UserError(option + " " + word + ": unknown; choose one of " + names);
-}
-
-PictureSize size_from(const std::string& text) {
-    const std::vector<double> n = parse_number_list(text, 'x');
-    const auto is_edge = [](double pixels) { return pixels >= 16 && pixels <= 16384 && pixels == std::floor(pixels); };
-    if (n.size() != 2 || !is_edge(n[0]) || !is_edge(n[1]))
-        throw UserError("--size " + text + ": not WIDTHxHEIGHT of 16..16384 pixels, such as 1024x768");
-    return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
-}
-
-AircraftPose pose_from(const std::string& text) {
-    constexpr double kLimits[] = {90, 360, 100'000, 360, 90, 180};
-    const std::vector<double> n = parse_number_list(text, ',');
-    bool sane = n.size() == std::size(kLimits);
-    for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
-    if (!sane)
-        throw UserError("--pose " + text +
-                        ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level; write for "
-                        "instance 46.98,10.02,3500,90,0,0");
-    return {n[0], n[1], n[2], n[3], n[4], n[5]};
-}
-
-std::string phase_from(const std::string& name) {
-    if (!flight::phase_from_name(name).ok)
-        throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
-    return name;
 }
 
 /// What every command that draws has.
@@ -238,6 +211,12 @@ void add_terrain(CLI::App& app, CommandLine& line) {
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
 }
 
+void add_time(CLI::App* command, std::optional<base::Time>& time) {
+    command->add_option_function<std::string>(
+        "--time", [&time](const std::string& text) { time = time_from(text); },
+        "UTC such as 2026-06-01T14:00:00Z, by which data are valid and have an age; default: data at their own first time");
+}
+
 void add_shot(CLI::App& app, CommandLine& line) {
     ShotOptions& o = line.shot;
     CLI::App* command =
@@ -246,6 +225,7 @@ void add_shot(CLI::App& app, CommandLine& line) {
         ->add_option_function<std::string>(
             "--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")
         ->required();
+    add_time(command, o.time);
     command->add_option_function<std::string>(
         "--phase", [&o](const std::string& text) { o.phase = phase_from(text); },
         "flight phase, as if a switch stated it; default: none is stated");
@@ -262,8 +242,10 @@ void add_sheet(CLI::App& app, CommandLine& line) {
     command->add_option_function<std::string>(
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; default: the sheet's");
+    add_time(command, o.time);
     add_surface_options(command, o.picture);
     command->get_option("--terrain")->description("terrain database (.tdb); default: built from the sheet's raster");
+    command->get_option("--scene")->description("scene database (.sdb); default: built from the sheet's scene");
     command->get_option("--size")->description("WIDTHxHEIGHT of a picture; default: the sheet's");
 }
 

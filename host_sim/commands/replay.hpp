@@ -26,6 +26,7 @@ struct PictureOptions {
     std::optional<PictureSize> size;  ///< nothing: the device's
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's
+    std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
     bool symbology = true;            ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 

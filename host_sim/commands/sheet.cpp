@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
@@ -25,6 +26,7 @@ struct SheetJob {
     SheetPlan plan;
     PictureOptions picture;
     AircraftPose pose;
+    base::Time time;
     bool has_generated_image = false;
 };
 
@@ -51,6 +53,7 @@ void require_view_within(const SheetJob& job, const FrameResult& result) {
 PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture) {
     PictureOptions options = job.picture;
     options.design = picture.design;
+    options.detail = picture.detail;
     return options;
 }
 
@@ -63,6 +66,7 @@ SheetJob read_job(const SheetOptions& options) {
     if (!job.picture.size) job.picture.size = job.plan.size;
     job.picture.symbology = job.plan.symbology;
     job.pose = options.pose.value_or(job.plan.pose);
+    job.time = options.time.value_or(job.plan.time.value_or(kPosedTime));
     require_designs(job.plan, job.path);
     return job;
 }
@@ -82,13 +86,31 @@ void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
     job.has_generated_image = job.plan.generated_image;
 }
 
+/// The sheet's own scene, built as `scene build` does.
+void build_scene(SheetJob& job, const std::string& folder, Console& console) {
+    SceneBuildOptions build;
+    build.scene = job.plan.scene;
+    build.output = folder + "/scene.sdb";
+    Console only_notes = console.without_result();
+    (void)run_scene_build(build, only_notes);
+    job.picture.scene = build.output;
+}
+
+/// A view of its own is of the sheet's own terrain.
+AircraftPose pose_of(const SheetJob& job, const SheetOptions& options, const SheetPlan::Picture& planned) {
+    AircraftPose pose = options.pose ? job.pose : planned.pose.value_or(job.pose);
+    pose.time = job.time;
+    return pose;
+}
+
 /// Draws one picture into `drawn`; a sentence where a part of the terrain failed.
-std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned, DrawnSheet::Picture& drawn, std::string& gl) {
+std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const SheetPlan::Picture& planned,
+                         DrawnSheet::Picture& drawn, std::string& gl) {
     DisplaySession session(options_of(job, planned), false);
     drawn.title = planned.title;
     drawn.design = planned.design;
     drawn.file = planned.file;
-    drawn.result = posed_frame(session, job.pose, {});
+    drawn.result = posed_frame(session, pose, {});
     require_view_within(job, drawn.result);
     drawn.pixels = upright(session.pixels());
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
@@ -97,7 +119,7 @@ std::string draw_picture(const SheetJob& job, const SheetPlan::Picture& planned,
 }
 
 /// `fault`: the first sentence about failed terrain.
-DrawnSheet draw_sheet(const SheetJob& job, Console& console, std::string& fault) {
+DrawnSheet draw_sheet(const SheetJob& job, const SheetOptions& options, Console& console, std::string& fault) {
     const InterruptGuard interrupt;
     DrawnSheet sheet;
     sheet.title = job.plan.title;
@@ -108,7 +130,8 @@ DrawnSheet draw_sheet(const SheetJob& job, Console& console, std::string& fault)
     for (const SheetPlan::Group& group : job.plan.groups) {
         sheet.groups.push_back({group.title, {}});
         for (const SheetPlan::Picture& picture : group.pictures) {
-            const std::string failed = draw_picture(job, picture, sheet.groups.back().pictures.emplace_back(), sheet.gl);
+            const std::string failed =
+                draw_picture(job, pose_of(job, options, picture), picture, sheet.groups.back().pictures.emplace_back(), sheet.gl);
             if (fault.empty()) fault = failed;
             console.progress("pictures", ++done, job.plan.picture_count());
             if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
@@ -135,8 +158,10 @@ int run_sheet(const SheetOptions& options, Console& console) {
     const std::string terrain = options.picture.terrain.empty() ? job.plan.terrain : options.picture.terrain;
     const TemporaryFolder temporary;
     if (options.picture.terrain.empty()) build_terrain(job, temporary.path(), console);
+    const bool is_own_ground = options.picture.terrain.empty() && options.picture.scene.empty();
+    if (is_own_ground && !job.plan.scene.empty()) build_scene(job, temporary.path(), console);
     std::string fault;
-    DrawnSheet sheet = draw_sheet(job, console, fault);
+    DrawnSheet sheet = draw_sheet(job, options, console, fault);
     sheet.name = options.sheet;
     sheet.terrain = terrain;
     write_sheet(sheet, options.output);

@@ -13,9 +13,11 @@ namespace tedavis::host_sim {
 struct SheetOptions {
     std::string sheet;   ///< shipped name of configs/sheets, or a path
     std::string output;  ///< folder
-    /// Its design is each picture's own. Without terrain, the sheet's raster is built into a database of its own first.
+    /// Its design is each picture's own. Without terrain, the sheet's raster is built into a database of its own first; so is
+    /// the sheet's scene, unless terrain or scene are given.
     PictureOptions picture;
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's
+    std::optional<base::Time> time;    ///< nothing: the sheet's
 };
 
 /// Leaves each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them fails. Returns the

@@ -1,11 +1,13 @@
 #include "host_sim/commands/sheet_plan.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
+#include "render_core/base/utc_time.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -26,6 +28,12 @@ AircraftPose read_pose(ConfigSection section) {
     return pose;
 }
 
+base::Time read_time(ConfigSection& section) {
+    base::Time time;
+    if (!base::parse_utc(section.text("time"), time)) section.fault("time", "must be UTC such as 2026-06-01T14:00:00Z");
+    return time;
+}
+
 std::string read_title(ConfigSection& section) {
     const std::string_view title = section.text("title");
     if (title.empty() || title.size() > kLongestTitle) section.fault("title", "must be 1 to 60 characters long");
@@ -36,7 +44,13 @@ SheetPlan::Picture read_picture(ConfigSection section, std::set<std::string>& fi
     SheetPlan::Picture picture;
     picture.title = read_title(section);
     picture.design = std::string(section.text("design"));
-    picture.file = std::filesystem::path(picture.design).stem().string() + ".png";
+    picture.file = std::filesystem::path(picture.design).stem().string();
+    if (section.has("detail")) {
+        picture.detail = section.number("detail", 0, 1);
+        picture.file += "_" + std::to_string(std::lround(100 * *picture.detail));
+    }
+    picture.file += ".png";
+    if (ConfigSection pose = section.section("pose"); pose.present()) picture.pose = read_pose(pose);
     if (!files.insert(picture.file).second || picture.file == "sheet.png")
         section.fault("design",
                       "gives a picture '" + picture.file + "', whose name is taken; name the design's file differently");
@@ -62,6 +76,8 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     plan.title = read_title(root);
     plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
     plan.terrain = std::string(root.text("terrain"));
+    plan.scene = std::string(root.text("scene", ""));
+    if (root.has("time")) plan.time = read_time(root);
     plan.generated_image = root.boolean("generated_image", false);
     plan.size.width = static_cast<std::uint32_t>(root.integer("width_px", 64, 4096));
     plan.size.height = static_cast<std::uint32_t>(root.integer("height_px", 48, 4096));

@@ -1,6 +1,7 @@
 /// What is on a contact sheet (`configs/sheets/*.toml`): one view, and the pictures of it in groups.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,10 @@ namespace tedavis::host_sim {
 struct SheetPlan {
     struct Picture {
         std::string title;
-        std::string design;  ///< shipped name or path
-        std::string file;    ///< "lambert.png", from the last part of the design's name
+        std::string design;                ///< shipped name or path
+        std::optional<double> detail;      ///< of all its data, instead of the design's
+        std::optional<AircraftPose> pose;  ///< instead of the sheet's
+        std::string file;  ///< "lambert.png", from the last part of the design's name; with a detail "barbs_30.png"
     };
     struct Group {
         std::string title;
@@ -22,10 +25,12 @@ struct SheetPlan {
     };
     std::string title;
     std::uint32_t columns = 0;
-    std::string terrain;           ///< raster in configs/data that the sheet shows unless a database is given
-    bool generated_image = false;  ///< an invented image is draped over that terrain
-    PictureSize size;              ///< of each picture, unless --size says another
-    bool symbology = false;        ///< PictureOptions::symbology
+    std::string terrain;             ///< raster in configs/data that the sheet shows unless a database is given
+    std::string scene;               ///< recipe in configs/scenes that is shown over that terrain; empty: none
+    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
+    bool generated_image = false;    ///< an invented image is draped over that terrain
+    PictureSize size;                ///< of each picture, unless --size says another
+    bool symbology = false;          ///< PictureOptions::symbology
     AircraftPose pose;
     std::vector<Group> groups;
 

@@ -32,8 +32,10 @@ int run_shot(const ShotOptions& options, Console& console) {
     require_png_name(options.output);
     const flight::PhaseStatus phase = stated_phase(options.phase);
     DisplaySession session(options.picture, false);
-    const FrameResult result = posed_frame(session, options.pose, phase);
-    const std::string json = frame_record_json(result, kPosedTime);
+    AircraftPose pose = options.pose;
+    pose.time = options.time.value_or(kPosedTime);
+    const FrameResult result = posed_frame(session, pose, phase);
+    const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
     write_file_atomically(record_path(options.output), json + "\n");
     console.result(options.output + ": " + std::to_string(session.width()) + " x " + std::to_string(session.height()) +

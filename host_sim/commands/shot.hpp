@@ -1,6 +1,7 @@
 /// `tedavis shot`: one picture from a given pose, and its FrameRecord.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host_sim/commands/replay.hpp"
@@ -11,7 +12,8 @@ namespace tedavis::host_sim {
 
 struct ShotOptions {
     AircraftPose pose;
-    std::string phase;  ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
+    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
+    std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
     std::string output;  ///< X.png; the record goes beside it as X.json; without an extension the same
 };

@@ -33,6 +33,8 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
+    if (options.detail)
+        for (design::DataElement& element : design.value().data.elements) element.detail = *options.detail;
     if (!options.symbology) design.value().symbology = without_instruments(design.value().symbology);
     return design.value();
 }

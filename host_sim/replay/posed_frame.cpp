@@ -13,8 +13,8 @@ FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const
     FrameResult result;
     const base::Time start = platform::monotonic_now();
     const flight::AircraftState state = posed_aircraft(pose, session.display());
-    session.display().settle(state, phase, kPosedTime);
-    session.display().update(state, phase, kPosedTime);
+    session.display().settle(state, phase, pose.time);
+    session.display().update(state, phase, pose.time);
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();
     result.timing.total_ms = milliseconds_since(start);

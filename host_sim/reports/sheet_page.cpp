@@ -64,7 +64,7 @@ std::string view_in_words(const DrawnSheet& sheet) {
 }
 
 Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) {
-    const Json record = Json::parse(frame_record_json(picture.result, kPosedTime));
+    const Json record = Json::parse(frame_record_json(picture.result, picture.result.record.time));
     return {{"group", group},
             {"title", picture.title},
             {"design", picture.design},

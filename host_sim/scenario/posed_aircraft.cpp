@@ -16,10 +16,10 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
     GeoidBelow geoid(display.terrain_database());
     own.position.height =
         earth::to_ellipsoid({pose.altitude_msl_m}, geoid.at(own.position.latitude_rad, own.position.longitude_rad));
-    own.at = kPosedTime;
+    own.at = pose.time;
     own.state = base::SignalState::valid;
     own.height_is_geometric = true;
-    const auto set = [&state](Signal signal, double value) { state[signal] = {value, kPosedTime}; };
+    const auto set = [&](Signal signal, double value) { state[signal] = {value, pose.time}; };
     set(Signal::latitude, own.position.latitude_rad);
     set(Signal::longitude, own.position.longitude_rad);
     set(Signal::ellipsoid_height, own.position.height.m);
@@ -27,7 +27,7 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
     set(Signal::true_heading, earth::wrap_heading(radians(pose.heading_deg)));
     set(Signal::pitch, radians(pose.pitch_deg));
     set(Signal::roll, radians(pose.roll_deg));
-    state[Signal::height_above_terrain] = display.height_above_terrain(own, kPosedTime);
+    state[Signal::height_above_terrain] = display.height_above_terrain(own, pose.time);
     return state;
 }
 

@@ -5,16 +5,17 @@
 
 namespace tedavis::host_sim {
 
+/// Of single pictures for which nobody names a time: no date, so that data stand at their own first time.
+inline constexpr base::Time kPosedTime{0};
+
 /// As the user writes it: degrees, metres above mean sea level.
 struct AircraftPose {
     double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
+    base::Time time = kPosedTime;
 };
 
-/// Of every single picture.
-inline constexpr base::Time kPosedTime{0};
-
-/// Everything about it is known and fresh at kPosedTime. The geoid and the height above the ground come from the display's
+/// Everything about it is known and fresh at the pose's time. The geoid and the height above the ground come from the display's
 /// terrain; throws UserError where it has none and the EGM96 grid is not installed.
 [[nodiscard]] flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display);
 

@@ -11,6 +11,32 @@ DataRecord* record_of(std::string_view type, FrameRecord& record) {
     return record.data.try_push_back(begun) ? &record.data.back() : nullptr;
 }
 
+Name effect_name(const ElementReport& report) {
+    Name name("data.");
+    name.append(design::kDataTechniqueNames[static_cast<std::size_t>(report.element->technique)]);
+    return name;
+}
+
+void note_effect(const ElementReport& report, FrameRecord& record) {
+    EffectRecord effect;
+    effect.name = effect_name(report);
+    effect.state = report.state == ElementState::shown ? EffectState::run : EffectState::skipped;
+    effect.reason.append(report.element->layer.view().empty() ? scene::name_of(report.element->role)
+                                                              : report.element->layer.view());
+    effect.reason.append(": ");
+    effect.reason.append(reason_of(report.state));
+    static_cast<void>(record.effects.try_push_back(effect));
+}
+
+void note_aspects(const ElementReport& report, FrameRecord& record) {
+    const design::DataElement& element = *report.element;
+    if (report.state != ElementState::shown || element.detail <= record.data_aspect.detail) return;
+    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), element.detail, 1};
+    if (element.uncertainty == design::ElementUncertainty::none) return;
+    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]),
+                                 element.detail, 1};
+}
+
 }  // namespace
 
 void flag(std::string_view name, FrameRecord& record) {
@@ -42,6 +68,8 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
 void note_elements(const ElementReports& reports, FrameRecord& record) {
     for (const ElementReport& report : reports) {
         if (report.state != ElementState::shown) flag("data.missing", record);
+        note_effect(report, record);
+        note_aspects(report, record);
         if (report.layer == nullptr) continue;
         DataRecord* const type = record_of(scene::name_of(report.layer->entry->role), record);
         if (type == nullptr) continue;

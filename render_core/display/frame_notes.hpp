@@ -14,7 +14,7 @@ void flag(std::string_view name, FrameRecord& record);
 
 /// Asks for record.terrain.tau_px.
 void note_terrain(const TerrainPlan& plan, FrameRecord& record);
-/// Counts by type, and the aspect that the first shown element speaks for.
+/// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// After the terrain is noted among the effects.
 void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);

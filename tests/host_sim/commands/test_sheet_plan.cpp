@@ -43,6 +43,27 @@ TEST(SheetPlan, ReadsWhatTheFileSays) {
     EXPECT_EQ(plan.picture_count(), 3u);
 }
 
+TEST(SheetPlan, DataHaveASceneATimeDetailsAndViewsOfTheirOwn) {
+    const SheetPlan plan = parse_sheet_plan("scene = 'jacksboro'\ntime = '1970-01-01T00:01:00Z'\n" + kHead + kGroup +
+                                                picture("Low", "barbs") + "detail = 0.3\n" + picture("High", "barbs") +
+                                                "detail = 1\n[group.picture.pose]\nlatitude_deg = 1\nlongitude_deg = 2\n" +
+                                                "altitude_msl_m = 3\nheading_deg = 4\n",
+                                            "d.toml");
+    EXPECT_EQ(plan.scene, "jacksboro");
+    ASSERT_TRUE(plan.time);
+    EXPECT_EQ(plan.time->ns, 60'000'000'000);
+    const auto& pictures = plan.groups[0].pictures;
+    ASSERT_EQ(pictures.size(), 2u);
+    EXPECT_EQ(pictures[0].file, "barbs_30.png");
+    EXPECT_EQ(pictures[1].file, "barbs_100.png") << "one design twice";
+    EXPECT_EQ(pictures[0].detail, 0.3);
+    EXPECT_FALSE(pictures[0].pose);
+    ASSERT_TRUE(pictures[1].pose);
+    EXPECT_EQ(pictures[1].pose->heading_deg, 4);
+    test_support::expect_user_error(
+        [] { (void)parse_sheet_plan("time = 'noon'\n" + kHead + kGroup + picture("A", "a"), "d.toml"); }, "d.toml:1");
+}
+
 TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {
     const auto refused = [](const std::string& text, const std::string& words) {
         test_support::expect_user_error([&] { (void)parse_sheet_plan(text, "s.toml"); }, words);

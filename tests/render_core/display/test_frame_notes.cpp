@@ -20,9 +20,10 @@ struct LayerOf {
         layer.entry = &entry;
     }
     [[nodiscard]] ElementReport report(draw::ElementCount count, ElementState state = ElementState::shown) const {
-        return {state, nullptr, &layer, count};
+        return {state, &element, &layer, count};
     }
 
+    design::DataElement element;
     scene::LayerEntry entry{};
     scene::Layer layer;
 };
@@ -74,13 +75,37 @@ TEST(FrameNotes, WhatIsNotShownIsHiddenAndFlagged) {
     const LayerOf areas(scene::LayerRole::no_go);
     ElementReports reports;
     ASSERT_TRUE(reports.try_push_back(areas.report({4, 3, 2}, ElementState::out_of_date)));
-    ASSERT_TRUE(reports.try_push_back({}));
     FrameRecord record;
     note_elements(reports, record);
     ASSERT_EQ(record.data.size(), 1u);
     EXPECT_EQ(record.data[0].drawn + record.data[0].aggregated, 0u);
     EXPECT_EQ(record.data[0].hidden, 9u);
     EXPECT_TRUE(has_flag(record, "data.missing"));
+}
+
+TEST(FrameNotes, EveryElementIsAnEffectWithItsReason) {
+    LayerOf storm(scene::LayerRole::storm_cell), tracks(scene::LayerRole::trajectory);
+    storm.element.technique = design::DataTechnique::prism;
+    storm.element.role = scene::LayerRole::storm_cell;
+    storm.element.detail = 0.5;
+    tracks.element.technique = design::DataTechnique::tube;
+    tracks.element.layer = "tracks";
+    tracks.element.detail = 0.25;
+    tracks.element.uncertainty = design::ElementUncertainty::widening;
+    ElementReports reports;
+    ASSERT_TRUE(reports.try_push_back(storm.report({1, 0, 0})));
+    ASSERT_TRUE(reports.try_push_back(tracks.report({1, 0, 0}, ElementState::wrong_layer)));
+    FrameRecord record;
+    note_elements(reports, record);
+    ASSERT_EQ(record.effects.size(), 2u);
+    EXPECT_EQ(record.effects[0].name.view(), "data.prism");
+    EXPECT_EQ(record.effects[0].state, EffectState::run);
+    EXPECT_EQ(record.effects[0].reason.view(), "storm_cell: asked for by the design");
+    EXPECT_EQ(record.effects[1].state, EffectState::skipped);
+    EXPECT_EQ(record.effects[1].reason.view(), "tracks: the technique does not show layers of this kind");
+    EXPECT_EQ(record.data_aspect.technique.view(), "prism");
+    EXPECT_EQ(record.data_aspect.detail, 0.5);
+    EXPECT_TRUE(record.uncertainty_aspect.technique.empty()) << "what is not shown says nothing";
 }
 
 TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {

@@ -1,0 +1,47 @@
+#include "host_sim/commands/option_texts.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "host_sim/number_list.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/utc_time.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::host_sim {
+
+PictureSize size_from(const std::string& text) {
+    const std::vector<double> n = parse_number_list(text, 'x');
+    const auto is_edge = [](double pixels) { return pixels >= 16 && pixels <= 16384 && pixels == std::floor(pixels); };
+    if (n.size() != 2 || !is_edge(n[0]) || !is_edge(n[1]))
+        throw UserError("--size " + text + ": not WIDTHxHEIGHT of 16..16384 pixels, such as 1024x768");
+    return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
+}
+
+AircraftPose pose_from(const std::string& text) {
+    constexpr double kLimits[] = {90, 360, 100'000, 360, 90, 180};
+    const std::vector<double> n = parse_number_list(text, ',');
+    bool sane = n.size() == std::size(kLimits);
+    for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
+    if (!sane)
+        throw UserError("--pose " + text +
+                        ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level; write for "
+                        "instance 46.98,10.02,3500,90,0,0");
+    return {n[0], n[1], n[2], n[3], n[4], n[5]};
+}
+
+std::string phase_from(const std::string& name) {
+    if (!flight::phase_from_name(name).ok)
+        throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
+    return name;
+}
+
+base::Time time_from(const std::string& text) {
+    base::Time time;
+    if (!base::parse_utc(text, time))
+        throw UserError("--time " + text + ": not an instant of UTC; write for instance 2026-06-01T14:00:00Z");
+    return time;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,20 @@
+/// What options say in one text. Each throws UserError with the option, the text and how to write it.
+#pragma once
+
+#include <string>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
+
+namespace tedavis::host_sim {
+
+/// "1024x768"
+[[nodiscard]] PictureSize size_from(const std::string& text);
+/// "lat,lon,alt_m,heading,pitch,roll" in degrees and metres above mean sea level.
+[[nodiscard]] AircraftPose pose_from(const std::string& text);
+/// The name of a phase, as it is.
+[[nodiscard]] std::string phase_from(const std::string& name);
+/// "2026-06-01T14:00:00Z"
+[[nodiscard]] base::Time time_from(const std::string& text);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,44 @@
+#include "host_sim/commands/option_texts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using test_support::expect_user_error;
+
+TEST(OptionTexts, SizesAreTwoEdges) {
+    const PictureSize size = size_from("1024x768");
+    EXPECT_EQ(size.width, 1024u);
+    EXPECT_EQ(size.height, 768u);
+    for (const char* text : {"1024", "15x100", "100x16385", "10.5x100", "axb", "", "1x2x3"})
+        expect_user_error([&] { static_cast<void>(size_from(text)); }, "WIDTHxHEIGHT");
+}
+
+TEST(OptionTexts, PosesAreSixNumbers) {
+    const AircraftPose pose = pose_from("46.98,-10.02,3500,90,-5,0.5");
+    EXPECT_EQ(pose.latitude_deg, 46.98);
+    EXPECT_EQ(pose.longitude_deg, -10.02);
+    EXPECT_EQ(pose.altitude_msl_m, 3500);
+    EXPECT_EQ(pose.heading_deg, 90);
+    EXPECT_EQ(pose.pitch_deg, -5);
+    EXPECT_EQ(pose.roll_deg, 0.5);
+    for (const char* text : {"46,10,3500,90,0", "91,0,0,0,0,0", "0,0,0,0,0,nan", "north"})
+        expect_user_error([&] { static_cast<void>(pose_from(text)); }, "degrees");
+}
+
+TEST(OptionTexts, PhasesHaveNames) {
+    EXPECT_EQ(phase_from("takeoff.first_climb"), "takeoff.first_climb");
+    expect_user_error([] { static_cast<void>(phase_from("lunch")); }, "lunch");
+}
+
+TEST(OptionTexts, InstantsAreUtc) {
+    EXPECT_EQ(time_from("1970-01-01T00:01:00Z").ns, 60'000'000'000);
+    for (const char* text : {"2026-06-01", "2026-06-01T14:00:00", "noon"})
+        expect_user_error([&] { static_cast<void>(time_from(text)); }, text);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim
