@@ -37,6 +37,7 @@ const std::array<std::string_view, kIntrinsicUncertainties> kIntrinsicUncertaint
 
 void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& style) {
     if (!data.present()) return;
+    style.stale_after_s = 60 * data.number("stale_after_min", 1, 100'000, style.stale_after_s / 60);
     read_ground(data.section("ground"), palettes, style.ground);
     read_data_elements(data, palettes, style.elements);
 }

@@ -44,6 +44,7 @@ struct GroundData {
 };
 
 struct DataStyle {
+    double stale_after_s = 1800;  ///< data older than this are said to be stale
     GroundData ground;
     DataElementList elements;
 };

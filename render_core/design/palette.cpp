@@ -9,14 +9,16 @@ namespace {
 using base::ConfigSection;
 
 constexpr std::string_view kKinds[] = {"hypsometric", "sequential", "diverging"};
-constexpr std::string_view kUnits[] = {"m", "deg", "1"};
+constexpr std::string_view kUnits[] = {"m", "deg", "1", "m/s", "dBZ", "K"};
+constexpr std::string_view kPurposes[] = {"terrain", "data", "objects"};
 constexpr std::string_view kOrders[] = {"lightness", "hue"};
 
 /// What a value in the file may be, and one of its units in ours.
 struct UnitRange {
     double low, high, scale;
 };
-constexpr UnitRange kRanges[] = {{-12'000, 9000, 1}, {-180, 180, base::radians(1)}, {-1e6, 1e6, 1}};
+constexpr UnitRange kRanges[] = {
+    {-12'000, 9000, 1}, {-180, 180, base::radians(1)}, {-1e6, 1e6, 1}, {-500, 500, 1}, {-100, 100, 1}, {0, 1000, 1}};
 
 /// Index of the choice; absence is a fault.
 std::size_t required_choice(ConfigSection& section, std::string_view key, base::Span<const std::string_view> choices) {
@@ -49,6 +51,8 @@ void read_stop(ConfigSection stop, const UnitRange& range, Palette& palette) {
 }
 
 }  // namespace
+
+std::string_view unit_name(PaletteUnit unit) noexcept { return kUnits[static_cast<std::size_t>(unit)]; }
 
 Color color_of_value(const Palette& palette, double value) noexcept {
     const auto& stops = palette.stops;
@@ -85,6 +89,7 @@ base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std
     palette.kind = static_cast<PaletteKind>(required_choice(root, "kind", kKinds));
     palette.unit = static_cast<PaletteUnit>(required_choice(root, "unit", kUnits));
     palette.order = static_cast<PaletteOrder>(required_choice(root, "order", kOrders));
+    palette.purpose = static_cast<PalettePurpose>(root.choice("purpose", kPurposes, 0));
     if (palette.kind == PaletteKind::hypsometric && palette.unit != PaletteUnit::metres)
         fault_of(root, "unit", "of a hypsometric palette must be \"m\"");
     const std::size_t count = root.table_count("stop");

@@ -1,10 +1,11 @@
-/// Named colours for values of the terrain: one file of configs/palettes/ each.
+/// Named colours for values of the terrain and of spatial data: one file of configs/palettes/ each.
 ///
 ///     name = "alpine"
 ///     title = "ELEVATION"          over the legend, upper case, at most 11 characters
 ///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle
-///     unit = "m"                 of the values: "m", "deg" or "1"
-///     order = "lightness"        what tells more from less: "lightness" or "hue"
+///     unit = "m"                 of the values: "m", "deg", "m/s", "dBZ", "K" or "1"
+///     purpose = "terrain"        what it colours: "terrain", "data" on the ground, or "objects" in the air; "terrain" where
+///     absent order = "lightness"        what tells more from less: "lightness" or "hue"
 ///     [[stop]]                   2 to 16, values ascending
 ///     value = 0
 ///     color = "#32443a"
@@ -26,7 +27,10 @@
 namespace tedavis::design {
 
 enum class PaletteKind : std::uint8_t { hypsometric, sequential, diverging };
-enum class PaletteUnit : std::uint8_t { metres, degrees, one };
+enum class PaletteUnit : std::uint8_t { metres, degrees, one, metres_per_second, reflectivity, kelvin };
+/// As files write it.
+[[nodiscard]] std::string_view unit_name(PaletteUnit unit) noexcept;
+enum class PalettePurpose : std::uint8_t { terrain, data, objects };
 enum class PaletteOrder : std::uint8_t { lightness, hue };
 
 struct ColorStop {
@@ -41,6 +45,7 @@ struct Palette {
     PaletteKind kind = PaletteKind::hypsometric;
     PaletteUnit unit = PaletteUnit::metres;
     PaletteOrder order = PaletteOrder::lightness;
+    PalettePurpose purpose = PalettePurpose::terrain;
     base::FixedVector<ColorStop, kMaxColorStops> stops;  ///< ascending values, at least two
 };
 static_assert(std::is_trivially_copyable_v<Palette>);

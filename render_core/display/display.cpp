@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
 #include "render_core/display/terrain_ground.hpp"
@@ -49,7 +50,6 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
 
 gl::GlError Display::start_drawers() {
     base::BudgetTable& budget = settings_.device.budget;
-    layout_ = draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi);
     if (gl::GlError error = sky_drawer_.start(gl_, budget); !error.sentence.empty()) return error;
     const design::TerrainStyle& style = settings_.design.terrain.style;
     if (output() != draw::TerrainOutput::color)
@@ -90,7 +90,6 @@ bool Display::set_design(const design::DesignSettings& design) {
     if (!terrain_.set_design(gl_, possible)) return false;
     picture_.forget_design();
     keep_design(possible);
-    layout_ = draw::make_layout(settings_.width_px, settings_.height_px, design.view.dpi);
     return true;
 }
 
@@ -262,6 +261,9 @@ void Display::plan_data(base::Time now) {
     if (data_plan_.ground == GroundDataState::not_asked_for) return;
     if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
     if (!data_plan_.has_date) flag("ground_data.no_date", record_);
+    const scene::GridSlice* const slice = data_.ground();
+    if (slice != nullptr && is_in_another_unit(settings_.design.data.ground.scale.palette, *slice->attribute()->entry))
+        flag("ground_data.unit", record_);
 }
 
 draw::TerrainOutput Display::output() const {
@@ -401,7 +403,11 @@ void Display::draw_symbology() {
                                                 : draw::SymbolGround::perspective;
     symbology.map = {draw::map_up_rad(state_, decisions_),
                      map_scale_px_per_m(settings_.design.view, settings_.width_px, settings_.height_px)};
-    draw::build_symbology(quad_drawer_.batch(), symbology, layout_);
+    if (decisions_.show_terrain) add_ground_legend(data_, data_plan_, settings_.design, record_.time, symbology.data_legends);
+    const draw::Layout layout =
+        draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi, draw::legend_need(symbology));
+    if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0) flag("legend.cut", record_);
+    draw::build_symbology(quad_drawer_.batch(), symbology, layout);
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 

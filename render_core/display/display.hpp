@@ -21,7 +21,6 @@
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/sky_drawer.hpp"
-#include "render_core/draw/symbology/layout.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/gl.hpp"
@@ -119,7 +118,6 @@ private:
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;
-    draw::Layout layout_;
     bool terrain_failed_ = false;
     bool silhouettes_replaced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage

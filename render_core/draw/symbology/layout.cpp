@@ -21,6 +21,9 @@ constexpr float kAltitudeWidth = 6.0f;
 constexpr float kVerticalSpeedWidth = 4.2f;
 constexpr float kBottomRow = 3.0f;
 constexpr float kInformation = 1.2f;
+constexpr float kTextsForSecondColumn =
+    48.5f;                           // across the screen: the heading keeps 12 texts, the view's middle 6 to either side
+constexpr float kLegendRow = 2.65f;  // the shortest legends of data side by side
 
 float text_size(float width, float height, double dpi) {
     const float ordinary = std::min(width, height) / kTextsAcrossShortSide;
@@ -28,9 +31,33 @@ float text_size(float width, float height, double dpi) {
     return std::min({std::max(ordinary, legible), width / kTextsAcrossWidth, height / kTextsAcrossHeight});
 }
 
+/// Parts the legend's column between terrain above and data below; what does not fit gets room from the attitude.
+void add_data_legends(Layout& layout, const LegendNeed& need) {
+    const float t = layout.text_px, gap = kGap * t;
+    const Rect column{layout.legend.x, layout.legend.y, layout.legend.width, layout.baro_setting.bottom() - layout.legend.y};
+    const float above = need.terrain_most > 0 ? gap : 0, room = column.height - above, whole = need.data.whole * t;
+    const bool is_wide = layout.screen.width >= kTextsForSecondColumn * t;
+    // With a second column there is no need for the terrain's to give way.
+    const float least = (is_wide ? need.terrain_most : need.terrain_least) * t;
+    const float terrain = std::min(std::clamp(room - whole, least, need.terrain_most * t), room);
+    const float data = std::min(room - terrain, whole);
+    layout.legend.height = terrain;
+    layout.data_legends[0] = {column.x, column.y + terrain + above, column.width, data};
+    if (data >= whole) return;
+    if (is_wide) {
+        layout.data_legends[1] = {column.right() + gap, column.y, column.width, column.height};
+        const float right = layout.attitude.right();
+        layout.attitude.x = layout.data_legends[1].right() + gap;
+        layout.attitude.width = right - layout.attitude.x;
+    } else if (data < need.data.shortest * t) {
+        layout.attitude.height -= kLegendRow * t + gap;
+        layout.data_legends[1] = {layout.attitude.x, layout.attitude.bottom() + gap, layout.attitude.width, kLegendRow * t};
+    }
+}
+
 }  // namespace
 
-Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi) noexcept {
+Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& need) noexcept {
     Layout layout;
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     const float t = text_size(w, h, dpi);
@@ -54,6 +81,7 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi) noexce
 
     layout.ground_height = {margin, bottom_row, kAirspeedWidth * t, kBottomRow * t};
     layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};
+    if (need.data.entries > 0) add_data_legends(layout, need);
     const float half = std::min(w / 2 - layout.attitude.x, layout.attitude.right() - w / 2);
     layout.heading = {w / 2 - half, bottom_row, 2 * half, kBottomRow * t};
     return layout;

@@ -4,6 +4,7 @@
 /// what is legible on a panel of the given density, as long as the boxes still fit. Tested from 320x240 to 4K, portrait too.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -11,6 +12,20 @@
 #include "render_core/draw/rect.hpp"
 
 namespace tedavis::draw {
+
+/// What legends of data would take, in texts; no entries: the layout has no areas for them.
+struct DataLegendNeed {
+    std::size_t entries = 0;
+    float whole = 0;     ///< all of them, with everything
+    float shortest = 0;  ///< all of them, with the scales alone
+};
+/// And the terrain's, whose bar of values gives way.
+struct LegendNeed {
+    float terrain_most = 0, terrain_least = 0;  ///< 0: there is none
+    DataLegendNeed data;
+};
+
+inline constexpr std::size_t kDataLegendAreas = 2;
 
 struct Layout {
     float text_px = 0;    ///< pixels an em of ordinary text
@@ -27,6 +42,9 @@ struct Layout {
     Rect heading;         ///< bottom, centred on the screen
     Rect baro_setting;    ///< bottom right
     Rect information;     ///< last line: where the flight and the data come from
+    /// Legends of data: the foot of the column of the legend, down to the last row; then, where these are too many for it, a
+    /// column beside it, or on screens that are too narrow a row below the attitude. Empty where there is no need.
+    std::array<Rect, kDataLegendAreas> data_legends{};
 };
 static_assert(std::is_trivially_copyable_v<Layout>);
 
@@ -51,6 +69,6 @@ inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
 };
 
 /// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.
-[[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi) noexcept;
+[[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& need = {}) noexcept;
 
 }  // namespace tedavis::draw

@@ -18,7 +18,7 @@ constexpr float kTitle = 1.2f;
 constexpr float kPad = 0.55f;  // half a number stands beyond the ends of a scale
 constexpr float kSample = 1.0f;
 constexpr float kBand = 1.0f;
-constexpr float kTallestBar = 7;
+constexpr float kTallestBar = 7, kShortestBar = 2;
 constexpr float kInset = 0.3f;
 constexpr float kSampleWidth = 1.2f;
 constexpr float kNumberSize = 0.75f;
@@ -56,7 +56,7 @@ Scale scale_of(const LegendInput& legend) {
             scale.factor = base::degrees(1);
             scale.unit = "DEG";
             break;
-        case design::PaletteUnit::one: break;
+        default: break;  // no quantity of the terrain has another
     }
     return scale;
 }
@@ -83,12 +83,18 @@ public:
     LegendBuilder(const Painter& painter, const LegendInput& legend)
         : painter_(painter), legend_(legend), scale_(scale_of(legend)), t_(painter.text_px()) {}
 
+    /// In texts, with a bar so high.
+    [[nodiscard]] static float height(const LegendInput& legend, float bar) {
+        float sum = 3 * kSample + 2 * kInset;
+        if (legend.tint) sum += kTitle + 2 * kPad - kInset + bar;
+        return sum + bands_of(legend);
+    }
+
     void build() {
         const Rect& box = painter_.layout().legend;
-        const float fixed = samples_height() + bar_height(0) + bands_height();
-        const float bar = std::min(kTallestBar * t_, box.height - fixed);
-        const float height = samples_height() + bar_height(bar) + bands_height();
-        plate_ = {box.x, box.bottom() - height, box.width, height};
+        const float bar = std::min(kTallestBar * t_, box.height - height(legend_, 0) * t_);
+        const float whole = height(legend_, 0) * t_ + (legend_.tint ? bar : 0);
+        plate_ = {box.x, box.bottom() - whole, box.width, whole};
         y_ = plate_.y;
         painter_.batch().box(plate_, kTapeGround);
         if (legend_.tint) build_tint(bar);
@@ -97,12 +103,10 @@ public:
     }
 
 private:
-    [[nodiscard]] float samples_height() const { return (3 * kSample + 2 * kInset) * t_; }
-    [[nodiscard]] float bar_height(float bar) const { return legend_.tint ? (kTitle + 2 * kPad - kInset) * t_ + bar : 0; }
-    [[nodiscard]] float bands_height() const {
-        if (!legend_.bands) return 0;
-        const float notes = legend_.bands_lowered_m <= 0 ? 0.0f : legend_.accuracy_assumed ? 2.0f : 1.0f;
-        return (kTitle + 2 * kPad + kBand * static_cast<float>(legend_.warning_bands.size()) + kSample * notes) * t_;
+    [[nodiscard]] static float bands_of(const LegendInput& legend) {
+        if (!legend.bands) return 0;
+        const float notes = legend.bands_lowered_m <= 0 ? 0.0f : legend.accuracy_assumed ? 2.0f : 1.0f;
+        return kTitle + 2 * kPad + kBand * static_cast<float>(legend.warning_bands.size()) + kSample * notes;
     }
     [[nodiscard]] Rect sample(float y, float height) const { return {plate_.x + kInset * t_, y, kSampleWidth * t_, height}; }
 
@@ -232,9 +236,21 @@ private:
 
 }  // namespace
 
+LegendNeed legend_need(const SymbologyInput& input) noexcept {
+    if (!input.shown.legend || input.decisions.unusual_attitude) return {};
+    LegendNeed need;
+    if (input.legend.ground) {
+        need.terrain_most = LegendBuilder::height(input.legend, kTallestBar);
+        need.terrain_least = LegendBuilder::height(input.legend, kShortestBar);
+    }
+    need.data = data_legend_need(input.data_legends);
+    return need;
+}
+
 void build_legend(const Painter& painter, const SymbologyInput& input) {
-    if (!input.legend.ground || input.decisions.unusual_attitude) return;
-    LegendBuilder(painter, input.legend).build();
+    if (input.decisions.unusual_attitude) return;
+    if (input.legend.ground) LegendBuilder(painter, input.legend).build();
+    build_data_legends(painter, input.data_legends);
 }
 
 }  // namespace tedavis::draw

@@ -12,7 +12,7 @@
 namespace tedavis::draw {
 
 /// Upper bounds over all inputs, tested; what a batch needs so that nothing is refused.
-inline constexpr std::size_t kSymbologyVertices = 8192;
+inline constexpr std::size_t kSymbologyVertices = 12288;
 inline constexpr std::size_t kSymbologyIndices = kSymbologyVertices * 3 / 2;
 
 /// Everything that the design shows, in the order in which it covers. Clears the batch first.
@@ -27,6 +27,8 @@ void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);
 void build_phase(const Painter& painter, const SymbologyInput& input);
+/// For make_layout(): what the legends of this frame would take.
+[[nodiscard]] LegendNeed legend_need(const SymbologyInput& input) noexcept;
 /// Titles, numbers and samples of every colour with a meaning that the picture has; nothing in a recovery picture.
 void build_legend(const Painter& painter, const SymbologyInput& input);
 void build_notices(const Painter& painter, const SymbologyInput& input);

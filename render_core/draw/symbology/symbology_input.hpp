@@ -5,6 +5,7 @@
 
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/display_decisions.hpp"
+#include "render_core/draw/symbology/data_legend.hpp"
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -54,6 +55,7 @@ struct SymbologyInput {
     double baro_setting_pa = 0;
     double ground_height_m = 0;
     LegendInput legend;
+    DataLegends data_legends;
     SymbolGround over = SymbolGround::perspective;
     MapInput map;
     double velocity_north_mps = 0, velocity_east_mps = 0, velocity_up_mps = 0;

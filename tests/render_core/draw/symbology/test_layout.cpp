@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tedavis::draw {
 namespace {
@@ -13,21 +16,74 @@ struct Screen {
 constexpr Screen kScreens[] = {{320, 240},  {240, 320},   {640, 480},   {480, 640},   {800, 480},   {1024, 768},
                                {768, 1024}, {1080, 1920}, {1920, 1080}, {2560, 1080}, {1080, 2560}, {3840, 2160}};
 
+/// Without terrain's legend, with an ordinary one, with the highest; one to four legends of data.
+std::vector<LegendNeed> legend_needs() {
+    std::vector<LegendNeed> needs(1);
+    for (const auto& [most, least] : {std::pair{0.0f, 0.0f}, {12.6f, 7.6f}, {24.8f, 19.9f}})
+        for (std::size_t entries = 1; entries <= 4; ++entries) {
+            const auto count = static_cast<float>(entries);
+            needs.push_back({most, least, {entries, 13 * count - 0.3f, 2.9f * count - 0.3f}});
+        }
+    return needs;
+}
+
+/// All that are not empty; the legend of a terrain that needs none may be.
+std::vector<std::pair<std::string, Rect>> boxes_of(const Layout& layout, const LegendNeed& need) {
+    std::vector<std::pair<std::string, Rect>> boxes;
+    for (const LayoutBox& entry : kLayoutBoxes) {
+        const Rect& box = layout.*entry.box;
+        const bool may_be_empty = box.y == layout.legend.y && box.x == layout.legend.x && need.data.entries > 0;
+        EXPECT_TRUE(!box.empty() || (may_be_empty && need.terrain_most == 0)) << entry.name;
+        if (!box.empty()) boxes.emplace_back(entry.name, box);
+    }
+    for (const Rect& area : layout.data_legends)
+        if (!area.empty()) boxes.emplace_back("data legends", area);
+    return boxes;
+}
+
 TEST(Layout, NoBoxOverlapsAnotherOrLeavesTheScreen) {
     for (const Screen& screen : kScreens)
-        for (double dpi : {60.0, 96.0, 160.0, 300.0}) {
-            const Layout layout = make_layout(screen.width, screen.height, dpi);
-            for (std::size_t i = 0; i < kLayoutBoxCount; ++i) {
-                const Rect& box = layout.*kLayoutBoxes[i].box;
-                EXPECT_FALSE(box.empty()) << kLayoutBoxes[i].name;
-                EXPECT_TRUE(layout.screen.contains(box))
-                    << kLayoutBoxes[i].name << " " << screen.width << "x" << screen.height << " " << dpi;
-                for (std::size_t j = i + 1; j < kLayoutBoxCount; ++j)
-                    EXPECT_FALSE(box.overlaps(layout.*kLayoutBoxes[j].box))
-                        << kLayoutBoxes[i].name << " and " << kLayoutBoxes[j].name << " " << screen.width << "x" << screen.height
-                        << " " << dpi;
+        for (double dpi : {60.0, 96.0, 160.0, 300.0})
+            for (const LegendNeed& need : legend_needs()) {
+                const Layout layout = make_layout(screen.width, screen.height, dpi, need);
+                const std::string what = std::to_string(screen.width) + "x" + std::to_string(screen.height) + " " +
+                                         std::to_string(dpi) + " with " + std::to_string(need.data.entries);
+                const auto boxes = boxes_of(layout, need);
+                for (std::size_t i = 0; i < boxes.size(); ++i) {
+                    EXPECT_TRUE(layout.screen.shrunk(-0.01f).contains(boxes[i].second)) << boxes[i].first << " " << what;
+                    for (std::size_t j = i + 1; j < boxes.size(); ++j)
+                        EXPECT_FALSE(boxes[i].second.shrunk(0.01f).overlaps(boxes[j].second))
+                            << boxes[i].first << " and " << boxes[j].first << " " << what;
+                }
             }
+}
+
+TEST(Layout, WithoutLegendsOfDataNothingMakesRoomForThem) {
+    for (const Screen& screen : kScreens) {
+        const Layout bare = make_layout(screen.width, screen.height, 96),
+                     terrain = make_layout(screen.width, screen.height, 96, {20, 15, {}});
+        for (const LayoutBox& entry : kLayoutBoxes) {
+            EXPECT_EQ((bare.*entry.box).width, (terrain.*entry.box).width) << entry.name;
+            EXPECT_EQ((bare.*entry.box).height, (terrain.*entry.box).height) << entry.name;
         }
+        for (const Rect& area : terrain.data_legends) EXPECT_TRUE(area.empty());
+    }
+}
+
+TEST(Layout, LegendsOfDataAlwaysHaveRoomForTheirScales) {
+    for (const Screen& screen : kScreens)
+        for (double dpi : {60.0, 96.0, 160.0, 300.0})
+            for (const LegendNeed& need : legend_needs()) {
+                const Layout layout = make_layout(screen.width, screen.height, dpi, need);
+                const float t = layout.text_px;
+                std::size_t places = 0;
+                for (const Rect& area : layout.data_legends)
+                    places += area.width > 8 * t ? 3 : static_cast<std::size_t>((area.height / t + 0.31f) / 2.9f);
+                EXPECT_GE(places, need.data.entries) << screen.width << "x" << screen.height << " " << dpi;
+                EXPECT_GE(layout.legend.height + 0.01f, need.data.entries > 0 ? need.terrain_least * t : 0);
+                EXPECT_TRUE(layout.attitude.shrunk(5.8f * t).contains(layout.screen.center()));
+                EXPECT_GE(layout.heading.width, 11.9f * t);
+            }
 }
 
 TEST(Layout, TheViewsMiddleLiesInsideTheAttitudeWithRoomForThePitch) {

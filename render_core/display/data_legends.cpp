@@ -1,0 +1,163 @@
+#include "render_core/display/data_legends.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "render_core/base/units.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::Color;
+using design::IntrinsicUncertainty;
+using draw::LegendSample;
+using draw::SampleLook;
+
+/// A zero-terminated field.
+template <std::size_t N>
+std::string_view field_text(const char (&field)[N]) {
+    const std::string_view all(field, N);
+    return all.substr(0, all.find('\0'));
+}
+
+template <std::size_t N>
+void append_upper(base::FixedString<N>& text, std::string_view words) {
+    for (char c : words) {
+        const char upper = c == '_' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        text.append(std::string_view(&upper, 1));
+    }
+}
+
+/// "folder/wind.tif" as "WIND.TIF".
+std::string_view file_name(std::string_view source) {
+    const std::size_t slash = source.find_last_of('/');
+    return slash == std::string_view::npos ? source : source.substr(slash + 1);
+}
+
+std::string_view title_of(const scene::AttributeEntry& attribute) {
+    const std::string_view title = field_text(attribute.title);
+    return title.empty() ? field_text(attribute.name) : title;
+}
+
+/// Own and data time by the rule that ages the uncertainty (GridField::age): within its times a layer has no age.
+std::int64_t data_time_of(const scene::Layer& layer, std::int64_t now_ns) {
+    if (layer.times_ns.empty()) return layer.entry->data_time_ns;
+    const std::int64_t first = layer.times_ns[0], last = layer.times_ns[layer.times_ns.size() - 1];
+    return now_ns < first ? first : now_ns > last ? last : now_ns;
+}
+
+/// Of a sample in the middle of the scale.
+Color sample_color(const design::GroundData& ground, Color plain) {
+    const auto& stops = ground.scale.palette.stops;
+    return blended(plain, scale_color(ground.scale, 0.5 * (stops[0].value + stops.back().value)), ground.opacity);
+}
+
+Color grey_of(Color c) {
+    const auto level = static_cast<std::uint8_t>(std::lround(0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue));
+    return {level, level, level};
+}
+
+/// As ground_data.frag draws the least sure.
+LegendSample unsure_sample(const design::GroundUncertainty& uncertainty, Color color, Color plain) {
+    LegendSample sample;
+    sample.color = color;
+    sample.under = plain;
+    sample.share = uncertainty.strength;
+    switch (uncertainty.technique) {
+        case IntrinsicUncertainty::none: break;
+        case IntrinsicUncertainty::transparency:
+        case IntrinsicUncertainty::bivariate: sample.color = blended(color, plain, uncertainty.strength); break;
+        case IntrinsicUncertainty::saturation: sample.color = blended(color, grey_of(color), uncertainty.strength); break;
+        case IntrinsicUncertainty::noise: sample.look = SampleLook::grains; break;
+        case IntrinsicUncertainty::strokes: sample.look = SampleLook::strokes; break;
+    }
+    return sample;
+}
+
+LegendSample sample_of(std::string_view text, Color color, Color under, SampleLook look) {
+    LegendSample sample;
+    sample.text.append(text);
+    sample.color = color;
+    sample.under = under;
+    sample.look = look;
+    return sample;
+}
+
+void add_uncertainty(const design::GroundData& ground, const scene::AttributeEntry& attribute, Color color, Color plain,
+                     draw::DataLegend& legend) {
+    const bool is_known = attribute.uncertainty_kind != scene::UncertaintyKind::none;
+    if (is_known && ground.uncertainty.technique != IntrinsicUncertainty::none) {
+        static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color, plain, SampleLook::plain)));
+        LegendSample unsure = unsure_sample(ground.uncertainty, color, plain);
+        unsure.text.append(full_uncertainty_text(attribute).view());
+        static_cast<void>(legend.uncertainty.try_push_back(unsure));
+    }
+    static_cast<void>(legend.uncertainty.try_push_back(sample_of("UNKNOWN", color, plain, SampleLook::cut_stripes)));
+}
+
+}  // namespace
+
+base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept {
+    const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
+    if (attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0)) return "UNSURE";
+    char number[16];
+    std::snprintf(number, sizeof number, "\xC2\xB1%.3g", double{attribute.uncertainty_full});
+    base::FixedString<15> text(number);
+    const std::string_view unit = is_percent ? "%" : field_text(attribute.unit);
+    if (!unit.empty()) text.append(" ");
+    append_upper(text, unit);
+    return text;
+}
+
+bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept {
+    if (palette.unit == design::PaletteUnit::one) return false;
+    // Angles are radians inside, whatever the palette's file says.
+    const std::string_view unit = palette.unit == design::PaletteUnit::degrees ? "rad" : unit_name(palette.unit);
+    return unit != field_text(attribute.unit);
+}
+
+draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, base::Time now, bool has_date,
+                           const design::DataStyle& style) noexcept {
+    draw::DataLegend legend;
+    const scene::AttributeEntry& entry = *attribute.entry;
+    const std::string_view layer_title = field_text(layer.entry->title);
+    append_upper(legend.title, layer_title);
+    if (title_of(entry) != layer_title && title_of(entry) != field_text(entry.unit)) {
+        if (!legend.title.empty()) legend.title.append(" ");
+        append_upper(legend.title, title_of(entry));
+    }
+    const bool is_angle = field_text(entry.unit) == "rad";
+    legend.factor = is_angle ? base::degrees(1) : 1;
+    append_upper(legend.unit, is_angle ? "deg" : field_text(entry.unit));
+    if (entry.scale != scene::AttributeScale::quantitative)
+        for (std::uint32_t n = 0; n < entry.class_count; ++n) {
+            base::FixedString<23> name;
+            append_upper(name, attribute.class_name(n));
+            if (!legend.class_names.try_push_back(name)) break;
+        }
+    append_upper(legend.source, file_name(field_text(layer.entry->source)));
+    legend.data_time_ns = data_time_of(layer, has_date ? now.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0]);
+    legend.has_time = legend.data_time_ns != scene::kNoTime;
+    legend.has_age = legend.has_time && has_date;
+    if (!legend.has_age) return legend;
+    legend.age = base::Duration{now.ns - legend.data_time_ns};
+    legend.is_stale = legend.age > base::Duration::from_seconds(style.stale_after_s);
+    return legend;
+}
+
+void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design, base::Time now,
+                       draw::DataLegends& legends) noexcept {
+    const scene::GridSlice* const slice = data.ground();
+    if (plan.ground != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
+    const design::GroundData& ground = design.data.ground;
+    const Color plain = design.terrain.style.plain, color = sample_color(ground, plain);
+    draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), now, plan.has_date, design.data);
+    legend.scale = ground.scale;
+    add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
+    static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
+    static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));
+    // A full list has counted the refusal itself.
+    static_cast<void>(legends.try_push_back(legend));
+}
+
+}  // namespace tedavis::display

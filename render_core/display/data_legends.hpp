@@ -1,0 +1,27 @@
+/// Entries of the legend for the spatial data that a frame shows.
+///
+/// Pure; any thread. Memory  the caller's list; what does not fit in it is refused and counted there.
+#pragma once
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/display/spatial_data.hpp"
+#include "render_core/draw/symbology/data_legend.hpp"
+
+namespace tedavis::display {
+
+/// Title, unit, class names, data time, age and source of an attribute: what an entry says whatever the technique. `has_date`:
+/// `now` is one, so that there is an age. Scale, uncertainty and signs are left to the caller.
+[[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, base::Time now,
+                                         bool has_date, const design::DataStyle& style) noexcept;
+
+/// What counts as the least sure: "±4 M/S", "±20 %", or "UNSURE" where the source has classes of its own.
+[[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept;
+
+/// True where a palette states a unit, and it is another one than the attribute's.
+[[nodiscard]] bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept;
+
+/// The colours on the ground, where they are shown.
+void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design, base::Time now,
+                       draw::DataLegends& legends) noexcept;
+
+}  // namespace tedavis::display

@@ -1,0 +1,93 @@
+/// What the colours and signs of spatial data mean: an entry a scale in use, with units, uncertainty, time and source.
+///
+/// Whoever draws data fills an entry; the builder draws the entries into the areas that the layout has for them. Where room is
+/// short all are shortened alike (LegendDetail), then the last are left out, counted and said.
+/// Pure: no GL, no clock, no heap. Thread any.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "render_core/base/time.hpp"
+#include "render_core/design/data_style.hpp"
+#include "render_core/draw/symbology/layout.hpp"
+
+namespace tedavis::draw {
+
+/// How a sample is filled; all but `plain` as the shaders draw it.
+enum class SampleLook : std::uint8_t {
+    plain,
+    cut_stripes,  ///< unknown uncertainty
+    cut_grid,     ///< interpolated
+    dots,         ///< missing
+    grains,
+    strokes,
+    rough,   ///< bumps in the shading
+    washed,  ///< an edge of colours run into each other
+    mesh,    ///< lines; `share` 0 narrow, 1 wide
+    rim,     ///< a line around
+};
+
+/// A small box that looks as the technique does, and what that means.
+struct LegendSample {
+    base::FixedString<15> text;
+    design::Color color;  ///< of the data
+    design::Color under;  ///< what shows where data are cut away; of lines and rims their colour
+    SampleLook look = SampleLook::plain;
+    double share = 0;  ///< 0..1 of the data that is taken away, or of the effect
+};
+
+inline constexpr std::size_t kUncertaintySamples = 3;
+inline constexpr std::size_t kMaxLegendSamples = 6;
+
+struct DataLegend {
+    base::FixedString<31> title;
+    base::FixedString<15> unit;  ///< as written; empty: a plain number or a class
+    design::DataScale scale;
+    double factor = 1;  ///< written number of one of the scale's
+    /// Nominal and ordinal: class n has the scale's colour at value n. Empty: numbers.
+    base::FixedVector<base::FixedString<23>, design::kMaxClasses> class_names;
+    /// How sure and unsure data and those of unknown uncertainty look, in this order; empty: uncertainty is not shown.
+    base::FixedVector<LegendSample, kUncertaintySamples> uncertainty;
+    base::FixedVector<LegendSample, kMaxLegendSamples> signs;  ///< missing, interpolated, and whatever else
+    bool has_time = false, has_age = false, is_stale = false;
+    std::int64_t data_time_ns = 0;  ///< UTC
+    base::Duration age;             ///< negative: of a forecast, so long ahead
+    base::FixedString<23> source;
+};
+inline constexpr std::size_t kMaxDataLegends = 4;
+using DataLegends = base::FixedVector<DataLegend, kMaxDataLegends>;
+static_assert(std::is_trivially_copyable_v<DataLegends>);
+
+/// From everything to the least; the scale is never left out.
+enum class LegendDetail : std::uint8_t {
+    whole,             ///< the scale upright
+    flat,              ///< the scale lying
+    without_source,    ///< and
+    without_signs,     ///< and
+    uncertainty_line,  ///< what the uncertainty looks like in one line
+    scale_and_time,    ///< and
+    scale,             ///< title, unit and scale; a stale one's title is amber
+};
+inline constexpr std::size_t kLegendDetails = 7;
+
+/// In texts, with the gap to the next one.
+[[nodiscard]] float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept;
+/// Of all together, for the layout.
+[[nodiscard]] DataLegendNeed data_legend_need(const DataLegends& legends) noexcept;
+
+/// Where entries stand: the first `shown` of them.
+struct DataLegendPlan {
+    LegendDetail detail = LegendDetail::whole;
+    std::size_t shown = 0, cut = 0;
+    std::array<Rect, kMaxDataLegends> boxes{};
+};
+[[nodiscard]] DataLegendPlan plan_data_legends(const DataLegends& legends, const Layout& layout) noexcept;
+
+class Painter;
+void build_data_legends(const Painter& painter, const DataLegends& legends);
+
+/// "13:00Z 12 MIN", "13:00Z IN 40 MIN", "13:00Z AGE ?"; minutes to 99, hours to 48, then days. Empty without a time.
+[[nodiscard]] base::FixedString<31> time_and_age(const DataLegend& legend) noexcept;
+
+}  // namespace tedavis::draw

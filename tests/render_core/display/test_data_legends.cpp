@@ -1,0 +1,160 @@
+#include "render_core/display/data_legends.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/flaky_bytes.hpp"
+#include "tests/support/loaded_scene.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using test_support::LoadedScene;
+
+constexpr std::int64_t kMinute_ns = 60'000'000'000, kHour_ns = 60 * kMinute_ns;
+constexpr std::int64_t kDate_ns = 1'700'000'000'000'000'000 / kHour_ns * kHour_ns;  // 2023-11-14, 22:00
+
+draw::DataLegend entry_of(const host_sim::LayerDraft& layer, std::int64_t now_ns, bool has_date = true) {
+    const LoadedScene loaded(layer);
+    return legend_of(loaded.layer(), loaded.attribute(), base::Time{now_ns}, has_date, {});
+}
+
+TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.title = "Air";
+    layer.source = "weather/era5_wind.nc";
+    layer.times_ns = {kDate_ns, kDate_ns + kHour_ns};
+    const draw::DataLegend entry = entry_of(layer, kDate_ns + kHour_ns / 2);
+    EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE");
+    EXPECT_EQ(entry.unit.view(), "K");
+    EXPECT_EQ(entry.source.view(), "ERA5 WIND.NC");
+    EXPECT_EQ(draw::time_and_age(entry).view(), "22:30Z 0 MIN") << "within its times it has no age";
+    EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + kHour_ns + 12 * kMinute_ns)).view(), "23:00Z 12 MIN");
+    EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + 2 * kHour_ns)).view(), "23:00Z STALE 60 MIN");
+    EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns - 40 * kMinute_ns)).view(), "22:00Z IN 40 MIN") << "a forecast";
+    EXPECT_EQ(draw::time_and_age(entry_of(layer, 5, false)).view(), "22:00Z AGE ?") << "a source without a date";
+}
+
+TEST(DataLegends, ALayerOfOneTimeAgesFromIt) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.grid.times = 1;
+    layer.times_ns.clear();
+    host_sim::AttributeDraft& value = layer.attributes[0];
+    value.values.resize(24);
+    value.uncertainties.resize(24);
+    value.states.resize(24);
+    layer.data_time_ns = kDate_ns;
+    EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + 20 * kMinute_ns)).view(), "22:00Z 20 MIN");
+    layer.data_time_ns = scene::kNoTime;
+    EXPECT_FALSE(entry_of(layer, kDate_ns).has_time);
+}
+
+TEST(DataLegends, ClassesHaveTheirNamesAndAnglesAreDegrees) {
+    const draw::DataLegend kinds = entry_of(test_support::small_points(), 0, false);
+    ASSERT_EQ(kinds.class_names.size(), 2u);
+    EXPECT_EQ(kinds.class_names[1].view(), "TURBINE");
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.attributes[0].unit = "rad";
+    const draw::DataLegend angle = entry_of(layer, 0, false);
+    EXPECT_EQ(angle.unit.view(), "DEG");
+    EXPECT_NEAR(angle.factor, 57.29578, 1e-4);
+    EXPECT_TRUE(angle.class_names.empty());
+}
+
+TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
+    const auto text = [](scene::UncertaintyKind kind, float full, const char* unit) {
+        scene::AttributeEntry entry{};
+        entry.uncertainty_kind = kind;
+        entry.uncertainty_full = full;
+        std::snprintf(entry.unit, sizeof entry.unit, "%s", unit);
+        return std::string(full_uncertainty_text(entry).view());
+    };
+    EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 4, "m/s"),
+              "\xC2\xB1"
+              "4 M/S");
+    EXPECT_EQ(text(scene::UncertaintyKind::interval, 2.5f, "K"),
+              "\xC2\xB1"
+              "2.5 K");
+    EXPECT_EQ(text(scene::UncertaintyKind::percent, 30, "m/s"),
+              "\xC2\xB1"
+              "30 %");
+    EXPECT_EQ(text(scene::UncertaintyKind::ordinal, 1, "dBZ"), "UNSURE");
+    EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNSURE");
+}
+
+TEST(DataLegends, APaletteOfAnotherUnitIsNoticed) {
+    const LoadedScene loaded(test_support::small_grid());
+    design::Palette palette;
+    for (const auto& [unit, is_other] : {std::pair{design::PaletteUnit::one, false},
+                                         {design::PaletteUnit::kelvin, false},
+                                         {design::PaletteUnit::metres_per_second, true},
+                                         {design::PaletteUnit::metres, true},
+                                         {design::PaletteUnit::degrees, true}}) {
+        palette.unit = unit;
+        EXPECT_EQ(is_in_another_unit(palette, *loaded.attribute().entry), is_other) << static_cast<int>(unit);
+    }
+}
+
+class GroundLegendOf : public ::testing::Test {
+protected:
+    GroundLegendOf() {
+        source_.content = host_sim::sdb_bytes(test_support::small_scene());
+        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+        design::GroundData& ground = design_.data.ground;
+        ground.is_shown = true;
+        ground.layer = "air";
+        ground.attribute = "temperature";
+        ground.height_m = 1000;
+        EXPECT_TRUE(ground.scale.palette.stops.try_push_back({260, {20, 30, 200}}));
+        EXPECT_TRUE(ground.scale.palette.stops.try_push_back({300, {240, 250, 200}}));
+    }
+    draw::DataLegends legends() {
+        draw::DataLegends found;
+        const SpatialDataPlan plan = data_.plan(design_.data, {12});
+        add_ground_legend(data_, plan, design_, {12}, found);
+        return found;
+    }
+
+    std::vector<std::uint8_t> memory_ = std::vector<std::uint8_t>(1 << 17);
+    base::Arena scene_memory_{memory_.data(), 1 << 16}, slice_memory_{memory_.data() + (1 << 16), 1 << 12};
+    test_support::FlakyBytes source_{{}};
+    SpatialData data_;
+    design::DesignSettings design_ = design::default_design_settings();
+};
+
+TEST_F(GroundLegendOf, IsThereWhileTheDataAre) {
+    ASSERT_EQ(legends().size(), 1u);
+    EXPECT_EQ(legends()[0].title.view(), "AIR TEMPERATURE");
+    EXPECT_EQ(legends()[0].scale.palette.stops[1].value, 300);
+    ASSERT_EQ(legends()[0].signs.size(), 2u);
+    EXPECT_EQ(legends()[0].signs[0].look, draw::SampleLook::dots);
+    design_.data.ground.is_shown = false;
+    EXPECT_TRUE(legends().empty());
+    design_.data.ground.is_shown = true;
+    design_.data.ground.layer = "nothing";
+    EXPECT_TRUE(legends().empty());
+}
+
+TEST_F(GroundLegendOf, ShowsHowTheTechniqueLooksAndAlwaysWhatIsUnknown) {
+    const auto looks = [this](design::IntrinsicUncertainty technique) {
+        design_.data.ground.uncertainty.technique = technique;
+        return legends()[0].uncertainty;
+    };
+    const auto none = looks(design::IntrinsicUncertainty::none);
+    ASSERT_EQ(none.size(), 1u);
+    EXPECT_EQ(none[0].look, draw::SampleLook::cut_stripes);
+    for (std::size_t n = 1; n < design::kIntrinsicUncertainties; ++n) {
+        const auto samples = looks(static_cast<design::IntrinsicUncertainty>(n));
+        ASSERT_EQ(samples.size(), 3u) << n;
+        EXPECT_EQ(samples[0].look, draw::SampleLook::plain);
+        EXPECT_EQ(samples[1].text.view(),
+                  "\xC2\xB1"
+                  "4 K");
+        EXPECT_TRUE(samples[1].look != draw::SampleLook::plain || samples[1].color != samples[0].color) << n;
+        EXPECT_EQ(samples[2].text.view(), "UNKNOWN");
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::display
