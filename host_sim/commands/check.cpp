@@ -48,13 +48,18 @@ void require_no_faults(const std::vector<std::string>& faults) {
     if (!all.empty()) throw UserError(all);
 }
 
+void require_legible(const design::Palette& palette, const design::DesignSettings& design, const std::string& path) {
+    const std::string name = path + ": palette " + std::string(palette.name.view());
+    require_no_faults(palette_faults(palette, name));
+    require_no_faults(palette_faults_in_design(palette, design, name));
+}
+
 std::string check_design(const std::string& path) {
     PictureOptions options;
     options.design = path;
     const design::DesignSettings design = load_design(options);
-    const std::string name = path + ": palette " + std::string(design.terrain.palette.name.view());
-    require_no_faults(palette_faults(design.terrain.palette, name));
-    require_no_faults(palette_faults_in_design(design.terrain.palette, design, name));
+    require_legible(design.terrain.palette, design, path);
+    if (design.data.ground.is_shown) require_legible(design.data.ground.scale.palette, design, path);
     return "a design";
 }
 

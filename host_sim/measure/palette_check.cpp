@@ -147,8 +147,12 @@ struct Stranger {
     std::vector<Color> colors;
 };
 
-std::vector<Stranger> strangers_in(const design::DesignSettings& design, const std::vector<Color>& colors) {
-    std::vector<Stranger> strangers = {{"the sea", {design.terrain.sea}}, {"missing data", {design.terrain.unknown}}};
+std::vector<Stranger> strangers_in(const design::DesignSettings& design, const std::vector<Color>& colors,
+                                   design::PalettePurpose purpose) {
+    std::vector<Stranger> strangers = {{"missing data", {design.terrain.unknown}}};
+    // What stands in the air has a shape of its own; no ground is taken for it.
+    if (purpose == design::PalettePurpose::objects) return strangers;
+    strangers.push_back({"the sea", {design.terrain.sea}});
     if (!design.warning_colors) return strangers;
     for (const design::WarningBand& band : design.warning_bands) {
         Stranger stranger;
@@ -199,7 +203,7 @@ std::vector<std::string> palette_faults_in_design(const Palette& palette, const 
     const double ambient = design.terrain.style.shade.ambient;
     check_light(palette, ambient, name, faults);
     const std::vector<Color> colors = colors_of(palette);
-    for (const Stranger& stranger : strangers_in(design, colors)) {
+    for (const Stranger& stranger : strangers_in(design, colors, palette.purpose)) {
         const std::size_t before = faults.size();
         check_apart(colors, stranger, 1, kApart, name, faults);
         if (faults.size() == before) check_apart(colors, stranger, ambient, kApartInShade, name, faults);

@@ -10,7 +10,8 @@
 ///   light     neighbouring stops differ by kLitDistance in every light from the design's ambient share to full light.
 ///   apart     no colour of the palette, stops and between them, comes closer than kApart in full light, kApartInShade in the
 ///             design's least light, to the sea, to the colour of missing data, and, where warning colours are on, to any band
-///             as it is displayed: with its strength over any colour of the palette and over the sea.
+///             as it is displayed: with its strength over any colour of the palette and over the sea. A palette of objects in
+///             the air only to the colour of missing data: its surfaces have a shape that no ground has, and no band covers them.
 ///
 /// Failure  a list of sentences, one for the worst place of each requirement; empty when all hold.
 #pragma once

@@ -46,7 +46,7 @@ TEST(PaletteCheck, EveryShippedPaletteHoldsByItselfAndInEveryShippedDesign) {
         EXPECT_THAT(in_default_design(palette), IsEmpty()) << entry.path();
         ++palettes;
     }
-    EXPECT_GE(palettes, 7u);
+    EXPECT_GE(palettes, 15u);
     const std::filesystem::path designs = TEDAVIS_SOURCE_DIR "/configs/designs";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(designs)) {
         if (!entry.is_regular_file()) continue;
@@ -123,6 +123,23 @@ TEST(PaletteCheck, ColoursNearTheSeaTheMissingDataOrABandAreNamed) {
     design::DesignSettings quiet = design::default_design_settings();
     quiet.warning_colors = false;
     EXPECT_THAT(palette_faults_in_design(seeded(1, {0x5A, 0x7D, 0x3C}), quiet, "p"), IsEmpty()) << "no band is displayed";
+}
+
+TEST(PaletteCheck, ObjectsInTheAirMayHaveTheColoursOfWarningsButGroundMayNot) {
+    Palette tube = shipped("data_wind_speed_tube");
+    EXPECT_EQ(tube.purpose, design::PalettePurpose::objects);
+    EXPECT_THAT(in_default_design(tube), IsEmpty());
+    for (const design::PalettePurpose purpose : {design::PalettePurpose::data, design::PalettePurpose::terrain}) {
+        tube.purpose = purpose;
+        EXPECT_THAT(in_default_design(tube), ::testing::Contains(HasSubstr("the warning band")));
+    }
+    Palette blues = shipped("data_cross_wind");
+    EXPECT_THAT(in_default_design(blues), IsEmpty());
+    blues.purpose = design::PalettePurpose::data;
+    EXPECT_THAT(in_default_design(blues), ::testing::Contains(HasSubstr("the sea")));
+    blues.purpose = design::PalettePurpose::objects;
+    blues.stops[3].color = {0xB8, 0x40, 0xB8};
+    EXPECT_THAT(in_default_design(blues), ::testing::Contains(HasSubstr("missing data"))) << "nor may they look like no data";
 }
 
 TEST(PaletteCheck, ColoursBetweenTheStopsCount) {

@@ -60,6 +60,23 @@ TEST(Palette, DegreesBecomeRadians) {
     EXPECT_EQ(read_palette(with("diverging", "m", stop("-1") + stop("0") + stop("2")), "p.toml").value().stops[0].value, -1);
 }
 
+TEST(Palette, ThoseOfDataSayTheirPurposeAndUnit) {
+    const std::string stops = stop("1") + stop("2");
+    for (const char* unit : {"m", "deg", "1", "m/s", "dBZ", "K"}) {
+        const auto palette = read_palette(with("sequential", unit, stops), "p.toml");
+        ASSERT_TRUE(palette.ok()) << palette.error().sentence.view();
+        EXPECT_EQ(unit_name(palette.value().unit), unit);
+        EXPECT_EQ(palette.value().purpose, PalettePurpose::terrain) << "where nothing is said";
+    }
+    EXPECT_EQ(read_palette("purpose = 'data'\n" + with("sequential", "K", stops), "p.toml").value().purpose,
+              PalettePurpose::data);
+    EXPECT_EQ(read_palette("purpose = 'objects'\n" + with("sequential", "K", stops), "p.toml").value().purpose,
+              PalettePurpose::objects);
+    EXPECT_EQ(error_of("purpose = 'fun'\n" + with("sequential", "K", stops)),
+              "p.toml:1: 'purpose' must be one of: terrain, data, objects");
+    EXPECT_NE(error_of(with("sequential", "K", stop("-1") + stop("2"))), "") << "below absolute zero";
+}
+
 TEST(Palette, EveryFaultNamesItsLine) {
     const std::string two = stop("0") + stop("1");
     const std::pair<std::string, const char*> faults[] = {
@@ -68,7 +85,7 @@ TEST(Palette, EveryFaultNamesItsLine) {
         {with("hypsometric", "deg", two), "p.toml:4: 'unit' of a hypsometric palette must be \"m\""},
         {with("diverging", "m", two), "p.toml:3: 'kind' \"diverging\" needs a middle"},
         {with("rainbow", "m", two), "p.toml:3: 'kind' must be one of: hypsometric, sequential, diverging"},
-        {with("hypsometric", "ft", two), "p.toml:4: 'unit' must be one of: m, deg, 1"},
+        {with("hypsometric", "ft", two), "p.toml:4: 'unit' must be one of: m, deg, 1, m/s, dBZ, K"},
         {with("hypsometric", "m", stop("0") + stop("1", "red")), "p.toml:11: 'color' is no colour"},
         {with("hypsometric", "m", stop("0") + stop("1", "#00000080")), "p.toml:11: 'color' must be opaque"},
         {with("hypsometric", "m", stop("0") + stop("10000")), "p.toml:10: 'value'"},
