@@ -11,6 +11,7 @@ constexpr const char* kSize = "larger than the device allows";
 constexpr const char* kMode = "only triangles are drawn; lines and points are quads";
 constexpr const char* kIndexType = "index type outside the device's list";
 constexpr const char* kClientMemory = "no buffer is bound; client memory is not drawn from";
+constexpr const char* kAttributes = "more attributes than the device has";
 constexpr const char* kEnumerant = "value outside the device's list";
 
 bool one_of(GLenum value, std::initializer_list<GLenum> choices) {
@@ -67,12 +68,13 @@ const char* attachment_refusal(const CallState& state, GLenum target, GLenum att
     return one_of(attachment, {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT}) ? nullptr : kEnumerant;
 }
 
-const char* indexed_draw_refusal(CallState& state, GLenum mode, GLsizei count, GLenum type) {
+const char* indexed_draw_refusal(CallState& state, GLenum mode, GLsizei count, GLenum type, GLsizei instances = 1) {
     if (mode != GL_TRIANGLES && mode != GL_TRIANGLE_STRIP) return kMode;
     if (type != GL_UNSIGNED_SHORT && !(state.es3() && type == GL_UNSIGNED_INT)) return kIndexType;
     if (state.element_buffer == 0) return kClientMemory;
     ++state.frame.draws;
-    state.frame.indices += count > 0 ? static_cast<std::uint64_t>(count) : 0;
+    if (count > 0 && instances > 0)
+        state.frame.indices += static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(instances);
     return nullptr;
 }
 
@@ -166,6 +168,11 @@ const char* CallRule<&CallTable::DrawElements>::refusal(CallState& state, GLenum
     return indexed_draw_refusal(state, mode, count, type);
 }
 
+const char* CallRule<&CallTable::DrawElementsInstanced>::refusal(CallState& state, GLenum mode, GLsizei count, GLenum type,
+                                                                 const void*, GLsizei instances) {
+    return indexed_draw_refusal(state, mode, count, type, instances);
+}
+
 const char* CallRule<&CallTable::DrawRangeElements>::refusal(CallState& state, GLenum mode, GLuint low, GLuint high,
                                                              GLsizei count, GLenum type, const void*) {
     if (high < low) return kEnumerant;
@@ -175,7 +182,7 @@ const char* CallRule<&CallTable::DrawRangeElements>::refusal(CallState& state, G
 const char* CallRule<&CallTable::Enable>::refusal(CallState&, GLenum capability) { return capability_refusal(capability); }
 
 const char* CallRule<&CallTable::EnableVertexAttribArray>::refusal(CallState& state, GLuint index) {
-    return index < state.rules.max_attributes ? nullptr : "more attributes than the device has";
+    return index < state.rules.max_attributes ? nullptr : kAttributes;
 }
 
 const char* CallRule<&CallTable::FramebufferRenderbuffer>::refusal(CallState& state, GLenum target, GLenum attachment, GLenum,
@@ -248,9 +255,14 @@ const char* CallRule<&CallTable::TexSubImage2D>::refusal(CallState& state, GLenu
     return nullptr;
 }
 
+const char* CallRule<&CallTable::VertexAttribDivisor>::refusal(CallState& state, GLuint index, GLuint divisor) {
+    if (index >= state.rules.max_attributes) return kAttributes;
+    return divisor <= 1 ? nullptr : kEnumerant;
+}
+
 const char* CallRule<&CallTable::VertexAttribPointer>::refusal(CallState& state, GLuint index, GLint, GLenum type, GLboolean,
                                                                GLsizei, const void*) {
-    if (index >= state.rules.max_attributes) return "more attributes than the device has";
+    if (index >= state.rules.max_attributes) return kAttributes;
     if (state.array_buffer == 0) return kClientMemory;
     const bool basic = one_of(type, {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_FLOAT});
     return basic || (state.es3() && one_of(type, {GL_HALF_FLOAT, GL_INT_2_10_10_10_REV})) ? nullptr : kFormat;

@@ -18,7 +18,7 @@ namespace tedavis::gl {
 struct FrameCounts {
     std::uint64_t uploaded_bytes = 0;
     std::uint32_t draws = 0;
-    std::uint64_t indices = 0;  ///< vertices of DrawArrays count as well
+    std::uint64_t indices = 0;  ///< vertices of DrawArrays count as well, those of instances each time
 };
 
 inline constexpr std::size_t kMaxBuffers = 256;
@@ -60,6 +60,7 @@ TEDAVIS_GL_RULE(DeleteBuffers, GLsizei count, const GLuint* buffers)
 TEDAVIS_GL_RULE(Disable, GLenum capability)
 TEDAVIS_GL_RULE(DrawArrays, GLenum mode, GLint first, GLsizei count)
 TEDAVIS_GL_RULE(DrawElements, GLenum mode, GLsizei count, GLenum type, const void* offset)
+TEDAVIS_GL_RULE(DrawElementsInstanced, GLenum mode, GLsizei count, GLenum type, const void* offset, GLsizei instances)
 TEDAVIS_GL_RULE(DrawRangeElements, GLenum mode, GLuint low, GLuint high, GLsizei count, GLenum type, const void* offset)
 TEDAVIS_GL_RULE(Enable, GLenum capability)
 TEDAVIS_GL_RULE(EnableVertexAttribArray, GLuint index)
@@ -75,6 +76,7 @@ TEDAVIS_GL_RULE(TexParameteri, GLenum target, GLenum name, GLint value)
 TEDAVIS_GL_RULE(TexStorage2D, GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
 TEDAVIS_GL_RULE(TexSubImage2D, GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, const void* pixels)
+TEDAVIS_GL_RULE(VertexAttribDivisor, GLuint index, GLuint divisor)
 TEDAVIS_GL_RULE(VertexAttribPointer, GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride,
                 const void* offset)
 #undef TEDAVIS_GL_RULE

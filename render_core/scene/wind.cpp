@@ -23,18 +23,22 @@ void WindMean::add(double east_mps, double north_mps) noexcept {
     ++count_;
 }
 
-Wind WindMean::mean() const noexcept {
+Wind wind_of_means(double east_mps, double north_mps, double speed_mps) noexcept {
     Wind wind;
-    if (count_ == 0) return wind;
-    wind.speed_mps = speed_ / count_;
-    if (!(wind.speed_mps >= kCalm_mps)) {
+    wind.speed_mps = speed_mps;
+    if (!(speed_mps >= kCalm_mps)) {
         wind.state = WindState::calm;
         return wind;
     }
-    wind.constancy = std::fmin(std::hypot(east_, north_) / speed_, 1.0);
+    wind.constancy = std::fmin(std::hypot(east_mps, north_mps) / speed_mps, 1.0);
     wind.state = wind.constancy >= kLeastConstancy ? WindState::steady : WindState::variable;
-    if (wind.state == WindState::steady) wind.from_rad = earth::wrap_heading(std::atan2(-east_, -north_));
+    if (wind.state == WindState::steady) wind.from_rad = earth::wrap_heading(std::atan2(-east_mps, -north_mps));
     return wind;
+}
+
+Wind WindMean::mean() const noexcept {
+    if (count_ == 0) return {};
+    return wind_of_means(east_ / count_, north_ / count_, speed_ / count_);
 }
 
 TrackWind along_track(double east_mps, double north_mps, double track_rad) noexcept {

@@ -29,6 +29,9 @@ struct Wind {
 /// Of one vector, blowing towards east and north.
 [[nodiscard]] Wind wind_of(double east_mps, double north_mps) noexcept;
 
+/// Of several vectors, by their mean vector and their mean speed.
+[[nodiscard]] Wind wind_of_means(double east_mps, double north_mps, double speed_mps) noexcept;
+
 /// Sums vectors; the order does not matter but for rounding.
 class WindMean {
 public:

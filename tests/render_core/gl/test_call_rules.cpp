@@ -86,6 +86,27 @@ TEST_F(CallRules, OnlyTrianglesWithAllowedIndicesFromABuffer) {
     EXPECT_TRUE((allowed<&CallTable::DrawRangeElements>(sc2, GLenum{GL_TRIANGLES}, 0u, 4u, 3, GLenum{GL_UNSIGNED_SHORT}, none)));
 }
 
+TEST_F(CallRules, InstancesAreCountedWithTheirIndices) {
+    const void* none = nullptr;
+    const auto draw = [&](GLenum mode, GLsizei count, GLenum type, GLsizei instances) {
+        return allowed<&CallTable::DrawElementsInstanced>(es3, mode, count, type, none, instances);
+    };
+    EXPECT_FALSE(draw(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, 2)) << "no index buffer is bound";
+    es3.element_buffer = 1;
+    EXPECT_FALSE(draw(GL_LINES, 2, GL_UNSIGNED_SHORT, 2));
+    EXPECT_FALSE(draw(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, 2));
+    EXPECT_EQ(es3.frame.draws, 0u);
+    EXPECT_TRUE(draw(GL_TRIANGLES, 30, GL_UNSIGNED_SHORT, 1000));
+    EXPECT_EQ(es3.frame.draws, 1u);
+    EXPECT_EQ(es3.frame.indices, 30'000u);
+    EXPECT_TRUE(draw(GL_TRIANGLES, 30, GL_UNSIGNED_SHORT, 0));
+    EXPECT_EQ(es3.frame.indices, 30'000u);
+    EXPECT_TRUE((allowed<&CallTable::VertexAttribDivisor>(es3, 3u, 1u)));
+    EXPECT_TRUE((allowed<&CallTable::VertexAttribDivisor>(es3, 3u, 0u)));
+    EXPECT_FALSE((allowed<&CallTable::VertexAttribDivisor>(es3, 3u, 2u))) << "steps of several instances have no use here";
+    EXPECT_FALSE((allowed<&CallTable::VertexAttribDivisor>(es3, es3.rules.max_attributes, 1u)));
+}
+
 TEST_F(CallRules, VertexArraysComeFromBuffersInTypesOfTheDevice) {
     const void* none = nullptr;
     const auto point = [&](CallState& state, GLuint index, GLenum type) {

@@ -66,6 +66,11 @@ TEST(CallTable, Es3HoldsAllOfEs2) {
     EXPECT_TRUE(has(effects::CallClass::es3, "TexStorage2D"));
     EXPECT_FALSE(has(effects::CallClass::es2, "TexStorage2D"));
     EXPECT_FALSE(has(effects::CallClass::es3, "ReadnPixels"));
+    for (const char* name : {"DrawElementsInstanced", "VertexAttribDivisor"}) {
+        EXPECT_TRUE(has(effects::CallClass::es3, name)) << name;
+        EXPECT_FALSE(has(effects::CallClass::es2, name)) << name;
+        EXPECT_FALSE(has(effects::CallClass::sc2, name)) << name;
+    }
 }
 
 TEST(CallTable, DeviceFileAddsAndRemovesSingleCalls) {

@@ -57,6 +57,18 @@ TEST(Wind, WhereDirectionsCancelThereIsNone) {
     EXPECT_EQ(mean_of({0, 170}).state, WindState::steady) << "almost is not wholly";
 }
 
+TEST(Wind, MeansGivenAloneSayTheSame) {
+    WindMean mean;
+    for (const double direction : {80.0, 110.0, 95.0})
+        mean.add(from(direction, direction).east_mps, from(direction, 7).north_mps);
+    const Wind whole = mean.mean(), alone = wind_of_means(mean.east_mps(), mean.north_mps(), whole.speed_mps);
+    EXPECT_EQ(alone.state, whole.state);
+    EXPECT_EQ(alone.from_rad, whole.from_rad);
+    EXPECT_EQ(alone.constancy, whole.constancy);
+    EXPECT_EQ(wind_of_means(0.1, 0, 10).state, WindState::variable);
+    EXPECT_EQ(wind_of_means(0, 0, 0).state, WindState::calm);
+}
+
 TEST(Wind, CalmHasNoDirection) {
     EXPECT_EQ(wind_of(0, 0).state, WindState::calm);
     EXPECT_EQ(mean_of({90}, 0.99 * kCalm_mps).state, WindState::calm);

@@ -1,0 +1,102 @@
+/// Which glyphs of a field a view shows: single ones, and groups whose members would be too small to be told apart.
+///
+/// A site whose glyph is least_px or more across is drawn itself. Of smaller ones, those that lie within a cell of cell_px are
+/// one glyph at their mean place, as large as they are together; a small one that has its cell alone is drawn itself at least_px.
+/// Where that would be more glyphs than may be drawn, groups are parted in the order of their extent on the screen, largest
+/// first, until there is no room for more: what is far and dense stays together, and the rest of the counts say how much.
+///
+/// Every site that was given is counted once: drawn itself, part of an aggregate (also what the field merged), or hidden: outside
+/// the view (misplaced ones as well). What terrain covers is not known here, and counts as drawn.
+///
+/// The selection depends on nothing but its arguments. Frames  eye and glyphs in ECEF. Memory  from an arena, at start(). Thread
+/// one. Bounded: time grows with the number of glyphs that may be drawn, and with the groups that the view's border cuts.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/scene/glyph_field.hpp"
+
+namespace tedavis::scene {
+
+/// A pinhole: unit vectors in ECEF, tangents of half the angles across and down.
+struct GlyphView {
+    earth::Ecef eye{0};
+    glm::dvec3 forward{0}, right{0}, down{0};
+    double half_width_tangent = 1, half_height_tangent = 1;
+    double focal_px = 1;  ///< pixels a unit tangent
+    double near_m = 1, far_m = 400000;
+};
+
+struct GlyphSettings {
+    double least_px = 6;   ///< at full detail
+    double cell_px = 24;   ///< at full detail, at least least_px
+    double most_px = 160;  ///< nothing is drawn larger, however near
+    double detail = 1;     ///< 0..1: at 0 least_px and cell_px are kCoarsestGlyphs times as large
+    std::uint32_t most_drawn = 0xFFFFFFFFu;
+};
+inline constexpr double kCoarsestGlyphs = 8;
+
+struct SelectedGlyph {
+    GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
+    float size_m = 0;      ///< across, as it is to be drawn
+    float size_px = 0;     ///< the same on the screen
+    bool is_aggregate = false;
+};
+
+/// drawn + aggregated + hidden are all sites that were given.
+struct GlyphCounts {
+    std::uint32_t drawn = 0, aggregated = 0, hidden = 0;
+    std::uint32_t glyphs = 0;     ///< selected: the drawn ones and the aggregates
+    std::uint32_t over_most = 0;  ///< of the aggregated and hidden, members of groups that were not parted for want of room
+};
+
+class GlyphSelection {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t glyphs);
+    /// Once. False when the arena cannot hold so many.
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t most_glyphs);
+
+    /// A field that is not ready is hidden.
+    const GlyphCounts& select(const GlyphField& field, const GlyphView& view, const GlyphSettings& settings);
+    [[nodiscard]] base::Span<const SelectedGlyph> glyphs() const { return {glyphs_.data(), counts_.glyphs}; }
+    [[nodiscard]] const GlyphCounts& counts() const { return counts_; }
+
+private:
+    static constexpr int kPlanes = 6;
+    static constexpr unsigned kAllPlanes = (1u << kPlanes) - 1;
+    /// A part of the field that may be in view; planes that it may cut.
+    struct Part {
+        GlyphRef ref;
+        unsigned planes = 0;
+        float extent_px = 0;
+    };
+    struct Plane {
+        glm::dvec3 inwards{0};
+        double offset_m = 0;
+    };
+    static constexpr std::size_t kMostParts = 66;  // of a field's tree, down to its deepest leaf
+
+    void set_view(const GlyphField& field, const GlyphView& view, const GlyphSettings& settings);
+    [[nodiscard]] bool select_all();
+    void select_largest();
+    [[nodiscard]] bool enters(Part& part);
+    [[nodiscard]] bool is_whole(const Part& part);
+    void emit(const Part& part);
+    [[nodiscard]] bool is_in_view(const GlyphSummary& summary, double room_m, unsigned& planes) const;
+    [[nodiscard]] double px_of(double length_m, double distance_m) const;
+    [[nodiscard]] double distance_m(const GlyphSummary& summary) const;
+
+    base::Span<SelectedGlyph> glyphs_;
+    base::Span<Part> waiting_;
+    const GlyphField* field_ = nullptr;
+    GlyphSettings settings_;
+    Plane planes_[kPlanes];
+    glm::dvec3 eye_{0};  ///< along the field's axes
+    double focal_px_ = 1;
+    GlyphCounts counts_;
+};
+
+}  // namespace tedavis::scene
