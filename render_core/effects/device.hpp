@@ -35,6 +35,8 @@ inline constexpr std::string_view kSceneSlices = "scene_slices";
 inline constexpr std::string_view kSceneGround = "scene_ground";
 inline constexpr std::string_view kSceneSolids = "scene_solids";
 inline constexpr std::string_view kSceneSolidVertices = "scene_solid_vertices";
+inline constexpr std::string_view kSceneGlyphs = "scene_glyphs";
+inline constexpr std::string_view kSceneGlyphVertices = "scene_glyph_vertices";
 
 struct DeviceSettings {
     base::FixedString<31> name;

@@ -1,0 +1,65 @@
+/// Collects the glyphs of a frame: instances of shapes, in runs of one shape. No GL: glyph_drawer draws it, tests read it.
+///
+/// Thread    one. Memory  the caller's. Failure  a run that does not fit is left out whole and counted in `use().refused`.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/resource_use.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/design/color.hpp"
+#include "render_core/draw/data/glyph_shapes.hpp"
+
+namespace tedavis::draw {
+
+/// As the GPU reads it.
+struct GlyphInstance {
+    glm::vec3 place;           ///< relative to the eye, ECEF axes, m
+    glm::vec3 size_m;          ///< length, width, height; above 0
+    std::int8_t direction[4];  ///< 127ths, ECEF axes; the last 127: none, the glyph stands upright and faces the eye
+    std::uint8_t rgba[4];
+};
+static_assert(sizeof(GlyphInstance) == 32 && std::is_trivially_copyable_v<GlyphInstance>);
+
+/// `direction`: unit length, or zero for none.
+[[nodiscard]] GlyphInstance make_glyph(const glm::vec3& place, const glm::vec3& size_m, const glm::dvec3& direction,
+                                       design::Color color) noexcept;
+
+/// Towards what a glyph's +z points, as far as its direction leaves it free.
+enum class GlyphFacing : std::uint8_t { up, eye };
+
+struct GlyphRun {
+    GlyphShape shape = GlyphShape::arrow;
+    GlyphFacing facing = GlyphFacing::up;
+    bool is_transparent = false;  ///< drawn after all opaque ones, and hides nothing
+    std::uint32_t first = 0, count = 0;
+};
+inline constexpr std::size_t kMaxGlyphRuns = 96;
+
+class GlyphBatch {
+public:
+    GlyphBatch() = default;
+    explicit GlyphBatch(base::Span<GlyphInstance> instances) : instances_(instances) { use_.capacity = instances.size(); }
+
+    /// Empties the batch; counters of refusals stay.
+    void clear();
+    /// Room to be filled at once; empty where it does not fit, or for none.
+    [[nodiscard]] base::Span<GlyphInstance> add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count);
+
+    [[nodiscard]] base::Span<const GlyphInstance> instances() const { return {instances_.data(), use_.in_use}; }
+    [[nodiscard]] base::Span<const GlyphRun> runs() const { return {runs_.data(), runs_.size()}; }
+    [[nodiscard]] base::Span<const GlyphInstance> of(const GlyphRun& run) const {
+        return instances().subspan(run.first, run.count);
+    }
+    /// In instances.
+    [[nodiscard]] const base::ResourceUse& use() const { return use_; }
+
+private:
+    base::Span<GlyphInstance> instances_;
+    base::FixedVector<GlyphRun, kMaxGlyphRuns> runs_;
+    base::ResourceUse use_;
+};
+
+}  // namespace tedavis::draw

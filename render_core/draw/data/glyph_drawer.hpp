@@ -1,0 +1,74 @@
+/// Draws glyphs: instances on devices that have them (es3), else corners that the processor puts together (es2, sc2).
+///
+/// Up is away from the centre of a sphere of the Earth's size below the eye: within 0.2 degrees of the vertical for glyphs up to
+/// some hundred kilometres away.
+///
+/// Memory    CPU from the arena, GPU from the budget line scene_glyph_vertices; all at start(). Thread  the GL thread. Failure
+/// start() gives one sentence.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/data/data_frame.hpp"
+#include "render_core/draw/data/glyph_batch.hpp"
+#include "render_core/gl/buffer.hpp"
+#include "render_core/gl/program.hpp"
+
+namespace tedavis::draw {
+
+/// Axes of a glyph in ECEF; of unit length.
+struct GlyphAxes {
+    glm::vec3 x, y, z;
+};
+/// What the shader says, for those who put corners together.
+[[nodiscard]] GlyphAxes glyph_axes(const GlyphInstance& glyph, GlyphFacing facing, const glm::vec3& earth_to_eye) noexcept;
+
+class GlyphDrawer {
+public:
+    /// Of the arena, for so many instances a frame.
+    [[nodiscard]] static std::uint64_t bytes_needed(const gl::Gl& gl, std::uint64_t gpu_bytes);
+    /// How many instances so many bytes of the GPU hold; on devices without instances as many as one likes.
+    [[nodiscard]] static std::uint32_t instances_within(const gl::Gl& gl, std::uint64_t gpu_bytes);
+    /// Takes the whole line. An empty sentence means success.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory);
+    [[nodiscard]] bool is_started() const { return program_.valid(); }
+
+    /// Once a frame, before draw(): what follows draws these. The batch must stay as it is until then. Instances beyond
+    /// instances_within() are left out, last runs first.
+    void upload(gl::Gl& gl, const GlyphBatch& batch);
+    /// Into the bound framebuffer, depth-tested; opaque runs, then transparent ones, which write no depth. Leaves depth test on,
+    /// depth mask on, culling and blending off. Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
+    void destroy(gl::Gl& gl);
+
+private:
+    struct Corner {
+        float place[3];
+        std::int8_t normal[4];
+        std::uint8_t rgba[4];
+    };
+    static_assert(sizeof(Corner) == 20);
+    static constexpr std::uint32_t kIndicesACorner = 3;
+
+    [[nodiscard]] static bool has_instances(const gl::Gl& gl);
+    [[nodiscard]] static std::uint32_t corners_within(std::uint64_t gpu_bytes);
+    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
+    [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetLine& line);
+    void begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
+    void end(gl::Gl& gl);
+    void draw_instances(gl::Gl& gl, const GlyphRun& run);
+    void draw_corners(gl::Gl& gl, const GlyphRun& run, const DataFrame& frame, const DepthRange& range);
+    void add_corners(const GlyphInstance& glyph, const GlyphMesh& mesh, const GlyphAxes& axes);
+    void flush_corners(gl::Gl& gl);
+
+    gl::Program program_;
+    gl::Buffer shape_vertices_, indices_, vertices_;  ///< vertices_: instances, or corners
+    base::Span<GlyphShapes> shapes_;
+    base::Span<Corner> corners_;
+    base::Span<std::uint16_t> corner_indices_;
+    const GlyphBatch* batch_ = nullptr;
+    glm::vec3 earth_to_eye_{0};
+    std::uint32_t most_instances_ = 0, uploaded_ = 0, corner_count_ = 0, index_count_ = 0, draws_ = 0;
+    bool is_instanced_ = false;
+};
+
+}  // namespace tedavis::draw
