@@ -1,0 +1,185 @@
+#include "render_core/draw/data/glyph_encoding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render_core/base/units.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using scene::GlyphSummary;
+using scene::GlyphValues;
+using scene::SelectedGlyph;
+using scene::ValueState;
+using scene::WindState;
+
+constexpr double kSignShare = 0.7;                                       // of signs, of the full size
+constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.5;  // of the full size
+constexpr double kLeastPoleDistance = 1e-9;
+
+struct LocalAxes {
+    glm::dvec3 east, north, up;
+};
+
+/// By the gradient of the ellipsoid through the place.
+LocalAxes local_axes(const earth::Ecef& place) {
+    constexpr double kStretch = 1 / (1 - earth::kEccentricitySquared);
+    const glm::dvec3 up = glm::normalize(glm::dvec3(place.x, place.y, place.z * kStretch));
+    const double from_axis = std::hypot(up.x, up.y);
+    const glm::dvec3 east = from_axis > kLeastPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
+    return {east, glm::cross(up, east), up};
+}
+
+GlyphShape shape_of(GlyphForm form) {
+    switch (form) {
+        case GlyphForm::arrow: return GlyphShape::arrow;
+        case GlyphForm::flat_arrow: return GlyphShape::flat_arrow;
+        case GlyphForm::sphere: return GlyphShape::sphere;
+        case GlyphForm::bar: return GlyphShape::box;
+        case GlyphForm::cone: return GlyphShape::cone;
+        case GlyphForm::tetrahedron: return GlyphShape::tetrahedron;
+        case GlyphForm::circle: return GlyphShape::circle;
+        case GlyphForm::triangle: return GlyphShape::triangle;
+        case GlyphForm::puff: return GlyphShape::puff;
+    }
+    return GlyphShape::sphere;
+}
+
+bool is_arrow(GlyphForm form) { return form == GlyphForm::arrow || form == GlyphForm::flat_arrow; }
+
+class Encoder {
+public:
+    Encoder(GlyphValues values, const GlyphStyle& style, const design::DataScale& scale, const earth::Ecef& eye)
+        : values_(values), style_(style), scale_(scale), eye_(eye) {}
+
+    [[nodiscard]] GlyphShape shape(const SelectedGlyph& glyph) const {
+        const GlyphSummary& summary = glyph.summary;
+        if (is_sign(summary)) return sign(summary);
+        const GlyphShape whole = shape_of(style_.form);
+        return glyph.size_px < kPlainBelow_px ? plain_variant(whole) : whole;
+    }
+
+    [[nodiscard]] GlyphInstance instance(const SelectedGlyph& glyph) const {
+        const GlyphSummary& summary = glyph.summary;
+        if (is_sign(summary)) {
+            const bool is_missing = summary.state == ValueState::missing;
+            const auto across_m = static_cast<float>(kSignShare * glyph.size_m);
+            return make_glyph(summary.place, glm::vec3(across_m), glm::dvec3(0),
+                              faded(is_missing ? style_.missing : style_.plain, summary));
+        }
+        const double value = shown_value(summary);
+        const LocalAxes axes = local_axes(eye_ + glm::dvec3(summary.place));
+        glm::dvec3 direction = axes.north;
+        if (has_direction(summary)) {
+            const double towards = compass_angle(std::atan2(double{summary.value}, double{summary.north_mps}));
+            direction = axes.east * std::sin(towards) + axes.north * std::cos(towards);
+        }
+        return make_glyph(summary.place, extent(glyph.size_m, share(value)), direction, color(summary, value));
+    }
+
+    [[nodiscard]] bool is_transparent() const {
+        return style_.opacity < 1 || style_.fading > 0 || style_.form == GlyphForm::puff;
+    }
+
+private:
+    [[nodiscard]] bool has_direction(const GlyphSummary& summary) const {
+        return values_ == GlyphValues::wind && is_arrow(style_.form) && style_.subject == GlyphSubject::value &&
+               scene::wind_of(summary).state == WindState::steady;
+    }
+    [[nodiscard]] double compass_angle(double angle_rad) const {
+        if (style_.directions == 0) return angle_rad;
+        const double step = 2 * base::kPi / style_.directions;
+        return std::round(angle_rad / step) * step;
+    }
+    /// An arrow of what has no direction, a value that is none.
+    [[nodiscard]] bool is_sign(const GlyphSummary& summary) const {
+        if (summary.state == ValueState::missing) return true;
+        if (style_.subject == GlyphSubject::uncertainty) return false;
+        if (summary.is_mixed) return true;
+        return values_ == GlyphValues::wind && is_arrow(style_.form) && !has_direction(summary);
+    }
+    [[nodiscard]] GlyphShape sign(const GlyphSummary& summary) const {
+        if (summary.state == ValueState::missing) return GlyphShape::cross;
+        if (summary.is_mixed) return GlyphShape::crossed_ring;
+        return scene::wind_of(summary).state == WindState::calm ? GlyphShape::ring : GlyphShape::crossed_ring;
+    }
+    [[nodiscard]] double shown_value(const GlyphSummary& summary) const {
+        if (style_.subject == GlyphSubject::uncertainty) return summary.uncertainty.level();
+        return values_ == GlyphValues::wind ? summary.speed_mps : summary.value;
+    }
+    /// 0..1 of the full size.
+    [[nodiscard]] double share(double value) const {
+        if (style_.sizing == GlyphSizing::alike) return 1;
+        const std::size_t breaks = scale_.breaks.size();
+        double part = (value - style_.least_value) / (style_.full_value - style_.least_value);
+        if (style_.sizing == GlyphSizing::classes && breaks > 0)
+            part = static_cast<double>(design::class_of(scale_, value)) / static_cast<double>(breaks);
+        return style_.least_share + (1 - style_.least_share) * std::fmin(std::fmax(part, 0), 1);
+    }
+    /// Length, width and height.
+    [[nodiscard]] glm::vec3 extent(double size_m, double share) const {
+        const double sized_m = size_m * share;
+        if (is_arrow(style_.form)) {
+            const double width_m = size_m * kArrowWidth * 0.5 * (1 + share);
+            return glm::vec3(glm::dvec3(sized_m, width_m, width_m));
+        }
+        if (style_.form == GlyphForm::bar) return glm::vec3(glm::dvec3(size_m * kBarWidth, size_m * kBarWidth, sized_m));
+        if (style_.form == GlyphForm::cone || style_.form == GlyphForm::tetrahedron)
+            return glm::vec3(glm::dvec3(size_m * kSolidWidth, size_m * kSolidWidth, sized_m));
+        return glm::vec3(static_cast<float>(sized_m));
+    }
+    [[nodiscard]] design::Color color(const GlyphSummary& summary, double value) const {
+        if (style_.subject == GlyphSubject::uncertainty && !summary.uncertainty.is_known()) return faded(style_.unknown, summary);
+        return faded(style_.is_colored ? design::scale_color(scale_, value) : style_.plain, summary);
+    }
+    [[nodiscard]] design::Color faded(design::Color color, const GlyphSummary& summary) const {
+        const double lost = summary.state == ValueState::missing ? 0 : style_.fading * summary.uncertainty.level();
+        color.alpha = static_cast<std::uint8_t>(std::lround(color.alpha * style_.opacity * (1 - lost)));
+        return color;
+    }
+
+    GlyphValues values_;
+    const GlyphStyle& style_;
+    const design::DataScale& scale_;
+    earth::Ecef eye_;
+};
+
+bool is_sign_shape(GlyphShape shape) {
+    return shape == GlyphShape::ring || shape == GlyphShape::crossed_ring || shape == GlyphShape::cross;
+}
+
+/// From far to near.
+void order(base::Span<GlyphInstance> glyphs) {
+    std::sort(glyphs.begin(), glyphs.end(), [](const GlyphInstance& a, const GlyphInstance& b) {
+        return glm::dot(a.place, a.place) > glm::dot(b.place, b.place);
+    });
+}
+
+}  // namespace
+
+std::uint32_t encode_glyphs(base::Span<const SelectedGlyph> glyphs, GlyphValues values, const GlyphStyle& style,
+                            const design::DataScale& scale, const earth::Ecef& eye, GlyphBatch& batch) {
+    const Encoder encoder(values, style, scale, eye);
+    std::uint32_t counts[kGlyphShapes] = {};
+    for (const SelectedGlyph& glyph : glyphs) ++counts[static_cast<std::size_t>(encoder.shape(glyph))];
+    base::Span<GlyphInstance> rooms[kGlyphShapes];
+    std::uint32_t left_out = 0;
+    for (std::size_t n = 0; n < kGlyphShapes; ++n) {
+        const auto shape = static_cast<GlyphShape>(n);
+        const GlyphFacing facing = is_sign_shape(shape) ? GlyphFacing::eye : style.facing;
+        rooms[n] = batch.add(shape, facing, encoder.is_transparent(), counts[n]);
+        if (rooms[n].empty()) left_out += counts[n];
+    }
+    std::uint32_t filled[kGlyphShapes] = {};
+    for (const SelectedGlyph& glyph : glyphs) {
+        const auto n = static_cast<std::size_t>(encoder.shape(glyph));
+        if (!rooms[n].empty()) rooms[n][filled[n]++] = encoder.instance(glyph);
+    }
+    if (encoder.is_transparent())
+        for (const base::Span<GlyphInstance>& room : rooms) order(room);
+    return left_out;
+}
+
+}  // namespace tedavis::draw
