@@ -1,0 +1,21 @@
+/// How a device's budget lines for glyphs are shared out. Pure but for what the device has; any thread.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/gl/gl.hpp"
+
+namespace tedavis::draw {
+
+struct GlyphRoom {
+    std::uint32_t sites = 0;   ///< of all fields together (scene::GlyphField), 0 where there is no room for glyphs
+    std::uint32_t glyphs = 0;  ///< of a frame: of the selection (scene::GlyphSelection) and of the batch
+};
+
+/// Of the lines scene_glyphs and scene_glyph_vertices, for so many fields; the drawer's own share is taken off before. At most
+/// kGlyphShare of the rest are glyphs of a frame.
+[[nodiscard]] GlyphRoom glyph_room(const gl::Gl& gl, std::uint64_t cpu_bytes, std::uint64_t gpu_bytes,
+                                   std::uint32_t fields) noexcept;
+inline constexpr double kGlyphShare = 0.2;
+
+}  // namespace tedavis::draw
