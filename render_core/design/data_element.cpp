@@ -76,8 +76,8 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
 }  // namespace
 
 const std::array<std::string_view, kDataTechniques> kDataTechniqueNames{
-    "tube",   "space_time",  "prism", "solid",   "ribbon", "billboard", "diagram",
-    "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface"};
+    "tube",   "space_time",  "prism", "solid",   "ribbon", "billboard",  "diagram",
+    "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface", "uncertainty_only"};
 const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames{
     "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra"};
 

@@ -45,6 +45,7 @@ enum class DataTechnique : std::uint8_t {
     spheres,
     bars,
     isosurface,
+    uncertainty_only,  ///< sites and how unsure they are, by glyphs; the data themselves are shown otherwise
     count
 };
 inline constexpr std::size_t kDataTechniques = static_cast<std::size_t>(DataTechnique::count);

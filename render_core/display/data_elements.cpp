@@ -29,7 +29,7 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
 bool shows(DataTechnique technique, const scene::Layer& layer) {
     switch (technique) {
         case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
-        default: return false;
+        default: return is_glyph_technique(technique);
     }
 }
 
@@ -44,6 +44,7 @@ const char* reason_of(ElementState state) noexcept {
         case ElementState::shown: return "asked for by the design";
         case ElementState::no_such_layer: return "the scene has no such layer";
         case ElementState::wrong_layer: return "the technique does not show layers of this kind";
+        case ElementState::no_room: return "the device has no room for one more";
         case ElementState::out_of_date: return "the data are not valid at this time";
         case ElementState::no_terrain: return "no terrain is shown";
     }
@@ -59,6 +60,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
         !error.sentence.empty())
         return error;
+    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
     if (!mesh_.start(memory.solids))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
@@ -73,6 +75,7 @@ void DataElements::set(const scene::Scene& scene, const design::DataElementList&
 ElementState DataElements::state_of(const ElementReport& report) const {
     if (report.layer == nullptr) return ElementState::no_such_layer;
     if (!shows(report.element->technique, *report.layer)) return ElementState::wrong_layer;
+    if (is_glyph_technique(report.element->technique) && report.slot == GlyphElements::kSlots) return ElementState::no_room;
     const scene::LayerEntry& entry = *report.layer->entry;
     const bool is_valid = time_ns_ >= entry.valid_from_ns && time_ns_ <= entry.valid_until_ns;
     return has_date_ && !is_valid ? ElementState::out_of_date : ElementState::shown;
@@ -89,6 +92,7 @@ void DataElements::plan(const ElementFrame& frame) {
     }
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
+    plan_glyphs(frame);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
 }
@@ -100,13 +104,24 @@ void DataElements::rest() {
 
 void DataElements::begin_reports() {
     reports_.clear();
+    glyphs_.clear();
+    std::size_t slots = 0;
     for (const design::DataElement& element : *elements_) {
         const std::size_t before = reports_.size();
         for (const scene::Layer& layer : scene_->layers())
-            if (element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name)
+            if (element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name) {
                 begin_report(element, &layer);
+                if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slots++;
+            }
         if (reports_.size() == before) begin_report(element, nullptr);
     }
+}
+
+void DataElements::plan_glyphs(const ElementFrame& frame) {
+    glyphs_.begin_plan();
+    for (ElementReport& report : reports_)
+        if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots)
+            report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_ns_, has_date_});
 }
 
 /// A full list has counted the refusal itself.
@@ -120,6 +135,7 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
+        if (is_glyph_technique(report.element->technique)) continue;
         if (moves(report.element->technique, *report.layer) != moving) continue;
         report.count = build_element(batch, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
                                              frame.missing, time_ns_, has_date_});
@@ -137,15 +153,18 @@ void DataElements::prepare(gl::Gl& gl) {
     if (reports_.empty()) return;
     is_uploaded_ = is_uploaded_ || standing_.upload(gl);
     moving_is_uploaded_ = moving_.upload(gl);
+    glyphs_.prepare(gl);
 }
 
 std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
     if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
     const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
-    return drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
+    const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
+    return draws + glyphs_.draw(gl, frame, range);
 }
 
 void DataElements::destroy(gl::Gl& gl) {
+    glyphs_.destroy(gl);
     drawer_.destroy(gl);
     standing_.destroy(gl);
     moving_.destroy(gl);

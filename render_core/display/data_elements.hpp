@@ -3,13 +3,14 @@
 ///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
 ///
 /// What a layer says once is built by set() and stands; what moves is built by every plan().
-/// Memory    the budget lines scene_solids (CPU) and scene_solid_vertices (GPU). Thread  the display's. Failure  start() gives
-/// one
+/// Memory    the budget lines scene_solids and scene_glyphs (CPU), scene_solid_vertices and scene_glyph_vertices (GPU). Thread
+/// the display's. Failure  start() gives one
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/display/glyph_elements.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
@@ -20,6 +21,7 @@ enum class ElementState : std::uint8_t {
     shown,
     no_such_layer,
     wrong_layer,  ///< the technique does not show layers of this kind
+    no_room,      ///< the device has none for one more
     out_of_date,  ///< the layer is not valid at this time
     no_terrain,   ///< which is what data are shown over
 };
@@ -32,6 +34,7 @@ struct ElementReport {
     const design::DataElement* element = nullptr;
     const scene::Layer* layer = nullptr;  ///< null where the scene has none
     draw::ElementCount count;
+    std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
 };
 inline constexpr std::size_t kMaxElementGroups = 32;
 using ElementReports = base::FixedVector<ElementReport, kMaxElementGroups>;  ///< in the design's order, then the scene's
@@ -46,7 +49,7 @@ struct ElementFrame {
 class DataElements {
 public:
     struct Memory {
-        base::Arena& solids;
+        base::Arena &solids, &glyphs;
     };
     /// Only for displays that have a scene.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory);
@@ -71,8 +74,10 @@ private:
     void begin_reports();
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
+    void plan_glyphs(const ElementFrame& frame);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
 
+    GlyphElements glyphs_;
     draw::SolidDrawer drawer_;
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;

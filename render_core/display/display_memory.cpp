@@ -19,7 +19,8 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kSymbology, &DisplayMemory::symbology_},
                                                      {effects::kSceneData, &DisplayMemory::scene_},
                                                      {effects::kSceneSlices, &DisplayMemory::slices_},
-                                                     {effects::kSceneSolids, &DisplayMemory::solids_}};
+                                                     {effects::kSceneSolids, &DisplayMemory::solids_},
+                                                     {effects::kSceneGlyphs, &DisplayMemory::glyphs_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
     return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;

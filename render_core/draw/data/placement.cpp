@@ -15,6 +15,11 @@ const scene::Attribute* unsure_attribute(const ElementInput& input) {
     return nullptr;
 }
 
+Placed at_height(double latitude_rad, double longitude_rad, double height_m) {
+    if (!std::isfinite(height_m)) return {};
+    return {earth::to_ecef({latitude_rad, longitude_rad, {height_m}}), height_m, true};
+}
+
 /// Attributes of features may be asked by points, which do not count alike.
 bool holds(const scene::Attribute* attribute, std::size_t n) { return attribute != nullptr && n < attribute->values.size(); }
 
@@ -25,19 +30,18 @@ LocalAxes local_axes(double latitude_rad, double longitude_rad) {
     return {ned[1], ned[0], -ned[2]};
 }
 
+Placed placed_over_ground(const ElementInput& input, double latitude_rad, double longitude_rad, double over_m) {
+    return at_height(latitude_rad, longitude_rad, over_m + input.ground.height_m(latitude_rad, longitude_rad));
+}
+
 Placed placed(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m) {
-    Placed result;
-    const bool on_ground = std::isnan(height_m);
-    const double over = on_ground ? 0 : height_m;
-    if (on_ground || input.layer.entry->height_datum == scene::HeightDatum::ground)
-        result.height_m = over + input.ground.height_m(latitude_rad, longitude_rad);
-    else if (input.layer.entry->height_datum == scene::HeightDatum::msl)
-        result.height_m = over + input.ground.undulation_m(latitude_rad, longitude_rad);
-    else
-        result.height_m = over;
-    result.is_known = std::isfinite(result.height_m);
-    if (result.is_known) result.place = earth::to_ecef({latitude_rad, longitude_rad, {result.height_m}});
-    return result;
+    if (std::isnan(height_m)) return placed_over_ground(input, latitude_rad, longitude_rad, 0);
+    switch (input.layer.entry->height_datum) {
+        case scene::HeightDatum::ground: return placed_over_ground(input, latitude_rad, longitude_rad, height_m);
+        case scene::HeightDatum::msl:
+            return at_height(latitude_rad, longitude_rad, height_m + input.ground.undulation_m(latitude_rad, longitude_rad));
+        default: return at_height(latitude_rad, longitude_rad, height_m);
+    }
 }
 
 Placed placed(const ElementInput& input, const scene::ScenePoint& point) {

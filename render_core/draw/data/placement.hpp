@@ -23,6 +23,8 @@ struct Placed {
 /// A height in a layer's datum as one over the ellipsoid; NaN stands on the ground.
 [[nodiscard]] Placed placed(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m);
 [[nodiscard]] Placed placed(const ElementInput& input, const scene::ScenePoint& point);
+/// The same over the ground, whatever the layer's datum.
+[[nodiscard]] Placed placed_over_ground(const ElementInput& input, double latitude_rad, double longitude_rad, double over_m);
 
 /// The colour of an encoding at value n of its attribute; `plain` where the element has no such encoding, the colour of missing
 /// data where the layer has no such attribute or the value is missing.

@@ -46,6 +46,15 @@ TEST(Placement, WithoutGroundNothingStandsOnIt) {
     EXPECT_LT(glm::distance(at.place, earth::to_ecef({0.8, 0.2, {90}})), 1e-6);
 }
 
+TEST(Placement, OverTheGroundIsOverTheGroundWhateverTheLayerSays) {
+    host_sim::LayerDraft layer = test_support::small_points();
+    layer.height_datum = scene::HeightDatum::msl;
+    ElementOfTest test(layer);
+    EXPECT_EQ(placed_over_ground(test.input(), 0.8, 0.2, 30).height_m, 630);
+    test.ground.is_known = false;
+    EXPECT_FALSE(placed_over_ground(test.input(), 0.8, 0.2, 30).is_known);
+}
+
 TEST(Placement, AxesAreEastNorthAndUp) {
     const LocalAxes axes = local_axes(0.8, 0.2);
     EXPECT_LT(glm::distance(glm::cross(axes.east, axes.north), axes.up), 1e-12);

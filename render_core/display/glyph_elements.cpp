@@ -1,0 +1,194 @@
+#include "render_core/display/glyph_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/draw/data/glyph_room.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::DataTechnique;
+using design::ElementUncertainty;
+
+constexpr std::int64_t kMinute_ns = 60'000'000'000;
+constexpr std::uint32_t kSitesAhead = 4096;  // a frame, of the field that will be shown next
+constexpr std::uint32_t kAll = 0xFFFFFFFFu;
+
+std::int64_t start_of_minute(std::int64_t time_ns) {
+    const std::int64_t into = time_ns % kMinute_ns;
+    return time_ns - (into < 0 ? into + kMinute_ns : into);
+}
+
+scene::GlyphView glyph_view(const terrain::View& view) {
+    return {view.eye,      view.forward, view.right, view.down, view.half_width_tangent(), view.half_height_tangent(),
+            view.focal_px, view.near_m,  view.far_m};
+}
+
+draw::GlyphForm form_of(DataTechnique technique) {
+    switch (technique) {
+        case DataTechnique::flat_arrows: return draw::GlyphForm::flat_arrow;
+        case DataTechnique::spheres: return draw::GlyphForm::sphere;
+        case DataTechnique::bars: return draw::GlyphForm::bar;
+        default: return draw::GlyphForm::arrow;
+    }
+}
+
+draw::GlyphForm form_of(ElementUncertainty uncertainty) {
+    switch (uncertainty) {
+        case ElementUncertainty::triangles: return draw::GlyphForm::triangle;
+        case ElementUncertainty::tetrahedra: return draw::GlyphForm::tetrahedron;
+        default: return draw::GlyphForm::circle;
+    }
+}
+
+/// Where no scale says it, from nothing to the largest value there is.
+void set_range(const design::DataElement& element, const scene::Attribute& attribute, draw::GlyphStyle& style) {
+    if (element.by_color.is_used()) {
+        style.least_value = element.by_color.scale.palette.stops[0].value;
+        style.full_value = element.by_color.scale.palette.stops.back().value;
+        return;
+    }
+    style.least_value = std::min(0.0, static_cast<double>(attribute.entry->minimum));
+    style.full_value = std::max(std::fabs(static_cast<double>(attribute.entry->minimum)),
+                                std::fabs(static_cast<double>(attribute.entry->maximum)));
+}
+
+draw::GlyphStyle value_style(const design::DataElement& element, const scene::Attribute& attribute, design::Color missing) {
+    constexpr std::uint32_t kDirectionsOfClasses = 16;
+    draw::GlyphStyle style;
+    style.form = form_of(element.technique);
+    const bool has_classes = element.by_color.is_used() && !element.by_color.scale.breaks.empty();
+    style.sizing = has_classes ? draw::GlyphSizing::classes : draw::GlyphSizing::continuous;
+    set_range(element, attribute, style);
+    style.opacity = element.opacity;
+    style.fading = element.uncertainty == ElementUncertainty::transparency ? element.uncertainty_strength : 0;
+    style.directions = has_classes ? kDirectionsOfClasses : 0;
+    style.is_colored = element.by_color.is_used();
+    style.plain = element.color;
+    style.missing = missing;
+    return style;
+}
+
+draw::GlyphStyle uncertainty_style(const design::DataElement& element) {
+    draw::GlyphStyle style;
+    style.form = form_of(element.uncertainty);
+    style.subject = draw::GlyphSubject::uncertainty;
+    style.opacity = element.uncertainty_strength;
+    return style;
+}
+
+/// From sure to unsure, in classes where the design asks for them: levels 0..1.
+design::DataScale uncertainty_scale(const design::DataElement& element) {
+    constexpr design::Color kSure{255, 255, 204}, kUnsure{189, 0, 38};
+    design::DataScale scale;
+    scale.palette.name = "uncertainty";
+    static_cast<void>(scale.palette.stops.try_push_back({0, kSure}));
+    static_cast<void>(scale.palette.stops.try_push_back({1, kUnsure}));
+    for (std::uint32_t n = 1; n < element.uncertainty_levels; ++n)
+        static_cast<void>(scale.breaks.try_push_back(static_cast<double>(n) / element.uncertainty_levels));
+    return scale;
+}
+
+}  // namespace
+
+bool is_glyph_technique(DataTechnique technique) noexcept {
+    return technique == DataTechnique::arrows || technique == DataTechnique::flat_arrows || technique == DataTechnique::spheres ||
+           technique == DataTechnique::bars || technique == DataTechnique::uncertainty_only;
+}
+
+bool is_glyph_uncertainty(ElementUncertainty uncertainty) noexcept {
+    return uncertainty == ElementUncertainty::circles || uncertainty == ElementUncertainty::triangles ||
+           uncertainty == ElementUncertainty::tetrahedra;
+}
+
+gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
+    base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
+    constexpr std::uint32_t kFields = 2 * kSlots;
+    const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kFields);
+    if (gl::GlError error = drawer_.start(gl, line, memory); !error.sentence.empty()) return error;
+    batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
+    bool is_whole = selection_.start(memory, room.glyphs);
+    for (Slot& slot : slots_)
+        for (scene::GlyphField& field : slot.fields) is_whole = field.start(memory, room.sites / kFields) && is_whole;
+    most_glyphs_ = room.glyphs;
+    if (room.sites > 0 && is_whole) return {};
+    return gl::make_error("the budget line '", effects::kSceneGlyphs, "' is too small; raise it in the device file");
+}
+
+draw::ElementInput GlyphElements::input_of(const Slot& slot, const GlyphFrameInput& frame) const {
+    return {*slot.element, 0, *slot.layer, frame.ground, frame.missing, frame.time_ns, frame.has_date};
+}
+
+bool GlyphElements::add(const design::DataElement& element, const scene::Layer& layer) {
+    const scene::LayerShape shape = layer.entry->shape;
+    const bool has_sites = shape == scene::LayerShape::grid || shape == scene::LayerShape::points;
+    if (used_ == kSlots || !has_sites || draw::glyph_attribute(element, layer) == nullptr) return false;
+    Slot& slot = slots_[used_++];
+    slot.element = &element;
+    slot.layer = &layer;
+    for (std::size_t n = 0; n < 2; ++n) slot.is_begun[n] = slot.is_given[n] = false;
+    return true;
+}
+
+void GlyphElements::begin_plan() { batch_.clear(); }
+
+void GlyphElements::advance(Slot& slot, std::uint32_t field, std::int64_t time_ns, const GlyphFrameInput& frame,
+                            std::uint32_t most_sites) {
+    scene::GlyphField& sites = slot.fields[field];
+    if (!slot.is_begun[field] || slot.times_ns[field] != time_ns) {
+        slot.is_begun[field] = slot.sites.begin(input_of(slot, frame), time_ns, sites);
+        slot.is_given[field] = false;
+        slot.times_ns[field] = time_ns;
+    }
+    if (!slot.is_given[field])
+        slot.is_given[field] = slot.sites.step(frame.ground, sites, most_sites);
+    else
+        static_cast<void>(sites.step(most_sites));
+}
+
+void GlyphElements::show(Slot& slot, const GlyphFrameInput& frame) {
+    const bool changes = draw::glyphs_change(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer));
+    const std::int64_t own = slot.layer->times_ns.empty() ? slot.layer->entry->data_time_ns : slot.layer->times_ns[0];
+    const bool follows = frame.has_date && changes;
+    const std::int64_t time_ns = follows ? start_of_minute(frame.time_ns) : own == scene::kNoTime ? 0 : own;
+    const auto is_of = [&](std::uint32_t n) {
+        return slot.is_begun[n] && slot.times_ns[n] == time_ns && slot.fields[n].is_ready();
+    };
+    if (!is_of(slot.shown)) slot.shown = 1 - slot.shown;
+    while (!is_of(slot.shown)) advance(slot, slot.shown, time_ns, frame, kAll);  // three times at most
+    if (follows) advance(slot, 1 - slot.shown, time_ns + kMinute_ns, frame, kSitesAhead);
+}
+
+void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
+    const design::DataElement& element = *slot.element;
+    const scene::Attribute& attribute = *draw::glyph_attribute(element, *slot.layer);
+    const scene::GlyphValues values = draw::glyph_values(*slot.layer, attribute);
+    if (element.technique != DataTechnique::uncertainty_only)
+        draw::encode_glyphs(selection_.glyphs(), values, value_style(element, attribute, frame.missing), element.by_color.scale,
+                            frame.view.eye, batch_);
+    if (is_glyph_uncertainty(element.uncertainty))
+        draw::encode_glyphs(selection_.glyphs(), values, uncertainty_style(element), uncertainty_scale(element), frame.view.eye,
+                            batch_);
+}
+
+draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& frame) {
+    Slot& slot = slots_[n];
+    show(slot, frame);
+    scene::GlyphSettings settings;
+    settings.detail = slot.element->detail;
+    const bool is_twice = is_glyph_uncertainty(slot.element->uncertainty);
+    settings.most_drawn = most_glyphs_ / static_cast<std::uint32_t>(used_ * (is_twice ? 2 : 1));
+    const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
+    encode(slot, frame);
+    return {counts.drawn, counts.aggregated, counts.hidden};
+}
+
+void GlyphElements::prepare(gl::Gl& gl) { drawer_.upload(gl, batch_); }
+
+std::uint32_t GlyphElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
+    return batch_.instances().empty() ? 0 : drawer_.draw(gl, frame, range);
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,72 @@
+/// Elements of the data aspect that are glyphs: a field of sites each, what a view shows of it, and its drawing.
+///
+///   start(...) · set(...) an element a slot · plan(frame) each frame, without GL · prepare(gl) · draw(gl, range)
+///
+/// Values at a time are those of the whole minute before it. The next minute's field is made ahead, some sites a frame, so that
+/// no frame stalls; a jump in time makes it at once. What is shown never depends on where a run began.
+/// Memory    the budget lines scene_glyphs (CPU) and scene_glyph_vertices (GPU). Thread  the display's. Failure  start() gives
+///           one sentence; elements beyond the slots are refused.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/glyph_drawer.hpp"
+#include "render_core/draw/data/glyph_encoding.hpp"
+#include "render_core/draw/data/glyph_sites.hpp"
+#include "render_core/scene/glyph_selection.hpp"
+
+namespace tedavis::display {
+
+struct GlyphFrameInput {
+    draw::Ground& ground;
+    const terrain::View& view;
+    design::Color missing;
+    std::int64_t time_ns = 0;  ///< of the source where it has a date
+    bool has_date = false;
+};
+
+[[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;
+[[nodiscard]] bool is_glyph_uncertainty(design::ElementUncertainty uncertainty) noexcept;
+
+class GlyphElements {
+public:
+    static constexpr std::size_t kSlots = 3;
+
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
+    [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
+    /// Nothing is shown from here on.
+    void clear() { used_ = 0; }
+    /// One more. False where no slot is left or the layer has nothing that glyphs show. Element and layer must stay.
+    [[nodiscard]] bool add(const design::DataElement& element, const scene::Layer& layer);
+
+    /// Of the n-th element that was added; to be called for all of them in their order, after begin_plan().
+    void begin_plan();
+    [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);
+
+    void prepare(gl::Gl& gl);
+    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
+    void destroy(gl::Gl& gl) { drawer_.destroy(gl); }
+
+private:
+    struct Slot {
+        const design::DataElement* element = nullptr;
+        const scene::Layer* layer = nullptr;
+        scene::GlyphField fields[2];
+        draw::GlyphSites sites;         ///< of the field that is not shown
+        std::int64_t times_ns[2] = {};  ///< of the fields
+        bool is_given[2] = {}, is_begun[2] = {};
+        std::uint32_t shown = 0;
+    };
+    [[nodiscard]] draw::ElementInput input_of(const Slot& slot, const GlyphFrameInput& frame) const;
+    void show(Slot& slot, const GlyphFrameInput& frame);
+    void advance(Slot& slot, std::uint32_t field, std::int64_t time_ns, const GlyphFrameInput& frame, std::uint32_t most_sites);
+    void encode(const Slot& slot, const GlyphFrameInput& frame);
+
+    Slot slots_[kSlots];
+    std::size_t used_ = 0;
+    scene::GlyphSelection selection_;
+    draw::GlyphBatch batch_;
+    draw::GlyphDrawer drawer_;
+    std::uint32_t most_glyphs_ = 0;
+};
+
+}  // namespace tedavis::display
