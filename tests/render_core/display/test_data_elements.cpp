@@ -1,0 +1,177 @@
+#include "render_core/display/data_elements.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/built_element.hpp"
+#include "tests/support/free_view.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::DataTechnique;
+using test_support::GlSession;
+
+constexpr base::Time kNoDate{0}, kNow{1'700'000'000'000'000'000};
+constexpr std::int64_t kHour_ns = 3'600'000'000'000;
+
+/// Areas that may not be entered, masts and air over 46.8 N 9.8 E.
+host_sim::SceneDraft scene_draft() {
+    host_sim::SceneDraft draft = test_support::small_scene();
+    draft.layers[2].valid_from_ns = kNow.ns;
+    draft.layers[2].valid_until_ns = kNow.ns + kHour_ns;
+    return draft;
+}
+
+class DataElementsTest : public ::testing::Test {
+protected:
+    explicit DataElementsTest(const host_sim::SceneDraft& draft = scene_draft()) : session_("egl", "es3-mid"), scene_(draft) {
+        const std::uint64_t bytes[] = {line(effects::kSceneSolids), line(effects::kSceneGlyphs)};
+        for (std::size_t n = 0; n < 2; ++n) {
+            blocks_[n].resize(bytes[n]);
+            arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
+        }
+        EXPECT_EQ(elements_.start(session_.gl, session_.device.budget, {arenas_[0], arenas_[1]}).sentence.view(), "");
+        session_.gl.seal();
+        const glm::dvec3 eye = earth::to_ecef({base::radians(46.7), base::radians(9.82), {3000}});
+        frame_.view =
+            test_support::free_view(eye, earth::body_axes(base::radians(46.7), base::radians(9.82), 0, 0, 0), 64, 48, 10);
+    }
+    ~DataElementsTest() override {
+        session_.gl.retire();
+        elements_.destroy(session_.gl);
+    }
+    std::uint64_t line(std::string_view name) { return session_.device.budget.find(name)->bytes; }
+    design::DataElement& ask_for(std::string_view layer, DataTechnique technique) {
+        design::DataElement element;
+        element.layer = layer;
+        element.technique = technique;
+        EXPECT_TRUE(asked_.try_push_back(element));
+        return asked_.back();
+    }
+    void plan(base::Time now = kNow) {
+        elements_.set(scene_.scene(), asked_);
+        elements_.plan({ground_, frame_.view, {255, 0, 255}, now});
+    }
+    [[nodiscard]] ElementState state(std::size_t n) const { return elements_.reports()[n].state; }
+    /// Pixels that are not the background.
+    std::size_t drawn_pixels() {
+        gl::bind_surface(session_.gl, *session_.surface);
+        session_.gl->ClearColor(0, 0, 0, 1);
+        session_.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        session_.gl->Enable(GL_DEPTH_TEST);
+        elements_.prepare(session_.gl);
+        static_cast<void>(elements_.draw(session_.gl, frame_, {10, 100'000}));
+        EXPECT_EQ(session_.gl.denied().total, 0u);
+        const auto pixels = session_.pixels();
+        std::size_t drawn = 0;
+        for (std::size_t n = 0; n < pixels.size(); n += 4) drawn += pixels[n] + pixels[n + 1] + pixels[n + 2] > 0 ? 1 : 0;
+        return drawn;
+    }
+
+    GlSession session_;
+    test_support::LoadedScene scene_;
+    std::vector<unsigned char> blocks_[2];
+    base::Arena arenas_[2];
+    test_support::LevelGround ground_;
+    design::DataElementList asked_;
+    DataElements elements_;
+    draw::DataFrame frame_;
+};
+
+TEST_F(DataElementsTest, WhatIsAskedForIsDrawnAndCounted) {
+    ask_for("zones", DataTechnique::prism);
+    plan();
+    EXPECT_EQ(state(0), ElementState::shown);
+    EXPECT_EQ(elements_.reports()[0].count.drawn, 2u);
+    EXPECT_GT(drawn_pixels(), 50u);
+}
+
+TEST_F(DataElementsTest, NothingAskedForDrawsNothing) {
+    plan();
+    EXPECT_FALSE(elements_.has_anything());
+    EXPECT_EQ(elements_.reports().size(), 0u);
+    EXPECT_EQ(drawn_pixels(), 0u);
+}
+
+TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
+    ask_for("zones", DataTechnique::prism);
+    plan({kNow.ns - 1});
+    EXPECT_EQ(state(0), ElementState::out_of_date);
+    EXPECT_FALSE(elements_.has_anything());
+    EXPECT_EQ(drawn_pixels(), 0u);
+    elements_.plan({ground_, frame_.view, {}, kNow});
+    EXPECT_EQ(state(0), ElementState::shown);
+    EXPECT_GT(drawn_pixels(), 50u);
+    elements_.plan({ground_, frame_.view, {}, {kNow.ns + kHour_ns + 1}});
+    EXPECT_EQ(state(0), ElementState::out_of_date);
+    elements_.plan({ground_, frame_.view, {}, kNoDate});
+    EXPECT_EQ(state(0), ElementState::shown) << "a time that is no date makes nothing invalid";
+}
+
+TEST_F(DataElementsTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {
+    ask_for("zoo", DataTechnique::prism);
+    ask_for("masts", DataTechnique::prism);
+    plan();
+    EXPECT_EQ(state(0), ElementState::no_such_layer);
+    EXPECT_EQ(state(1), ElementState::wrong_layer);
+    EXPECT_FALSE(elements_.has_anything());
+}
+
+TEST_F(DataElementsTest, ARoleNamesAllItsLayers) {
+    design::DataElement& element = ask_for("", DataTechnique::prism);
+    element.role = scene::LayerRole::no_go;
+    plan();
+    ASSERT_EQ(elements_.reports().size(), 1u);
+    EXPECT_EQ(elements_.reports()[0].count.all(), 2u);
+}
+
+TEST_F(DataElementsTest, GlyphsAreCountedWhole) {
+    design::DataElement& element = ask_for("air", DataTechnique::spheres);
+    element.heights_m.clear();
+    plan();
+    EXPECT_EQ(state(0), ElementState::shown);
+    EXPECT_EQ(elements_.reports()[0].count.all(), 12u) << "posts of the lowest level";
+}
+
+TEST_F(DataElementsTest, MoreGlyphsThanSlotsAreRefused) {
+    for (std::size_t n = 0; n <= GlyphElements::kSlots; ++n) ask_for("air", DataTechnique::spheres);
+    plan();
+    for (std::size_t n = 0; n < GlyphElements::kSlots; ++n) EXPECT_EQ(state(n), ElementState::shown) << n;
+    EXPECT_EQ(state(GlyphElements::kSlots), ElementState::no_room);
+}
+
+TEST_F(DataElementsTest, AnotherDesignTakesEffectWithTheNextPlan) {
+    ask_for("zones", DataTechnique::prism);
+    plan();
+    EXPECT_GT(drawn_pixels(), 50u);
+    asked_.clear();
+    plan();
+    EXPECT_EQ(drawn_pixels(), 0u);
+}
+
+TEST_F(DataElementsTest, AFrameWithoutTerrainShowsNone) {
+    ask_for("zones", DataTechnique::prism);
+    plan();
+    elements_.rest();
+    EXPECT_EQ(state(0), ElementState::no_terrain);
+    EXPECT_EQ(drawn_pixels(), 0u);
+}
+
+TEST(ElementState, HasAReasonOfItsOwn) {
+    std::set<std::string> reasons;
+    for (const ElementState state : {ElementState::shown, ElementState::no_such_layer, ElementState::wrong_layer,
+                                     ElementState::no_room, ElementState::out_of_date, ElementState::no_terrain})
+        reasons.insert(reason_of(state));
+    EXPECT_EQ(reasons.size(), 6u);
+}
+
+}  // namespace
+}  // namespace tedavis::display

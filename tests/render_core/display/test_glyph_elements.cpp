@@ -1,0 +1,148 @@
+#include "render_core/display/glyph_elements.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/gl/render_target.hpp"
+#include "tests/support/built_element.hpp"
+#include "tests/support/free_view.hpp"
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::DataTechnique;
+
+constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000 / 60'000'000'000 * 60'000'000'000;
+constexpr std::int64_t kMinute_ns = 60'000'000'000, kHour_ns = 60 * kMinute_ns;
+
+/// Temperatures over 46.5 N 9.4 E that change by 24 K within an hour.
+host_sim::LayerDraft changing_air() {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.times_ns = {kStart_ns, kStart_ns + kHour_ns};
+    return layer;
+}
+
+/// Glyphs of one layer on a device, seen from the south.
+struct GlyphView {
+    explicit GlyphView(const char* device = "es3-mid") : session("egl", device), scene(changing_air()) {
+        block.resize(session.device.budget.find(effects::kSceneGlyphs)->bytes);
+        base::Arena arena(block.data(), block.size());
+        EXPECT_EQ(glyphs.start(session.gl, session.device.budget, arena).sentence.view(), "");
+        session.gl.seal();
+        element.technique = DataTechnique::spheres;
+        element.by_color.attribute = "temperature";
+        EXPECT_TRUE(element.by_color.scale.palette.stops.try_push_back({260, {0, 0, 255}}));
+        EXPECT_TRUE(element.by_color.scale.palette.stops.try_push_back({310, {255, 0, 0}}));
+        EXPECT_TRUE(element.heights_m.try_push_back(1000));
+        const glm::dvec3 eye = earth::to_ecef({base::radians(45.6), base::radians(9.4), {12'000}});
+        frame.view =
+            test_support::free_view(eye, earth::body_axes(base::radians(45.6), base::radians(9.4), 0, -0.1, 0), 160, 120, 10);
+    }
+    ~GlyphView() {
+        session.gl.retire();
+        glyphs.destroy(session.gl);
+    }
+    bool add() { return glyphs.add(element, scene.layer()); }
+    draw::ElementCount plan(std::int64_t time_ns, bool has_date = true) {
+        glyphs.begin_plan();
+        return glyphs.plan(0, {ground, frame.view, {255, 0, 255}, time_ns, has_date});
+    }
+    std::vector<std::uint8_t> picture() {
+        gl::bind_surface(session.gl, *session.surface);
+        session.gl->ClearColor(0, 0, 0, 1);
+        session.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        session.gl->Enable(GL_DEPTH_TEST);
+        glyphs.prepare(session.gl);
+        static_cast<void>(glyphs.draw(session.gl, frame, {10, 400'000}));
+        EXPECT_EQ(session.gl.denied().total, 0u);
+        return session.pixels();
+    }
+    std::vector<std::uint8_t> picture_at(std::int64_t time_ns) {
+        static_cast<void>(plan(time_ns));
+        return picture();
+    }
+
+    test_support::GlSession session;
+    test_support::LoadedScene scene;
+    test_support::LevelGround ground;
+    std::vector<unsigned char> block;
+    design::DataElement element;
+    GlyphElements glyphs;
+    draw::DataFrame frame;
+};
+
+TEST(GlyphElements, AllSitesAreCountedInBothLanes) {
+    for (const char* device : {"es3-mid", "es2-small"}) {
+        GlyphView view(device);
+        ASSERT_TRUE(view.add());
+        const draw::ElementCount count = view.plan(kStart_ns);
+        EXPECT_EQ(count.all(), 12u) << device;
+        EXPECT_GT(count.drawn, 3u) << device;
+    }
+}
+
+TEST(GlyphElements, ThePictureOfAnInstantDoesNotDependOnWhereTheRunBegan) {
+    GlyphView flown, jumped, backwards;
+    ASSERT_TRUE(flown.add() && jumped.add() && backwards.add());
+    for (int second = 0; second < 300; second += 7) static_cast<void>(flown.plan(kStart_ns + second * 1'000'000'000LL));
+    static_cast<void>(backwards.plan(kStart_ns + kHour_ns));
+    const std::int64_t then = kStart_ns + 305 * 1'000'000'000LL;
+    const auto expected = jumped.picture_at(then);
+    EXPECT_EQ(flown.picture_at(then), expected);
+    EXPECT_EQ(backwards.picture_at(then), expected);
+    EXPECT_NE(jumped.picture_at(then + 30 * kMinute_ns), expected) << "it does change";
+    EXPECT_EQ(jumped.picture_at(then), expected) << "and comes back";
+}
+
+TEST(GlyphElements, WithoutADateTheyStandAtTheirOwnTime) {
+    GlyphView view;
+    ASSERT_TRUE(view.add());
+    static_cast<void>(view.plan(5, false));
+    EXPECT_EQ(view.picture(), view.picture_at(kStart_ns));
+}
+
+TEST(GlyphElements, UncertaintyHasGlyphsOfItsOwn) {
+    GlyphView plain, both, only;
+    both.element.uncertainty = only.element.uncertainty = design::ElementUncertainty::tetrahedra;
+    only.element.technique = DataTechnique::uncertainty_only;
+    ASSERT_TRUE(plain.add() && both.add() && only.add());
+    const auto none = plain.picture_at(kStart_ns), two = both.picture_at(kStart_ns), one = only.picture_at(kStart_ns);
+    EXPECT_NE(none, two);
+    EXPECT_NE(one, two);
+    EXPECT_NE(one, none);
+}
+
+TEST(GlyphElements, LayersWithoutSitesAreRefused) {
+    GlyphView view;
+    const test_support::LoadedScene areas(test_support::small_areas());
+    EXPECT_FALSE(view.glyphs.add(view.element, areas.layer()));
+    view.element.by_color.attribute = "smoke";
+    EXPECT_FALSE(view.add());
+}
+
+TEST(GlyphElements, TechniquesAreEitherGlyphsOrNot) {
+    EXPECT_TRUE(is_glyph_technique(DataTechnique::arrows));
+    EXPECT_TRUE(is_glyph_technique(DataTechnique::uncertainty_only));
+    EXPECT_FALSE(is_glyph_technique(DataTechnique::prism));
+    EXPECT_TRUE(is_glyph_uncertainty(design::ElementUncertainty::circles));
+    EXPECT_FALSE(is_glyph_uncertainty(design::ElementUncertainty::transparency));
+}
+
+TEST(GlyphElements, ALineThatIsTooSmallIsNamed) {
+    test_support::GlSession session("egl", "es3-mid");
+    std::vector<unsigned char> block(1000);
+    base::Arena arena(block.data(), block.size());
+    GlyphElements glyphs;
+    EXPECT_NE(glyphs.start(session.gl, session.device.budget, arena).sentence.view().find("scene_glyphs"),
+              std::string_view::npos);
+    session.gl.seal();
+    session.gl.retire();
+    glyphs.destroy(session.gl);
+}
+
+}  // namespace
+}  // namespace tedavis::display
