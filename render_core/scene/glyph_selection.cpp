@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -9,9 +10,6 @@ namespace tedavis::scene {
 namespace {
 
 constexpr double kLeastDistance_m = 0.01;
-
-/// How far what a summary stands for reaches across, by the diagonal of a square.
-double extent_m(const GlyphSummary& summary) { return 1.4142135623730951 * radius_m(summary) + summary.size_m; }
 
 bool is_aggregate(const GlyphSummary& summary) { return summary.members > 1; }
 
@@ -65,6 +63,16 @@ void GlyphSelection::set_view(const GlyphField& field, const GlyphView& view, co
 
 double GlyphSelection::distance_m(const GlyphSummary& summary) const {
     return std::fmax(glm::length(glm::dvec3(summary.place) - eye_), kLeastDistance_m);
+}
+
+/// Of a square that covers as much of the view as the box round the members' glyphs, which are taken half as high as wide; of one
+/// place its own size.
+double GlyphSelection::extent_m(const GlyphSummary& summary) const {
+    if (!is_aggregate(summary)) return summary.size_m;
+    const double half_m = 0.5 * summary.size_m;
+    const glm::dvec3 sides = 2.0 * (glm::dvec3(summary.reach_m) + glm::dvec3(half_m, half_m, 0.5 * half_m));
+    const glm::dvec3 ray = glm::abs(glm::dvec3(summary.place) - eye_) / distance_m(summary);
+    return std::sqrt(ray.x * sides.y * sides.z + ray.y * sides.x * sides.z + ray.z * sides.x * sides.y);
 }
 
 double GlyphSelection::px_of(double length_m, double distance_m) const { return length_m * focal_px_ / distance_m; }

@@ -1,7 +1,8 @@
 /// Which glyphs of a field a view shows: single ones, and groups whose members would be too small to be told apart.
 ///
-/// A site whose glyph is least_px or more across is drawn itself. Of smaller ones, those that lie within a cell of cell_px are
-/// one glyph at their mean place, as large as they are together; a small one that has its cell alone is drawn itself at least_px.
+/// A site whose glyph is least_px or more across is drawn itself. Groups of smaller ones that cover no more of the screen than a
+/// square of cell_px are one glyph at their mean place, as large as such a square; a small one that has its cell alone is drawn
+/// itself at least_px. As areas count, what is seen at a grazing angle becomes fewer glyphs, not a heap of them.
 /// Where that would be more glyphs than may be drawn, groups are parted in the order of their extent on the screen, largest
 /// first, until there is no room for more: what is far and dense stays together, and the rest of the counts say how much.
 ///
@@ -86,6 +87,7 @@ private:
     [[nodiscard]] bool is_whole(const Part& part);
     void emit(const Part& part);
     [[nodiscard]] bool is_in_view(const GlyphSummary& summary, double room_m, unsigned& planes) const;
+    [[nodiscard]] double extent_m(const GlyphSummary& summary) const;
     [[nodiscard]] double px_of(double length_m, double distance_m) const;
     [[nodiscard]] double distance_m(const GlyphSummary& summary) const;
 

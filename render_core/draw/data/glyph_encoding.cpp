@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "render_core/base/units.hpp"
 
@@ -15,7 +16,7 @@ using scene::SelectedGlyph;
 using scene::ValueState;
 using scene::WindState;
 
-constexpr double kSignShare = 0.7;                                       // of signs, of the full size
+constexpr double kSignShare = 0.5;                                       // of signs, of the full size
 constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.5;  // of the full size
 constexpr double kLeastPoleDistance = 1e-9;
 
@@ -49,21 +50,25 @@ GlyphShape shape_of(GlyphForm form) {
 
 bool is_arrow(GlyphForm form) { return form == GlyphForm::arrow || form == GlyphForm::flat_arrow; }
 
+bool is_sign_shape(GlyphShape shape) {
+    return shape == GlyphShape::ring || shape == GlyphShape::crossed_ring || shape == GlyphShape::cross;
+}
+
 class Encoder {
 public:
     Encoder(GlyphValues values, const GlyphStyle& style, const design::DataScale& scale, const earth::Ecef& eye)
         : values_(values), style_(style), scale_(scale), eye_(eye) {}
 
     [[nodiscard]] GlyphShape shape(const SelectedGlyph& glyph) const {
-        const GlyphSummary& summary = glyph.summary;
-        if (is_sign(summary)) return sign(summary);
+        if (const std::optional<GlyphShape> sign = this->sign(glyph.summary)) return *sign;
         const GlyphShape whole = shape_of(style_.form);
         return glyph.size_px < kPlainBelow_px ? plain_variant(whole) : whole;
     }
 
-    [[nodiscard]] GlyphInstance instance(const SelectedGlyph& glyph) const {
+    /// `shape` as above.
+    [[nodiscard]] GlyphInstance instance(const SelectedGlyph& glyph, GlyphShape shape) const {
         const GlyphSummary& summary = glyph.summary;
-        if (is_sign(summary)) {
+        if (is_sign_shape(shape)) {
             const bool is_missing = summary.state == ValueState::missing;
             const auto across_m = static_cast<float>(kSignShare * glyph.size_m);
             return make_glyph(summary.place, glm::vec3(across_m), glm::dvec3(0),
@@ -72,7 +77,7 @@ public:
         const double value = shown_value(summary);
         const LocalAxes axes = local_axes(eye_ + glm::dvec3(summary.place));
         glm::dvec3 direction = axes.north;
-        if (has_direction(summary)) {
+        if (shows_direction()) {
             const double towards = compass_angle(std::atan2(double{summary.value}, double{summary.north_mps}));
             direction = axes.east * std::sin(towards) + axes.north * std::cos(towards);
         }
@@ -84,26 +89,23 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_direction(const GlyphSummary& summary) const {
-        return values_ == GlyphValues::wind && is_arrow(style_.form) && style_.subject == GlyphSubject::value &&
-               scene::wind_of(summary).state == WindState::steady;
+    [[nodiscard]] bool shows_direction() const {
+        return values_ == GlyphValues::wind && is_arrow(style_.form) && style_.subject == GlyphSubject::value;
     }
     [[nodiscard]] double compass_angle(double angle_rad) const {
         if (style_.directions == 0) return angle_rad;
         const double step = 2 * base::kPi / style_.directions;
         return std::round(angle_rad / step) * step;
     }
-    /// An arrow of what has no direction, a value that is none.
-    [[nodiscard]] bool is_sign(const GlyphSummary& summary) const {
-        if (summary.state == ValueState::missing) return true;
-        if (style_.subject == GlyphSubject::uncertainty) return false;
-        if (summary.is_mixed) return true;
-        return values_ == GlyphValues::wind && is_arrow(style_.form) && !has_direction(summary);
-    }
-    [[nodiscard]] GlyphShape sign(const GlyphSummary& summary) const {
+    /// Of what has no value, or no direction that an arrow could show; else none.
+    [[nodiscard]] std::optional<GlyphShape> sign(const GlyphSummary& summary) const {
         if (summary.state == ValueState::missing) return GlyphShape::cross;
+        if (style_.subject == GlyphSubject::uncertainty) return std::nullopt;
         if (summary.is_mixed) return GlyphShape::crossed_ring;
-        return scene::wind_of(summary).state == WindState::calm ? GlyphShape::ring : GlyphShape::crossed_ring;
+        if (!shows_direction()) return std::nullopt;
+        const WindState state = scene::wind_of(summary).state;
+        if (state == WindState::steady) return std::nullopt;
+        return state == WindState::calm ? GlyphShape::ring : GlyphShape::crossed_ring;
     }
     [[nodiscard]] double shown_value(const GlyphSummary& summary) const {
         if (style_.subject == GlyphSubject::uncertainty) return summary.uncertainty.level();
@@ -146,10 +148,6 @@ private:
     earth::Ecef eye_;
 };
 
-bool is_sign_shape(GlyphShape shape) {
-    return shape == GlyphShape::ring || shape == GlyphShape::crossed_ring || shape == GlyphShape::cross;
-}
-
 /// From far to near.
 void order(base::Span<GlyphInstance> glyphs) {
     std::sort(glyphs.begin(), glyphs.end(), [](const GlyphInstance& a, const GlyphInstance& b) {
@@ -174,8 +172,9 @@ std::uint32_t encode_glyphs(base::Span<const SelectedGlyph> glyphs, GlyphValues 
     }
     std::uint32_t filled[kGlyphShapes] = {};
     for (const SelectedGlyph& glyph : glyphs) {
-        const auto n = static_cast<std::size_t>(encoder.shape(glyph));
-        if (!rooms[n].empty()) rooms[n][filled[n]++] = encoder.instance(glyph);
+        const GlyphShape shape = encoder.shape(glyph);
+        const auto n = static_cast<std::size_t>(shape);
+        if (!rooms[n].empty()) rooms[n][filled[n]++] = encoder.instance(glyph, shape);
     }
     if (encoder.is_transparent())
         for (const base::Span<GlyphInstance>& room : rooms) order(room);

@@ -41,7 +41,7 @@ struct GlyphStyle {
     design::Color unknown{255, 0, 255};  ///< of an uncertainty
 };
 
-inline constexpr double kPlainBelow_px = 16;
+inline constexpr double kPlainBelow_px = 28;
 
 /// `eye`: the one of the selection. The number of glyphs for which the batch had no room.
 std::uint32_t encode_glyphs(base::Span<const scene::SelectedGlyph> glyphs, scene::GlyphValues values, const GlyphStyle& style,

@@ -268,7 +268,7 @@ void GlyphShapes::build() {
         const auto shape = static_cast<GlyphShape>(n);
         maker.begin();
         switch (shape) {
-            case GlyphShape::arrow: maker.arrow(8); break;
+            case GlyphShape::arrow: maker.arrow(7); break;
             case GlyphShape::plain_arrow: maker.arrow(4); break;
             case GlyphShape::flat_arrow: maker.flat_arrow(); break;
             case GlyphShape::ring: maker.ring(); break;

@@ -110,7 +110,7 @@ TEST_F(GlyphShapesTest, SolidsFaceOutwardsAndTheirNormalsWithThem) {
 
 TEST_F(GlyphShapesTest, SolidsAreClosed) {
     // Each open edge counts both ways: the bottom of a box, and where an arrow's shaft ends upon its tip.
-    const std::map<GlyphShape, int> open = {{GlyphShape::box, 8}, {GlyphShape::arrow, 16}, {GlyphShape::plain_arrow, 8}};
+    const std::map<GlyphShape, int> open = {{GlyphShape::box, 8}, {GlyphShape::arrow, 14}, {GlyphShape::plain_arrow, 8}};
     for (const GlyphShape shape : kSolids)
         EXPECT_EQ(open_edges(triangles_of(*shapes, shape)), open.count(shape) > 0 ? open.at(shape) : 0)
             << static_cast<int>(shape);
