@@ -14,7 +14,7 @@ namespace {
 constexpr int kAxisBits = 15;
 constexpr std::uint32_t kLastCell = (1u << kAxisBits) - 1;
 /// Of a full field, what a merge leaves at most: so that it is seldom full again.
-constexpr std::uint32_t kKeptOf8 = 7;
+constexpr std::uint32_t kKeptOf8 = 6;
 
 /// With two empty bits between each two.
 std::uint64_t spread(std::uint64_t bits) {

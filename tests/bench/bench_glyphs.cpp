@@ -34,7 +34,7 @@ constexpr std::uint32_t kWidth = 1024, kHeight = 768, kSites = 100'000;
 constexpr int kTurns = 31;
 constexpr double kTarget_ms = 12, kBuildStepTarget_ms = 4;
 constexpr int kCores = 2;
-constexpr std::uint32_t kSitesAStep = 4096;
+constexpr std::uint32_t kSitesAStep = 2048;
 
 double median(std::vector<double> ms) {
     std::nth_element(ms.begin(), ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2), ms.end());

@@ -14,7 +14,6 @@
 namespace tedavis::draw {
 namespace {
 
-using base::radians;
 using test_support::glyph_pixels;
 using test_support::GlyphPicture;
 
