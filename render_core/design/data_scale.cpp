@@ -51,6 +51,14 @@ Color scale_color(const DataScale& scale, double value) noexcept {
     return scale.breaks.empty() ? color_of_value(scale.palette, value) : color_of_class(scale, class_of(scale, value));
 }
 
+void reduce_classes(DataScale& scale, std::size_t most) noexcept {
+    if (scale.breaks.empty()) return set_classes(scale, most);
+    const std::size_t step = (scale.breaks.size() + 1 + most - 1) / most;
+    base::FixedVector<double, kMaxClasses - 1> kept;
+    for (std::size_t n = step; n <= scale.breaks.size(); n += step) static_cast<void>(kept.try_push_back(scale.breaks[n - 1]));
+    scale.breaks = kept;
+}
+
 void read_scale(ConfigSection& section, PaletteSource& palettes, DataScale& scale, const ScaleKeys& keys) {
     const auto found = palettes.find(section.text(keys.palette));
     if (!found.ok()) return section.fault(keys.palette, found.error().sentence.view());

@@ -29,6 +29,9 @@ struct DataScale {
 /// Of a value, by its class where the scale has classes.
 [[nodiscard]] Color scale_color(const DataScale& scale, double value) noexcept;
 
+/// As few classes as `most`, 2 or more: every second limit, or third, of those that there are; equal steps where there are none.
+void reduce_classes(DataScale& scale, std::size_t most) noexcept;
+
 /// Keys of a scale in a section: "palette", "classes" and "breaks", or others of their kind.
 struct ScaleKeys {
     std::string_view palette = "palette", classes = "classes", breaks = "breaks";

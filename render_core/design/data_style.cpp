@@ -1,11 +1,24 @@
 #include "render_core/design/data_style.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "render_core/design/config_values.hpp"
 
 namespace tedavis::design {
 namespace {
 
 using base::ConfigSection;
+
+constexpr std::uint32_t kMostMeshWidths = 8, kOrdinaryMeshWidths = 5;
+
+/// Of a number of gradations, 1 .. kMaxClasses.
+double detail_of_gradations(double gradations) { return std::log2(gradations) / std::log2(double{kMaxClasses}); }
+/// The other way round; at least one.
+std::size_t gradations_of_detail(double detail) {
+    const double kept = detail > 0 ? std::fmin(detail, 1) : 0;
+    return static_cast<std::size_t>(std::exp2(kept * std::log2(double{kMaxClasses})) + 1e-9);
+}
 
 void read_uncertainty(ConfigSection section, GroundUncertainty& uncertainty) {
     uncertainty.technique = static_cast<IntrinsicUncertainty>(
@@ -15,6 +28,21 @@ void read_uncertainty(ConfigSection section, GroundUncertainty& uncertainty) {
     uncertainty.levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, uncertainty.levels));
     if (uncertainty.levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
     if (uncertainty.technique == IntrinsicUncertainty::bivariate && uncertainty.levels == 0) uncertainty.levels = 4;
+}
+
+void read_overlay(ConfigSection section, GroundOverlay& overlay) {
+    overlay.technique = static_cast<UncertaintyOverlay>(
+        section.choice("technique", {kUncertaintyOverlayNames.data(), kUncertaintyOverlayNames.size()},
+                       static_cast<std::size_t>(overlay.technique)));
+    overlay.strength = section.number("strength", 0, 1, overlay.strength);
+    const std::uint32_t most = overlay.technique == UncertaintyOverlay::grid ? kMostMeshWidths : kMaxClasses;
+    overlay.levels = static_cast<std::uint32_t>(section.integer("levels", 0, most, overlay.levels));
+    if (overlay.levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 and more");
+    overlay.threshold = section.number("threshold", 0, 1, overlay.threshold);
+    overlay.mesh_m = section.number("mesh_m", 1, 1024, overlay.mesh_m);
+    if (std::exp2(std::round(std::log2(overlay.mesh_m))) != overlay.mesh_m)
+        fault_of(section, "mesh_m", "must be a power of two: 64, 128, 256 ...");
+    if (section.has("color")) overlay.color = required_color(section, "color");
 }
 
 void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& ground) {
@@ -28,12 +56,14 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
     ground.opacity = section.number("opacity", 0, 1, ground.opacity);
     ground.height_m = section.number("height_m", -1000, 100'000, ground.height_m);
     read_uncertainty(section.section("uncertainty"), ground.uncertainty);
+    read_overlay(section.section("overlay"), ground.overlay);
 }
 
 }  // namespace
 
-const std::array<std::string_view, kIntrinsicUncertainties> kIntrinsicUncertaintyNames{"none",  "transparency", "saturation",
-                                                                                       "noise", "strokes",      "bivariate"};
+const std::array<std::string_view, kIntrinsicUncertainties> kIntrinsicUncertaintyNames{
+    "none", "transparency", "saturation", "noise", "strokes", "bivariate", "bump", "blur"};
+const std::array<std::string_view, kUncertaintyOverlays> kUncertaintyOverlayNames{"none", "fog", "grid", "contour", "halo"};
 
 void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& style) {
     if (!data.present()) return;
@@ -42,9 +72,45 @@ void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& sty
     read_data_elements(data, palettes, style.elements);
 }
 
+double detail_of(const DataScale& scale) noexcept {
+    return scale.breaks.empty() ? 1 : detail_of_gradations(static_cast<double>(scale.breaks.size() + 1));
+}
+
+double detail_of(const GroundUncertainty& uncertainty) noexcept {
+    if (uncertainty.technique == IntrinsicUncertainty::none || uncertainty.strength <= 0) return 0;
+    return uncertainty.levels == 0 ? 1 : detail_of_gradations(uncertainty.levels);
+}
+
+double detail_of(const GroundOverlay& overlay) noexcept {
+    if (overlay.strength <= 0) return 0;
+    switch (overlay.technique) {
+        case UncertaintyOverlay::none: return 0;
+        case UncertaintyOverlay::fog: return overlay.levels == 0 ? 1 : detail_of_gradations(overlay.levels);
+        case UncertaintyOverlay::grid: return detail_of_gradations(overlay.levels == 0 ? kOrdinaryMeshWidths : overlay.levels);
+        case UncertaintyOverlay::contour:
+        case UncertaintyOverlay::halo: return detail_of_gradations(2);
+    }
+    return 0;
+}
+
+GroundData at_detail(const GroundData& ground, double detail) noexcept {
+    GroundData reduced = ground;
+    const std::size_t most = gradations_of_detail(detail);
+    const auto levels = static_cast<std::uint32_t>(most);
+    if (detail_of(ground.scale) > detail) reduce_classes(reduced.scale, std::max<std::size_t>(most, 2));
+    if (most < 2) {
+        reduced.uncertainty.strength = reduced.overlay.strength = 0;
+        return reduced;
+    }
+    if (detail_of(ground.uncertainty) > detail) reduced.uncertainty.levels = levels;
+    if (detail_of(ground.overlay) > detail) reduced.overlay.levels = levels;
+    return reduced;
+}
+
 bool same_programs(const DataStyle& a, const DataStyle& b) noexcept {
     return a.ground.is_shown == b.ground.is_shown &&
-           (!a.ground.is_shown || a.ground.uncertainty.technique == b.ground.uncertainty.technique);
+           (!a.ground.is_shown || (a.ground.uncertainty.technique == b.ground.uncertainty.technique &&
+                                   a.ground.overlay.technique == b.ground.overlay.technique));
 }
 
 }  // namespace tedavis::design

@@ -23,14 +23,36 @@ enum class IntrinsicUncertainty : std::uint8_t {
     noise,         ///< grains of ground
     strokes,       ///< stripes of ground, wider apart the surer
     bivariate,     ///< towards the ground's plain colour, in classes of uncertainty
+    bump,          ///< a rough relief in the shading, the rougher the less sure
+    blur,          ///< colours run into each other over as much as four posts
 };
-inline constexpr std::size_t kIntrinsicUncertainties = 6;
+inline constexpr std::size_t kIntrinsicUncertainties = 8;
 extern const std::array<std::string_view, kIntrinsicUncertainties> kIntrinsicUncertaintyNames;
 
 struct GroundUncertainty {
     IntrinsicUncertainty technique = IntrinsicUncertainty::none;
     double strength = 0.85;    ///< 0..1: what the least sure loses
     std::uint32_t levels = 0;  ///< gradations that are told apart, 2 .. 16; 0: continuous
+};
+
+/// Uncertainty beside the colours, by something added to them (thesis 4.2.3, figure 4.17); of unknown it is the least sure's.
+enum class UncertaintyOverlay : std::uint8_t {
+    none,
+    fog,      ///< soft clouds hide what is unsure
+    grid,     ///< a mesh of triangles on the ground, twice as wide from one gradation to the next: fine is sure
+    contour,  ///< a thick line round what is less sure than the threshold
+    halo,     ///< the same with a soft rim
+};
+inline constexpr std::size_t kUncertaintyOverlays = 5;
+extern const std::array<std::string_view, kUncertaintyOverlays> kUncertaintyOverlayNames;
+
+struct GroundOverlay {
+    UncertaintyOverlay technique = UncertaintyOverlay::none;
+    double strength = 0.85;      ///< 0..1: of fog over the least sure, of lines
+    std::uint32_t levels = 0;    ///< gradations, 2 .. 16; 0: continuous, of a mesh five. A mesh has at most 8
+    double threshold = 0.5;      ///< 0..1, level of contour and halo
+    double mesh_m = 256;         ///< width of the finest mesh: a power of two, so that it meets at every chunk's border
+    Color color{196, 204, 212};  ///< lines are a dark shade of it over light ground, and contour and halo have a dark rim
 };
 
 /// Colour on the ground by a field of the scene.
@@ -41,6 +63,7 @@ struct GroundData {
     double opacity = 0.85;  ///< 0..1, of the surest
     double height_m = 0;    ///< of the slice, in the layer's datum; only fields with several levels ask for it
     GroundUncertainty uncertainty;
+    GroundOverlay overlay;
 };
 
 struct DataStyle {
@@ -52,6 +75,16 @@ static_assert(std::is_trivially_copyable_v<DataStyle>);
 
 /// `data` is the section [data]; absent keys keep what `style` has.
 void read_data_style(base::ConfigSection data, PaletteSource& palettes, DataStyle& style);
+
+/// How much a technique conveys, 0..1: log2(gradations) / 4, so that 16, the most that any may have, is 1, and one is 0.
+/// Gradations are what its construction can show: continuous ones the most, a contour two (sure and unsure), a mesh its widths.
+/// What people tell apart is another matter.
+[[nodiscard]] double detail_of(const DataScale& scale) noexcept;
+[[nodiscard]] double detail_of(const GroundUncertainty& uncertainty) noexcept;
+[[nodiscard]] double detail_of(const GroundOverlay& overlay) noexcept;
+/// The same look with no more than `detail` 0..1 in any of them: fewer classes (every second limit, and so on; equal steps where
+/// there were none) and gradations; below two gradations a strength of 0, which needs no other programs. 1 changes nothing.
+[[nodiscard]] GroundData at_detail(const GroundData& ground, double detail) noexcept;
 
 /// True when two styles need the same shader programs.
 [[nodiscard]] bool same_programs(const DataStyle& a, const DataStyle& b) noexcept;

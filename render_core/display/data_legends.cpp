@@ -10,6 +10,7 @@ namespace {
 
 using design::Color;
 using design::IntrinsicUncertainty;
+using design::UncertaintyOverlay;
 using draw::LegendSample;
 using draw::SampleLook;
 
@@ -70,6 +71,8 @@ LegendSample unsure_sample(const design::GroundUncertainty& uncertainty, Color c
         case IntrinsicUncertainty::saturation: sample.color = blended(color, grey_of(color), uncertainty.strength); break;
         case IntrinsicUncertainty::noise: sample.look = SampleLook::grains; break;
         case IntrinsicUncertainty::strokes: sample.look = SampleLook::strokes; break;
+        case IntrinsicUncertainty::bump: sample.look = SampleLook::rough; break;
+        case IntrinsicUncertainty::blur: sample.look = SampleLook::washed; break;
     }
     return sample;
 }
@@ -83,30 +86,77 @@ LegendSample sample_of(std::string_view text, Color color, Color under, SampleLo
     return sample;
 }
 
+/// As ground_overlay.frag draws the least sure, or the threshold.
+LegendSample overlay_sample(const design::GroundOverlay& overlay, Color color) {
+    LegendSample sample;
+    sample.color = color;
+    sample.under = blended(color, overlay.color, overlay.strength);
+    sample.share = 1;
+    switch (overlay.technique) {
+        case UncertaintyOverlay::none: break;
+        case UncertaintyOverlay::fog: sample.color = sample.under; break;
+        case UncertaintyOverlay::grid: sample.look = SampleLook::mesh; break;
+        case UncertaintyOverlay::contour:
+        case UncertaintyOverlay::halo: sample.look = SampleLook::rim; break;
+    }
+    return sample;
+}
+
+/// Of a sure place: a mesh is there too.
+LegendSample sure_sample(const design::GroundData& ground, Color color) {
+    if (ground.overlay.technique != UncertaintyOverlay::grid) return sample_of("SURE", color, color, SampleLook::plain);
+    LegendSample sample = overlay_sample(ground.overlay, color);
+    sample.text = "SURE";
+    sample.share = 0;
+    return sample;
+}
+
+/// What the overlay's sample says: the least sure, or all that is less sure than its threshold.
+base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const scene::AttributeEntry& attribute) {
+    const bool is_line = overlay.technique == UncertaintyOverlay::contour || overlay.technique == UncertaintyOverlay::halo;
+    if (!is_line) return full_uncertainty_text(attribute);
+    base::FixedString<15> text(">");
+    text.append(uncertainty_text(attribute, overlay.threshold).view());
+    return text;
+}
+
 void add_uncertainty(const design::GroundData& ground, const scene::AttributeEntry& attribute, Color color, Color plain,
                      draw::DataLegend& legend) {
     const bool is_known = attribute.uncertainty_kind != scene::UncertaintyKind::none;
-    if (is_known && ground.uncertainty.technique != IntrinsicUncertainty::none) {
-        static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color, plain, SampleLook::plain)));
-        LegendSample unsure = unsure_sample(ground.uncertainty, color, plain);
-        unsure.text.append(full_uncertainty_text(attribute).view());
+    const bool has_look = ground.uncertainty.technique != IntrinsicUncertainty::none,
+               has_overlay = ground.overlay.technique != UncertaintyOverlay::none;
+    LegendSample overlay = overlay_sample(ground.overlay, color);
+    overlay.text = overlay_text(ground.overlay, attribute);
+    if (is_known && (has_look || has_overlay)) {
+        static_cast<void>(legend.uncertainty.try_push_back(sure_sample(ground, color)));
+        LegendSample unsure = has_look ? unsure_sample(ground.uncertainty, color, plain) : overlay;
+        if (has_look) unsure.text = full_uncertainty_text(attribute);
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
     static_cast<void>(legend.uncertainty.try_push_back(sample_of("UNKNOWN", color, plain, SampleLook::cut_stripes)));
+    if (is_known && has_look && has_overlay) static_cast<void>(legend.signs.try_push_back(overlay));
 }
 
 }  // namespace
 
-base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept {
+base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept {
     const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
-    if (attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0)) return "UNSURE";
     char number[16];
-    std::snprintf(number, sizeof number, "\xC2\xB1%.3g", double{attribute.uncertainty_full});
+    if (attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0)) {
+        if (level >= 1) return "UNSURE";
+        std::snprintf(number, sizeof number, "%.0f %%", 100 * level);
+        return number;
+    }
+    std::snprintf(number, sizeof number, "\xC2\xB1%.3g", level * double{attribute.uncertainty_full});
     base::FixedString<15> text(number);
     const std::string_view unit = is_percent ? "%" : field_text(attribute.unit);
     if (!unit.empty()) text.append(" ");
     append_upper(text, unit);
     return text;
+}
+
+base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept {
+    return uncertainty_text(attribute, 1);
 }
 
 bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept {

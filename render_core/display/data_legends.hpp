@@ -14,7 +14,10 @@ namespace tedavis::display {
 [[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, base::Time now,
                                          bool has_date, const design::DataStyle& style) noexcept;
 
-/// What counts as the least sure: "±4 M/S", "±20 %", or "UNSURE" where the source has classes of its own.
+/// A level 0..1 in the attribute's unit: "±2 M/S", "±20 %"; of the full scale where the source has classes of its own: "50 %",
+/// and "UNSURE" for 1.
+[[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept;
+/// What counts as the least sure.
 [[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept;
 
 /// True where a palette states a unit, and it is another one than the attribute's.

@@ -1,5 +1,7 @@
 #include "render_core/display/effect_notes.hpp"
 
+#include <cmath>
+
 #include <string_view>
 
 namespace tedavis::display {
@@ -66,10 +68,18 @@ void note_ground_data(const EffectInput& input, FrameRecord& record) {
     note(record, "ground_data", run_or_skipped(runs),
          shown && !runs ? "removed by the failure policy" : reason_of(input.ground_data));
     if (!runs || input.data == nullptr) return;
-    record.data_aspect = {Name(input.data->ground.scale.breaks.empty() ? "ground_color" : "ground_color_classes"), 1, 1};
-    const design::GroundUncertainty& uncertainty = input.data->ground.uncertainty;
-    if (uncertainty.technique == design::IntrinsicUncertainty::none) return;
-    record.uncertainty_aspect = {Name(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(uncertainty.technique)]), 1, 1};
+    const design::GroundData& ground = input.data->ground;
+    record.data_aspect = {Name(ground.scale.breaks.empty() ? "ground_color" : "ground_color_classes"), detail_of(ground.scale),
+                          1};
+    Name technique;
+    if (ground.uncertainty.technique != design::IntrinsicUncertainty::none)
+        technique.append(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(ground.uncertainty.technique)]);
+    if (ground.overlay.technique != design::UncertaintyOverlay::none) {
+        if (!technique.empty()) technique.append("+");
+        technique.append(design::kUncertaintyOverlayNames[static_cast<std::size_t>(ground.overlay.technique)]);
+    }
+    if (!technique.empty())
+        record.uncertainty_aspect = {technique, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay)), 1};
 }
 
 void state_terrain_aspect(const EffectInput& input, AspectRecord& aspect) {

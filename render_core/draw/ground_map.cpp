@@ -106,6 +106,11 @@ void GroundMap::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::
     gl->Uniform1fv(program.uniform(kDataBreaks), static_cast<GLsizei>(kBreaks), breaks);
     gl->Uniform4f(program.uniform(kDataLook), number(look_.opacity), number(look_.uncertainty.strength),
                   static_cast<float>(look_.uncertainty.levels), has_data_ ? 1.0f : 0.0f);
+    const design::GroundOverlay& overlay = look_.overlay;
+    gl->Uniform4f(program.uniform(kDataOverlay), number(overlay.strength), static_cast<float>(overlay.levels),
+                  number(overlay.threshold), number(overlay.mesh_m));
+    gl->Uniform3f(program.uniform(kDataOverlayColor), number(overlay.color.red / 255.0), number(overlay.color.green / 255.0),
+                  number(overlay.color.blue / 255.0));
 }
 
 void GroundMap::set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice,

@@ -123,6 +123,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     variant.lifted = design_.terrain.conservative_up;
     variant.ground_data = ground_.is_started();
     variant.uncertainty = design_.data.ground.uncertainty.technique;
+    variant.overlay = design_.data.ground.overlay.technique;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)

@@ -20,7 +20,7 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
     "light_color",  "ambient_color",   "occlusion",    "line_color",   "form_lines",   "contour",       "strokes",
     "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range", "data_map",      "data_colors",
-    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window"};
+    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window",  "data_overlay",  "data_overlay_color"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -40,6 +40,15 @@ constexpr const char* kUncertaintyDefines[design::kIntrinsicUncertainties] = {
     "#define DATA_NOISE 1\n",
     "#define DATA_STROKES 1\n",
     "#define DATA_BIVARIATE 1\n",
+    "#define DATA_BUMP 1\n",
+    "#define DATA_BLUR 1\n",
+};
+constexpr const char* kOverlayDefines[design::kUncertaintyOverlays] = {
+    "",
+    "#define DATA_OVERLAY 1\n#define DATA_FOG 1\n",
+    "#define DATA_OVERLAY 1\n#define DATA_MESH 1\n",
+    "#define DATA_OVERLAY 1\n#define DATA_CONTOUR 1\n",
+    "#define DATA_OVERLAY 1\n#define DATA_HALO 1\n",
 };
 constexpr const char* kMapDefines[design::kBakedMaps] = {"#define MAP_FORM 1\n", "#define MAP_LIGHT 1\n",
                                                          "#define MAP_APERTURE 1\n", "#define MAP_HORIZON 1\n",
@@ -122,6 +131,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
         defines.add("#define GROUND_DATA 1\n");
         defines.add_if(!strokes_by_texture && !strokes_by_sketch, "#define STROKES 1\n");
         defines.add(kUncertaintyDefines[static_cast<std::size_t>(variant.uncertainty)]);
+        defines.add(kOverlayDefines[static_cast<std::size_t>(variant.overlay)]);
     }
     defines.add_if(variant.baked, "#define BAKED 1\n");
     const bool coast = variant.baked && variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
@@ -145,6 +155,8 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
     if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));
+    if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none && !code)
+        fragment.append(shader_text(k_ground_overlay_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

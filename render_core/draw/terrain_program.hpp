@@ -68,6 +68,8 @@ enum TerrainUniform : std::size_t {
     kDataBreaks,
     kDataLook,
     kDataWindow,
+    kDataOverlay,
+    kDataOverlayColor,
     kTerrainUniforms
 };
 
@@ -90,6 +92,7 @@ struct TerrainVariant {
     TerrainOutput output = TerrainOutput::color;
     bool ground_data = false;                                                       ///< a field of the scene colours the ground
     design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
+    design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;          ///< on it
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 

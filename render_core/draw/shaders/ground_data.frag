@@ -1,5 +1,5 @@
 // Colour on the ground by a field of the scene. A texel of the map is a post of the field: value in 16 bits, uncertainty, state.
-// Followed by terrain.frag.
+// Followed by ground_overlay.frag where there is an overlay, then terrain.frag.
 #ifdef GROUND_DATA
 uniform sampler2D data_map;
 uniform sampler2D data_colors;   // first row: colour by level in the palette's range; second row: colour by class
@@ -45,14 +45,48 @@ vec3 data_color(float value) {
 // Grains and strokes lie on the ground; their size there doubles with the distance, so that they stay a few pixels wide.
 float data_grain(vec2 cell) { return fract(sin(dot(cell, vec2(12.9898, 78.233))) * 43758.547); }
 
-// `ground`: metres east and south; `pixel_m`: a pixel there.
-vec3 with_data(vec3 color, vec3 plain, vec3 unknown, vec2 ground, float pixel_m) {
-    if (data_look.w < 0.5) return color;
-    vec4 data = data_at(v_data);
+// Level of uncertainty in `levels` gradations; as it is where they are 0.
+float data_gradation(float level, float levels) {
+    return levels > 0.5 ? floor(min(level, 0.9999) * levels) / (levels - 1.0) : level;
+}
+
+#if defined(DATA_BUMP) || defined(DATA_FOG)
+// Smooth noise 0..1, and how it rises along both axes.
+vec3 data_relief(vec2 place) {
+    vec2 cell = floor(place);
+    vec2 part = place - cell;
+    float a = data_grain(cell);
+    float b = data_grain(cell + vec2(1.0, 0.0)) - a;
+    float c = data_grain(cell + vec2(0.0, 1.0)) - a;
+    float d = data_grain(cell + vec2(1.0, 1.0)) - a - b - c;
+    vec2 w = part * part * (3.0 - 2.0 * part);
+    return vec3(a + b * w.x + c * w.y + d * w.x * w.y, 6.0 * part * (1.0 - part) * (vec2(b, c) + d * w.yx));
+}
+#endif
+#ifdef DATA_BUMP
+// What a rough relief makes of a light from the north-west that stands 45 degrees high.
+float data_bumps(vec2 ground, float size, float loss) {
+    vec2 rise = 1.3 * loss * data_relief(ground / (2.0 * size)).yz;
+    return clamp((1.0 + 0.70710678 * (rise.x + rise.y)) / length(vec3(rise, 1.0)), 0.4, 1.4);
+}
+#endif
+#ifdef DATA_BLUR
+// The mean colour over a disc of posts: its middle and eight places on two rings. What is missing has no weight.
+vec3 data_washed(vec3 middle, vec2 place, float radius) {
+    vec4 sum = 2.0 * vec4(middle, 1.0);
+    for (int n = 0; n < 8; ++n) {
+        float turn = 0.78539816 * float(n);
+        vec4 tap = data_at(place + vec2(cos(turn), sin(turn)) * (mod(float(n), 2.0) < 0.5 ? radius : 0.6 * radius));
+        if (tap.z > 0.0) sum += vec4(data_color(tap.x), 1.0);
+    }
+    return sum.rgb / sum.a;
+}
+#endif
+
+// `data`: as data_at() gives it; `ground`: metres east and south; `pixel_m`: a pixel there.
+vec3 with_data(vec3 color, vec4 data, vec3 plain, vec3 unknown, vec2 ground, float pixel_m) {
     vec3 shown = data_color(data.x);
-    float unsure = min(data.y, 1.0);
-    unsure = data_look.z > 0.5 ? floor(min(unsure, 0.9999) * data_look.z) / (data_look.z - 1.0) : unsure;
-    float loss = unsure * data_look.y;
+    float loss = data_gradation(min(data.y, 1.0), data_look.z) * data_look.y;
     float cover = data_look.x;
     float size = exp2(floor(log2(max(pixel_m, 0.01)) + 2.0));
 #if defined(DATA_TRANSPARENCY)
@@ -65,6 +99,10 @@ vec3 with_data(vec3 color, vec3 plain, vec3 unknown, vec2 ground, float pixel_m)
     cover *= step(loss * 0.9, fract((ground.x + ground.y) / (4.0 * size)));
 #elif defined(DATA_BIVARIATE)
     shown = mix(shown, plain, loss);
+#elif defined(DATA_BUMP)
+    shown = min(shown * data_bumps(ground, size, loss), vec3(1.0));
+#elif defined(DATA_BLUR)
+    shown = data_washed(shown, v_data, 2.0 * loss);
 #endif
     // Signs on the screen, whatever the technique: unknown uncertainty is cut by stripes, what was interpolated by a fine grid, and
     // dots stand where a value is missing.

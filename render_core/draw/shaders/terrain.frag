@@ -192,7 +192,13 @@ void main() {
 #endif
     color = mix(color, sea_color, sea);
 #ifdef GROUND_DATA
-    color = with_data(color, plain_color, unknown_color, v_ground, pixel_m);
+    if (data_look.w > 0.5) {
+        vec4 data = data_at(v_data);
+        color = with_data(color, data, plain_color, unknown_color, v_ground, pixel_m);
+#ifdef DATA_OVERLAY
+        color = with_overlay(color, data, n, ray, facing, v_ground, pixel_m);
+#endif
+    }
 #endif
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.

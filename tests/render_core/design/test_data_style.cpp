@@ -48,8 +48,105 @@ levels = 3
     EXPECT_EQ(ground.height_m, 1500);
     EXPECT_EQ(ground.uncertainty.technique, IntrinsicUncertainty::noise);
     EXPECT_EQ(ground.uncertainty.levels, 3u);
+    EXPECT_EQ(ground.overlay.technique, UncertaintyOverlay::none) << "nothing is laid over that is not asked for";
     EXPECT_FALSE(read("").style.ground.is_shown) << "nothing is shown that is not asked for";
     EXPECT_FALSE(read("[data.ground]\nenabled = false\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'").style.ground.is_shown);
+}
+
+TEST(DataStyle, TheOverlayIsAChoiceOfItsOwn) {
+    const std::string start = "[data]\nstale_after_min = 20\n[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'\n";
+    const Read whole = read(start + R"([data.ground.overlay]
+technique = "grid"
+strength = 0.5
+levels = 6
+threshold = 0.3
+mesh_m = 64
+color = "#102030"
+[data.ground.uncertainty]
+technique = "bump"
+)");
+    EXPECT_EQ(whole.fault, "");
+    const GroundOverlay& overlay = whole.style.ground.overlay;
+    EXPECT_EQ(overlay.technique, UncertaintyOverlay::grid);
+    EXPECT_EQ(overlay.strength, 0.5);
+    EXPECT_EQ(overlay.levels, 6u);
+    EXPECT_EQ(overlay.threshold, 0.3);
+    EXPECT_EQ(overlay.mesh_m, 64);
+    EXPECT_EQ(overlay.color, (Color{0x10, 0x20, 0x30}));
+    EXPECT_EQ(whole.style.ground.uncertainty.technique, IntrinsicUncertainty::bump);
+    EXPECT_EQ(whole.style.stale_after_s, 1200);
+    const std::string over = start + "[data.ground.overlay]\n";
+    EXPECT_NE(read(over + "technique = 'snow'").fault, "");
+    EXPECT_NE(read(over + "mesh_m = 100").fault.find("power of two"), std::string::npos);
+    EXPECT_NE(read(over + "levels = 1").fault, "");
+    EXPECT_NE(read(over + "technique = 'grid'\nlevels = 9").fault, "")
+        << "its widest mesh would be wider than the ground's period";
+    EXPECT_EQ(read(over + "technique = 'fog'\nlevels = 9").fault, "");
+    for (const std::string_view technique : kIntrinsicUncertaintyNames)
+        EXPECT_EQ(read(start + "[data.ground.uncertainty]\ntechnique = '" + std::string(technique) + "'").fault, "") << technique;
+    for (const std::string_view technique : kUncertaintyOverlayNames)
+        EXPECT_EQ(read(over + "technique = '" + std::string(technique) + "'").fault, "") << technique;
+}
+
+TEST(DataStyle, MoreGradationsConveyMore) {
+    EXPECT_EQ(detail_of(scale_of({})), 1) << "continuous";
+    EXPECT_EQ(detail_of(scale_of({10})), 0.25) << "two classes";
+    EXPECT_EQ(detail_of(scale_of({10, 20, 30})), 0.5);
+    GroundUncertainty uncertainty;
+    EXPECT_EQ(detail_of(uncertainty), 0) << "none";
+    for (std::size_t n = 1; n < kIntrinsicUncertainties; ++n) {
+        uncertainty = {static_cast<IntrinsicUncertainty>(n), 0.5, 0};
+        EXPECT_EQ(detail_of(uncertainty), 1);
+        double last = 0;
+        for (const std::uint32_t levels : {2u, 3u, 5u, 16u}) {
+            uncertainty.levels = levels;
+            EXPECT_GT(detail_of(uncertainty), last);
+            last = detail_of(uncertainty);
+        }
+        EXPECT_EQ(last, 1);
+        uncertainty.strength = 0;
+        EXPECT_EQ(detail_of(uncertainty), 0) << "nothing is seen";
+    }
+    GroundOverlay overlay;
+    const auto detail = [&](UncertaintyOverlay technique) {
+        overlay.technique = technique;
+        return detail_of(overlay);
+    };
+    EXPECT_EQ(detail(UncertaintyOverlay::none), 0);
+    EXPECT_EQ(detail(UncertaintyOverlay::contour), 0.25) << "sure or not";
+    EXPECT_EQ(detail(UncertaintyOverlay::halo), 0.25);
+    EXPECT_GT(detail(UncertaintyOverlay::grid), detail(UncertaintyOverlay::contour));
+    EXPECT_GT(detail(UncertaintyOverlay::fog), detail(UncertaintyOverlay::grid));
+}
+
+TEST(DataStyle, LessDetailHasFewerClassesAndGradationsAndNoOtherPrograms) {
+    DataStyle style;
+    GroundData& ground = style.ground;
+    ground.is_shown = true;
+    ground.scale = scale_of({10, 20, 30, 40, 50, 60, 70});
+    ground.uncertainty = {IntrinsicUncertainty::noise, 0.8, 0};
+    ground.overlay.technique = UncertaintyOverlay::fog;
+    double last = 1;
+    for (double detail = 1; detail >= 0; detail -= 0.05) {
+        DataStyle reduced;
+        reduced.ground = at_detail(ground, detail);
+        EXPECT_TRUE(same_programs(style, reduced)) << detail;
+        EXPECT_LE(detail_of(reduced.ground.scale), std::fmax(detail, 0.25) + 1e-9) << "two classes at least";
+        EXPECT_LE(detail_of(reduced.ground.uncertainty), detail + 1e-9);
+        EXPECT_LE(detail_of(reduced.ground.overlay), detail + 1e-9);
+        EXPECT_LE(detail_of(reduced.ground.uncertainty), last);
+        last = detail_of(reduced.ground.uncertainty);
+    }
+    const GroundData half = at_detail(ground, 0.5);
+    ASSERT_EQ(half.scale.breaks.size(), 3u) << "four classes";
+    EXPECT_EQ(half.scale.breaks[0], 20) << "limits that there were";
+    EXPECT_EQ(half.scale.breaks[2], 60);
+    EXPECT_EQ(half.uncertainty.levels, 4u);
+    ground.scale.breaks.clear();
+    EXPECT_EQ(at_detail(ground, 1).scale.breaks.size(), 0u);
+    ASSERT_EQ(at_detail(ground, 0.5).scale.breaks.size(), 3u);
+    EXPECT_EQ(at_detail(ground, 0.5).scale.breaks[1], 50) << "equal steps";
+    EXPECT_EQ(at_detail(ground, std::nan("")).uncertainty.strength, 0);
 }
 
 TEST(DataStyle, FaultsAreSaid) {
@@ -82,6 +179,11 @@ TEST(DataStyle, ProgramsDifferByTechnique) {
     other.ground.uncertainty.strength = 0.1;
     EXPECT_TRUE(same_programs(shown, other));
     other.ground.uncertainty.technique = IntrinsicUncertainty::strokes;
+    EXPECT_FALSE(same_programs(shown, other));
+    other = shown;
+    other.ground.overlay.color = {1, 2, 3};
+    EXPECT_TRUE(same_programs(shown, other));
+    other.ground.overlay.technique = UncertaintyOverlay::halo;
     EXPECT_FALSE(same_programs(shown, other));
 }
 

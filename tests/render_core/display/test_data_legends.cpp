@@ -81,6 +81,9 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
               "30 %");
     EXPECT_EQ(text(scene::UncertaintyKind::ordinal, 1, "dBZ"), "UNSURE");
     EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNSURE");
+    scene::AttributeEntry classes{};
+    classes.uncertainty_kind = scene::UncertaintyKind::ordinal;
+    EXPECT_EQ(uncertainty_text(classes, 0.5).view(), "50 %");
 }
 
 TEST(DataLegends, APaletteOfAnotherUnitIsNoticed) {
@@ -153,6 +156,32 @@ TEST_F(GroundLegendOf, ShowsHowTheTechniqueLooksAndAlwaysWhatIsUnknown) {
                   "4 K");
         EXPECT_TRUE(samples[1].look != draw::SampleLook::plain || samples[1].color != samples[0].color) << n;
         EXPECT_EQ(samples[2].text.view(), "UNKNOWN");
+    }
+}
+
+TEST_F(GroundLegendOf, ShowsTheOverlayBesideTheTechnique) {
+    design::GroundData& ground = design_.data.ground;
+    ground.overlay.threshold = 0.25;
+    const auto entry = [&](design::IntrinsicUncertainty look, design::UncertaintyOverlay overlay) {
+        ground.uncertainty.technique = look;
+        ground.overlay.technique = overlay;
+        return legends()[0];
+    };
+    for (std::size_t n = 1; n < design::kUncertaintyOverlays; ++n) {
+        const auto overlay = static_cast<design::UncertaintyOverlay>(n);
+        const draw::DataLegend alone = entry(design::IntrinsicUncertainty::none, overlay);
+        ASSERT_EQ(alone.uncertainty.size(), 3u) << n;
+        EXPECT_EQ(alone.uncertainty[1].text.view(), n < 3 ? "\xC2\xB1"
+                                                            "4 K"
+                                                          : ">\xC2\xB1"
+                                                            "1 K");
+        const draw::LegendSample &sure = alone.uncertainty[0], &unsure = alone.uncertainty[1];
+        EXPECT_TRUE(sure.look != unsure.look || sure.color != unsure.color || sure.share != unsure.share) << n;
+        EXPECT_EQ(alone.signs.size(), 2u);
+        const draw::DataLegend both = entry(design::IntrinsicUncertainty::noise, overlay);
+        EXPECT_EQ(both.uncertainty[1].look, draw::SampleLook::grains);
+        ASSERT_EQ(both.signs.size(), 3u);
+        EXPECT_EQ(both.signs[0].look, unsure.look);
     }
 }
 

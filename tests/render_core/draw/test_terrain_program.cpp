@@ -57,6 +57,8 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 variant.ground_data = pages > 0;
                 variant.uncertainty = static_cast<design::IntrinsicUncertainty>(static_cast<std::size_t>(style.texture) %
                                                                                 design::kIntrinsicUncertainties);
+                variant.overlay = static_cast<design::UncertaintyOverlay>((static_cast<std::size_t>(style.texture) + 1) %
+                                                                          design::kUncertaintyOverlays);
                 variant.baked = pages > 0;
                 variant.coast = pages > 1;
                 auto program = build_terrain_program(session.gl, style, variant);
