@@ -43,11 +43,10 @@ void grains(QuadBatch& batch, const Rect& in, double share, Color color) {
     constexpr int kAcross = 8, kDown = 4;
     const float width = std::max(in.width / kAcross, kGrain_px), height = std::max(in.height / kDown, kGrain_px);
     for (int n = 0; n < kAcross * kDown; ++n) {
+        const int across = n % kAcross, down = n / kAcross;
         const int order = n * 13 % (kAcross * kDown);  // every number once
         if (order >= share * kAcross * kDown) continue;
-        batch.box(
-            {in.x + width * static_cast<float>(n % kAcross), in.y + height * static_cast<float>(n / kAcross), width, height},
-            color);
+        batch.box({in.x + width * static_cast<float>(across), in.y + height * static_cast<float>(down), width, height}, color);
     }
 }
 

@@ -2,133 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 
 #include "render_core/draw/symbology/symbology.hpp"
 #include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/data_legend_samples.hpp"
 
 namespace tedavis::draw {
 namespace {
 
-using design::Color;
+using test_support::area_of;
 using test_support::BatchStore;
-using test_support::Picture;
+using test_support::classed_wind;
+using test_support::kMinute_ns;
+using test_support::land_cover;
+using test_support::list_of;
+using test_support::text_in;
 using test_support::text_of;
-
-constexpr std::int64_t kMinute_ns = 60'000'000'000;
-
-LegendSample sample(const char* text, SampleLook look) {
-    LegendSample made;
-    made.text = text;
-    made.color = {210, 140, 60};
-    made.under = {60, 70, 90};
-    made.look = look;
-    made.share = 0.8;
-    return made;
-}
-
-/// Wind from 0 to 20 m/s, with everything that an entry can have.
-DataLegend wind() {
-    DataLegend legend;
-    legend.title = "WIND";
-    legend.unit = "M/S";
-    legend.scale.palette.title = "WIND";
-    EXPECT_TRUE(legend.scale.palette.stops.try_push_back({0, {250, 240, 220}}));
-    EXPECT_TRUE(legend.scale.palette.stops.try_push_back({20, {30, 20, 120}}));
-    EXPECT_TRUE(legend.uncertainty.try_push_back(sample("SURE", SampleLook::plain)));
-    EXPECT_TRUE(
-        legend.uncertainty.try_push_back(sample("\xC2\xB1"
-                                                "4 M/S",
-                                                SampleLook::grains)));
-    EXPECT_TRUE(legend.uncertainty.try_push_back(sample("UNKNOWN", SampleLook::cut_stripes)));
-    EXPECT_TRUE(legend.signs.try_push_back(sample("MISSING", SampleLook::dots)));
-    EXPECT_TRUE(legend.signs.try_push_back(sample("FILLED IN", SampleLook::cut_grid)));
-    legend.has_time = legend.has_age = true;
-    legend.data_time_ns = 13 * 60 * kMinute_ns + 5 * kMinute_ns;
-    legend.age = {12 * kMinute_ns};
-    legend.source = "WIND.TIF";
-    return legend;
-}
-DataLegend classed_wind(std::size_t limits) {
-    DataLegend legend = wind();
-    for (std::size_t n = 0; n < limits; ++n)
-        EXPECT_TRUE(legend.scale.breaks.try_push_back(20.0 * static_cast<double>(n + 1) / static_cast<double>(limits + 1)));
-    return legend;
-}
-DataLegend land_cover(std::size_t classes) {
-    DataLegend legend = wind();
-    legend.title = "LAND COVER";
-    legend.unit = "";
-    for (std::size_t n = 0; n < classes; ++n) EXPECT_TRUE(legend.class_names.try_push_back("WOODLAND WITH CLEARINGS"));
-    return legend;
-}
-
-DataLegends list_of(std::initializer_list<DataLegend> entries) {
-    DataLegends legends;
-    for (const DataLegend& entry : entries) EXPECT_TRUE(legends.try_push_back(entry));
-    return legends;
-}
-
-/// A layout with one area of so many texts.
-Layout area_of(float height) {
-    Layout layout = make_layout(640, 480, 96);
-    layout.data_legends = {};
-    layout.data_legends[0] = {100, 20, 5 * layout.text_px, height * layout.text_px};
-    return layout;
-}
-std::string text_in(const DataLegends& legends, const Layout& layout) {
-    BatchStore store;
-    build_data_legends(Painter(store.batch, layout), legends);
-    return text_of(store.batch);
-}
-std::string text_at(const DataLegend& legend, LegendDetail detail) {
-    const DataLegends legends = list_of({legend});
-    const Layout layout = area_of(data_legend_height(legend, detail));
-    EXPECT_EQ(plan_data_legends(legends, layout).detail, detail);
-    return text_in(legends, layout);
-}
-
-TEST(DataLegend, SaysLessTheLessRoomThereIsAndNeverLosesTheScale) {
-    EXPECT_EQ(text_at(wind(), LegendDetail::whole),
-              "WINDM/S05101520SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MINWIND.TIF");
-    EXPECT_EQ(text_at(wind(), LegendDetail::flat),
-              "WINDM/S01020SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MINWIND.TIF");
-    EXPECT_EQ(text_at(wind(), LegendDetail::without_source),
-              "WINDM/S01020SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MIN");
-    EXPECT_EQ(text_at(wind(), LegendDetail::without_signs),
-              "WINDM/S01020SURE\xB1"
-              "4M/SUNKNOWN13:05Z12MIN");
-    EXPECT_EQ(text_at(wind(), LegendDetail::uncertainty_line),
-              "WINDM/S010200\xB1"
-              "4?13:05Z12MIN");
-    EXPECT_EQ(text_at(wind(), LegendDetail::scale_and_time), "WINDM/S0102013:05Z12MIN");
-    EXPECT_EQ(text_at(wind(), LegendDetail::scale), "WINDM/S01020");
-}
-
-TEST(DataLegend, ClassesHaveTheirLimits) {
-    EXPECT_EQ(text_at(classed_wind(3), LegendDetail::whole).substr(0, 14), "WINDM/S51015SU");
-    EXPECT_EQ(text_at(classed_wind(3), LegendDetail::scale), "WINDM/S51015");
-    DataLegend fine = classed_wind(0);
-    for (const double limit : {0.25, 0.5, 12.0}) EXPECT_TRUE(fine.scale.breaks.try_push_back(limit));
-    EXPECT_EQ(text_at(fine, LegendDetail::whole).substr(0, 16), "WINDM/S0.250.512");
-    DataLegend degrees = classed_wind(0);
-    degrees.factor = 180 / 3.14159265358979323846;
-    EXPECT_TRUE(degrees.scale.breaks.try_push_back(0.52359877559829887));
-    EXPECT_EQ(text_at(degrees, LegendDetail::scale), "WINDM/S30");
-}
-
-TEST(DataLegend, NominalValuesHaveNamesAndWhatIsNotNamedIsCounted) {
-    DataLegend cover = land_cover(0);
-    for (const char* name : {"WATER", "WOOD", "ROCK", "ICE", "TOWN"}) EXPECT_TRUE(cover.class_names.try_push_back(name));
-    EXPECT_EQ(text_at(cover, LegendDetail::whole).substr(0, 31), "LANDCOVERWATERWOODROCKICETOWNSU");
-    EXPECT_EQ(text_at(cover, LegendDetail::scale_and_time), "LANDCOVERWATERWOODROCK+2MORE13:05Z12MIN");
-    EXPECT_EQ(text_at(cover, LegendDetail::scale), "LANDCOVER5KINDS");
-}
+using test_support::wind;
 
 TEST(DataLegend, TimeAndAgeSayHowOldDataAreOrHowFarAhead) {
     DataLegend legend = wind();
@@ -149,57 +40,6 @@ TEST(DataLegend, TimeAndAgeSayHowOldDataAreOrHowFarAhead) {
     EXPECT_EQ(text(0), "23:59Z AGE ?");
     legend.has_time = false;
     EXPECT_EQ(text(0), "");
-}
-
-TEST(DataLegend, WhatIsStaleIsAmberAtEveryDetail) {
-    const auto amber = [](const DataLegend& legend, LegendDetail detail) {
-        const Layout layout = area_of(data_legend_height(legend, detail));
-        BatchStore store;
-        build_data_legends(Painter(store.batch, layout), list_of({legend}));
-        int count = 0;
-        for (const QuadVertex& v : store.batch.vertices())
-            count +=
-                v.rgba[0] == kCautionColor.red && v.rgba[1] == kCautionColor.green && v.rgba[2] == kCautionColor.blue ? 1 : 0;
-        return count;
-    };
-    DataLegend stale = wind();
-    stale.is_stale = true;
-    for (std::size_t n = 0; n < kLegendDetails; ++n) {
-        EXPECT_GT(amber(stale, static_cast<LegendDetail>(n)), 0) << n;
-        EXPECT_EQ(amber(wind(), static_cast<LegendDetail>(n)), 0) << n;
-    }
-}
-
-/// In the raster of a legend at `detail`, the colour on the scale at a share of its length.
-Color color_on_scale(const DataLegend& legend, LegendDetail detail, double share) {
-    const Layout layout = area_of(data_legend_height(legend, detail));
-    BatchStore store;
-    build_data_legends(Painter(store.batch, layout), list_of({legend}));
-    Picture picture(640, 480, {0, 0, 0});
-    rasterize(store.batch, picture);
-    const float t = layout.text_px;
-    if (detail == LegendDetail::whole) {
-        const double classes = static_cast<double>(legend.scale.breaks.size() + 1);
-        const double height = static_cast<double>(t) * (classes < 2 ? 5 : std::min(classes, 8.0));
-        const double top = 20 + static_cast<double>(t) * (1 + 0.45);
-        return picture.at(static_cast<int>(100 + 0.6f * t), static_cast<int>(top + height * (1 - share)));
-    }
-    return picture.at(static_cast<int>(100 + 0.3f * t + 4.4f * t * static_cast<float>(share)), static_cast<int>(20 + 1.25f * t));
-}
-
-TEST(DataLegend, TheScaleHasTheColoursOfItsValues) {
-    for (const LegendDetail detail : {LegendDetail::whole, LegendDetail::flat, LegendDetail::scale}) {
-        const DataLegend smooth = wind();
-        for (const double share : {0.1, 0.3, 0.62, 0.9}) {
-            const Color found = color_on_scale(smooth, detail, share), wanted = color_of_value(smooth.scale.palette, 20 * share);
-            EXPECT_LE(std::abs(found.red - wanted.red), 8) << share;
-            EXPECT_LE(std::abs(found.blue - wanted.blue), 8) << share;
-        }
-        const DataLegend classed = classed_wind(4);
-        for (std::size_t n = 0; n < 5; ++n)
-            EXPECT_EQ(color_on_scale(classed, detail, (static_cast<double>(n) + 0.5) / 5), color_of_class(classed.scale, n))
-                << n << " at detail " << static_cast<int>(detail);
-    }
 }
 
 /// One to four of a continuous scale, classes, and names.

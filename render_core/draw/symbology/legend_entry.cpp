@@ -1,0 +1,307 @@
+#include "render_core/draw/symbology/legend_entry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/legend_sample.hpp"
+#include "render_core/draw/symbology/painter.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+// In texts.
+constexpr float kTitle = 1.0f;
+constexpr float kRow = 0.85f;
+constexpr float kBar = 0.75f, kNumbers = 0.75f;
+constexpr float kEnds = 0.45f;  // half a number beyond each end of an upright scale
+constexpr float kClass = 1.0f;
+constexpr float kContinuous = 5, kMostUpright = 8;
+constexpr float kInset = 0.3f, kPad = 0.1f;
+constexpr float kSampleWidth = 1.2f;
+constexpr float kText = 0.7f;
+constexpr float kNumberGap = 0.12f;
+
+constexpr int kBarSlices = 32;
+constexpr float kUnder_px = 1;  // by which a slice reaches under its neighbour
+constexpr int kMaxNumbers = 16;
+
+/// Names that stand in the legend; the rest is counted in a row of its own.
+std::size_t named_classes(const DataLegend& legend, LegendDetail detail) {
+    const std::size_t most = detail == LegendDetail::whole           ? design::kMaxClasses
+                             : detail <= LegendDetail::without_signs ? 8
+                             : detail < LegendDetail::scale          ? 3
+                                                                     : 0;
+    return std::min(most, legend.class_names.size());
+}
+
+float scale_height(const DataLegend& legend, LegendDetail detail) {
+    const std::size_t named = named_classes(legend, detail);
+    if (named > 0) return kRow * static_cast<float>(named + (named < legend.class_names.size() ? 1 : 0));
+    if (detail != LegendDetail::whole || !legend.class_names.empty()) return kBar + kNumbers;
+    const auto classes = static_cast<float>(legend.scale.breaks.size() + 1);
+    return 2 * kEnds + (classes < 2 ? kContinuous : std::min(kClass * classes, kMostUpright));
+}
+
+/// Rows under the scale.
+struct Rows {
+    bool time = false, line = false, source = false;
+    std::size_t uncertainty = 0, signs = 0;
+
+    [[nodiscard]] std::size_t count() const {
+        return (time ? 1u : 0u) + (line ? 1u : 0u) + (source ? 1u : 0u) + uncertainty + signs;
+    }
+};
+
+Rows rows_of(const DataLegend& legend, LegendDetail detail) {
+    Rows rows;
+    rows.time = legend.has_time && detail < LegendDetail::scale;
+    rows.line = detail == LegendDetail::uncertainty_line && !legend.uncertainty.empty();
+    rows.uncertainty = detail < LegendDetail::uncertainty_line ? legend.uncertainty.size() : 0;
+    rows.signs = detail < LegendDetail::without_signs ? legend.signs.size() : 0;
+    rows.source = detail < LegendDetail::without_source && !legend.source.empty();
+    return rows;
+}
+
+double lowest(const design::DataScale& scale) { return scale.palette.stops[0].value; }
+double highest(const design::DataScale& scale) { return scale.palette.stops.back().value; }
+
+/// The least of 1, 2, 5 times a power of ten that is not below `least`.
+double nice_step(double least) {
+    double step = std::pow(10, std::floor(std::log10(std::max(least, 1e-6))));
+    for (const double times : {2.0, 2.5, 2.0}) {
+        if (step >= least) break;
+        step *= times;
+    }
+    return step;
+}
+
+/// With as many decimals, at most three, as numbers of this step need.
+ShortText number_text(double value, double step) {
+    int decimals = 0;
+    for (double left = std::fabs(step); decimals < 3 && std::fabs(left - std::round(left)) > 1e-6 * left; left *= 10) ++decimals;
+    char text[24];
+    const double kept = limited(value, -9'999'999, 9'999'999);
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::fabs(kept) < 0.5 * std::pow(10, -decimals) ? 0 : kept);
+    return ShortText(text);
+}
+
+/// Numbers along a scale, by their share of its length.
+struct Mark {
+    float share = 0;
+    ShortText text;
+};
+using Marks = base::FixedVector<Mark, kMaxNumbers>;
+
+/// The limits of the classes.
+Marks class_marks(const DataLegend& legend) {
+    const auto& breaks = legend.scale.breaks;
+    Marks marks;
+    for (std::size_t n = 0; n < breaks.size(); ++n)
+        static_cast<void>(marks.try_push_back({static_cast<float>(n + 1) / static_cast<float>(breaks.size() + 1),
+                                               number_text(breaks[n] * legend.factor, breaks[n] * legend.factor)}));
+    return marks;
+}
+
+/// Round values; `pitch`: least share between two.
+Marks value_marks(const DataLegend& legend, double pitch) {
+    const double low = lowest(legend.scale) * legend.factor, high = highest(legend.scale) * legend.factor;
+    const double step = nice_step((high - low) * pitch);
+    constexpr double kRounding = 1e-6;  // of a step: an end that is a round number is written
+    const double first = std::ceil(low / step - kRounding);
+    Marks marks;
+    for (int n = 0; n < kMaxNumbers && (first + n) * step <= high + kRounding * step; ++n) {
+        const double value = (first + n) * step;
+        static_cast<void>(marks.try_push_back({static_cast<float>((value - low) / (high - low)), number_text(value, step)}));
+    }
+    return marks;
+}
+
+/// The pieces of an entry from the top of its box down.
+class Entry {
+public:
+    Entry(const Painter& painter, const DataLegend& legend, LegendDetail detail, const Rect& box)
+        : painter_(painter), legend_(legend), detail_(detail), t_(painter.text_px()), box_(box), y_(box.y) {}
+
+    void build(std::size_t cut) {
+        painter_.batch().box(box_, kTapeGround);
+        build_title(cut);
+        if (named_classes(legend_, detail_) > 0)
+            build_names();
+        else if (detail_ == LegendDetail::whole)
+            build_upright();
+        else
+            build_flat();
+        build_rows();
+    }
+
+private:
+    [[nodiscard]] Rect row(float height) {
+        const Rect at{box_.x, y_, box_.width, height * t_};
+        y_ += at.height;
+        return at;
+    }
+    [[nodiscard]] bool has_classes() const { return !legend_.scale.breaks.empty(); }
+
+    void build_title(std::size_t cut) {
+        Rect at = row(kTitle);
+        if (cut > 0) {
+            ShortText more("+");
+            more.append(whole_number(static_cast<double>(cut)).view());
+            at.width -= 1.2f * t_;
+            painter_.plate({at.right(), at.y, 1.2f * t_, at.height}, more.view(), kText, kCautionColor);
+        }
+        base::FixedString<47> text(legend_.title.view());
+        if (!legend_.unit.empty()) text.append(" ");
+        text.append(legend_.unit.view());
+        painter_.plate(at, text.view(), 0.75f, legend_.is_stale ? kCautionColor : kScaleColor);
+    }
+
+    void build_names() {
+        const std::size_t named = named_classes(legend_, detail_);
+        for (std::size_t n = 0; n < named; ++n) {
+            LegendSample sample;
+            sample.color = scale_color(legend_.scale, static_cast<double>(n));
+            build_sample(sample, legend_.class_names[n].view());
+        }
+        if (named < legend_.class_names.size()) count_names(row(kRow), "+", named, " MORE");
+    }
+
+    void count_names(const Rect& at, std::string_view before, std::size_t named, std::string_view behind) const {
+        ShortText text(before);
+        text.append(whole_number(static_cast<double>(legend_.class_names.size() - named)).view());
+        text.append(behind);
+        painter_.fitted_text(text.view(), at, TextAnchor::center, kText, kScaleColor, TextRim::none);
+    }
+
+    /// A share of the bar's length from its low end: of class n where there are classes.
+    [[nodiscard]] design::Color color_at(double share) const {
+        const design::DataScale& scale = legend_.scale;
+        if (!legend_.class_names.empty())
+            return scale_color(scale, std::floor(share * static_cast<double>(legend_.class_names.size())));
+        if (has_classes())
+            return color_of_class(scale, static_cast<std::size_t>(share * static_cast<double>(scale.breaks.size() + 1)));
+        return color_of_value(scale.palette, lowest(scale) + (highest(scale) - lowest(scale)) * share);
+    }
+    [[nodiscard]] int slices() const {
+        if (!legend_.class_names.empty()) return static_cast<int>(legend_.class_names.size());
+        return has_classes() ? static_cast<int>(legend_.scale.breaks.size() + 1) : kBarSlices;
+    }
+
+    /// Each slice reaches under the next one, so that no seam shows between two.
+    void build_bar(const Rect& bar, bool upright) const {
+        const int count = slices();
+        for (int n = 0; n < count; ++n) {
+            const float from = static_cast<float>(n) / static_cast<float>(count);
+            const design::Color color = color_at((n + 0.5) / count);
+            if (upright) {
+                const float height = bar.height * (1 - from);
+                painter_.batch().box({bar.x, bar.y, bar.width, height}, color);
+            } else {
+                const float left = bar.width * from;
+                painter_.batch().box({bar.x + left, bar.y,
+                                      std::min(bar.width / static_cast<float>(count) + kUnder_px, bar.width - left), bar.height},
+                                     color);
+            }
+        }
+        painter_.batch().frame(bar, painter_.stroke_px(), kScaleColor);
+    }
+
+    void build_upright() {
+        const Rect whole = row(scale_height(legend_, detail_));
+        const Rect bar{whole.x + kInset * t_, whole.y + kEnds * t_, kSampleWidth * t_, whole.height - 2 * kEnds * t_};
+        build_bar(bar, true);
+        const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, double{kRow * t_ / bar.height});
+        float last = bar.bottom() + whole.height;
+        for (const Mark& mark : marks) {
+            const float y = bar.bottom() - bar.height * mark.share;
+            if (last - y < kRow * t_ - 0.1f) continue;
+            last = y;
+            painter_.batch().box({bar.right() - 0.4f * t_, y - painter_.stroke_px() / 2, 0.4f * t_, painter_.stroke_px()},
+                                 kScaleColor);
+            build_text(mark.text.view(), {bar.right(), y - kRow * t_ / 2, whole.right() - bar.right(), kRow * t_});
+        }
+    }
+
+    void build_flat() {
+        const Rect upper = row(kBar), lower = row(kNumbers);
+        const Rect bar{upper.x + kInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kInset * t_, upper.height - 0.05f * t_};
+        build_bar(bar, false);
+        if (!legend_.class_names.empty()) return count_names(lower, "", 0, " KINDS");
+        const double widest = static_cast<double>(
+            text_width_px(number_text(highest(legend_.scale) * legend_.factor, 1).view(), kText * t_) + (kNumberGap + 0.5f) * t_);
+        const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, widest / static_cast<double>(bar.width));
+        float taken = lower.x;
+        for (const Mark& mark : marks) {
+            const float half = text_width_px(mark.text.view(), kText * t_) / 2;
+            const float x =
+                std::clamp(bar.x + bar.width * mark.share, lower.x + half + 0.1f * t_, lower.right() - half - 0.1f * t_);
+            if (x - half < taken) continue;
+            taken = x + half + kNumberGap * t_;
+            painter_.batch().box({bar.x + bar.width * mark.share - painter_.stroke_px() / 2, bar.bottom() - 0.3f * t_,
+                                  painter_.stroke_px(), 0.3f * t_},
+                                 kScaleColor);
+            painter_.text(mark.text.view(), {x, lower.center().y}, TextAnchor::center, kText, kScaleColor, 0, TextRim::none);
+        }
+    }
+
+    void build_rows() {
+        const Rows rows = rows_of(legend_, detail_);
+        for (std::size_t n = 0; n < rows.uncertainty; ++n)
+            build_sample(legend_.uncertainty[n], legend_.uncertainty[n].text.view());
+        if (rows.line) build_uncertainty_line(row(kRow));
+        for (std::size_t n = 0; n < rows.signs; ++n) build_sample(legend_.signs[n], legend_.signs[n].text.view());
+        if (rows.time)
+            painter_.fitted_text(time_and_age(legend_).view(), row(kRow), TextAnchor::center, kText,
+                                 legend_.is_stale || !legend_.has_age ? kCautionColor : kScaleColor, TextRim::none);
+        if (rows.source)
+            painter_.fitted_text(legend_.source.view(), row(kRow), TextAnchor::center, 0.6f, kScaleColor, TextRim::none);
+    }
+
+    void build_sample(const LegendSample& sample, std::string_view text) {
+        const Rect at = row(kRow);
+        const Rect swatch{at.x + kInset * t_, at.y + 0.08f * t_, kSampleWidth * t_, at.height - 0.16f * t_};
+        draw::build_sample(painter_, sample, swatch);
+        build_text(text, {swatch.right(), at.y, at.right() - swatch.right(), at.height});
+    }
+
+    void build_text(std::string_view text, const Rect& at) const {
+        painter_.fitted_text(text, at, TextAnchor::left, kText, kScaleColor, TextRim::none);
+    }
+
+    /// The samples side by side, with as much text as there is room for: "0", the full scale's number, "?".
+    void build_uncertainty_line(const Rect& at) const {
+        const float width = (at.width - kInset * t_) / static_cast<float>(kUncertaintySamples);
+        for (std::size_t n = 0; n < legend_.uncertainty.size(); ++n) {
+            const LegendSample& sample = legend_.uncertainty[n];
+            const Rect swatch{at.x + kInset * t_ + width * static_cast<float>(n), at.y + 0.08f * t_, 0.7f * t_,
+                              at.height - 0.16f * t_};
+            draw::build_sample(painter_, sample, swatch);
+            std::string_view text = sample.text.view();
+            text = sample.look == SampleLook::cut_stripes ? "?" : n == 0 ? "0" : text.substr(0, text.find(' '));
+            painter_.fitted_text(text, {swatch.right() - 0.1f * t_, at.y, width - swatch.width + 0.1f * t_, at.height},
+                                 TextAnchor::left, kText, kScaleColor, TextRim::none);
+        }
+    }
+
+    const Painter& painter_;
+    const DataLegend& legend_;
+    LegendDetail detail_;
+    float t_;
+    Rect box_;
+    float y_;
+};
+
+}  // namespace
+
+float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept {
+    return kTitle + scale_height(legend, detail) + kRow * static_cast<float>(rows_of(legend, detail).count()) + kPad +
+           kLegendEntryGap;
+}
+
+void build_legend_entry(const Painter& painter, const DataLegend& legend, LegendDetail detail, const Rect& box, std::size_t cut) {
+    Entry(painter, legend, detail, box).build(cut);
+}
+
+}  // namespace tedavis::draw
