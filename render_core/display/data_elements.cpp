@@ -29,6 +29,8 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
 bool shows(DataTechnique technique, const scene::Layer& layer) {
     switch (technique) {
         case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
+        case DataTechnique::tube:
+        case DataTechnique::space_time: return draw::shows_tubes(layer);
         default: return is_glyph_technique(technique);
     }
 }
@@ -61,7 +63,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
         !error.sentence.empty())
         return error;
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
-    if (!mesh_.start(memory.solids))
+    if (!mesh_.start(memory.solids) || !tubes_.start(memory.solids, draw::TubeSolids::rings_for(rooms.standing.vertices)))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
 }
@@ -145,6 +147,8 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
 draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {
     switch (input.element.technique) {
         case DataTechnique::prism: return draw::add_area_prisms(batch, mesh_, input);
+        case DataTechnique::tube:
+        case DataTechnique::space_time: return tubes_.add(batch, mesh_, input);
         default: return {};
     }
 }

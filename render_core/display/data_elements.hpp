@@ -14,6 +14,7 @@
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
+#include "render_core/draw/data/tube_solids.hpp"
 
 namespace tedavis::display {
 
@@ -81,6 +82,7 @@ private:
     draw::SolidDrawer drawer_;
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;
+    draw::TubeSolids tubes_;
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;

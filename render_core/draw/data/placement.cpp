@@ -8,8 +8,8 @@
 namespace tedavis::draw {
 namespace {
 
-const scene::Attribute* unsure_attribute(const ElementInput& input) {
-    if (input.element.by_color.is_used()) return input.layer.find(input.element.by_color.attribute.view());
+const scene::Attribute* unsure_attribute(const ElementInput& input, const design::ColorEncoding& encoding) {
+    if (encoding.is_used()) return input.layer.find(encoding.attribute.view());
     for (const scene::Attribute& attribute : input.layer.attributes)
         if (attribute.entry->uncertainty_kind != scene::UncertaintyKind::none) return &attribute;
     return nullptr;
@@ -22,6 +22,16 @@ Placed at_height(double latitude_rad, double longitude_rad, double height_m) {
 
 /// Attributes of features may be asked by points, which do not count alike.
 bool holds(const scene::Attribute* attribute, std::size_t n) { return attribute != nullptr && n < attribute->values.size(); }
+
+scene::Uncertainty uncertainty_of(const scene::Attribute* attribute, const design::ColorEncoding& encoding, std::size_t n) {
+    if (attribute == nullptr) return scene::Uncertainty::from_code(encoding.is_used() ? scene::Uncertainty::kUnknown : 0);
+    if (attribute->entry->uncertainty_kind == scene::UncertaintyKind::none) return scene::Uncertainty::from_code(0);
+    return holds(attribute, n) ? attribute->uncertainty(n) : scene::Uncertainty();
+}
+
+std::size_t number_of(const scene::Attribute* attribute, const PointOfFeature& of) {
+    return attribute != nullptr && attribute->entry->of == scene::AttributeOf::point ? of.point : of.feature;
+}
 
 }  // namespace
 
@@ -56,21 +66,31 @@ design::Color encoded_color(const ElementInput& input, const design::ColorEncodi
 }
 
 scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n) {
-    const scene::Attribute* const attribute = unsure_attribute(input);
-    if (attribute == nullptr)
-        return scene::Uncertainty::from_code(input.element.by_color.is_used() ? scene::Uncertainty::kUnknown : 0);
-    if (attribute->entry->uncertainty_kind == scene::UncertaintyKind::none) return scene::Uncertainty::from_code(0);
-    return holds(attribute, n) ? attribute->uncertainty(n) : scene::Uncertainty();
+    return uncertainty_of(unsure_attribute(input, input.element.by_color), input.element.by_color, n);
 }
 
 double uncertainty_growth_per_hour(const ElementInput& input) {
-    const scene::Attribute* const attribute = unsure_attribute(input);
+    const scene::Attribute* const attribute = unsure_attribute(input, input.element.by_color);
     return attribute == nullptr ? 0 : static_cast<double>(attribute->entry->uncertainty_growth_per_hour);
 }
 
 double value_or_nan(const scene::Layer& layer, std::string_view name, std::size_t n) {
     const scene::Attribute* const attribute = layer.find(name);
     return holds(attribute, n) ? static_cast<double>(attribute->values[n]) : std::numeric_limits<double>::quiet_NaN();
+}
+
+design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, const PointOfFeature& of) {
+    return encoded_color(input, encoding, number_of(input.layer.find(encoding.attribute.view()), of));
+}
+
+scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,
+                                       const PointOfFeature& of) {
+    const scene::Attribute* const attribute = unsure_attribute(input, encoding);
+    return uncertainty_of(attribute, encoding, number_of(attribute, of));
+}
+
+double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of) {
+    return value_or_nan(layer, attribute, number_of(layer.find(attribute), of));
 }
 
 }  // namespace tedavis::draw

@@ -38,4 +38,16 @@ struct Placed {
 /// Value n of an attribute; NaN where there is none.
 [[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, std::size_t n);
 
+/// A point of a line or an area: attributes of features have values by the one number, those of points by the other.
+struct PointOfFeature {
+    std::uint32_t feature = 0;
+    std::uint32_t point = 0;  ///< of the layer's
+};
+[[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding,
+                                          const PointOfFeature& of);
+/// Of what the encoding shows; of a plain colour, what encoded_uncertainty() says above.
+[[nodiscard]] scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,
+                                                     const PointOfFeature& of);
+[[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of);
+
 }  // namespace tedavis::draw

@@ -53,8 +53,7 @@ void SolidBatch::set_look(const SolidLook& look, std::int64_t data_time_ns) {
 }
 
 bool SolidBatch::has_room(std::size_t vertices, std::size_t indices) const {
-    return vertices <= kMostPieceVertices && vertices <= vertices_.size() - vertex_count_ &&
-           indices <= indices_.size() - index_count_;
+    return vertices <= kMostPieceVertices && vertices <= vertices_left() && indices <= indices_left();
 }
 
 bool SolidBatch::goes_on(const glm::dvec3& origin, std::size_t vertices) const {

@@ -75,6 +75,8 @@ public:
     [[nodiscard]] base::Span<const SolidVertex> vertices() const { return {vertices_.data(), vertex_count_}; }
     [[nodiscard]] base::Span<const std::uint16_t> indices() const { return {indices_.data(), index_count_}; }
     [[nodiscard]] base::Span<const SolidPiece> pieces() const { return {pieces_.data(), piece_count_}; }
+    [[nodiscard]] std::size_t vertices_left() const { return vertices_.size() - vertex_count_; }
+    [[nodiscard]] std::size_t indices_left() const { return indices_.size() - index_count_; }
     /// In vertices.
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
 

@@ -1,0 +1,61 @@
+/// Surfaces of tubes as solids, a block of rings after the other, so that little memory is needed: flat coloured sides
+/// (scene/tube_mesh.hpp), and round hulls whose normals point away from the tube's middle, for rims and for margins.
+///
+/// Blocks of a piece repeat the ring where the one before stopped; only the first and the last one have an end.
+/// Memory  from an arena, once. Thread  one. Failure  a block without room in the batch is left out; the answer tells.
+#pragma once
+
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+#include "render_core/scene/tube_mesh.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr std::uint32_t kTubeBlockRings = 64;
+inline constexpr std::uint32_t kTubeHullSides = 12;
+inline constexpr std::uint32_t kTubeRimSides = scene::kDefaultTubeSides;
+
+struct TubeColor {
+    design::Color color;
+    scene::Uncertainty uncertainty;
+};
+/// Of a ring: on sides with even numbers, to which the upper one belongs, and on the others.
+struct RingColors {
+    TubeColor even, odd;
+};
+
+/// Some rings of a piece, at most kTubeBlockRings and the one where the block before stopped.
+struct TubeBlock {
+    base::Span<const scene::TubeRing> rings;
+    bool begins = false, ends = false;  ///< with its first or last ring the piece does
+};
+
+class TubeSkin {
+public:
+    static constexpr std::uint32_t kRingVertices = 2 * scene::kDefaultTubeSides, kEndVertices = scene::kDefaultTubeSides;
+
+    [[nodiscard]] static std::uint64_t bytes_needed();
+    [[nodiscard]] bool start(base::Arena& arena);
+
+    /// `colors`: one for each ring.
+    bool add_sides(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, base::Span<const RingColors> colors);
+
+private:
+    base::Span<scene::TubeVertex> vertices_;
+    base::Span<std::uint16_t> indices_;
+};
+
+/// Semi-axes of what is added to a tube's radius.
+struct TubeMargin {
+    double horizontal_m = 0, vertical_m = 0;
+};
+
+/// A hull of kTubeHullSides, or kTubeRimSides whose corners are those of the tube's sides. `margins`: one for each ring, or none
+/// at all. Its colour is the mesh's.
+bool add_tube_hull(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides,
+                   base::Span<const TubeMargin> margins, const TubeColor& color);
+
+/// A single place: eight flat faces.
+bool add_tube_marker(SolidBatch& batch, SolidMesh& mesh, const scene::TubeRing& ring, const TubeColor& color);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,57 @@
+/// Lines of a scene as tubes: trajectories and routes in space (technique `tube`), or with time as their height (`space_time`).
+///
+/// Tubes are hexagons; sides in turn show the element's scale and, where it has one, its second scale, from the upper side on.
+/// Values are those of points along the way, those of features for the whole line; what is missing has the colour of missing
+/// data. size_m is the radius (kDefaultTubeRadius_m), of a size attribute that of its largest value; in space-time metres an
+/// hour, and the radius is the default. A line of one point is an octahedron. With `link`, and always in space-time, thin posts
+/// stand under both ends. An opaque tube may have a rim (`halo_px`), whose width is in pixels at every distance. Uncertainty
+/// `widening` adds a translucent hull that reaches as far as the place may be off: the attributes "position_accuracy" and
+/// "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole; a height accuracy that is not
+/// stated is that of the place.
+///
+/// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within
+/// its tolerance (tube_way.hpp), hidden those without a place or without room. Tubes take at most half of the room that the batch
+/// has left, so that elements after them find some.
+#pragma once
+
+#include "render_core/draw/data/tube_skin.hpp"
+#include "render_core/draw/data/tube_way.hpp"
+
+namespace tedavis::draw {
+
+class TubeSolids {
+public:
+    /// Rings for batches of so many vertices.
+    [[nodiscard]] static std::uint32_t rings_for(std::uint32_t batch_vertices);
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t rings);
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t rings);
+
+    [[nodiscard]] ElementCount add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+
+private:
+    struct Work {
+        SolidBatch& batch;
+        SolidMesh& mesh;
+        const ElementInput& input;
+        std::uint32_t feature;
+        base::Span<const scene::TubeRing> rings;
+    };
+    enum class Layer : std::uint8_t { sides, rim, margin };
+    [[nodiscard]] std::uint32_t most_points(const SolidBatch& batch, const ElementInput& input) const;
+    std::uint32_t add_layer(const Work& work, Layer layer);
+    [[nodiscard]] bool add_block(const Work& work, Layer layer, const TubeBlock& block);
+    [[nodiscard]] RingColors colors_of(const Work& work, const scene::TubeRing& ring) const;
+    [[nodiscard]] TubeMargin margin_of(const Work& work, const scene::TubeRing& ring) const;
+    void add_posts(const Work& work);
+    void add_post(const Work& work, const scene::TubeRing& ring);
+
+    TubeWay way_;
+    TubeLine line_;
+    TubeSkin skin_;
+    base::Span<scene::TubeRing> rings_;
+};
+
+/// True for techniques and layers that tubes show.
+[[nodiscard]] bool shows_tubes(const scene::Layer& layer);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,96 @@
+/// Which points of a layer's lines a tube goes through, and where these are.
+///
+/// Of a line as many points are kept as detail and room ask for: tolerances begin at a tenth of the tube's radius at full detail
+/// and at ten radii at none, and grow by 2^(1/4) until all lines together fit. A point that is left out is no farther from the
+/// tube's middle than the tolerance (way_weights.hpp), and neither are its values, where the range of an attribute counts like
+/// kRadiiOfRange radii. Lines are looked at in windows of kTubeWindow points, the ends of which are kept, as are those of
+/// stretches beside points without a place and where time runs back.
+///
+/// In space-time the height is the time since the layer's first point instead: `size_m` (1000 m) an hour over the highest ground
+/// below the lines. A point without a time then has no place.
+///
+/// Memory  from an arena, once. Thread  the ground's. Bounded: two visits of a point, each as way_weights.hpp says of a window.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/way_weights.hpp"
+#include "render_core/scene/trajectory_tube.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr std::uint32_t kTubeWindow = 512;
+inline constexpr double kRadiiOfRange = 5;
+inline constexpr double kDefaultTubeRadius_m = 40;
+inline constexpr double kDefaultTimeHeight_m = 1000;
+/// A size attribute's value makes the tube no thinner than this part of its thickest.
+inline constexpr double kThinnestTube = 0.1;
+
+/// One of a line's points, as a tube sees it.
+struct TubePlace {
+    glm::dvec3 place{0};  ///< ECEF; NaN: it has none
+    std::int64_t time_ns = scene::kNoTime;
+    float weight_m = 0;
+    std::uint32_t number = 0;  ///< of the layer's points
+
+    [[nodiscard]] bool is_known() const;
+};
+
+/// Points of one line that the tube goes through. A point without a place stands for a gap.
+class TubeLine {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t points);
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t points);
+
+    [[nodiscard]] base::Span<const scene::TubePoint> points() const { return {points_.data(), count_}; }
+    /// The layer's number of each.
+    [[nodiscard]] base::Span<const std::uint32_t> numbers() const { return {numbers_.data(), count_}; }
+    [[nodiscard]] bool ends_in_gap() const;
+    [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(points_.size()); }
+    std::uint32_t left_out = 0;  ///< points within the tolerance
+
+    void clear() { count_ = left_out = 0; }
+    /// False when it is full.
+    bool add(const scene::TubePoint& point, std::uint32_t number);
+
+private:
+    base::Span<scene::TubePoint> points_;
+    base::Span<std::uint32_t> numbers_;
+    std::uint32_t count_ = 0;
+};
+
+class TubeWay {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed();
+    [[nodiscard]] bool start(base::Arena& arena);
+
+    /// Chooses the tolerance for all lines of the input's layer: at most so many points, if one of the tolerances can do that.
+    /// The input must stay until the next call.
+    void plan(const ElementInput& input, std::uint32_t most_points);
+    [[nodiscard]] double tolerance_m() const { return tolerance_m_; }
+    [[nodiscard]] double radius_m() const { return radius_m_; }
+    [[nodiscard]] bool is_space_time() const;
+
+    void read(std::uint32_t feature, TubeLine& line);
+
+private:
+    template <class Visitor>
+    void visit(std::uint32_t feature, Visitor visitor);
+    /// How many points from `first` on belong together, at most a window.
+    std::uint32_t fill(std::uint32_t feature, std::uint32_t first, std::uint32_t end);
+    [[nodiscard]] glm::dvec3 place_of(const scene::ScenePoint& point) const;
+    [[nodiscard]] double value_in_metres(const scene::Attribute* attribute, std::uint32_t feature, std::uint32_t point) const;
+    [[nodiscard]] double radius_of(std::uint32_t feature, std::uint32_t point) const;
+    void take_reference();
+
+    base::Span<WayPoint> window_;
+    base::Span<float> weights_;
+    base::Span<WayStretch> waiting_;
+    const ElementInput* input_ = nullptr;
+    const scene::Attribute* shown_[3] = {};
+    double tolerance_m_ = 0, radius_m_ = 0;
+    std::int64_t first_time_ns_ = scene::kNoTime;
+    double reference_m_ = 0, metres_per_ns_ = 0;
+};
+
+}  // namespace tedavis::draw
