@@ -58,7 +58,7 @@ TEST(WayWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
             split(way, 0, way.size() - 1, tolerance_m, expected);
             for (std::size_t n = 0; n < way.size(); ++n) kept[n] = static_cast<double>(weights[n]) > tolerance_m;
             EXPECT_EQ(kept, expected) << "seed " << seed << ", " << tolerance_m << " m";
-            EXPECT_LT(std::count(kept.begin(), kept.end(), true), 200);
+            EXPECT_LT(std::count(kept.begin(), kept.end(), true), tolerance_m < 100 ? 201 : 100);
         }
     }
 }
