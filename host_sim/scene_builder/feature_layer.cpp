@@ -85,7 +85,8 @@ private:
         }
         const std::string& keep = recipe_.prepare.keep_attribute;
         if (!keep.empty() && kept_by() == nullptr)
-            refuse("keep_attribute '" + keep + "' is none of the layer's attributes; bind it in an [[layer.attribute]]");
+            refuse("keep_attribute '" + keep +
+                   "' is none of the attributes that the source states; bind it in an [[layer.attribute]]");
     }
     [[nodiscard]] std::string stated_names() const {
         std::set<std::string> names = source_.columns;

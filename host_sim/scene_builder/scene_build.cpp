@@ -6,6 +6,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/scene_builder/derived_attribute.hpp"
 #include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/feature_layer.hpp"
 #include "host_sim/scene_builder/flight_source.hpp"
@@ -30,8 +31,11 @@ void require_no_words_for_features(const LayerRecipe& recipe) {
     if (recipe.name_variable != LayerRecipe().name_variable) word = "name_variable";
     if (!recipe.time_variable.empty()) word = "time_variable";
     if (!recipe.prepare.keep_attribute.empty()) word = "keep_attribute";
+    if (!recipe.wind_layer.empty()) word = "wind_layer";
     for (const AttributeRecipe& attribute : recipe.attributes)
         if (!attribute.uncertainty.classes.empty()) word = "uncertainty.classes";
+    for (const AttributeRecipe& attribute : recipe.attributes)
+        if (is_derived(attribute)) word = attribute.variable.c_str();
     if (word != nullptr)
         throw UserError(recipe.name + ": '" + word + "' is for tables and flights, and " + recipe.source +
                         " is a grid; leave it out (an attribute's 'least' and 'most' choose values of a grid)");
@@ -78,8 +82,8 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
         return make_grid_layer(recipe, folder);
     }
     Source source = read_source(kind, recipe, path);
-    LayerRecipe bound = recipe;
-    if (bound.attributes.empty()) bound.attributes = std::move(source.usual_attributes);
+    LayerRecipe bound = without_derived(recipe);
+    if (recipe.attributes.empty()) bound.attributes = std::move(source.usual_attributes);
     FeatureLayer made = make_feature_layer(bound, std::move(source.features));
     notes.insert(notes.end(), made.notes.begin(), made.notes.end());
     return std::move(made.draft);
@@ -128,6 +132,11 @@ MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const
         progress(layer.name, made.draft.layers.size(), recipe.layers.size());
         made.draft.layers.push_back(make_layer(layer, folder, made.notes));
         finish(layer, made.draft.layers.back());
+    }
+    // Of all layers: a wind may stand behind the lines that ask for it.
+    for (std::size_t n = 0; n < recipe.layers.size(); ++n) {
+        const std::vector<std::string> notes = add_derived(recipe.layers[n], made.draft.layers[n], made.draft.layers);
+        made.notes.insert(made.notes.end(), notes.begin(), notes.end());
     }
     return made;
 }
