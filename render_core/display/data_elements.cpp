@@ -2,6 +2,7 @@
 
 #include "render_core/base/utc_time.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
+#include "render_core/draw/data/billboards.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -26,11 +27,15 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
     return {room(kStandingQuarters), room(4 - kStandingQuarters)};
 }
 
+/// What faces the eye, in pixels; built every frame.
+bool is_billboard(DataTechnique technique) { return technique == DataTechnique::billboard; }
+
 bool shows(DataTechnique technique, const scene::Layer& layer) {
     switch (technique) {
         case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
         case DataTechnique::tube:
         case DataTechnique::space_time: return draw::shows_tubes(layer);
+        case DataTechnique::billboard: return layer.entry->shape != scene::LayerShape::grid;
         default: return is_glyph_technique(technique);
     }
 }
@@ -53,7 +58,7 @@ const char* reason_of(ElementState state) noexcept {
     return "unknown";
 }
 
-gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory) {
+gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
     if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
@@ -65,6 +70,10 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
     if (!mesh_.start(memory.solids) || !tubes_.start(memory.solids, draw::TubeSolids::rings_for(rooms.standing.vertices)))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+    if (!sheet_.start(memory.billboards))
+        return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
+    if (gl::GlError error = billboard_drawer_.start_billboards(gl, budget, memory.billboards, typeface); !error.sentence.empty())
+        return error;
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
 }
 
@@ -95,6 +104,7 @@ void DataElements::plan(const ElementFrame& frame) {
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
     plan_glyphs(frame);
+    build_billboards(frame);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
 }
@@ -137,10 +147,21 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
-        if (is_glyph_technique(report.element->technique)) continue;
+        if (is_glyph_technique(report.element->technique) || is_billboard(report.element->technique)) continue;
         if (moves(report.element->technique, *report.layer) != moving) continue;
         report.count = build_element(batch, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
                                              frame.missing, time_ns_, has_date_});
+    }
+}
+
+/// Only what is valid now: what is not shown must take no room from what is.
+void DataElements::build_billboards(const ElementFrame& frame) {
+    sheet_.begin(billboard_drawer_.batch(), frame.view, frame.text_px);
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        ElementReport& report = reports_[n];
+        if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
+        report.count = draw::add_billboards(sheet_, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
+                                                     frame.missing, time_ns_, has_date_, frame.view.eye});
     }
 }
 
@@ -158,18 +179,20 @@ void DataElements::prepare(gl::Gl& gl) {
     is_uploaded_ = is_uploaded_ || standing_.upload(gl);
     moving_is_uploaded_ = moving_.upload(gl);
     glyphs_.prepare(gl);
+    static_cast<void>(billboard_drawer_.upload(gl));
 }
 
 std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
     if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
     const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
     const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
-    return draws + glyphs_.draw(gl, frame, range);
+    return draws + glyphs_.draw(gl, frame, range) + billboard_drawer_.draw_within(gl, frame.view.width, frame.view.height, range);
 }
 
 void DataElements::destroy(gl::Gl& gl) {
     glyphs_.destroy(gl);
     drawer_.destroy(gl);
+    billboard_drawer_.destroy(gl);
     standing_.destroy(gl);
     moving_.destroy(gl);
 }

@@ -3,18 +3,20 @@
 ///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
 ///
 /// What a layer says once is built by set() and stands; what moves is built by every plan().
-/// Memory    the budget lines scene_solids and scene_glyphs (CPU), scene_solid_vertices and scene_glyph_vertices (GPU). Thread
-/// the display's. Failure  start() gives one
+/// Memory    the budget lines scene_solids, scene_glyphs and scene_billboards (CPU), and the lines of their vertices (GPU).
+/// Thread  the display's. Failure  start() gives one
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/data_style.hpp"
 #include "render_core/display/glyph_elements.hpp"
+#include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/draw/data/tube_solids.hpp"
+#include "render_core/draw/quad_drawer.hpp"
 
 namespace tedavis::display {
 
@@ -45,15 +47,17 @@ struct ElementFrame {
     const terrain::View& view;  ///< of the eye
     design::Color missing;
     base::Time now;
+    double text_px = 16;  ///< of the display's ordinary text
 };
 
 class DataElements {
 public:
     struct Memory {
-        base::Arena &solids, &glyphs;
+        base::Arena &solids, &glyphs, &billboards;
     };
-    /// Only for displays that have a scene.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory);
+    /// Only for displays that have a scene. `typeface`: the drawer that lends it; must outlive this.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory,
+                                    const draw::QuadDrawer& typeface);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
     /// What is shown from the next plan() on. Scene and design must stay.
@@ -78,8 +82,12 @@ private:
     void plan_glyphs(const ElementFrame& frame);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
 
+    void build_billboards(const ElementFrame& frame);
+
     GlyphElements glyphs_;
     draw::SolidDrawer drawer_;
+    draw::QuadDrawer billboard_drawer_;
+    draw::BillboardSheet sheet_;
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;

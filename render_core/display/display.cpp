@@ -45,7 +45,7 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
     if (!data_.has_scene() || !terrain_.is_started()) return {};
     elements_.set(data_.scene(), settings_.design.data.elements);
-    return elements_.start(gl_, settings_.device.budget, memory_.elements());
+    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_);
 }
 
 gl::GlError Display::start_drawers() {
@@ -252,7 +252,7 @@ void Display::plan_elements(base::Time now) {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
     TerrainGround ground(terrain_);
-    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now});
+    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, static_cast<double>(layout_.text_px)});
 }
 
 void Display::plan_data(base::Time now) {

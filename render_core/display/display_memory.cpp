@@ -20,7 +20,8 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kSceneData, &DisplayMemory::scene_},
                                                      {effects::kSceneSlices, &DisplayMemory::slices_},
                                                      {effects::kSceneSolids, &DisplayMemory::solids_},
-                                                     {effects::kSceneGlyphs, &DisplayMemory::glyphs_}};
+                                                     {effects::kSceneGlyphs, &DisplayMemory::glyphs_},
+                                                     {effects::kSceneBillboards, &DisplayMemory::billboards_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
     return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;

@@ -28,16 +28,17 @@ public:
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
-    [[nodiscard]] DataElements::Memory elements() { return {solids_, glyphs_}; }
+    [[nodiscard]] DataElements::Memory elements() { return {solids_, glyphs_, billboards_}; }
 
 private:
     struct Part {
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[12];
+    static const Part kParts[13];
 
-    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_, glyphs_;
+    base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_, glyphs_,
+        billboards_;
 };
 
 }  // namespace tedavis::display

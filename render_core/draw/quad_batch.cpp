@@ -55,6 +55,7 @@ void QuadBatch::clear() {
     runs_.clear();
     use_.in_use = 0;
     clipped_ = false;
+    set_distance(0);
 }
 
 void QuadBatch::set_clip(const Rect& clip) {
@@ -74,7 +75,7 @@ bool QuadBatch::has_room(std::size_t vertices, std::size_t indices, Shape shape)
 
 QuadVertex& QuadBatch::add_vertex(Point at, Point uv, float extent_x, float extent_y, design::Color color) {
     QuadVertex& vertex = vertices_[vertex_count_++];
-    vertex = {at.x, at.y, uv.x, uv.y, extent_x, extent_y, {color.red, color.green, color.blue, color.alpha}};
+    vertex = {at.x, at.y, uv.x, uv.y, extent_x, extent_y, {color.red, color.green, color.blue, color.alpha}, from_m_};
     use_.take(1);
     return vertex;
 }
@@ -102,7 +103,9 @@ bool QuadBatch::line(Point from, Point to, float width_px, design::Color color) 
         const float v = i >= 2 ? reach_v : -reach_v;
         corners[i] = {{middle.x + along.x * u - along.y * v, middle.y + along.y * u + along.x * v}, {u, v}};
     }
-    return add_quad(corners, half_length, half_width, color);
+    if (!add_quad(corners, half_length, half_width, color)) return false;
+    for (std::size_t corner : {1, 2}) vertices_[vertex_count_ - 4 + corner].distance_m = to_m_;
+    return true;
 }
 
 bool QuadBatch::polyline(base::Span<const Point> points, float width_px, design::Color color, bool closed) {

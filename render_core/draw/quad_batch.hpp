@@ -27,8 +27,9 @@ struct QuadVertex {
     float u = 0, v = 0;
     float extent_x = 0, extent_y = 0;
     std::uint8_t rgba[4] = {};
+    float distance_m = 0;  ///< along the view, for what terrain may hide; 0 for what lies over everything
 };
-static_assert(sizeof(QuadVertex) == 28);
+static_assert(sizeof(QuadVertex) == 32);
 
 /// How a line of text looks.
 struct TextStyle {
@@ -59,6 +60,9 @@ public:
     /// texts are left out where they would reach beyond it, for a number without its last digit is another number.
     void set_clip(const Rect& clip);
     void lift_clip() { clipped_ = false; }
+    /// What follows stands so far ahead of the eye; lines lead from the first distance to the second. Empty batches stand at 0.
+    void set_distance(double from_m, double to_m) { from_m_ = static_cast<float>(from_m), to_m_ = static_cast<float>(to_m); }
+    void set_distance(double distance_m) { set_distance(distance_m, distance_m); }
 
     /// False when it did not fit. Nothing visible (clipped away, empty) is a success. Not-a-number draws nothing.
     bool line(Point from, Point to, float width_px, design::Color color);
@@ -97,6 +101,7 @@ private:
     std::size_t index_count_ = 0;
     Rect clip_;
     bool clipped_ = false;
+    float from_m_ = 0, to_m_ = 0;
     base::ResourceUse use_;
 };
 

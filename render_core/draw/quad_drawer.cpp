@@ -1,6 +1,8 @@
 #include "render_core/draw/quad_drawer.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string_view>
 
 #include "render_core/base/fixed_string.hpp"
@@ -12,17 +14,20 @@
 namespace tedavis::draw {
 namespace {
 
-enum Attribute : GLuint { kPosition, kUv, kExtent, kColor };
-constexpr gl::AttributeBinding kAttributes[] = {{"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}};
-enum Uniform : std::size_t { kClipPerPixel, kAtlas };
-constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas"};
+enum Attribute : GLuint { kPosition, kUv, kExtent, kColor, kDistance };
+constexpr gl::AttributeBinding kAttributes[] = {
+    {"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}, {"distance_m", kDistance}};
+enum Uniform : std::size_t { kClipPerPixel, kAtlas, kDepth };
+constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth"};
 
-gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
-    base::FixedString<kMaxShaderText> fragment(defines);
+gl::GlError build_program(gl::Gl& gl, std::string_view defines, bool with_depth, gl::Program& program) {
+    base::FixedString<kMaxShaderText> vertex(with_depth ? "#define AMONG_TERRAIN 1\n" : ""), fragment(defines);
+    vertex.append(shader_text(k_symbology_vert));
     fragment.append(shader_text(k_symbology_frag));
-    auto built = gl::build_program(
-        gl, {"symbology", shader_text(k_symbology_vert), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes),
-             base::Span<const char* const>(kUniforms), true});
+    constexpr std::size_t kAll = std::size(kAttributes);
+    auto built = gl::build_program(gl, {"symbology", vertex.view(), fragment.view(),
+                                        base::Span<const gl::AttributeBinding>(kAttributes, with_depth ? kAll : kAll - 1),
+                                        base::Span<const char* const>(kUniforms), true});
     if (!built.ok()) return built.error();
     program = built.value();
     return {};
@@ -35,63 +40,104 @@ void point_attributes(gl::Gl& gl) {
     gl->VertexAttribPointer(kUv, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, u)));
     gl->VertexAttribPointer(kExtent, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, extent_x)));
     gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(QuadVertex, rgba)));
+    gl->VertexAttribPointer(kDistance, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(QuadVertex, distance_m)));
 }
 
 }  // namespace
 
 gl::GlError QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
+    gl::GlError error = make_buffers(gl, budget, memory, {effects::kSymbology, effects::kSymbologyVertices}, max_vertices);
+    if (error.sentence.empty()) error = make_typeface(gl, budget);
+    return error.sentence.empty() ? make_programs(gl, false) : error;
+}
+
+gl::GlError QuadDrawer::start_billboards(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
+    constexpr std::uint64_t kMost = 65'536;
+    const std::uint64_t room = budget.find(effects::kSceneBillboardVertices)->bytes / kBytesAVertex;
+    gl::GlError error = make_buffers(gl, budget, memory, {effects::kSceneBillboards, effects::kSceneBillboardVertices},
+                                     static_cast<std::size_t>(std::min(room, kMost)));
+    typeface_ = lender.typeface_;
+    return error.sentence.empty() ? make_programs(gl, true) : error;
+}
+
+gl::GlError QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
+                                     std::size_t max_vertices) {
     const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
     const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
     if (vertices.empty() || indices.empty())
-        return gl::make_error("the budget line '", effects::kSymbology,
-                              "' is too small for the symbology; raise it in the device file");
+        return gl::make_error("the budget line '", lines.batch, "' is too small for the symbology; raise it in the device file");
     batch_ = QuadBatch(vertices, indices);
-    return make_objects(gl, budget, vertices.size(), indices.size());
-}
-
-gl::GlError QuadDrawer::make_objects(gl::Gl& gl, base::BudgetTable& budget, std::size_t vertices, std::size_t indices) {
-    base::BudgetLine& quads = *budget.find(effects::kSymbologyVertices);
+    base::BudgetLine& quads = *budget.find(lines.buffers);
     auto vertex_buffer =
-        gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices * sizeof(QuadVertex));
+        gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices.size() * sizeof(QuadVertex));
     if (!vertex_buffer.ok()) return vertex_buffer.error();
     vertices_ = static_cast<gl::Buffer&&>(vertex_buffer.value());
     auto index_buffer =
-        gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices * sizeof(std::uint16_t));
+        gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices.size() * sizeof(std::uint16_t));
     if (!index_buffer.ok()) return index_buffer.error();
     indices_ = static_cast<gl::Buffer&&>(index_buffer.value());
+    return {};
+}
 
+gl::GlError QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
     const FontAtlas& font = font_atlas();
     const auto width = static_cast<std::uint32_t>(font.width), height = static_cast<std::uint32_t>(font.height);
     auto atlas = gl::make_texture(gl, *budget.find(effects::kFontAtlas),
                                   {gl::TextureFormat::r8, gl::TextureFilter::linear, width, height});
     if (!atlas.ok()) return atlas.error();
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
+    typeface_ = &atlas_;
     if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
+    return {};
+}
 
-    if (gl::GlError error = build_program(gl, "", box_program_); !error.sentence.empty()) return error;
-    return build_program(gl, "#define GLYPHS 1\n", glyph_program_);
+gl::GlError QuadDrawer::make_programs(gl::Gl& gl, bool with_depth) {
+    if (gl::GlError error = build_program(gl, "", with_depth, box_program_); !error.sentence.empty()) return error;
+    return build_program(gl, "#define GLYPHS 1\n", with_depth, glyph_program_);
+}
+
+bool QuadDrawer::upload(gl::Gl& gl) {
+    const auto vertices = batch_.vertices();
+    const auto indices = batch_.indices();
+    is_uploaded_ = !indices.empty() && vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(QuadVertex)) &&
+                   indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t));
+    return is_uploaded_;
 }
 
 std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {
+    if (!upload(gl)) return 0;
+    gl->Disable(GL_DEPTH_TEST);
+    return draw_runs(gl, width, height, nullptr);
+}
+
+std::uint32_t QuadDrawer::draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange& range) {
+    if (!is_uploaded_) return 0;
+    gl->DepthMask(GL_FALSE);
+    const std::uint32_t draws = draw_runs(gl, width, height, &range);
+    gl->DepthMask(GL_TRUE);
+    return draws;
+}
+
+/// With a range, depths are those of the perspective: scale + offset / distance (view_projection.hpp).
+std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange* range) {
     const auto vertices = batch_.vertices();
     const auto indices = batch_.indices();
-    if (indices.empty()) return 0;
-    if (!vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(QuadVertex)) ||
-        !indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t)))
-        return 0;
-    gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     for (const gl::Program* program : {&box_program_, &glyph_program_}) {
         program->use(gl);
         gl->Uniform2f(program->uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
+        if (range == nullptr) continue;
+        const double n = range->near_m, f = range->far_m;
+        gl->Uniform2f(program->uniform(kDepth), static_cast<float>((f + n) / (f - n)), static_cast<float>(-2 * f * n / (f - n)));
     }
     gl->Uniform1i(glyph_program_.uniform(kAtlas), 0);
-    atlas_.bind(gl, 0);
+    typeface_->bind(gl, 0);
     vertices_.bind(gl);
     indices_.bind(gl);
-    for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->EnableVertexAttribArray(attribute);
+    const GLuint last = range == nullptr ? kColor : kDistance;
+    for (GLuint attribute = kPosition; attribute <= last; ++attribute) gl->EnableVertexAttribArray(attribute);
     point_attributes(gl);
     const base::Span<const QuadRun> runs = batch_.runs();
     for (std::size_t n = 0; n < runs.size(); ++n) {
@@ -99,7 +145,7 @@ std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t he
         (runs[n].glyphs ? glyph_program_ : box_program_).use(gl);
         gl::draw_triangles(gl, {runs[n].first_index, end - runs[n].first_index, static_cast<std::uint32_t>(vertices.size() - 1)});
     }
-    for (GLuint attribute = kPosition; attribute <= kColor; ++attribute) gl->DisableVertexAttribArray(attribute);
+    for (GLuint attribute = kPosition; attribute <= last; ++attribute) gl->DisableVertexAttribArray(attribute);
     gl->Disable(GL_BLEND);
     return static_cast<std::uint32_t>(runs.size());
 }

@@ -1,10 +1,11 @@
-/// Holds the batch of the flat symbology and draws it over the picture.
+/// Holds a batch of flat symbology and draws it over the picture, or with billboards among the terrain.
 ///
-/// Memory    the batch from the arena (line `symbology`), one vertex and one index buffer from `symbology_vertices`, the
-///           typeface from `font_atlas`; all at start(). Thread  the GL thread. Failure  start() gives one sentence.
+/// Memory    the batch from the arena, one vertex and one index buffer from a budget line, the typeface from `font_atlas` unless
+///           another drawer lends its own; all at start(). Thread  the GL thread. Failure  start() gives one sentence.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/quad_batch.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
@@ -12,10 +13,22 @@
 
 namespace tedavis::draw {
 
+/// Budget lines of a drawer.
+struct QuadLines {
+    std::string_view batch;    ///< CPU
+    std::string_view buffers;  ///< GPU
+};
+
 class QuadDrawer {
 public:
+    /// Bytes of the batch, and of its buffers, for each vertex.
+    static constexpr std::uint64_t kBytesAVertex = sizeof(QuadVertex) + sizeof(std::uint16_t) * 3 / 2;
+
     /// `max_vertices` up to 65,536. An empty sentence means success.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices);
+    /// Of what stands among the terrain, with the typeface of `lender`, which must outlive it.
+    [[nodiscard]] gl::GlError start_billboards(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory,
+                                               const QuadDrawer& lender);
     /// To be filled for the frame; build_symbology clears it first.
     [[nodiscard]] QuadBatch& batch() { return batch_; }
     [[nodiscard]] const QuadBatch& batch() const { return batch_; }
@@ -23,14 +36,26 @@ public:
     /// Uploads the batch and draws it into the bound framebuffer of `width` x `height` pixels, blended over what is there;
     /// the picture's alpha stays. Leaves depth test, culling and blending off. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height);
+    /// After the batch has changed. False when it cannot be had; then draw_within() draws nothing.
+    bool upload(gl::Gl& gl);
+    /// Of a drawer started by start_billboards(), after upload(): what stands within the range, where nothing nearer is drawn.
+    /// Writes no depths. The depth test is on before and after, culling and blending off.
+    std::uint32_t draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange& range);
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError make_objects(gl::Gl& gl, base::BudgetTable& budget, std::size_t vertices, std::size_t indices);
+    [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
+                                           std::size_t max_vertices);
+    [[nodiscard]] gl::GlError make_typeface(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] gl::GlError make_programs(gl::Gl& gl, bool with_depth);
+    std::uint32_t draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange* range);
+
     QuadBatch batch_;
     gl::Program box_program_, glyph_program_;  ///< the second draws everything
     gl::Buffer vertices_, indices_;
     gl::Texture atlas_;
+    const gl::Texture* typeface_ = nullptr;
+    bool is_uploaded_ = false;
 };
 
 }  // namespace tedavis::draw

@@ -23,7 +23,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kTerrainDrapePages, base::MemoryKind::gpu}, {kSceneData, base::MemoryKind::cpu},
     {kSceneSlices, base::MemoryKind::cpu},       {kSceneGround, base::MemoryKind::gpu},
     {kSceneSolids, base::MemoryKind::cpu},       {kSceneSolidVertices, base::MemoryKind::gpu},
-    {kSceneGlyphs, base::MemoryKind::cpu},       {kSceneGlyphVertices, base::MemoryKind::gpu}};
+    {kSceneGlyphs, base::MemoryKind::cpu},       {kSceneGlyphVertices, base::MemoryKind::gpu},
+    {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxCallExceptions> names;

@@ -37,6 +37,8 @@ inline constexpr std::string_view kSceneSolids = "scene_solids";
 inline constexpr std::string_view kSceneSolidVertices = "scene_solid_vertices";
 inline constexpr std::string_view kSceneGlyphs = "scene_glyphs";
 inline constexpr std::string_view kSceneGlyphVertices = "scene_glyph_vertices";
+inline constexpr std::string_view kSceneBillboards = "scene_billboards";
+inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_vertices";
 
 struct DeviceSettings {
     base::FixedString<31> name;

@@ -45,7 +45,7 @@ public:
         const scene::Run run = input_.layer.points_of(feature_);
         if (run.count < 3) return false;
         first_ = input_.layer.points[run.first];
-        move();
+        moved_ = drift_m(input_, feature_);
         axes_ = local_axes(first_.latitude_rad, first_.longitude_rad);
         metres_ = {std::cos(first_.latitude_rad) * earth::prime_vertical_radius_m(first_.latitude_rad),
                    earth::meridian_radius_m(first_.latitude_rad)};
@@ -60,16 +60,6 @@ public:
     }
 
 private:
-    /// Metres east and north that the feature has gone since the data's time.
-    void move() {
-        const double speed = value_or_nan(input_.layer, "speed", feature_),
-                     toward = value_or_nan(input_.layer, "toward", feature_);
-        const std::int64_t since = input_.layer.entry->data_time_ns;
-        if (!input_.has_date || since == scene::kNoTime || !std::isfinite(speed) || !std::isfinite(toward)) return;
-        const double gone_m = speed * 1e-9 * static_cast<double>(input_.time_ns - since);
-        moved_ = {gone_m * std::sin(toward), gone_m * std::cos(toward)};
-    }
-
     bool take_corners(const scene::Run& run) {
         for (std::uint32_t n = 0; n < run.count; ++n) {
             const glm::dvec2 from = flat(input_.layer.points[run.first + n]);

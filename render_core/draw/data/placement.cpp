@@ -58,6 +58,14 @@ Placed placed(const ElementInput& input, const scene::ScenePoint& point) {
     return placed(input, point.latitude_rad, point.longitude_rad, static_cast<double>(point.height_m));
 }
 
+glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature) {
+    const double speed = value_or_nan(input.layer, "speed", feature), toward = value_or_nan(input.layer, "toward", feature);
+    const std::int64_t since = input.layer.entry->data_time_ns;
+    if (!input.has_date || since == scene::kNoTime || !std::isfinite(speed) || !std::isfinite(toward)) return glm::dvec2(0);
+    const double gone_m = speed * 1e-9 * static_cast<double>(input.time_ns - since);
+    return {gone_m * std::sin(toward), gone_m * std::cos(toward)};
+}
+
 design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
     if (!encoding.is_used()) return input.element.color;
     const scene::Attribute* const attribute = input.layer.find(encoding.attribute.view());

@@ -3,6 +3,7 @@
 /// Pure but for the ground that is asked. Bounded. Thread  the ground's.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "render_core/draw/data/element_input.hpp"
@@ -25,6 +26,9 @@ struct Placed {
 [[nodiscard]] Placed placed(const ElementInput& input, const scene::ScenePoint& point);
 /// The same over the ground, whatever the layer's datum.
 [[nodiscard]] Placed placed_over_ground(const ElementInput& input, double latitude_rad, double longitude_rad, double over_m);
+
+/// Metres east and north that a feature with attributes "speed" (m/s) and "toward" (rad) has gone since the data's time.
+[[nodiscard]] glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature);
 
 /// The colour of an encoding at value n of its attribute; `plain` where the element has no such encoding, the colour of missing
 /// data where the layer has no such attribute or the value is missing.

@@ -289,5 +289,23 @@ TEST(QuadBatch, MoreRunsThanThereIsRoomForAreRefused) {
     EXPECT_EQ(made.batch.use().refused, 1u);
 }
 
+TEST(QuadBatch, DistancesHoldUntilTheNextFrame) {
+    Store store;
+    store.batch.box({0, 0, 9, 9}, kWhite);
+    store.batch.set_distance(500);
+    store.batch.triangle({0, 0}, {9, 0}, {0, 9}, kWhite);
+    store.batch.text("A", {50, 50}, TextAnchor::left, {16, kWhite, 0, kBlack});
+    store.batch.set_distance(100, 900);
+    store.batch.line({10, 10}, {90, 10}, 2, kWhite);
+    const auto all = store.batch.vertices();
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const float expected = n < 4 ? 0 : n < 11 ? 500 : all[n].x < 50 ? 100 : 900;
+        EXPECT_EQ(all[n].distance_m, expected) << n;
+    }
+    store.batch.clear();
+    store.batch.box({0, 0, 9, 9}, kWhite);
+    EXPECT_EQ(store.batch.vertices()[0].distance_m, 0);
+}
+
 }  // namespace
 }  // namespace tedavis::draw

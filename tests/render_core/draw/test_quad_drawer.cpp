@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -18,17 +19,24 @@ namespace {
 using test_support::GlSession;
 
 struct QuadSession {
-    QuadSession(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height)
+    QuadSession(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
+                bool with_billboards = false)
         : session(backend, device, width, height),
           block(session.device.budget.find(effects::kSymbology)->bytes),
           arena(block.data(), block.size()) {
         const gl::GlError error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
         EXPECT_EQ(error.sentence.view(), "");
+        if (with_billboards) start_billboards();
         session.gl.seal();
     }
     ~QuadSession() {
         session.gl.retire();
         quads.destroy(session.gl);
+    }
+    void start_billboards() {
+        billboard_block.resize(session.device.budget.find(effects::kSceneBillboards)->bytes);
+        base::Arena own(billboard_block.data(), billboard_block.size());
+        EXPECT_EQ(billboards.start_billboards(session.gl, session.device.budget, own, quads).sentence.view(), "");
     }
     /// RGBA8, bottom row first, over a plain background.
     std::vector<std::uint8_t> picture() {
@@ -42,6 +50,8 @@ struct QuadSession {
     std::vector<unsigned char> block;
     base::Arena arena;
     QuadDrawer quads;
+    std::vector<unsigned char> billboard_block;
+    QuadDrawer billboards;
 };
 
 TEST(QuadDrawer, DrawsWhatTheFormulaSays) {
@@ -95,6 +105,69 @@ TEST(QuadDrawer, OsMesaAndEglAgreeBitForBit) {
         pictures.push_back(gl.picture());
     }
     for (const auto& picture : pictures) EXPECT_EQ(picture, pictures.front());
+}
+
+/// Billboards over a wall so far away, drawn range by range as the display does.
+struct BillboardSession : QuadSession {
+    explicit BillboardSession(const std::string& device) : QuadSession("egl", device, 64, 48, true) {}
+    ~BillboardSession() { billboards.destroy(session.gl); }
+    BillboardSession(const BillboardSession&) = delete;
+    BillboardSession& operator=(const BillboardSession&) = delete;
+
+    static float window_depth(double distance_m, const DepthRange& range) {
+        const double n = range.near_m, f = range.far_m;
+        return static_cast<float>(0.5 + 0.5 * ((f + n) - 2 * f * n / distance_m) / (f - n));
+    }
+    /// Red, in the middle of the picture.
+    std::uint8_t middle(double wall_m, base::Span<const DepthRange> ranges) {
+        gl::bind_surface(session.gl, *session.surface);
+        session.gl->ClearColor(0, 0, 0, 1);
+        session.gl->Clear(GL_COLOR_BUFFER_BIT);
+        session.gl->Enable(GL_DEPTH_TEST);
+        EXPECT_TRUE(billboards.upload(session.gl));
+        for (const DepthRange& range : ranges) {
+            const float depth = window_depth(wall_m, range);
+            session.gl->ClearDepthf(std::min(1.0f, std::max(0.0f, depth)));
+            session.gl->Clear(GL_DEPTH_BUFFER_BIT);
+            EXPECT_GT(billboards.draw_within(session.gl, 64, 48, range), 0u);
+        }
+        session.gl->ClearDepthf(1);
+        EXPECT_EQ(session.gl.take_error(), 0u);
+        EXPECT_EQ(session.gl.denied().total, 0u);
+        return session.pixels()[4 * (24 * 64 + 32)];
+    }
+};
+
+TEST(QuadDrawer, BillboardsAreHiddenByWhatIsNearer) {
+    constexpr DepthRange kWhole[] = {{1, 100'000}};
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        BillboardSession gl(device);
+        gl.billboards.batch().set_distance(3000);
+        gl.billboards.batch().box({0, 0, 64, 48}, {200, 0, 0});
+        EXPECT_EQ(gl.middle(5000, kWhole), 200) << device;
+        EXPECT_EQ(gl.middle(2900, kWhole), 0) << device;
+        EXPECT_EQ(gl.middle(3100, kWhole), 200) << device;
+    }
+}
+
+TEST(QuadDrawer, ABillboardStandsInOneOfTwoRanges) {
+    constexpr DepthRange kFarAndNear[] = {{980, 400'000}, {2.5, 1000}};
+    for (const double distance_m : {10.0, 900.0, 5000.0}) {
+        BillboardSession gl("es2-small");
+        gl.billboards.batch().set_distance(distance_m);
+        gl.billboards.batch().box({0, 0, 64, 48}, {200, 0, 0, 128});
+        EXPECT_NEAR(gl.middle(300'000, kFarAndNear), 100, 1) << "mixed once, at " << distance_m;
+    }
+}
+
+TEST(QuadDrawer, LinesAreHiddenFromWhereTheyAreBehind) {
+    constexpr DepthRange kWhole[] = {{1, 100'000}};
+    BillboardSession gl("es3-mid");
+    gl.billboards.batch().set_distance(100, 1000);
+    gl.billboards.batch().line({-1, 24}, {65, 24}, 60, {200, 0, 0});
+    // 1 / distance is linear in the picture: in its middle 1 / (0.5 / 100 + 0.5 / 1000) = 182 m.
+    EXPECT_EQ(gl.middle(190, kWhole), 200);
+    EXPECT_EQ(gl.middle(174, kWhole), 0);
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+#include "render_core/draw/data/billboard_look.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/draw/data/placement.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using design::ElementUncertainty;
+
+constexpr design::Color kText{255, 255, 255};
+
+/// 0..1, in the element's gradations: as solids fade (shaders/solid.vert).
+double shown_level(const ElementInput& input, scene::Uncertainty uncertainty) {
+    const std::int64_t since = input.layer.entry->data_time_ns;
+    if (input.has_date && since != scene::kNoTime)
+        uncertainty = scene::aged(uncertainty, {input.time_ns - since}, uncertainty_growth_per_hour(input));
+    const double level = uncertainty.level(), levels = input.element.uncertainty_levels;
+    if (levels < 2) return level;
+    constexpr double kBelowOne = 0.9999;
+    return std::floor(std::min(level, kBelowOne) * levels) / (levels - 1);
+}
+
+design::Color with_opacity(design::Color color, double share) {
+    color.alpha = static_cast<std::uint8_t>(std::lround(color.alpha * std::clamp(share, 0.0, 1.0)));
+    return color;
+}
+
+design::Color grey_of(design::Color color) {
+    const auto grey = static_cast<std::uint8_t>(std::lround(0.2126 * color.red + 0.7152 * color.green + 0.0722 * color.blue));
+    return {grey, grey, grey, color.alpha};
+}
+
+}  // namespace
+
+BillboardLook billboard_look(const ElementInput& input, std::size_t n) {
+    const design::DataElement& element = input.element;
+    const scene::Uncertainty uncertainty = encoded_uncertainty(input, n);
+    BillboardLook look{encoded_color(input, element.by_color, n), kText,
+                       element.uncertainty != ElementUncertainty::none && !uncertainty.is_known()};
+    const double lost = shown_level(input, uncertainty) * element.uncertainty_strength;
+    double opacity = element.opacity;
+    if (element.uncertainty == ElementUncertainty::transparency) opacity *= 1 - lost;
+    if (element.uncertainty == ElementUncertainty::saturation)
+        look.color = design::blended(look.color, grey_of(look.color), lost);
+    look.color = with_opacity(look.color, opacity);
+    look.text = with_opacity(look.text, opacity);
+    return look;
+}
+
+BillboardText billboard_name(const ElementInput& input, std::uint32_t feature, const BillboardLook& look) {
+    BillboardText name(input.layer.name_of(feature));
+    if (look.is_unsure) name.append(name.empty() ? "?" : " ?");
+    return name;
+}
+
+}  // namespace tedavis::draw

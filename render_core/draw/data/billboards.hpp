@@ -1,0 +1,25 @@
+/// Icons and names of a layer's features, above their places: obstacles, places, runways, samples, models, storms, areas.
+///
+/// A point's billboard stands above the point, a line's above its middle, an area's above the middle of its corners, on the
+/// ground, where the storm has gone to. A size attribute makes the icon between its least and its greatest size; without one it
+/// has size_m (kIconSize_m where the design names none) at its distance, within the same limits. `link` leads a line down to the
+/// ground. Classes of an ordinal attribute "kind" come first, the higher the sooner: each counts as half the distance; then
+/// comes the nearer. What would cover one that came before goes to its other side, then without its name, then it is hidden.
+/// `detail`: the share of the features that have their names, those that come first.
+///
+/// Pure but for the ground that is asked: at most once a candidate and link. Bounded.
+#pragma once
+
+#include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kIconSize_m = 80;
+inline constexpr double kFarthestBillboard_m = 80'000;
+/// Of the text's size.
+inline constexpr float kLeastIcon = 1.0f, kGreatestIcon = 2.2f;
+
+[[nodiscard]] ElementCount add_billboards(BillboardSheet& sheet, const ElementInput& input);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,86 @@
+#include "render_core/draw/data/billboard_sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <vector>
+
+#include "render_core/draw/view_projection.hpp"
+#include "tests/support/billboard_room.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::BillboardRoom;
+
+TEST(BillboardSheet, SpotsLieWhereThePerspectivePutsThem) {
+    const BillboardRoom room;
+    const terrain::View& view = room.view;
+    for (const glm::dvec3& offset : {glm::dvec3(500, 120, -40), glm::dvec3(30'000, -9000, 2000), glm::dvec3(2, 0.5, 0.5)}) {
+        const glm::dvec3 from_eye = view.forward * offset.x + view.right * offset.y + view.down * offset.z;
+        const BillboardSheet::Spot spot = room.sheet.spot(view.eye + from_eye);
+        const glm::dvec4 clip = view_projection(view, {1, 50'000}) * glm::dvec4(from_eye, 1);
+        ASSERT_TRUE(spot.is_ahead);
+        EXPECT_NEAR(spot.at.x, (clip.x / clip.w + 1) * 400, 1e-3);
+        EXPECT_NEAR(spot.at.y, (1 - clip.y / clip.w) * 300, 1e-3);
+        EXPECT_NEAR(spot.distance_m, clip.w, 1e-6);
+    }
+}
+
+TEST(BillboardSheet, NothingStandsBehindTheEye) {
+    const BillboardRoom room;
+    EXPECT_FALSE(room.sheet.spot(room.view.eye - room.view.forward * 100.0).is_ahead);
+    EXPECT_FALSE(room.sheet.spot(room.view.eye + room.view.forward * 0.5).is_ahead) << "nor before the near plane";
+    EXPECT_FALSE(room.sheet.spot(glm::dvec3(std::numeric_limits<double>::quiet_NaN())).is_ahead);
+    room.sheet.line(room.sheet.spot(room.view.eye - room.view.forward), room.sheet.spot(room.view.eye + room.view.forward * 9.0),
+                    1, {});
+    EXPECT_TRUE(room.drawn().empty());
+}
+
+TEST(BillboardSheet, WhoComesFirstHasTheRoom) {
+    BillboardRoom room;
+    EXPECT_TRUE(room.sheet.claim({100, 100, 50, 20}));
+    EXPECT_FALSE(room.sheet.claim({149, 110, 50, 20}));
+    EXPECT_TRUE(room.sheet.claim({150, 100, 50, 20})) << "boxes that only touch do not cover each other";
+    EXPECT_FALSE(room.sheet.claim({-1, 300, 50, 20})) << "beyond the picture";
+    EXPECT_FALSE(room.sheet.claim({780, 300, 50, 20}));
+    room.begin();
+    EXPECT_TRUE(room.sheet.claim({149, 110, 50, 20})) << "a new frame";
+}
+
+TEST(BillboardSheet, TheBestCandidatesAreKeptInOrder) {
+    BillboardRoom room;
+    std::vector<double> ranks;
+    std::uint32_t state = 1;
+    room.sheet.begin_candidates();
+    for (std::uint32_t n = 0; n < 5000; ++n) {
+        state = state * 1664525u + 1013904223u;
+        ranks.push_back(state >> 20);
+        room.sheet.offer({ranks.back(), n});
+    }
+    room.sheet.offer({std::numeric_limits<double>::quiet_NaN(), 9});
+    std::vector<std::uint32_t> expected(ranks.size());
+    for (std::uint32_t n = 0; n < 5000; ++n) expected[n] = n;
+    std::stable_sort(expected.begin(), expected.end(), [&](auto a, auto b) { return ranks[a] < ranks[b]; });
+    const auto ranked = room.sheet.ranked();
+    ASSERT_EQ(ranked.size(), BillboardSheet::kMostCandidates);
+    for (std::size_t n = 0; n < ranked.size(); ++n) EXPECT_EQ(ranked[n].feature, expected[n]);
+}
+
+TEST(BillboardSheet, LinesHaveTheDepthsOfTheirEnds) {
+    BillboardRoom room;
+    const BillboardSheet::Spot near = room.sheet.spot(room.view.eye + room.view.forward * 200.0 + room.view.down * 20.0);
+    const BillboardSheet::Spot far = room.sheet.spot(room.view.eye + room.view.forward * 900.0);
+    room.sheet.line(near, far, 2, {});
+    ASSERT_EQ(room.drawn().size(), 4u);
+    for (const QuadVertex& vertex : room.drawn()) {
+        const bool is_near = std::abs(vertex.y - near.at.y) < std::abs(vertex.y - far.at.y);
+        EXPECT_NEAR(vertex.distance_m, (is_near ? 200 : 900) * BillboardSheet::kNearer, 0.01);
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::draw

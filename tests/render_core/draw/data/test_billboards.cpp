@@ -1,0 +1,197 @@
+#include "render_core/draw/data/billboards.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render_core/draw/data/placement.hpp"
+#include "tests/support/billboard_room.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::BillboardRoom;
+using test_support::ElementOfTest;
+
+constexpr float kOnGround = std::numeric_limits<float>::quiet_NaN();
+
+host_sim::LayerDraft layer_of(const std::vector<scene::ScenePoint>& points, const std::vector<std::string>& names = {}) {
+    host_sim::LayerDraft layer;
+    layer.name = "places";
+    layer.role = scene::LayerRole::place;
+    layer.points = points;
+    layer.names = names;
+    return layer;
+}
+
+ElementCount built(BillboardRoom& room, ElementOfTest& test) {
+    room.begin();
+    return add_billboards(room.sheet, test.input());
+}
+
+TEST(Billboards, StandOverTheirPlaces) {
+    // The ground lies 400 m below the eye: 0.1 of 4 km.
+    ElementOfTest test(layer_of({BillboardRoom::point(4000, 800, kOnGround)}, {"Davos"}));
+    BillboardRoom room;
+    const ElementCount count = built(room, test);
+    EXPECT_EQ(count.drawn, 1u);
+    EXPECT_EQ(count.hidden, 0u);
+    const BillboardSheet::Spot spot = room.sheet.spot(placed(test.input(), test.input().layer.points[0]).place);
+    const Rect bounds = room.bounds([](const QuadVertex& vertex) { return vertex.extent_x >= 0; });
+    EXPECT_NEAR(spot.at.x, 400 + room.view.focal_px * 0.2, 0.5);
+    EXPECT_NEAR(bounds.center().x, spot.at.x, 0.5);
+    EXPECT_NEAR(bounds.bottom(), spot.at.y, 4) << "the foot of its stem";
+    EXPECT_LT(bounds.y, spot.at.y - 20);
+    EXPECT_GT(room.glyph_vertices(), 0u);
+    for (const QuadVertex& vertex : room.drawn()) EXPECT_NEAR(vertex.distance_m, 4000 * BillboardSheet::kNearer, 3);
+}
+
+TEST(Billboards, WhatIsBehindFarOrNowhereIsHiddenAndCounted) {
+    const float high = 1000;
+    ElementOfTest test(layer_of({BillboardRoom::point(-500, 0, high), BillboardRoom::point(200'000, 0, high),
+                                 BillboardRoom::point(1000, 900, high), BillboardRoom::point(1000, 0, high)}));
+    BillboardRoom room;
+    ElementCount count = built(room, test);
+    EXPECT_EQ(count.drawn, 1u);
+    EXPECT_EQ(count.hidden, 3u);
+    ElementOfTest lost(layer_of({BillboardRoom::point(1000, 0, kOnGround)}));
+    lost.ground.is_known = false;
+    count = built(room, lost);
+    EXPECT_EQ(count.hidden, 1u);
+    EXPECT_TRUE(room.drawn().empty());
+    ElementOfTest none(layer_of({}));
+    EXPECT_EQ(built(room, none).all(), 0u);
+}
+
+TEST(Billboards, TheNearestHasTheRoomAndTheHigherClassComesSooner) {
+    host_sim::LayerDraft layer =
+        layer_of({BillboardRoom::point(3000, 0, 900), BillboardRoom::point(2000, 0, 933), BillboardRoom::point(3010, 5, 900)});
+    ElementOfTest test(layer);
+    BillboardRoom room;
+    ElementCount count = built(room, test);
+    EXPECT_EQ(count.drawn, 1u);
+    EXPECT_EQ(count.hidden, 2u);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 2000, 20);
+    host_sim::AttributeDraft kind;
+    kind.name = "kind";
+    kind.scale = scene::AttributeScale::ordinal;
+    kind.of = scene::AttributeOf::feature;
+    kind.classes = {"village", "town"};
+    kind.values = {0, 0, 1};
+    layer.attributes.push_back(kind);
+    ElementOfTest classed(layer);
+    count = built(room, classed);
+    EXPECT_EQ(count.drawn, 1u);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 3010, 30) << "half of 3010 m is less than 2000 m";
+}
+
+TEST(Billboards, DetailIsTheShareThatHasNames) {
+    std::vector<scene::ScenePoint> points;
+    std::vector<std::string> names;
+    for (int n = 0; n < 4; ++n) {
+        points.push_back(BillboardRoom::point(4000, -1500 + 1000 * n, 1000));
+        names.emplace_back("Ort");
+    }
+    ElementOfTest test(layer_of(points, names));
+    BillboardRoom room;
+    std::size_t before = 0;
+    for (const double detail : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        test.element.detail = detail;
+        EXPECT_EQ(built(room, test).drawn, 4u);
+        EXPECT_EQ(room.glyph_vertices(), static_cast<std::size_t>(detail * 4) * 3 * 2 * 4) << "letters, their halo, corners";
+        EXPECT_GE(room.glyph_vertices(), before);
+        before = room.glyph_vertices();
+    }
+}
+
+TEST(Billboards, SizesFollowTheDistanceWithinLimits) {
+    BillboardRoom room;
+    const auto height = [&](double distance_m) {
+        ElementOfTest test(layer_of({BillboardRoom::point(distance_m, 0, 1000)}));
+        EXPECT_EQ(built(room, test).drawn, 1u);
+        return room.bounds().height;
+    };
+    EXPECT_GT(height(1800), height(2600));
+    EXPECT_NEAR(height(200), height(400), 0.2);
+    EXPECT_NEAR(height(20'000), height(40'000), 0.2);
+}
+
+TEST(Billboards, AValueMayStandForTheSize) {
+    host_sim::LayerDraft layer = layer_of({BillboardRoom::point(4000, -700, 1000), BillboardRoom::point(4000, 700, 1000)});
+    host_sim::AttributeDraft people;
+    people.name = "people";
+    people.of = scene::AttributeOf::feature;
+    people.values = {100, 1000};
+    layer.attributes.push_back(people);
+    ElementOfTest test(layer);
+    test.element.size_attribute = "people";
+    BillboardRoom room;
+    EXPECT_EQ(built(room, test).drawn, 2u);
+    const Rect few = room.bounds([](const QuadVertex& vertex) { return vertex.x < 400; });
+    const Rect many = room.bounds([](const QuadVertex& vertex) { return vertex.x > 400; });
+    EXPECT_GT(many.width, few.width * 1.4f);
+}
+
+TEST(Billboards, ALinkLeadsDownToTheGround) {
+    ElementOfTest test(layer_of({BillboardRoom::point(4000, 0, 1200)}));
+    BillboardRoom room;
+    EXPECT_EQ(built(room, test).drawn, 1u);
+    const float free = room.bounds().bottom();
+    test.element.link = true;
+    EXPECT_EQ(built(room, test).drawn, 1u);
+    scene::ScenePoint foot = BillboardRoom::point(4000, 0, kOnGround);
+    EXPECT_NEAR(room.bounds().bottom(), room.sheet.spot(placed(test.input(), foot).place).at.y, 4);
+    EXPECT_GT(room.bounds().bottom(), free + 50);
+    test.ground.is_known = false;
+    EXPECT_EQ(built(room, test).drawn, 1u) << "no ground, no link";
+    EXPECT_NEAR(room.bounds().bottom(), free, 0.1);
+}
+
+TEST(Billboards, LinesAndAreasHaveOneInTheirMiddle) {
+    host_sim::LayerDraft runway = layer_of({BillboardRoom::point(3000, 0, 900), BillboardRoom::point(4000, 0, 900)});
+    runway.shape = scene::LayerShape::lines;
+    runway.role = scene::LayerRole::runway;
+    runway.starts = {0, 2};
+    ElementOfTest line(runway);
+    BillboardRoom room;
+    EXPECT_EQ(built(room, line).drawn, 1u);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 4000 * BillboardSheet::kNearer, 5);
+
+    host_sim::LayerDraft storm = layer_of({BillboardRoom::point(3000, -500, 0), BillboardRoom::point(3000, 500, 0),
+                                           BillboardRoom::point(4000, 500, 0), BillboardRoom::point(4000, -500, 0)});
+    storm.shape = scene::LayerShape::areas;
+    storm.role = scene::LayerRole::storm_cell;
+    storm.starts = {0, 4};
+    storm.data_time_ns = 1'000'000'000'000;
+    for (const char* name : {"speed", "toward"}) {
+        host_sim::AttributeDraft motion;
+        motion.name = name;
+        motion.of = scene::AttributeOf::feature;
+        motion.values = {name[0] == 's' ? 10.0f : 0.0f};
+        storm.attributes.push_back(motion);
+    }
+    ElementOfTest area(storm);
+    EXPECT_EQ(built(room, area).drawn, 1u);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 3500 * BillboardSheet::kNearer, 5);
+    area.has_date = true;
+    area.time_ns = storm.data_time_ns + 100'000'000'000;
+    EXPECT_EQ(built(room, area).drawn, 1u);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 4500 * BillboardSheet::kNearer, 5) << "10 m/s north for 100 s";
+}
+
+TEST(Billboards, NothingIsDrawnByHalfInAFullBatch) {
+    std::vector<scene::ScenePoint> points;
+    for (int n = 0; n < 20; ++n) points.push_back(BillboardRoom::point(4000, -2000 + 200 * n, 1000));
+    ElementOfTest test(layer_of(points));
+    BillboardRoom room(700);
+    const ElementCount count = built(room, test);
+    EXPECT_GT(count.drawn, 0u);
+    EXPECT_GT(count.hidden, 0u);
+    EXPECT_EQ(count.all(), 20u);
+    EXPECT_EQ(room.batch.use().refused, 0u);
+}
+
+}  // namespace
+}  // namespace tedavis::draw

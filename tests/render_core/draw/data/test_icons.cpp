@@ -1,0 +1,77 @@
+#include "render_core/draw/data/icons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/batch_rasterizer.hpp"
+#include "tests/support/billboard_room.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::BillboardRoom;
+using test_support::LoadedScene;
+
+TEST(Icons, EveryOneStaysWithinItsSizeAndLooksLikeNoOther) {
+    std::set<std::vector<std::uint8_t>> pictures;
+    for (int n = 0; n < static_cast<int>(Icon::count); ++n) {
+        BillboardRoom room;
+        ASSERT_TRUE(draw_icon(room.batch, static_cast<Icon>(n), {30, 30}, 12, {255, 255, 255}));
+        const Rect bounds = room.bounds();
+        EXPECT_GT(bounds.x, 30 - 12 - 6) << n;
+        EXPECT_LT(bounds.right(), 30 + 12 + 6) << n;
+        EXPECT_GT(bounds.y, 30 - 12 - 6) << n;
+        EXPECT_LT(bounds.bottom(), 30 + 12 + 6) << n;
+        test_support::Picture picture(60, 60, {90, 120, 90});
+        rasterize(room.batch, picture);
+        pictures.insert(picture.rgb);
+    }
+    EXPECT_EQ(pictures.size(), static_cast<std::size_t>(Icon::count) - 1) << "traffic's sign is the generic diamond";
+}
+
+TEST(Icons, AreChosenByKindThenByRole) {
+    host_sim::LayerDraft layer = test_support::small_points();
+    EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 0), Icon::mast);
+    EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 1), Icon::turbine);
+    layer.attributes[0].classes[1] = "antenna";
+    EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 1), Icon::obstacle) << "no icon of that name";
+    layer.attributes[0].values[0] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 0), Icon::obstacle) << "not known";
+    layer.role = scene::LayerRole::place;
+    EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 0), Icon::place);
+    EXPECT_EQ(icon_of(LoadedScene(test_support::small_areas()).layer(), 0), Icon::no_go);
+    EXPECT_EQ(icon_of(LoadedScene(test_support::small_meshes()).layer(), 0), Icon::model);
+}
+
+TEST(Icons, ADashedRimIsHalfACircle) {
+    BillboardRoom room;
+    ASSERT_TRUE(draw_dashed_rim(room.batch, {50, 50}, 20, {255, 255, 255}));
+    test_support::Picture picture(100, 100, {0, 0, 0});
+    rasterize(room.batch, picture);
+    int lit = 0, turns = 0;
+    bool was = false;
+    for (int n = 0; n < 720; ++n) {
+        const double angle = base::radians(n / 2.0);
+        const double x = 50 + 19.6 * std::cos(angle), y = 50 + 19.6 * std::sin(angle);
+        const bool is = picture.at(static_cast<int>(x), static_cast<int>(y)).red > 60;
+        lit += is ? 1 : 0;
+        turns += is != was ? 1 : 0;
+        was = is;
+    }
+    EXPECT_GT(lit, 720 * 0.4);
+    EXPECT_LT(lit, 720 * 0.8);
+    EXPECT_GE(turns, 16) << "eight dashes";
+}
+
+TEST(Icons, AFullBatchSaysSo) {
+    BillboardRoom room(16);
+    EXPECT_FALSE(draw_icon(room.batch, Icon::town, {30, 30}, 12, {255, 255, 255}));
+    EXPECT_GT(room.batch.use().refused, 0u);
+}
+
+}  // namespace
+}  // namespace tedavis::draw

@@ -1,0 +1,73 @@
+/// A sheet for billboards of a test, and an eye that looks north over the ground of built_element.hpp.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "tests/support/built_element.hpp"
+#include "tests/support/free_view.hpp"
+
+namespace tedavis::test_support {
+
+class BillboardRoom {
+public:
+    static constexpr double kEyeLatitude_deg = 46.8, kEyeLongitude_deg = 9.8, kEyeHeight_m = 1000;
+
+    explicit BillboardRoom(std::size_t vertices = 16'384, double heading_deg = 0)
+        : vertices_(vertices), indices_(3 * vertices / 2), block_(1u << 16) {
+        batch = draw::QuadBatch({vertices_.data(), vertices}, {indices_.data(), indices_.size()});
+        base::Arena arena(block_.data(), block_.size());
+        EXPECT_TRUE(sheet.start(arena));
+        const double latitude = base::radians(kEyeLatitude_deg), longitude = base::radians(kEyeLongitude_deg);
+        view = free_view(earth::to_ecef({latitude, longitude, {kEyeHeight_m}}),
+                         earth::body_axes(latitude, longitude, base::radians(heading_deg), 0, 0), 800, 600, 1);
+        begin();
+    }
+    void begin() { sheet.begin(batch, view, 16); }
+
+    /// So many metres ahead of the eye and right of it.
+    [[nodiscard]] static scene::ScenePoint point(double ahead_m, double right_m, float height_m) {
+        const double latitude = base::radians(kEyeLatitude_deg);
+        scene::ScenePoint result = {latitude + ahead_m / earth::meridian_radius_m(latitude), base::radians(kEyeLongitude_deg),
+                                    height_m, 0, scene::kNoTime};
+        result.longitude_rad += right_m / (earth::prime_vertical_radius_m(latitude) * std::cos(latitude));
+        return result;
+    }
+    [[nodiscard]] base::Span<const draw::QuadVertex> drawn() const { return batch.vertices(); }
+    /// Of the vertices that hold, x and y of the least and the greatest.
+    template <class Holds>
+    [[nodiscard]] draw::Rect bounds(const Holds& holds) const {
+        float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
+        for (const draw::QuadVertex& vertex : batch.vertices()) {
+            if (!holds(vertex)) continue;
+            left = std::min(left, vertex.x), right = std::max(right, vertex.x);
+            top = std::min(top, vertex.y), bottom = std::max(bottom, vertex.y);
+        }
+        return {left, top, right - left, bottom - top};
+    }
+    [[nodiscard]] draw::Rect bounds() const {
+        return bounds([](const draw::QuadVertex&) { return true; });
+    }
+    /// Glyphs carry a negative extent (quad_batch.hpp).
+    [[nodiscard]] std::size_t glyph_vertices() const {
+        std::size_t count = 0;
+        for (const draw::QuadVertex& vertex : batch.vertices()) count += vertex.extent_x < 0 ? 1 : 0;
+        return count;
+    }
+
+    draw::QuadBatch batch;
+    draw::BillboardSheet sheet;
+    terrain::View view;
+
+private:
+    std::vector<draw::QuadVertex> vertices_;
+    std::vector<std::uint16_t> indices_;
+    std::vector<unsigned char> block_;
+};
+
+}  // namespace tedavis::test_support
