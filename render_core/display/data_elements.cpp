@@ -3,6 +3,11 @@
 #include "render_core/base/utc_time.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
+#include "render_core/draw/data/ground_strips.hpp"
+#include "render_core/draw/data/model_solids.hpp"
+#include "render_core/draw/data/obstacle_solids.hpp"
+#include "render_core/draw/data/place_ellipsoids.hpp"
+#include "render_core/draw/data/traffic_signs.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -30,18 +35,42 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
 /// What faces the eye, in pixels; built every frame.
 bool is_billboard(DataTechnique technique) { return technique == DataTechnique::billboard; }
 
+bool shows_solids(const scene::Layer& layer) {
+    const scene::LayerRole role = layer.entry->role;
+    switch (layer.entry->shape) {
+        case scene::LayerShape::points: return role == scene::LayerRole::obstacle;
+        case scene::LayerShape::lines: return role == scene::LayerRole::obstacle || role == scene::LayerRole::runway;
+        case scene::LayerShape::meshes: return true;
+        default: return false;
+    }
+}
+
 bool shows(DataTechnique technique, const scene::Layer& layer) {
     switch (technique) {
         case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
         case DataTechnique::tube:
         case DataTechnique::space_time: return draw::shows_tubes(layer);
+        case DataTechnique::solid: return shows_solids(layer);
+        case DataTechnique::ribbon: return layer.entry->shape == scene::LayerShape::lines;
         case DataTechnique::billboard: return layer.entry->shape != scene::LayerShape::grid;
         default: return is_glyph_technique(technique);
     }
 }
 
+bool is_traffic(const scene::Layer& layer) {
+    return layer.entry->role == scene::LayerRole::traffic && layer.entry->shape == scene::LayerShape::lines;
+}
+
+/// Of its solids; billboards are built every frame anyway.
 bool moves(DataTechnique technique, const scene::Layer& layer) {
-    return technique == DataTechnique::prism && draw::prisms_move(layer);
+    return is_traffic(layer) || (technique == DataTechnique::prism && draw::prisms_move(layer));
+}
+
+draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, const draw::ElementInput& input) {
+    if (input.layer.entry->shape == scene::LayerShape::meshes) return draw::add_models(batch, mesh, input);
+    if (input.layer.entry->role == scene::LayerRole::runway) return draw::add_runways(batch, mesh, input);
+    return input.layer.entry->shape == scene::LayerShape::points ? draw::add_obstacle_points(batch, mesh, input)
+                                                                 : draw::add_cables(batch, mesh, input);
 }
 
 }  // namespace
@@ -147,10 +176,12 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
-        if (is_glyph_technique(report.element->technique) || is_billboard(report.element->technique)) continue;
+        if (is_glyph_technique(report.element->technique)) continue;
         if (moves(report.element->technique, *report.layer) != moving) continue;
-        report.count = build_element(batch, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
-                                             frame.missing, time_ns_, has_date_});
+        const draw::ElementInput input{
+            *report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground, frame.missing, time_ns_, has_date_};
+        if (!is_billboard(report.element->technique)) report.count = build_element(batch, input);
+        static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
     }
 }
 
@@ -160,8 +191,10 @@ void DataElements::build_billboards(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
-        report.count = draw::add_billboards(sheet_, {*report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground,
-                                                     frame.missing, time_ns_, has_date_, frame.view.eye});
+        const draw::ElementInput input{
+            *report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground, frame.missing, time_ns_, has_date_,
+            frame.view.eye};
+        report.count = is_traffic(*report.layer) ? draw::add_traffic_signs(sheet_, input) : draw::add_billboards(sheet_, input);
     }
 }
 
@@ -170,6 +203,8 @@ draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const dr
         case DataTechnique::prism: return draw::add_area_prisms(batch, mesh_, input);
         case DataTechnique::tube:
         case DataTechnique::space_time: return tubes_.add(batch, mesh_, input);
+        case DataTechnique::solid: return build_solids(batch, mesh_, input);
+        case DataTechnique::ribbon: return draw::add_ribbons(batch, mesh_, input);
         default: return {};
     }
 }

@@ -1,0 +1,25 @@
+/// What lies on the ground along a line: runways with their markings, roads and rivers.
+///
+/// A strip follows the true ground: cross-sections at most kLongestStep_m apart, each as high as the highest ground below it, and
+/// kStripLift_m over it, for the terrain is drawn within its tolerance only; where no ground is known it takes the heights of its
+/// points. Widths: attribute "width"; else the element's size_m; else the role's.
+///
+/// A runway goes from its first point to its last one, its thresholds, and is a closed slab that reaches into the ground, with
+/// threshold stripes and a broken centre line of white. Roads and rivers (any other line) face upwards only.
+///
+/// Pure but for the ground that is asked. Bounded.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kLongestStep_m = 200, kStripLift_m = 1.0;
+inline constexpr double kRunwayWidth_m = 30, kRiverWidth_m = 20, kRoadWidth_m = 8;
+
+/// A line is drawn or hidden as a whole, but for room that ends within a ribbon.
+[[nodiscard]] ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+[[nodiscard]] ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,14 @@
+/// The model of a layer of meshes at its points: an attribute "heading" (rad from north) turns it, "scale" makes it larger.
+///
+/// It has its own colours, or the element's where that colours by an attribute. Pure but for the ground that is asked. Bounded.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+
+namespace tedavis::draw {
+
+/// A model with more vertices or triangles than a SolidMesh holds is hidden everywhere.
+[[nodiscard]] ElementCount add_models(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,254 @@
+#include "render_core/draw/data/obstacle_solids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/data/icons.hpp"
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/solid_look.hpp"
+#include "render_core/draw/data/solid_shapes.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+constexpr design::Color kBand{240, 240, 240};
+constexpr int kBands = 7;  // ICAO Annex 14, 6.2: bands of a seventh of the height
+
+/// Where an obstacle stands: heights over the ellipsoid.
+struct Stand {
+    double latitude_rad = 0, longitude_rad = 0;
+    double foot_m = 0, top_m = 0;
+    bool is_stated = true;  ///< its height is known
+
+    [[nodiscard]] bool is_known() const { return top_m > foot_m; }
+    [[nodiscard]] glm::dvec3 at(double height_m) const { return earth::to_ecef({latitude_rad, longitude_rad, {height_m}}); }
+};
+
+Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double height_m, double least_m) {
+    Stand stand{point.latitude_rad, point.longitude_rad};
+    const double ground_m = input.ground.height_m(point.latitude_rad, point.longitude_rad);
+    const bool has_height = height_m > 0;
+    const double usual_m = has_height ? height_m : least_m;
+    stand.is_stated = has_height || !std::isnan(point.height_m);
+    stand.top_m = std::isnan(point.height_m) ? ground_m + usual_m : placed(input, point).height_m;
+    stand.foot_m = std::isfinite(ground_m) && ground_m < stand.top_m ? ground_m : stand.top_m - usual_m;
+    return stand;
+}
+
+/// Puts one obstacle together in a mesh.
+class Shape {
+public:
+    Shape(SolidMesh& mesh, const Stand& stand, design::Color color)
+        : mesh_(mesh),
+          stand_(stand),
+          axes_(local_axes(stand.latitude_rad, stand.longitude_rad)),
+          color_(color),
+          foot_(stand.at(stand.foot_m)),
+          height_m_(stand.top_m - stand.foot_m) {
+        mesh_.begin(foot_);
+    }
+    void set_uncertainty(scene::Uncertainty uncertainty) { uncertainty_ = uncertainty; }
+
+    void add(Icon icon) {
+        switch (icon) {
+            case Icon::mast: return add_mast();
+            case Icon::turbine: return add_turbine();
+            case Icon::chimney: return add_banded(0.05 * height_m_, 0.03 * height_m_, 10);
+            case Icon::crane: return add_crane();
+            case Icon::pole: return add_pole();
+            default: return add_banded(std::max(1.0, 0.08 * height_m_), std::max(0.3, 0.02 * height_m_), 4);
+        }
+    }
+
+    void add_pole() {
+        paint(0);
+        rod(0, height_m_, 0.25, 0.15, 6);
+        const double arm_m = 0.1 * height_m_;
+        add_frustum(mesh_, at(0.97 * height_m_) - axes_.east * arm_m, at(0.97 * height_m_) + axes_.east * arm_m, 0.15, 0.15, 4,
+                    axes_.up);
+    }
+
+private:
+    void paint(int band) {
+        mesh_.set_color(band % 2 == 0 ? color_ : design::Color{kBand.red, kBand.green, kBand.blue, color_.alpha}, uncertainty_);
+    }
+    [[nodiscard]] glm::dvec3 at(double height_m) const { return foot_ + axes_.up * height_m; }
+    void rod(double from_m, double to_m, double from_radius_m, double to_radius_m, int sides) {
+        add_frustum(mesh_, at(from_m), at(to_m), from_radius_m, to_radius_m, sides, axes_.north);
+    }
+
+    void add_banded(double foot_radius_m, double top_radius_m, int sides) {
+        for (int band = 0; band < kBands; ++band) {
+            const double low = static_cast<double>(band) / kBands, high = static_cast<double>(band + 1) / kBands;
+            paint(band);
+            rod(low * height_m_, high * height_m_, foot_radius_m + (top_radius_m - foot_radius_m) * low,
+                foot_radius_m + (top_radius_m - foot_radius_m) * high, sides);
+        }
+    }
+
+    /// A slender tower and two rings of three guys.
+    void add_mast() {
+        const double radius_m = std::max(0.3, height_m_ / 120);
+        add_banded(radius_m, radius_m, 4);
+        paint(1);
+        constexpr double kReach = 0.45, kGuy_m = 0.03;
+        for (const double share : {0.6, 0.95})
+            for (int n = 0; n < 3; ++n) {
+                const double turn = 2 * base::kPi * n / 3;
+                const glm::dvec3 out = axes_.north * std::cos(turn) + axes_.east * std::sin(turn);
+                add_frustum(mesh_, foot_ + out * (kReach * share * height_m_), at(share * height_m_), kGuy_m, kGuy_m, 3,
+                            axes_.up);
+            }
+    }
+
+    /// A tower and three blades, one of them straight up: its tip is the top. The rotor faces west.
+    void add_turbine() {
+        constexpr double kHub = 0.62;
+        const double hub_m = kHub * height_m_, blade_m = height_m_ - hub_m;
+        paint(1);
+        rod(0, hub_m, 0.016 * height_m_, 0.010 * height_m_, 8);
+        const glm::dvec3 hub = at(hub_m), ahead = -axes_.east;
+        const double reach_m = 0.03 * height_m_;
+        add_box(mesh_, hub, axes_.east * reach_m, axes_.north * (0.4 * reach_m), axes_.up * (0.4 * reach_m));
+        for (int n = 0; n < 3; ++n) {
+            const double turn = 2 * base::kPi * n / 3;
+            const glm::dvec3 out = axes_.up * std::cos(turn) + axes_.north * std::sin(turn);
+            const glm::dvec3 root = hub + ahead * reach_m;
+            paint(1);
+            add_frustum(mesh_, root, root + out * (0.7 * blade_m), 0.012 * height_m_, 0.007 * height_m_, 4, ahead);
+            paint(0);
+            add_frustum(mesh_, root + out * (0.7 * blade_m), root + out * blade_m, 0.007 * height_m_, 0, 4, ahead);
+        }
+    }
+
+    void add_crane() {
+        const double half_m = std::max(0.5, height_m_ / 60), jib_m = 0.9 * height_m_;
+        add_banded(half_m, half_m, 4);
+        paint(0);
+        const double long_m = 0.8 * height_m_, short_m = 0.3 * height_m_;
+        add_frustum(mesh_, at(jib_m) - axes_.east * short_m, at(jib_m) + axes_.east * long_m, half_m, 0.6 * half_m, 4, axes_.up);
+        for (const double reach_m : {0.9 * long_m, -0.9 * short_m})
+            add_frustum(mesh_, at(height_m_), at(jib_m) + axes_.east * reach_m, 0.1, 0.1, 3, axes_.north);
+    }
+
+    SolidMesh& mesh_;
+    const Stand& stand_;
+    LocalAxes axes_;
+    design::Color color_;
+    scene::Uncertainty uncertainty_ = scene::Uncertainty::from_code(0);
+    glm::dvec3 foot_;
+    double height_m_;
+};
+
+bool is_rimmed(const ElementInput& input, const SolidLook& look) { return !look.is_mixed || input.element.halo_px > 0; }
+
+/// The mesh, then its rim.
+bool add_rimmed(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
+    SolidLook look = look_of(input);
+    batch.set_look(look, input.layer.entry->data_time_ns);
+    if (!mesh.add_to(batch)) return false;
+    if (!is_rimmed(input, look)) return true;
+    look.halo_px = std::max(kLeastHalf_px, static_cast<float>(input.element.halo_px));
+    batch.set_look(look, input.layer.entry->data_time_ns);
+    return mesh.add_to(batch);
+}
+
+class Cable {
+public:
+    Cable(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature)
+        : mesh_(mesh), input_(input), feature_(feature), run_(input.layer.points_of(feature)) {
+        const double diameter_m = value_or_nan(input.layer, "diameter", feature);
+        radius_m_ = 0.5 * (diameter_m > 0 ? diameter_m : kCable_m);
+        sag_m_ = value_or_nan(input.layer, "sag", feature);
+        height_m_ = value_or_nan(input.layer, "height", feature);
+        stands_ = input.layer.entry->height_datum == scene::HeightDatum::ground;
+        for (std::uint32_t n = 0; n < run_.count; ++n) stands_ = stands_ || std::isnan(point(n).height_m);
+    }
+
+    bool build() {
+        if (run_.count < 2) return false;
+        const Stand first = stand(0);
+        if (!first.is_known()) return false;
+        mesh_.begin(first.at(first.top_m));
+        color_ = encoded_color(input_, input_.element.by_color, feature_);
+        mesh_.set_color(color_, encoded_uncertainty(input_, feature_));
+        Stand before = first;
+        add_pole(first);
+        for (std::uint32_t n = 1; n < run_.count; ++n) {
+            const Stand next = stand(n);
+            if (!next.is_known()) return false;
+            if (stands_ || n + 1 == run_.count) add_pole(next);
+            add_span(before, next);
+            before = next;
+        }
+        return true;
+    }
+
+private:
+    [[nodiscard]] const scene::ScenePoint& point(std::uint32_t n) const { return input_.layer.points[run_.first + n]; }
+    [[nodiscard]] Stand stand(std::uint32_t n) const { return stand_of(input_, point(n), height_m_, kPole_m); }
+
+    void add_pole(const Stand& at) {
+        const LocalAxes axes = local_axes(at.latitude_rad, at.longitude_rad);
+        add_frustum(mesh_, at.at(at.foot_m), at.at(at.top_m), 0.25, 0.15, 6, axes.north);
+    }
+
+    /// Parts of a parabola, straight where it does not sag.
+    void add_span(const Stand& from, const Stand& to) {
+        const glm::dvec3 begin = from.at(from.top_m), end = to.at(to.top_m);
+        const double span_m = glm::distance(begin, end);
+        if (!(span_m > 0)) return;
+        const bool sags = stands_ || run_.count == 2 || sag_m_ > 0;
+        const double sag_m = !sags ? 0 : sag_m_ > 0 ? sag_m_ : span_m / kSagShare;
+        const int parts = sags ? 8 : 1;
+        const LocalAxes axes = local_axes(from.latitude_rad, from.longitude_rad);
+        glm::dvec3 before = begin;
+        for (int n = 1; n <= parts; ++n) {
+            const double share = static_cast<double>(n) / parts;
+            const glm::dvec3 next = begin + (end - begin) * share - axes.up * (4 * sag_m * share * (1 - share));
+            add_frustum(mesh_, before, next, radius_m_, radius_m_, 3, axes.up);
+            before = next;
+        }
+    }
+
+    SolidMesh& mesh_;
+    const ElementInput& input_;
+    std::uint32_t feature_;
+    scene::Run run_;
+    design::Color color_;
+    double radius_m_ = 0, sag_m_ = 0, height_m_ = 0;
+    bool stands_ = false;  ///< its points are poles
+};
+
+}  // namespace
+
+ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
+    ElementCount count;
+    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        const Stand stand =
+            stand_of(input, input.layer.points[feature], value_or_nan(input.layer, "height", feature), kUnknownObstacle_m);
+        bool is_drawn = stand.is_known();
+        if (is_drawn) {
+            Shape shape(mesh, stand, stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing);
+            shape.set_uncertainty(encoded_uncertainty(input, feature));
+            shape.add(icon_of(input.layer, feature));
+            is_drawn = add_rimmed(batch, mesh, input);
+        }
+        ++(is_drawn ? count.drawn : count.hidden);
+    }
+    return count;
+}
+
+ElementCount add_cables(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
+    ElementCount count;
+    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        const bool is_drawn = Cable(mesh, input, feature).build() && add_rimmed(batch, mesh, input);
+        ++(is_drawn ? count.drawn : count.hidden);
+    }
+    return count;
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,30 @@
+/// Obstacles in their shapes and true sizes: masts with guys, wind turbines, chimneys, cranes, poles; cables with their poles.
+///
+/// A point's kind is the class of its attribute "kind" (icons.hpp); others are obelisks. Its top is the point's height in the
+/// layer's datum; on a point without height it stands "height" over the ground; its foot is the ground, or where that is not
+/// known "height" below the top. One whose height nobody states stands kUnknownObstacle_m high in the colour of missing data.
+/// White bands alternate with its colour.
+///
+/// A line's cable is as thick as "diameter" says, kCable_m else. Without heights, or with heights over the ground, its points are
+/// poles ("height", kPole_m else), between which it sags by "sag", else by a kSagShare-th of the span, in a parabola. With
+/// absolute heights it is taken as surveyed, its poles at its ends; it sags when it has two points only or a "sag".
+///
+/// What is thinner than a pixel does not vanish: a rim of kLeastHalf_px in the same colour, or the element's halo, goes round
+/// what is opaque; it says where the thing is, not how thick.
+///
+/// Pure but for the ground that is asked. Bounded.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kUnknownObstacle_m = 100, kPole_m = 20, kCable_m = 0.05, kSagShare = 30;
+inline constexpr float kLeastHalf_px = 1.0f;
+
+/// A point or a line is drawn or hidden as a whole.
+[[nodiscard]] ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+[[nodiscard]] ElementCount add_cables(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,20 @@
+/// Other aircraft as signs that face the eye: a diamond at the place, a line to where it will be in kVelocityLine_s, its name,
+/// its height over or under the own ship in hundreds of feet with an arrow when it climbs or sinks, the age of the last report
+/// when that is kShownAge_s old, and with the uncertainty technique "ellipsoid" a circle of the layer's position accuracy (95 %).
+/// What is stale is grey, crossed out, and shows its age; traffic_state.hpp says when. `link` leads a line down to the ground.
+///
+/// Pure but for the ground that is asked. Bounded.
+#pragma once
+
+#include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kVelocityLine_s = 30, kShownAge_s = 5, kShownClimb_mps = 2.54;  // 500 feet a minute
+inline constexpr double kFarthestTraffic_m = 60'000;
+
+/// The nearest first: what would cover a nearer one is hidden, and counted.
+[[nodiscard]] ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input);
+
+}  // namespace tedavis::draw

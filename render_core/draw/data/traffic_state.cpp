@@ -1,0 +1,77 @@
+#include "render_core/draw/data/traffic_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+double seconds_between(const scene::ScenePoint& from, const scene::ScenePoint& to) {
+    return from.time_ns == scene::kNoTime || to.time_ns == scene::kNoTime ? 0
+                                                                          : 1e-9 * static_cast<double>(to.time_ns - from.time_ns);
+}
+
+glm::dvec2 metres_per_rad(const scene::ScenePoint& at) {
+    return {std::cos(at.latitude_rad) * earth::prime_vertical_radius_m(at.latitude_rad),
+            earth::meridian_radius_m(at.latitude_rad)};
+}
+
+/// Of two reports, that between them holds.
+void take_velocity(const scene::ScenePoint& from, const scene::ScenePoint& to, TrafficState& state) {
+    const double seconds = seconds_between(from, to);
+    if (!(seconds > 0) || seconds > kLongestReportGap_s) return;
+    const glm::dvec2 metres = metres_per_rad(from);
+    state.east = std::remainder(to.longitude_rad - from.longitude_rad, 2 * base::kPi) * metres.x / seconds;
+    state.north = (to.latitude_rad - from.latitude_rad) * metres.y / seconds;
+    const double climb = static_cast<double>(to.height_m - from.height_m) / seconds;
+    state.up = std::isfinite(climb) ? climb : 0;
+    state.has_velocity = true;
+}
+
+void go_on(TrafficState& state, double seconds) {
+    const glm::dvec2 metres = metres_per_rad(state.point);
+    if (metres.x > 0) state.point.longitude_rad += state.east * seconds / metres.x;
+    state.point.latitude_rad += state.north * seconds / metres.y;
+    state.point.height_m += static_cast<float>(state.up * seconds);
+}
+
+/// Number of reports up to a time; those of a line do not run back.
+std::uint32_t reports_until(base::Span<const scene::ScenePoint> points, std::int64_t time_ns) {
+    const auto* const end =
+        std::upper_bound(points.begin(), points.end(), time_ns,
+                         [](std::int64_t time, const scene::ScenePoint& point) { return time < point.time_ns; });
+    return static_cast<std::uint32_t>(end - points.begin());
+}
+
+}  // namespace
+
+TrafficState traffic_state(const ElementInput& input, std::uint32_t feature) {
+    TrafficState state;
+    const scene::Run run = input.layer.points_of(feature);
+    if (run.count == 0) return state;
+    const base::Span<const scene::ScenePoint> points(input.layer.points.data() + run.first, run.count);
+    const bool is_timed = input.has_date && points[run.count - 1].time_ns != scene::kNoTime;
+    const std::uint32_t until = is_timed ? reports_until(points, input.time_ns) : run.count;
+    if (until == 0) return state;
+    const scene::ScenePoint& last = points[until - 1];
+    state.point = last;
+    state.is_known = true;
+    const bool has_next = until < run.count && seconds_between(last, points[until]) <= kLongestReportGap_s;
+    if (has_next)
+        take_velocity(last, points[until], state);
+    else if (until > 1)
+        take_velocity(points[until - 2], last, state);
+    if (!is_timed) return state;
+    const double since_s = 1e-9 * static_cast<double>(input.time_ns - last.time_ns);
+    go_on(state, has_next ? since_s : std::min(since_s, kExtrapolated_s));
+    if (has_next) return state;
+    state.age_s = since_s;
+    state.is_stale = since_s > kExtrapolated_s;
+    state.is_known = since_s <= kRemoved_s;
+    return state;
+}
+
+}  // namespace tedavis::draw

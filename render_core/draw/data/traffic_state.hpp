@@ -1,0 +1,25 @@
+/// Where another aircraft is, from its reports. Pure function; any thread.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+/// Between reports farther apart nothing is interpolated: it may have gone anywhere.
+inline constexpr double kLongestReportGap_s = 30;
+/// So long it is taken to go on as it did; then it stands there, stale, and after the second it is gone.
+inline constexpr double kExtrapolated_s = 10, kRemoved_s = 60;
+
+struct TrafficState {
+    scene::ScenePoint point{};           ///< height in the layer's datum
+    double east = 0, north = 0, up = 0;  ///< m/s
+    double age_s = 0;                    ///< since the last report that is used; 0 between two
+    bool is_known = false;               ///< false: none yet, none for kRemoved_s, or no reports
+    bool is_stale = false;               ///< older than kExtrapolated_s
+    bool has_velocity = false;           ///< two reports give one
+};
+
+/// At the frame's time; without a date, at its last report. Reports without times have no age and no velocity.
+[[nodiscard]] TrafficState traffic_state(const ElementInput& input, std::uint32_t feature);
+
+}  // namespace tedavis::draw

@@ -1,0 +1,102 @@
+#include "render_core/draw/data/traffic_signs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/traffic_state.hpp"
+#include "tests/support/billboard_room.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using test_support::BillboardRoom;
+using test_support::ElementOfTest;
+
+constexpr std::int64_t kStart_ns = 1'780'000'000'000'000'000;
+
+/// Two aircraft, reported twice within five seconds: one ahead that flies to the right, one far to the left.
+host_sim::LayerDraft traffic() {
+    host_sim::LayerDraft layer;
+    layer.name = "traffic";
+    layer.shape = scene::LayerShape::lines;
+    layer.role = scene::LayerRole::traffic;
+    layer.height_datum = scene::HeightDatum::ellipsoid;
+    layer.names = {"N1", "N2"};
+    layer.points = {BillboardRoom::point(3000, 0, 1200), BillboardRoom::point(3000, 250, 1215),
+                    BillboardRoom::point(3000, -90'000, 1200), BillboardRoom::point(3000, -90'000, 1200)};
+    for (std::size_t n = 0; n < 4; ++n) layer.points[n].time_ns = kStart_ns + static_cast<std::int64_t>(n % 2) * 5'000'000'000;
+    layer.starts = {0, 2, 4};
+    layer.position_accuracy_m = 90;
+    return layer;
+}
+
+struct Signs {
+    explicit Signs(double second, const host_sim::LayerDraft& layer = traffic()) : test(layer) {
+        test.has_date = true;
+        test.time_ns = kStart_ns + static_cast<std::int64_t>(second * 1e9);
+        build();
+    }
+    void build() {
+        room.begin();
+        ElementInput input = test.input();
+        input.eye = room.view.eye;
+        count = add_traffic_signs(room.sheet, input);
+    }
+    ElementOfTest test;
+    BillboardRoom room;
+    ElementCount count;
+};
+
+TEST(TrafficSigns, StandAtTheirPlacesWithALineToWhereTheyWillBe) {
+    const Signs signs(5);
+    EXPECT_EQ(signs.count.drawn, 1u);
+    EXPECT_EQ(signs.count.hidden, 1u) << "beyond the farthest";
+    const BillboardSheet::Spot now = signs.room.sheet.spot(earth::to_ecef(
+        {BillboardRoom::point(3000, 250, 0).latitude_rad, BillboardRoom::point(3000, 250, 0).longitude_rad, {1215}}));
+    const BillboardSheet::Spot then = signs.room.sheet.spot(earth::to_ecef(
+        {BillboardRoom::point(3000, 1750, 0).latitude_rad, BillboardRoom::point(3000, 1750, 0).longitude_rad, {1305}}));
+    const Rect bounds = signs.room.bounds();
+    EXPECT_NEAR(bounds.right(), then.at.x, 4);
+    EXPECT_NEAR(bounds.y, then.at.y, 4);
+    EXPECT_LT(bounds.x, now.at.x);
+    EXPECT_GT(bounds.bottom(), now.at.y + 20) << "the height below";
+}
+
+TEST(TrafficSigns, SayHeightClimbAgeAndStaleness) {
+    // Name of two letters, height of three and an arrow: "+07^".
+    const std::size_t fresh = Signs(5).room.glyph_vertices();
+    EXPECT_EQ(fresh, (2 + 3 + 1) * 8u);
+    const std::size_t old = Signs(12).room.glyph_vertices();
+    EXPECT_GT(old, fresh) << "its age";
+    const Signs stale(30);
+    EXPECT_EQ(stale.count.drawn, 1u);
+    for (const QuadVertex& vertex : stale.room.drawn())
+        EXPECT_TRUE(vertex.rgba[0] == vertex.rgba[1] && vertex.rgba[1] == vertex.rgba[2]) << "grey, white and black only";
+    EXPECT_EQ(Signs(5 + kRemoved_s + 1).count.drawn, 0u);
+    EXPECT_EQ(Signs(-1).count.drawn, 0u);
+}
+
+TEST(TrafficSigns, ShowHowSureTheirPlacesAre) {
+    Signs signs(5);
+    const std::size_t plain = signs.room.drawn().size();
+    signs.test.element.uncertainty = design::ElementUncertainty::ellipsoid;
+    signs.build();
+    EXPECT_EQ(signs.room.drawn().size(), plain + 24 * 2 * 4);
+}
+
+TEST(TrafficSigns, ALinkLeadsDown) {
+    Signs signs(0);
+    const float bottom = signs.room.bounds().bottom();
+    signs.test.element.link = true;
+    signs.build();
+    EXPECT_GT(signs.room.bounds().bottom(), bottom + 20);
+    signs.test.ground.is_known = false;
+    signs.build();
+    EXPECT_NEAR(signs.room.bounds().bottom(), bottom, 0.1);
+}
+
+}  // namespace
+}  // namespace tedavis::draw
