@@ -18,6 +18,11 @@ design::SymbologySettings without_instruments(design::SymbologySettings shown) {
     return shown;
 }
 
+void set_detail(design::DataStyle& data, double detail) {
+    for (design::DataElement& element : data.elements) element.detail = detail;
+    data.ground = design::at_detail(data.ground, detail);
+}
+
 }  // namespace
 
 std::string design_path(const PictureOptions& options) { return resolve_config(options.design, "designs"); }
@@ -33,8 +38,7 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
-    if (options.detail)
-        for (design::DataElement& element : design.value().data.elements) element.detail = *options.detail;
+    if (options.detail) set_detail(design.value().data, *options.detail);
     if (!options.symbology) design.value().symbology = without_instruments(design.value().symbology);
     return design.value();
 }

@@ -11,6 +11,7 @@
 
 #include "host_sim/scene_builder/bound_attribute.hpp"
 #include "host_sim/scene_builder/draft_grid.hpp"
+#include "host_sim/scene_builder/grid_speed.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -262,7 +263,9 @@ std::vector<std::string> add_derived(const LayerRecipe& recipe, LayerDraft& laye
     std::vector<std::string> notes;
     for (std::size_t n = 0; n < recipe.attributes.size(); ++n) {
         if (!is_derived(recipe.attributes[n])) continue;
-        AttributeDraft made = DerivedMaker(recipe, recipe.attributes[n], layer, layers).make(notes);
+        AttributeDraft made = layer.shape == scene::LayerShape::grid
+                                  ? grid_speed(recipe, recipe.attributes[n], layer)
+                                  : DerivedMaker(recipe, recipe.attributes[n], layer, layers).make(notes);
         layer.attributes.insert(layer.attributes.begin() + static_cast<std::ptrdiff_t>(n), std::move(made));
     }
     return notes;

@@ -34,8 +34,6 @@ void require_no_words_for_features(const LayerRecipe& recipe) {
     if (!recipe.wind_layer.empty()) word = "wind_layer";
     for (const AttributeRecipe& attribute : recipe.attributes)
         if (!attribute.uncertainty.classes.empty()) word = "uncertainty.classes";
-    for (const AttributeRecipe& attribute : recipe.attributes)
-        if (is_derived(attribute)) word = attribute.variable.c_str();
     if (word != nullptr)
         throw UserError(recipe.name + ": '" + word + "' is for tables and flights, and " + recipe.source +
                         " is a grid; leave it out (an attribute's 'least' and 'most' choose values of a grid)");
@@ -79,7 +77,7 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
     const SourceKind kind = source_kind(path, recipe.role);
     if (kind == SourceKind::grid) {
         require_no_words_for_features(recipe);
-        return make_grid_layer(recipe, folder);
+        return make_grid_layer(without_derived(recipe), folder);
     }
     Source source = read_source(kind, recipe, path);
     LayerRecipe bound = without_derived(recipe);

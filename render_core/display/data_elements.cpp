@@ -154,7 +154,7 @@ void DataElements::begin_reports() {
                 begin_report(element, &layer);
                 if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slots++;
             }
-        if (reports_.size() == before) begin_report(element, nullptr);
+        if (reports_.size() == before && !element.layer.view().empty()) begin_report(element, nullptr);
     }
 }
 

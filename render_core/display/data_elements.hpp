@@ -60,7 +60,8 @@ public:
                                     const draw::QuadDrawer& typeface);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
-    /// What is shown from the next plan() on. Scene and design must stay.
+    /// What is shown from the next plan() on. Scene and design must stay. A role of which the scene has no layer asks for
+    /// nothing.
     void set(const scene::Scene& scene, const design::DataElementList& elements);
     void plan(const ElementFrame& frame);
     /// Instead of plan() in a frame that shows none of it.

@@ -6,6 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_notes.hpp"
+#include "render_core/display/element_legends.hpp"
 #include "render_core/display/frame_notes.hpp"
 #include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
@@ -16,8 +17,6 @@ namespace tedavis::display {
 namespace {
 
 using flight::Signal;
-
-constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
 
 }  // namespace
 
@@ -252,7 +251,11 @@ void Display::plan_elements(base::Time now) {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
     TerrainGround ground(terrain_);
-    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, static_cast<double>(layout_.text_px)});
+    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, text_px()});
+}
+
+double Display::text_px() const {
+    return static_cast<double>(draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi).text_px);
 }
 
 void Display::plan_data(base::Time now) {
@@ -276,7 +279,7 @@ void Display::draw(base::Surface& surface) {
     terrain_result_ = {};
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
-    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, terrain_input());
+    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
     if (elements_.is_started()) elements_.prepare(gl_);
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
@@ -301,7 +304,7 @@ void Display::draw_scene(const base::Surface& surface) {
     if (decisions_.show_terrain)
         draw_terrain();
     else
-        sky_drawer_.draw(gl_, sky_input());
+        sky_drawer_.draw(gl_, make_sky_input(context()));
     if (!off_screen) return;
     picture_.finish(gl_, surface, settings_.design, picture_input());
     if (elements_.has_anything()) draw_elements_over_picture();
@@ -311,7 +314,7 @@ void Display::draw_scene(const base::Surface& surface) {
 void Display::draw_terrain() {
     const terrain::View& view = eye_.view;
     const draw::DepthPlan depth = terrain_.depth_plan(view);
-    const draw::TerrainDrawInput input = terrain_input();
+    const draw::TerrainDrawInput input = make_terrain_input(context());
     for (std::size_t n = 0; n < depth.count; ++n) {
         if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);
         gl_->Enable(GL_DEPTH_TEST);
@@ -320,10 +323,10 @@ void Display::draw_terrain() {
         gl_->Disable(GL_CULL_FACE);
         gl_->Disable(GL_DEPTH_TEST);
         if (picture_.is_started()) continue;
-        if (n == 0) sky_drawer_.draw(gl_, sky_input());
+        if (n == 0) sky_drawer_.draw(gl_, make_sky_input(context()));
         if (!elements_.has_anything()) continue;
         gl_->Enable(GL_DEPTH_TEST);
-        elements_.draw(gl_, data_frame(), depth.ranges[n]);
+        elements_.draw(gl_, make_data_frame(context()), depth.ranges[n]);
         gl_->Disable(GL_DEPTH_TEST);
     }
 }
@@ -337,55 +340,13 @@ void Display::draw_elements_over_picture() {
         gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         gl_->Enable(GL_DEPTH_TEST);
         gl_->Enable(GL_CULL_FACE);
-        terrain_.draw(gl_, terrain_input(), depth.ranges[n], depths_only);
+        terrain_.draw(gl_, make_terrain_input(context()), depth.ranges[n], depths_only);
         gl_->Disable(GL_CULL_FACE);
         gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         if (n > 0) picture_.repaint(gl_, settings_.design, picture_input());
-        elements_.draw(gl_, data_frame(), depth.ranges[n]);
+        elements_.draw(gl_, make_data_frame(context()), depth.ranges[n]);
         gl_->Disable(GL_DEPTH_TEST);
     }
-}
-
-draw::DataFrame Display::data_frame() const {
-    draw::DataFrame frame;
-    frame.view = eye_.view;
-    frame.towards_light = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, record_.own_ship.position);
-    frame.haze_per_m = eye_.haze_per_m;
-    frame.haze = settings_.design.sky.haze;
-    return frame;
-}
-
-draw::PictureInput Display::picture_input() const {
-    const draw::TerrainDrawInput terrain = terrain_input();
-    constexpr float kAny_m = 1e9f;
-    draw::PictureInput input;
-    input.sky = sky_input();
-    input.outlined = settings_.design.terrain.style.sketch.silhouettes > 0 && has_silhouettes();
-    input.ground = terrain_.drawn_part(eye_.view);
-    input.has_void = terrain_has_void_;
-    input.heights = terrain.heights;
-    if (terrain.warning_colors)
-        input.bands = draw::bands_within(settings_.design.warning_bands, terrain.aircraft_msl_m - terrain.bands_lowered_m,
-                                         terrain.gear_down, -kAny_m, kAny_m);
-    input.haze_per_m = terrain.haze_per_m;
-    return input;
-}
-
-draw::SkyInput Display::sky_input() const {
-    draw::SkyInput sky;
-    sky.view = draw::make_view_frame(eye_.view);
-    sky.colors = settings_.design.sky;
-    if (decisions_.show_terrain) {
-        // What no terrain covers below the horizon is not known to be ground.
-        sky.dip_rad = draw::horizon_dip_rad(eye_msl_m_);
-        sky.colors.ground = settings_.design.terrain.unknown;
-        sky.colors.ground_horizon =
-            design::blended(settings_.design.terrain.unknown, settings_.design.sky.haze, 1 - transition_.map_share());
-    } else if (!decisions_.plain_horizon && !free_view_active_) {
-        // Without attitude any horizon would be a wrong one.
-        sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNothingKnown;
-    }
-    return sky;
 }
 
 void Display::draw_symbology() {
@@ -403,7 +364,10 @@ void Display::draw_symbology() {
                                                 : draw::SymbolGround::perspective;
     symbology.map = {draw::map_up_rad(state_, decisions_),
                      map_scale_px_per_m(settings_.design.view, settings_.width_px, settings_.height_px)};
-    if (decisions_.show_terrain) add_ground_legend(data_, data_plan_, settings_.design, record_.time, symbology.data_legends);
+    if (decisions_.show_terrain) {
+        add_ground_legend(data_, data_plan_, settings_.design, record_.time, symbology.data_legends);
+        add_element_legends(elements_.reports(), settings_.design, record_.time, symbology.data_legends);
+    }
     const draw::Layout layout =
         draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi, draw::legend_need(symbology));
     if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0) flag("legend.cut", record_);
@@ -411,22 +375,21 @@ void Display::draw_symbology() {
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 
-draw::TerrainDrawInput Display::terrain_input() const {
-    draw::TerrainDrawInput input;
-    input.view = eye_.view;
-    input.haze_per_m = eye_.haze_per_m;
-    const earth::Geodetic& place = record_.own_ship.position;
-    const design::ShadeSettings& shade = settings_.design.terrain.style.shade;
-    for (std::size_t n = 0; n < shade.light_count; ++n)
-        input.light_direction[n] = towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
-    input.light_direction[0] = towards_light(record_.light.azimuth_rad, record_.light.elevation_rad, place);
-    input.warning_colors = decisions_.show_warning_colors;
-    input.aircraft_msl_m = aircraft_msl_m_;
-    input.bands_lowered_m = record_.bands.lowered_m;
-    if (terrain_.is_started()) {
-        const terrain::FileHeader& header = terrain_.database().header();
-        input.heights = {double{header.min_height_m}, double{header.max_height_m}};
-    }
+DrawContext Display::context() const {
+    DrawContext context{settings_.design, decisions_, eye_, record_};
+    context.aircraft_msl_m = aircraft_msl_m_;
+    context.eye_msl_m = eye_msl_m_;
+    context.map_share = transition_.map_share();
+    context.is_free_view = free_view_active_;
+    if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
+    return context;
+}
+
+draw::PictureInput Display::picture_input() const {
+    draw::PictureInput input = make_picture_input(context());
+    input.outlined = settings_.design.terrain.style.sketch.silhouettes > 0 && has_silhouettes();
+    input.ground = terrain_.drawn_part(eye_.view);
+    input.has_void = terrain_has_void_;
     return input;
 }
 

@@ -12,6 +12,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_memory.hpp"
+#include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
@@ -98,12 +99,11 @@ private:
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void keep_design(const design::DesignSettings& possible);
-    [[nodiscard]] draw::TerrainDrawInput terrain_input() const;
     void draw_scene(const base::Surface& surface);
     void draw_terrain();
     void draw_elements_over_picture();
-    [[nodiscard]] draw::DataFrame data_frame() const;
-    [[nodiscard]] draw::SkyInput sky_input() const;
+    [[nodiscard]] DrawContext context() const;
+    [[nodiscard]] double text_px() const;
     [[nodiscard]] draw::PictureInput picture_input() const;
     [[nodiscard]] draw::TerrainOutput output() const;
     void draw_symbology();

@@ -79,18 +79,6 @@ draw::GlyphStyle uncertainty_style(const design::DataElement& element) {
     return style;
 }
 
-/// From sure to unsure, in classes where the design asks for them: levels 0..1.
-design::DataScale uncertainty_scale(const design::DataElement& element) {
-    constexpr design::Color kSure{255, 255, 204}, kUnsure{189, 0, 38};
-    design::DataScale scale;
-    scale.palette.name = "uncertainty";
-    static_cast<void>(scale.palette.stops.try_push_back({0, kSure}));
-    static_cast<void>(scale.palette.stops.try_push_back({1, kUnsure}));
-    for (std::uint32_t n = 1; n < element.uncertainty_levels; ++n)
-        static_cast<void>(scale.breaks.try_push_back(static_cast<double>(n) / element.uncertainty_levels));
-    return scale;
-}
-
 }  // namespace
 
 bool is_glyph_technique(DataTechnique technique) noexcept {
@@ -101,6 +89,17 @@ bool is_glyph_technique(DataTechnique technique) noexcept {
 bool is_glyph_uncertainty(ElementUncertainty uncertainty) noexcept {
     return uncertainty == ElementUncertainty::circles || uncertainty == ElementUncertainty::triangles ||
            uncertainty == ElementUncertainty::tetrahedra;
+}
+
+design::DataScale uncertainty_scale(const design::DataElement& element) noexcept {
+    constexpr design::Color kSure{255, 255, 204}, kUnsure{189, 0, 38};
+    design::DataScale scale;
+    scale.palette.name = "uncertainty";
+    static_cast<void>(scale.palette.stops.try_push_back({0, kSure}));
+    static_cast<void>(scale.palette.stops.try_push_back({1, kUnsure}));
+    for (std::uint32_t n = 1; n < element.uncertainty_levels; ++n)
+        static_cast<void>(scale.breaks.try_push_back(static_cast<double>(n) / element.uncertainty_levels));
+    return scale;
 }
 
 gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {

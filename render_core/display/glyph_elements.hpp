@@ -26,6 +26,8 @@ struct GlyphFrameInput {
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;
 [[nodiscard]] bool is_glyph_uncertainty(design::ElementUncertainty uncertainty) noexcept;
+/// Of glyphs of uncertainty: levels 0..1 from sure to unsure, in classes where the design asks for them.
+[[nodiscard]] design::DataScale uncertainty_scale(const design::DataElement& element) noexcept;
 
 class GlyphElements {
 public:

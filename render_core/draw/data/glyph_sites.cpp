@@ -71,7 +71,8 @@ scene::GlyphFrame GlyphSites::frame_of(const ElementInput& input) {
     const double spacing = is_grid ? std::min(metres_east(middle.latitude_rad, grid.step_lon_rad),
                                               metres_north(middle.latitude_rad, grid.step_lat_rad))
                                    : kPointGlyph_m / kShareOfSpacing;
-    size_m_ = static_cast<float>(input.element.size_m > 0 ? input.element.size_m : kShareOfSpacing * spacing);
+    const double own_m = std::min(kShareOfSpacing * spacing, kMostGridGlyph_m);
+    size_m_ = static_cast<float>(input.element.size_m > 0 ? input.element.size_m : own_m);
     return scene::level_frame(middle, std::max({half_east, half_north, kLeastReach_m}));
 }
 

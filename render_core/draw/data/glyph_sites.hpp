@@ -15,7 +15,8 @@ namespace tedavis::draw {
 
 inline constexpr double kOverGround_m = 150;
 inline constexpr double kPointGlyph_m = 400;     ///< across, of points, where the design says nothing
-inline constexpr double kShareOfSpacing = 0.85;  ///< the same of grids: of the distance of posts
+inline constexpr double kShareOfSpacing = 0.85;  ///< the same of grids: of the distance of posts, at most kMostGridGlyph_m
+inline constexpr double kMostGridGlyph_m = 900;
 
 /// Which attribute glyphs show; null where the layer has none for them.
 [[nodiscard]] const scene::Attribute* glyph_attribute(const design::DataElement& element, const scene::Layer& layer);

@@ -131,6 +131,9 @@ TEST_F(DataElementsTest, ARoleNamesAllItsLayers) {
     plan();
     ASSERT_EQ(elements_.reports().size(), 1u);
     EXPECT_EQ(elements_.reports()[0].count.all(), 2u);
+    asked_[0].role = scene::LayerRole::river;
+    plan();
+    EXPECT_EQ(elements_.reports().size(), 0u) << "there may be none";
 }
 
 TEST_F(DataElementsTest, GlyphsAreCountedWhole) {

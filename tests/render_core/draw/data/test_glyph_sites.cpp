@@ -105,6 +105,11 @@ TEST(GlyphSites, GlyphsAreAsLargeAsPostsAreApartOrAsTheDesignSays) {
     ElementOfTest test(wind_draft());
     const double spacing = base::radians(0.01) * earth::prime_vertical_radius_m(base::radians(47)) * std::cos(base::radians(47));
     EXPECT_NEAR(FilledField(test, 0).all().size_m, kShareOfSpacing * spacing, 1);
+    host_sim::LayerDraft coarse = wind_draft();
+    coarse.grid.step_lon_rad *= 10;
+    coarse.grid.step_lat_rad *= 10;
+    ElementOfTest wide(coarse);
+    EXPECT_NEAR(FilledField(wide, 0).all().size_m, kMostGridGlyph_m, 1e-3);
     test.element.size_m = 77;
     EXPECT_NEAR(FilledField(test, 0).all().size_m, 77, 1e-3);
 }

@@ -1,0 +1,69 @@
+#include "render_core/display/draw_inputs.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
+
+}  // namespace
+
+draw::HeightSpan height_span(const terrain::FileHeader& header) {
+    return {double{header.min_height_m}, double{header.max_height_m}};
+}
+
+draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
+    draw::TerrainDrawInput input;
+    input.view = frame.eye.view;
+    input.haze_per_m = frame.eye.haze_per_m;
+    const earth::Geodetic& place = frame.record.own_ship.position;
+    const design::ShadeSettings& shade = frame.design.terrain.style.shade;
+    for (std::size_t n = 0; n < shade.light_count; ++n)
+        input.light_direction[n] = towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
+    input.light_direction[0] = towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, place);
+    input.warning_colors = frame.decisions.show_warning_colors;
+    input.aircraft_msl_m = frame.aircraft_msl_m;
+    input.bands_lowered_m = frame.record.bands.lowered_m;
+    input.heights = frame.heights;
+    return input;
+}
+
+draw::SkyInput make_sky_input(const DrawContext& frame) {
+    draw::SkyInput sky;
+    sky.view = draw::make_view_frame(frame.eye.view);
+    sky.colors = frame.design.sky;
+    if (frame.decisions.show_terrain) {
+        // What no terrain covers below the horizon is not known to be ground.
+        sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
+        sky.colors.ground = frame.design.terrain.unknown;
+        sky.colors.ground_horizon = design::blended(frame.design.terrain.unknown, frame.design.sky.haze, 1 - frame.map_share);
+    } else if (!frame.decisions.plain_horizon && !frame.is_free_view) {
+        // Without attitude any horizon would be a wrong one.
+        sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNothingKnown;
+    }
+    return sky;
+}
+
+draw::DataFrame make_data_frame(const DrawContext& frame) {
+    draw::DataFrame data;
+    data.view = frame.eye.view;
+    data.towards_light =
+        towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
+    data.haze_per_m = frame.eye.haze_per_m;
+    data.haze = frame.design.sky.haze;
+    return data;
+}
+
+draw::PictureInput make_picture_input(const DrawContext& frame) {
+    const draw::TerrainDrawInput terrain = make_terrain_input(frame);
+    constexpr float kAny_m = 1e9f;
+    draw::PictureInput input;
+    input.sky = make_sky_input(frame);
+    input.heights = terrain.heights;
+    if (terrain.warning_colors)
+        input.bands = draw::bands_within(frame.design.warning_bands, terrain.aircraft_msl_m - terrain.bands_lowered_m,
+                                         terrain.gear_down, -kAny_m, kAny_m);
+    input.haze_per_m = terrain.haze_per_m;
+    return input;
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,34 @@
+/// What the drawers of a frame are given, from what was planned of it. Pure; any thread.
+#pragma once
+
+#include "render_core/display/display_decisions.hpp"
+#include "render_core/display/eye.hpp"
+#include "render_core/display/frame_record.hpp"
+#include "render_core/draw/data/data_frame.hpp"
+#include "render_core/draw/picture_pass.hpp"
+#include "render_core/draw/sky_drawer.hpp"
+#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::display {
+
+/// A planned frame. References to the display's own.
+struct DrawContext {
+    const design::DesignSettings& design;
+    const DisplayDecisions& decisions;
+    const Eye& eye;
+    const FrameRecord& record;
+    double aircraft_msl_m = 0, eye_msl_m = 0;
+    double map_share = 0;       ///< of the way from 3D to the map, 0..1
+    bool is_free_view = false;  ///< the eye is nobody's
+    draw::HeightSpan heights{};  ///< of the whole database
+};
+
+[[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);
+[[nodiscard]] draw::TerrainDrawInput make_terrain_input(const DrawContext& frame);
+[[nodiscard]] draw::SkyInput make_sky_input(const DrawContext& frame);
+[[nodiscard]] draw::DataFrame make_data_frame(const DrawContext& frame);
+/// Without what only the terrain knows: outlines, the part of the screen it is drawn in, and voids.
+[[nodiscard]] draw::PictureInput make_picture_input(const DrawContext& frame);
+
+}  // namespace tedavis::display

@@ -1,0 +1,14 @@
+/// Entries of the legend for the elements that a frame shows: every colour scale in use once, and that of glyphs of uncertainty.
+///
+/// Pure; any thread. Memory  the caller's list; what does not fit in it is refused and counted there.
+#pragma once
+
+#include "render_core/display/data_elements.hpp"
+#include "render_core/display/data_legends.hpp"
+
+namespace tedavis::display {
+
+void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, base::Time now,
+                         draw::DataLegends& legends) noexcept;
+
+}  // namespace tedavis::display
