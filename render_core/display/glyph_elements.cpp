@@ -15,6 +15,7 @@ using design::ElementUncertainty;
 constexpr std::int64_t kMinute_ns = 60'000'000'000;
 constexpr std::uint32_t kSitesAhead = 4096;  // a frame, of the field that will be shown next
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
+constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
 
 std::int64_t start_of_minute(std::int64_t time_ns) {
     const std::int64_t into = time_ns % kMinute_ns;
@@ -104,15 +105,14 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
 
 gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
     base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
-    constexpr std::uint32_t kFields = 2 * kSlots;
-    const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kFields);
+    const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kMostFields);
     if (gl::GlError error = drawer_.start(gl, line, memory); !error.sentence.empty()) return error;
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
-    bool is_whole = selection_.start(memory, room.glyphs);
-    for (Slot& slot : slots_)
-        for (scene::GlyphField& field : slot.fields) is_whole = field.start(memory, room.sites / kFields) && is_whole;
+    const bool has_selection = selection_.start(memory, room.glyphs);
+    const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);
+    site_memory_ = memory.carve(for_sites);
     most_glyphs_ = room.glyphs;
-    if (room.sites > 0 && is_whole) return {};
+    if (room.sites > 0 && has_selection && site_memory_.use().capacity == for_sites) return {};
     return gl::make_error("the budget line '", effects::kSceneGlyphs, "' is too small; raise it in the device file");
 }
 
@@ -127,11 +127,55 @@ bool GlyphElements::add(const design::DataElement& element, const scene::Layer& 
     Slot& slot = slots_[used_++];
     slot.element = &element;
     slot.layer = &layer;
-    for (std::size_t n = 0; n < 2; ++n) slot.is_begun[n] = slot.is_given[n] = false;
+    is_shared_out_ = false;
     return true;
 }
 
-void GlyphElements::begin_plan() { batch_.clear(); }
+void GlyphElements::clear() {
+    used_ = 0;
+    is_shared_out_ = false;
+}
+
+void GlyphElements::begin_plan() {
+    batch_.clear();
+    if (!is_shared_out_) share_out();
+}
+
+/// The slots in the order of what they need; each has an even share of what those before it have left.
+void GlyphElements::share_out() {
+    is_shared_out_ = true;
+    site_memory_.reset();
+    std::uint64_t needed[kSlots] = {};
+    std::uint32_t fields_left = 0;
+    for (std::size_t n = 0; n < used_; ++n) {
+        Slot& slot = slots_[n];
+        slot.field_count = draw::glyphs_change(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer)) ? 2 : 1;
+        fields_left += slot.field_count;
+        const std::uint32_t sites =
+            std::clamp(draw::glyph_count(*slot.element, *slot.layer), scene::kLeastGlyphSites, scene::kMostGlyphSites);
+        needed[n] = scene::GlyphField::bytes_needed(sites);
+    }
+    std::uint64_t bytes_left = site_memory_.use().capacity;
+    bool is_served[kSlots] = {};
+    for (std::size_t round = 0; round < used_; ++round) {
+        std::size_t least = kSlots;
+        for (std::size_t n = 0; n < used_; ++n)
+            if (!is_served[n] && (least == kSlots || needed[n] < needed[least])) least = n;
+        is_served[least] = true;
+        const std::uint64_t share = std::min(needed[least], bytes_left / fields_left);
+        start_fields(slots_[least], share);
+        bytes_left -= share * slots_[least].field_count;
+        fields_left -= slots_[least].field_count;
+    }
+}
+
+/// An even share of the least there is holds kLeastGlyphSites: start() has seen to it.
+void GlyphElements::start_fields(Slot& slot, std::uint64_t bytes_a_field) {
+    const std::uint32_t sites = scene::GlyphField::sites_within(bytes_a_field);
+    for (std::uint32_t n = 0; n < slot.field_count; ++n) TEDAVIS_CHECK(slot.fields[n].start(site_memory_, sites));
+    slot.shown = 0;
+    for (std::size_t n = 0; n < 2; ++n) slot.is_begun[n] = slot.is_given[n] = false;
+}
 
 void GlyphElements::advance(Slot& slot, std::uint32_t field, std::int64_t time_ns, const GlyphFrameInput& frame,
                             std::uint32_t most_sites) {
@@ -155,7 +199,7 @@ void GlyphElements::show(Slot& slot, const GlyphFrameInput& frame) {
     const auto is_of = [&](std::uint32_t n) {
         return slot.is_begun[n] && slot.times_ns[n] == time_ns && slot.fields[n].is_ready();
     };
-    if (!is_of(slot.shown)) slot.shown = 1 - slot.shown;
+    if (!is_of(slot.shown) && slot.field_count == 2) slot.shown = 1 - slot.shown;
     while (!is_of(slot.shown)) advance(slot, slot.shown, time_ns, frame, kAll);  // three times at most
     if (follows) advance(slot, 1 - slot.shown, time_ns + kMinute_ns, frame, kSitesAhead);
 }

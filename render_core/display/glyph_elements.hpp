@@ -4,6 +4,7 @@
 ///
 /// Values at a time are those of the whole minute before it. The next minute's field is made ahead, some sites a frame, so that
 /// no frame stalls; a jump in time makes it at once. What is shown never depends on where a run began.
+/// The memory for sites is shared out anew when elements are set: who needs little gets it whole, the others share the rest.
 /// Memory    the budget lines scene_glyphs (CPU) and scene_glyph_vertices (GPU). Thread  the display's. Failure  start() gives
 ///           one sentence; elements beyond the slots are refused.
 #pragma once
@@ -36,13 +37,16 @@ public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
     /// Nothing is shown from here on.
-    void clear() { used_ = 0; }
+    void clear();
     /// One more. False where no slot is left or the layer has nothing that glyphs show. Element and layer must stay.
     [[nodiscard]] bool add(const design::DataElement& element, const scene::Layer& layer);
 
     /// Of the n-th element that was added; to be called for all of them in their order, after begin_plan().
     void begin_plan();
     [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);
+
+    /// For how many sites the n-th element has room; others are merged.
+    [[nodiscard]] std::uint32_t sites_of(std::size_t n) const { return slots_[n].fields[0].most_sites(); }
 
     void prepare(gl::Gl& gl);
     std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
@@ -56,9 +60,12 @@ private:
         draw::GlyphSites sites;         ///< of the field that is not shown
         std::int64_t times_ns[2] = {};  ///< of the fields
         bool is_given[2] = {}, is_begun[2] = {};
+        std::uint32_t field_count = 0;  ///< 2 of values that change, 1 of others; 0: there is no room yet
         std::uint32_t shown = 0;
     };
     [[nodiscard]] draw::ElementInput input_of(const Slot& slot, const GlyphFrameInput& frame) const;
+    void share_out();
+    void start_fields(Slot& slot, std::uint64_t bytes_a_field);
     void show(Slot& slot, const GlyphFrameInput& frame);
     void advance(Slot& slot, std::uint32_t field, std::int64_t time_ns, const GlyphFrameInput& frame, std::uint32_t most_sites);
     void encode(const Slot& slot, const GlyphFrameInput& frame);
@@ -68,7 +75,9 @@ private:
     scene::GlyphSelection selection_;
     draw::GlyphBatch batch_;
     draw::GlyphDrawer drawer_;
+    base::Arena site_memory_;
     std::uint32_t most_glyphs_ = 0;
+    bool is_shared_out_ = false;
 };
 
 }  // namespace tedavis::display

@@ -76,6 +76,7 @@ std::uint32_t GlyphField::sites_within(std::uint64_t bytes) {
 }
 
 bool GlyphField::start(base::Arena& arena, std::uint32_t most_sites) {
+    begin({}, GlyphValues::number);
     if (most_sites < kLeastGlyphSites || most_sites > kMostGlyphSites) return false;
     leaves_ = arena.allocate_array<GlyphSummary>(most_sites);
     groups_ = arena.allocate_array<GlyphGroup>(most_sites);

@@ -70,7 +70,8 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t sites);
     /// The most sites that so many bytes hold.
     [[nodiscard]] static std::uint32_t sites_within(std::uint64_t bytes);
-    /// Once, for kLeastGlyphSites..kMostGlyphSites sites. False when the arena cannot hold it.
+    /// For kLeastGlyphSites..kMostGlyphSites sites; again with other memory, which forgets what there was. False when the arena
+    /// cannot hold it.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t most_sites);
 
     /// Forgets what there was.

@@ -60,6 +60,12 @@ bool glyphs_change(const scene::Layer& layer, const scene::Attribute& attribute)
     return layer.times_ns.size() > 1 || attribute.entry->uncertainty_growth_per_hour > 0;
 }
 
+std::uint32_t glyph_count(const design::DataElement& element, const scene::Layer& layer) {
+    if (layer.entry->shape != scene::LayerShape::grid) return layer.entry->point_count;
+    const auto slices = static_cast<std::uint32_t>(std::max<std::size_t>(1, element.heights_m.size()));
+    return layer.entry->grid.columns * layer.entry->grid.rows * slices;
+}
+
 scene::GlyphFrame GlyphSites::frame_of(const ElementInput& input) {
     const Box box = box_of(*layer_);
     const earth::Geodetic middle{0.5 * (box.south + box.north), 0.5 * (box.west + box.east), {0}};
@@ -86,9 +92,7 @@ bool GlyphSites::begin(const ElementInput& input, std::int64_t time_ns, scene::G
     time_ns_ = time_ns;
     next_ = 0;
     posts_ = layer_->entry->grid.columns * layer_->entry->grid.rows;
-    const bool is_grid = layer_->entry->shape == scene::LayerShape::grid;
-    all_ = is_grid ? posts_ * static_cast<std::uint32_t>(std::max<std::size_t>(1, element_->heights_m.size()))
-                   : layer_->entry->point_count;
+    all_ = glyph_count(*element_, *layer_);
     field.begin(frame_of(input), glyph_values(*layer_, *attribute));
     return true;
 }

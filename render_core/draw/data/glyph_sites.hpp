@@ -24,6 +24,9 @@ inline constexpr double kMostGridGlyph_m = 900;
 /// True when values or uncertainties are others at another time.
 [[nodiscard]] bool glyphs_change(const scene::Layer& layer, const scene::Attribute& attribute);
 
+/// How many sites the element has over the layer.
+[[nodiscard]] std::uint32_t glyph_count(const design::DataElement& element, const scene::Layer& layer);
+
 class GlyphSites {
 public:
     /// Begins the field anew. False, and nothing changes, where the layer has no glyphs.

@@ -116,6 +116,46 @@ TEST(GlyphElements, UncertaintyHasGlyphsOfItsOwn) {
     EXPECT_NE(one, none);
 }
 
+/// Of 250 x 200 posts, at two heights.
+host_sim::LayerDraft large_grid(bool changes) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.grid.columns = 250;
+    layer.grid.rows = 200;
+    layer.grid.step_lon_rad *= 0.01;
+    layer.grid.step_lat_rad *= 0.01;
+    layer.times_ns = {kStart_ns};
+    if (changes) layer.times_ns.push_back(kStart_ns + kHour_ns);
+    const std::size_t times = changes ? 2 : 1;
+    layer.grid.times = static_cast<std::uint32_t>(times);
+    for (host_sim::AttributeDraft& attribute : layer.attributes) {
+        attribute.values.assign(times * layer.grid.levels * 250 * 200, 290.0f);
+        attribute.uncertainties.clear();
+        attribute.states.clear();
+    }
+    return layer;
+}
+
+TEST(GlyphElements, AHundredThousandKeepTheirPlacesWhereThereIsRoom) {
+    for (const bool changes : {false, true})
+        for (const char* device : {"es3-mid", "desktop", "es2-small"}) {
+            GlyphView view(device);
+            const test_support::LoadedScene large(large_grid(changes));
+            ASSERT_TRUE(view.element.heights_m.try_push_back(2000));
+            ASSERT_TRUE(view.add());
+            ASSERT_TRUE(view.glyphs.add(view.element, large.layer()));
+            view.glyphs.begin_plan();
+            const GlyphFrameInput frame{view.ground, view.frame.view, {255, 0, 255}, kStart_ns, true};
+            EXPECT_EQ(view.glyphs.plan(0, frame).all(), 24u);
+            const draw::ElementCount count = view.glyphs.plan(1, frame);
+            EXPECT_EQ(count.all(), 100'000u) << device;
+            EXPECT_EQ(view.glyphs.sites_of(1) == 100'000, std::string(device) != "es2-small") << device;
+            EXPECT_EQ(view.glyphs.sites_of(0), 24u) << "who needs little has it";
+            view.glyphs.clear();
+            ASSERT_TRUE(view.add());
+            EXPECT_EQ(view.plan(kStart_ns).all(), 24u) << "shared out anew";
+        }
+}
+
 TEST(GlyphElements, LayersWithoutSitesAreRefused) {
     GlyphView view;
     const test_support::LoadedScene areas(test_support::small_areas());
