@@ -60,8 +60,9 @@ struct GroundData {
     bool is_shown = false;
     base::FixedString<31> layer, attribute;
     DataScale scale;
-    double opacity = 0.85;  ///< 0..1, of the surest
-    double height_m = 0;    ///< of the slice, in the layer's datum; only fields with several levels ask for it
+    double opacity = 0.85;      ///< 0..1, of the surest
+    double shown_from = -1e12;  ///< lower values have no colour: radar without echo, calm
+    double height_m = 0;        ///< of the slice, in the layer's datum; only fields with several levels ask for it
     GroundUncertainty uncertainty;
     GroundOverlay overlay;
 };

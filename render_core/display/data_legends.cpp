@@ -21,18 +21,31 @@ std::string_view field_text(const char (&field)[N]) {
     return all.substr(0, all.find('\0'));
 }
 
+char upper_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
 template <std::size_t N>
 void append_upper(base::FixedString<N>& text, std::string_view words) {
     for (char c : words) {
-        const char upper = c == '_' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        const char upper = c == '_' ? ' ' : upper_of(c);
         text.append(std::string_view(&upper, 1));
     }
 }
 
-/// "folder/wind.tif" as "WIND.TIF".
-std::string_view file_name(std::string_view source) {
+/// "folder/wind.tif" as "wind.tif"; of a longer name its first words.
+std::string_view short_name(std::string_view source) {
+    constexpr std::size_t kLegible = 12;
     const std::size_t slash = source.find_last_of('/');
-    return slash == std::string_view::npos ? source : source.substr(slash + 1);
+    const std::string_view name = slash == std::string_view::npos ? source : source.substr(slash + 1);
+    if (name.size() <= kLegible) return name;
+    const std::size_t end = name.substr(0, kLegible + 1).find_last_of(" _-.,;");
+    return name.substr(0, end == std::string_view::npos || end == 0 ? kLegible : end);
+}
+
+bool same_words(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t n = 0; n < a.size(); ++n)
+        if (upper_of(a[n]) != upper_of(b[n])) return false;
+    return true;
 }
 
 std::string_view title_of(const scene::AttributeEntry& attribute) {
@@ -172,7 +185,7 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
     const scene::AttributeEntry& entry = *attribute.entry;
     const std::string_view layer_title = field_text(layer.entry->title);
     append_upper(legend.title, layer_title);
-    if (title_of(entry) != layer_title && title_of(entry) != field_text(entry.unit)) {
+    if (!same_words(title_of(entry), layer_title) && !same_words(title_of(entry), field_text(entry.unit))) {
         if (!legend.title.empty()) legend.title.append(" ");
         append_upper(legend.title, title_of(entry));
     }
@@ -185,7 +198,7 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
             append_upper(name, attribute.class_name(n));
             if (!legend.class_names.try_push_back(name)) break;
         }
-    append_upper(legend.source, file_name(field_text(layer.entry->source)));
+    append_upper(legend.source, short_name(field_text(layer.entry->source)));
     legend.data_time_ns = data_time_of(layer, has_date ? now.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0]);
     legend.has_time = legend.data_time_ns != scene::kNoTime;
     legend.has_age = legend.has_time && has_date;

@@ -84,6 +84,13 @@ void GroundMap::bind(gl::Gl& gl, std::uint32_t map_unit, std::uint32_t color_uni
     colors_.bind(gl, color_unit);
 }
 
+/// A limit as the shader compares values with it, 0..1 over the map's range.
+float GroundMap::level_of(double limit, double reach) const {
+    const double above = limit - range_.lowest;
+    const double level = reach > 0 ? above / reach : above > 0 ? kBeyond : -kBeyond;
+    return static_cast<float>(std::fmin(std::fmax(level, -kBeyond), kBeyond));
+}
+
 void GroundMap::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::uint32_t map_unit,
                                    std::uint32_t color_unit) const {
     const auto number = [](double value) { return static_cast<float>(value); };
@@ -100,12 +107,12 @@ void GroundMap::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::
     float breaks[kBreaks];
     for (std::size_t n = 0; n < kBreaks; ++n) {
         const bool is_used = n < look_.scale.breaks.size();
-        const double above = is_used ? look_.scale.breaks[n] - range_.lowest : 0;
-        breaks[n] = number(!is_used ? kBeyond : reach > 0 ? above / reach : above > 0 ? kBeyond : -kBeyond);
+        breaks[n] = is_used ? level_of(look_.scale.breaks[n], reach) : number(kBeyond);
     }
     gl->Uniform1fv(program.uniform(kDataBreaks), static_cast<GLsizei>(kBreaks), breaks);
     gl->Uniform4f(program.uniform(kDataLook), number(look_.opacity), number(look_.uncertainty.strength),
                   static_cast<float>(look_.uncertainty.levels), has_data_ ? 1.0f : 0.0f);
+    gl->Uniform1f(program.uniform(kDataLowest), level_of(look_.shown_from, reach));
     const design::GroundOverlay& overlay = look_.overlay;
     gl->Uniform4f(program.uniform(kDataOverlay), number(overlay.strength), static_cast<float>(overlay.levels),
                   number(overlay.threshold), number(overlay.mesh_m));

@@ -43,6 +43,8 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    [[nodiscard]] float level_of(double limit, double reach) const;
+
     gl::Texture map_, colors_;
     design::GroundData look_;
     scene::GridShape grid_{};

@@ -20,7 +20,8 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {
     "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
     "light_color",  "ambient_color",   "occlusion",    "line_color",   "form_lines",   "contour",       "strokes",
     "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range", "data_map",      "data_colors",
-    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window",  "data_overlay",  "data_overlay_color"};
+    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window",  "data_overlay",  "data_overlay_color",
+    "data_lowest"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {

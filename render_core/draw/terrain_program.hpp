@@ -70,6 +70,7 @@ enum TerrainUniform : std::size_t {
     kDataWindow,
     kDataOverlay,
     kDataOverlayColor,
+    kDataLowest,
     kTerrainUniforms
 };
 

@@ -6,6 +6,7 @@ uniform sampler2D data_colors;   // first row: colour by level in the palette's 
 uniform vec4 data_size;          // 1 / size of the map; last column and row of the field
 uniform vec4 data_scale;         // level in the palette = value * x + y; 1: classes, 1: values of the nearest post
 uniform float data_breaks[15];   // limits of classes as values, those that are not used beyond all
+uniform float data_lowest;       // values below it have no colour
 uniform vec4 data_look;          // opacity; what the least sure loses; levels of uncertainty, 0 for continuous; 1: there are data
 VARYING vec2 v_data;             // posts east and south of the field's first
 
@@ -66,7 +67,7 @@ vec3 data_relief(vec2 place) {
 #ifdef DATA_BUMP
 // What a rough relief makes of a light from the north-west that stands 45 degrees high.
 float data_bumps(vec2 ground, float size, float loss) {
-    vec2 rise = 1.3 * loss * data_relief(ground / (2.0 * size)).yz;
+    vec2 rise = loss * data_relief(ground / (2.0 * size)).yz;
     return clamp((1.0 + 0.70710678 * (rise.x + rise.y)) / length(vec3(rise, 1.0)), 0.4, 1.4);
 }
 #endif
@@ -87,7 +88,7 @@ vec3 data_washed(vec3 middle, vec2 place, float radius) {
 vec3 with_data(vec3 color, vec4 data, vec3 plain, vec3 unknown, vec2 ground, float pixel_m) {
     vec3 shown = data_color(data.x);
     float loss = data_gradation(min(data.y, 1.0), data_look.z) * data_look.y;
-    float cover = data_look.x;
+    float cover = data_look.x * step(data_lowest, data.x);
     float size = exp2(floor(log2(max(pixel_m, 0.01)) + 2.0));
 #if defined(DATA_TRANSPARENCY)
     cover *= 1.0 - loss;

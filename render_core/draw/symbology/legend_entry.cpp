@@ -46,17 +46,19 @@ float scale_height(const DataLegend& legend, LegendDetail detail) {
 
 /// Rows under the scale.
 struct Rows {
-    bool time = false, line = false, source = false;
+    bool time = false, age = false, line = false, source = false;
     std::size_t uncertainty = 0, signs = 0;
 
     [[nodiscard]] std::size_t count() const {
-        return (time ? 1u : 0u) + (line ? 1u : 0u) + (source ? 1u : 0u) + uncertainty + signs;
+        return (time ? 1u : 0u) + (age ? 1u : 0u) + (line ? 1u : 0u) + (source ? 1u : 0u) + uncertainty + signs;
     }
 };
 
 Rows rows_of(const DataLegend& legend, LegendDetail detail) {
     Rows rows;
     rows.time = legend.has_time && detail < LegendDetail::scale;
+    // With the word beside them time and age are too long for one.
+    rows.age = rows.time && legend.is_stale && detail < LegendDetail::uncertainty_line;
     rows.line = detail == LegendDetail::uncertainty_line && !legend.uncertainty.empty();
     rows.uncertainty = detail < LegendDetail::uncertainty_line ? legend.uncertainty.size() : 0;
     rows.signs = detail < LegendDetail::without_signs ? legend.signs.size() : 0;
@@ -224,6 +226,15 @@ private:
         }
     }
 
+    /// So small that all limits have room, if they can be read then.
+    [[nodiscard]] float number_size(const Marks& marks, float bar_width) const {
+        constexpr float kSmallest = 0.58f;
+        float widest = 0;
+        for (const Mark& mark : marks) widest = std::max(widest, text_width_px(mark.text.view(), t_));
+        const float room = bar_width / static_cast<float>(marks.size() + 1) - kNumberGap * t_;
+        return std::clamp(room / std::max(widest, 1.0f), kSmallest, kText);
+    }
+
     void build_flat() {
         const Rect upper = row(kBar), lower = row(kNumbers);
         const Rect bar{upper.x + kInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kInset * t_, upper.height - 0.05f * t_};
@@ -233,8 +244,9 @@ private:
             text_width_px(number_text(highest(legend_.scale) * legend_.factor, 1).view(), kText * t_) + (kNumberGap + 0.5f) * t_);
         const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, widest / static_cast<double>(bar.width));
         float taken = lower.x;
+        const float size = has_classes() ? number_size(marks, bar.width) : kText;
         for (const Mark& mark : marks) {
-            const float half = text_width_px(mark.text.view(), kText * t_) / 2;
+            const float half = text_width_px(mark.text.view(), size * t_) / 2;
             const float x =
                 std::clamp(bar.x + bar.width * mark.share, lower.x + half + 0.1f * t_, lower.right() - half - 0.1f * t_);
             if (x - half < taken) continue;
@@ -242,7 +254,7 @@ private:
             painter_.batch().box({bar.x + bar.width * mark.share - painter_.stroke_px() / 2, bar.bottom() - 0.3f * t_,
                                   painter_.stroke_px(), 0.3f * t_},
                                  kScaleColor);
-            painter_.text(mark.text.view(), {x, lower.center().y}, TextAnchor::center, kText, kScaleColor, 0, TextRim::none);
+            painter_.text(mark.text.view(), {x, lower.center().y}, TextAnchor::center, size, kScaleColor, 0, TextRim::none);
         }
     }
 
@@ -252,11 +264,21 @@ private:
             build_sample(legend_.uncertainty[n], legend_.uncertainty[n].text.view());
         if (rows.line) build_uncertainty_line(row(kRow));
         for (std::size_t n = 0; n < rows.signs; ++n) build_sample(legend_.signs[n], legend_.signs[n].text.view());
-        if (rows.time)
-            painter_.fitted_text(time_and_age(legend_).view(), row(kRow), TextAnchor::center, kText,
-                                 legend_.is_stale || !legend_.has_age ? kCautionColor : kScaleColor, TextRim::none);
+        if (rows.time) build_time(rows.age);
         if (rows.source)
             painter_.fitted_text(legend_.source.view(), row(kRow), TextAnchor::center, 0.6f, kScaleColor, TextRim::none);
+    }
+
+    void build_time(bool in_two_rows) {
+        const bool is_amber = legend_.is_stale || !legend_.has_age;
+        const base::FixedString<31> whole = time_and_age(legend_);
+        const std::size_t end = legend_.is_stale ? whole.view().find(' ') : whole.size();
+        if (in_two_rows) build_centred(whole.view().substr(0, end), is_amber);
+        build_centred(legend_.is_stale ? whole.view().substr(end + 1) : whole.view(), is_amber);
+    }
+
+    void build_centred(std::string_view text, bool is_amber) {
+        painter_.fitted_text(text, row(kRow), TextAnchor::center, kText, is_amber ? kCautionColor : kScaleColor, TextRim::none);
     }
 
     void build_sample(const LegendSample& sample, std::string_view text) {

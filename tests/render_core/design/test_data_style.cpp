@@ -31,6 +31,7 @@ attribute = "reflectivity"
 palette = "grey"
 breaks = [10, 30.5]
 opacity = 0.5
+shown_from = 5
 height_m = 1500
 [data.ground.uncertainty]
 technique = "noise"
@@ -45,6 +46,7 @@ levels = 3
     ASSERT_EQ(ground.scale.breaks.size(), 2u);
     EXPECT_EQ(ground.scale.breaks[1], 30.5);
     EXPECT_EQ(ground.opacity, 0.5);
+    EXPECT_EQ(ground.shown_from, 5);
     EXPECT_EQ(ground.height_m, 1500);
     EXPECT_EQ(ground.uncertainty.technique, IntrinsicUncertainty::noise);
     EXPECT_EQ(ground.uncertainty.levels, 3u);

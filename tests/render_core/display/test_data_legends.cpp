@@ -29,6 +29,11 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE");
     EXPECT_EQ(entry.unit.view(), "K");
     EXPECT_EQ(entry.source.view(), "ERA5 WIND.NC");
+    layer.source = "weather/opera_20241126_0100_dbz.tif";
+    EXPECT_EQ(entry_of(layer, kDate_ns).source.view(), "OPERA") << "no more than can be read";
+    host_sim::LayerDraft named = layer;
+    named.attributes[0].title = "K";
+    EXPECT_EQ(entry_of(named, kDate_ns).title.view(), "AIR") << "a title that is the unit says nothing";
     EXPECT_EQ(draw::time_and_age(entry).view(), "22:30Z 0 MIN") << "within its times it has no age";
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + kHour_ns + 12 * kMinute_ns)).view(), "23:00Z 12 MIN");
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + 2 * kHour_ns)).view(), "23:00Z STALE 60 MIN");

@@ -77,6 +77,26 @@ TEST_P(GroundMapOf, ClassesHaveOneColourEach) {
     EXPECT_LT(at_limits, 400);
 }
 
+TEST_P(GroundMapOf, ValuesBelowTheLimitHaveNoColour) {
+    const RasterScene ground = level_ground();
+    const LoadedScene loaded(field_over(ground, 9));
+    design::DesignSettings design = ground_design(IntrinsicUncertainty::none);
+    design.data.ground.opacity = 1;
+    design.data.ground.shown_from = 45;
+    const Drawn drawn(ground, loaded, design, GetParam());
+    int below = 0, above = 0;
+    for (int row = 2; row < 238; row += 3)
+        for (int column = 2; column < 318; column += 3) {
+            const FieldValue value = drawn.at(column, row);
+            if (value.state == ValueState::missing || std::fabs(value.value - 45) < 0.1) continue;
+            const bool has_none = color_difference(drawn.pixel(column, row), kBareGround) == 0;
+            EXPECT_EQ(has_none, value.value < 45) << column << ", " << row << ": " << value.value;
+            ++(value.value < 45 ? below : above);
+        }
+    EXPECT_GT(below, 500);
+    EXPECT_GT(above, 500);
+}
+
 TEST_P(GroundMapOf, TransparencySaturationAndBivariateTakeAwayWithTheLevel) {
     const RasterScene ground = level_ground();
     const LoadedScene loaded(field_over(ground, 9));

@@ -75,6 +75,8 @@ TEST(LegendEntry, WhatIsStaleIsAmberAtEveryDetail) {
     };
     DataLegend stale = wind();
     stale.is_stale = true;
+    EXPECT_NE(text_at(stale, LegendDetail::without_signs).find("13:05ZSTALE12MIN"), std::string::npos);
+    EXPECT_NE(text_at(stale, LegendDetail::scale_and_time).find("1020STALE12MIN"), std::string::npos) << "the age is what counts";
     for (std::size_t n = 0; n < kLegendDetails; ++n) {
         EXPECT_GT(amber(stale, static_cast<LegendDetail>(n)), 0) << n;
         EXPECT_EQ(amber(wind(), static_cast<LegendDetail>(n)), 0) << n;
