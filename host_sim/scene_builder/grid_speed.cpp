@@ -21,11 +21,6 @@ Uncertainty uncertainty_of(const AttributeDraft& attribute, std::size_t n) {
     return attribute.uncertainties.empty() ? attribute.uncertainty_all : attribute.uncertainties[n];
 }
 
-Uncertainty worse(Uncertainty a, Uncertainty b) {
-    if (!a.is_known() || !b.is_known()) return {};
-    return a.code() > b.code() ? a : b;
-}
-
 ValueState state_of(const AttributeDraft& attribute, std::size_t n) {
     return attribute.states.empty() ? ValueState::valid : attribute.states[n];
 }
@@ -43,7 +38,7 @@ AttributeDraft grid_speed(const LayerRecipe& recipe, const AttributeRecipe& attr
     made.uncertainty_growth_per_hour = east.uncertainty_growth_per_hour;
     for (std::size_t n = 0; n < east.values.size(); ++n) {
         made.values.push_back(bound_value(attribute, std::hypot(double{east.values[n]}, double{north.values[n]})));
-        made.uncertainties.push_back(worse(uncertainty_of(east, n), uncertainty_of(north, n)));
+        made.uncertainties.push_back(scene::worse(uncertainty_of(east, n), uncertainty_of(north, n)));
         const bool filled = state_of(east, n) == ValueState::interpolated || state_of(north, n) == ValueState::interpolated;
         made.states.push_back(filled ? ValueState::interpolated : ValueState::valid);
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
@@ -33,12 +34,15 @@ host_sim::SceneDraft scene_draft() {
 class DataElementsTest : public ::testing::Test {
 protected:
     explicit DataElementsTest(const host_sim::SceneDraft& draft = scene_draft()) : session_("egl", "es3-mid"), scene_(draft) {
-        const std::uint64_t bytes[] = {line(effects::kSceneSolids), line(effects::kSceneGlyphs)};
-        for (std::size_t n = 0; n < 2; ++n) {
+        const std::uint64_t bytes[] = {line(effects::kSceneSolids), line(effects::kSceneGlyphs), line(effects::kSceneBillboards),
+                                       line(effects::kSymbology)};
+        for (std::size_t n = 0; n < 4; ++n) {
             blocks_[n].resize(bytes[n]);
             arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
         }
-        EXPECT_EQ(elements_.start(session_.gl, session_.device.budget, {arenas_[0], arenas_[1]}).sentence.view(), "");
+        base::BudgetTable& budget = session_.device.budget;
+        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).sentence.view(), "");
+        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).sentence.view(), "");
         session_.gl.seal();
         const glm::dvec3 eye = earth::to_ecef({base::radians(46.7), base::radians(9.82), {3000}});
         frame_.view =
@@ -47,6 +51,7 @@ protected:
     ~DataElementsTest() override {
         session_.gl.retire();
         elements_.destroy(session_.gl);
+        typeface_.destroy(session_.gl);
     }
     std::uint64_t line(std::string_view name) { return session_.device.budget.find(name)->bytes; }
     design::DataElement& ask_for(std::string_view layer, DataTechnique technique) {
@@ -78,10 +83,11 @@ protected:
 
     GlSession session_;
     test_support::LoadedScene scene_;
-    std::vector<unsigned char> blocks_[2];
-    base::Arena arenas_[2];
+    std::vector<unsigned char> blocks_[4];
+    base::Arena arenas_[4];
     test_support::LevelGround ground_;
     design::DataElementList asked_;
+    draw::QuadDrawer typeface_;
     DataElements elements_;
     draw::DataFrame frame_;
 };
