@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render_core/design/palette.hpp"
+#include <vector>
+
+#include "render_core/design/data_scale.hpp"
 
 namespace tedavis::test_support {
 
@@ -15,6 +17,14 @@ namespace tedavis::test_support {
     palette.unit = design::PaletteUnit::one;
     EXPECT_TRUE(palette.stops.try_push_back({0, {0, 0, 0}}) && palette.stops.try_push_back({100, {255, 255, 255}}));
     return palette;
+}
+
+/// The palette with limits of classes.
+[[nodiscard]] inline design::DataScale scale_of(const std::vector<double>& breaks) {
+    design::DataScale scale;
+    scale.palette = grey_palette();
+    for (const double limit : breaks) EXPECT_TRUE(scale.breaks.try_push_back(limit));
+    return scale;
 }
 
 class GreyPalettes final : public design::PaletteSource {

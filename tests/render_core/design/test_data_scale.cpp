@@ -11,14 +11,7 @@
 namespace tedavis::design {
 namespace {
 
-using test_support::grey_palette;
-
-DataScale scale_of(const std::vector<double>& breaks) {
-    DataScale scale;
-    scale.palette = grey_palette();
-    for (const double limit : breaks) EXPECT_TRUE(scale.breaks.try_push_back(limit));
-    return scale;
-}
+using test_support::scale_of;
 
 TEST(DataScale, AValueBelongsToExactlyOneClass) {
     const DataScale scale = scale_of({10, 20, 40});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/support/grey_palettes.hpp"
@@ -10,6 +11,7 @@ namespace tedavis::design {
 namespace {
 
 using test_support::GreyPalettes;
+using test_support::scale_of;
 
 struct Read {
     DataStyle style;
