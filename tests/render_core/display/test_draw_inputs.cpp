@@ -51,7 +51,7 @@ TEST_F(DrawInputs, BandsAreThoseOfTheLoweredHeightOrNone) {
     EXPECT_EQ(make_picture_input(frame()).bands.count, 1u);
     record_.bands.lowered_m = 50;
     EXPECT_EQ(make_terrain_input(frame()).bands_lowered_m, 50);
-    EXPECT_EQ(make_terrain_input(frame()).heights.highest, 900);
+    EXPECT_EQ(make_terrain_input(frame()).heights.highest_m, 900);
 }
 
 TEST_F(DrawInputs, BelowTheHorizonIsWhatIsKnownThere) {
