@@ -88,21 +88,24 @@ std::string check_switches(const std::string& path) {
     return "a switch panel";
 }
 
-std::string check_scenario(const std::string& path) {
-    const Scenario scenario = parse_scenario(read_file(path), path);
-    return "a scenario of " + std::to_string(scenario.legs.size()) + " legs";
-}
-
-std::string check_replay_config(const std::string& path) {
-    (void)load_replay_config(path);
-    return "replay options";
-}
-
 /// Made as a build does, from all of its sources, and not written.
 std::string check_scene(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     const MadeScene made = make_scene(parse_scene(read_file(path), path), folder, [](auto, auto, auto) {});
     return "a scene of " + std::to_string(made.draft.layers.size()) + " layers";
+}
+
+std::string check_scenario(const std::string& path) {
+    const Scenario scenario = parse_scenario(read_file(path), path);
+    std::string found = "a scenario of " + std::to_string(scenario.legs.size()) + " legs";
+    if (scenario.weather) found += ", with weather";
+    if (!scenario.scene.empty()) found += ", round it " + check_scene(scenario.scene);
+    return found;
+}
+
+std::string check_replay_config(const std::string& path) {
+    (void)load_replay_config(path);
+    return "replay options";
 }
 
 std::string check_sheet(const std::string& path) {

@@ -9,7 +9,10 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
+#include "host_sim/scenario/scenario_scene.hpp"
 #include "host_sim/scenario/scenario_switches.hpp"
+#include "host_sim/scene_builder/open_scene.hpp"
+#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/version.hpp"
@@ -21,6 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kProgressSteps = 1000;
+constexpr const char* kInterrupted = "interrupted; nothing was written";
 
 bus::SwitchConfig panel_of(const Scenario& scenario) {
     const std::string path = resolve_config(scenario.switch_config, "switches");
@@ -43,8 +47,14 @@ Json legs_json(const Scenario& scenario, const ScenarioFlight& flight) {
     return legs;
 }
 
+Json layers_json(const SceneDraft& scene) {
+    Json layers = Json::array();
+    for (const LayerDraft& layer : scene.layers) layers.push_back(layer.name);
+    return layers;
+}
+
 Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t seed, const ScenarioFlight& flight,
-              const FlightLogCounts& counts) {
+              const FlightLogCounts& counts, const SceneDraft& scene) {
     const LandingStrip& strip = scenario.strip;
     const FlownAir& air = flight.air();
     return {{"synthetic", true},
@@ -55,6 +65,8 @@ Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t s
             {"log", "flight.log"},
             {"switches", "flight.switches"},
             {"switch_config", scenario.switch_config},
+            {"scene", "scene.sdb"},
+            {"layers", layers_json(scene)},
             {"frames", counts.frames},
             {"phase_messages", counts.phase_messages},
             {"duration_s", (flight.end() - flight.begin()).to_seconds()},
@@ -75,6 +87,26 @@ Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t s
             {"version", version()}};
 }
 
+MadeScene make_scene_of(const Scenario& scenario, const ScenarioFlight& flight, std::uint64_t seed,
+                        const InterruptGuard& interrupt, Console& console) {
+    MadeScene scene =
+        make_scenario_scene(scenario, flight, seed, [&](std::string_view layer, std::size_t done, std::size_t total) {
+            console.progress(layer, done, total);
+            if (interrupt.requested()) throw Interrupted(kInterrupted);
+        });
+    console.progress_done();
+    for (const std::string& note : scene.notes) console.note("note: " + note);
+    return scene;
+}
+
+/// Seals it; what the board would refuse is not put in its place.
+void write_scene(const SceneDraft& scene, AtomicFile& file) {
+    const std::vector<std::uint8_t> bytes = sdb_bytes(scene);
+    file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.seal();
+    (void)OpenScene(file.part_path());
+}
+
 }  // namespace
 
 int run_scenario_build(const ScenarioBuildOptions& options, Console& console) {
@@ -85,24 +117,26 @@ int run_scenario_build(const ScenarioBuildOptions& options, Console& console) {
     const GeoidEgm96 geoid = GeoidEgm96::installed();
     const ScenarioFlight flight(scenario, seed, geoid);
     const std::string switch_log = scenario_switch_log(scenario, flight, panel);
+    const InterruptGuard interrupt;
+    const MadeScene scene = make_scene_of(scenario, flight, seed, interrupt, console);
 
     NewFolder folder(options.output);
-    const InterruptGuard interrupt;
     FlightLogSettings log_settings;
     log_settings.name = options.output + "/flight.log";
-    AtomicFile log(log_settings.name), switches(options.output + "/flight.switches"),
+    AtomicFile log(log_settings.name), switches(options.output + "/flight.switches"), database(options.output + "/scene.sdb"),
         companion(options.output + "/scenario.json");
     const FlightLogCounts counts = write_flight_log(flight, log_settings, log.stream(), [&](double share) {
         console.progress("flying " + scenario.name, static_cast<std::uint64_t>(share * kProgressSteps), kProgressSteps);
         return !interrupt.requested();
     });
     console.progress_done();
-    if (counts.interrupted) throw Interrupted("interrupted; nothing was written");
-    const Json json = manifest(path, scenario, seed, flight, counts);
+    if (counts.interrupted) throw Interrupted(kInterrupted);
+    const Json json = manifest(path, scenario, seed, flight, counts, scene.draft);
     switches.stream() << switch_log;
+    write_scene(scene.draft, database);
     companion.stream() << json_text(json, 2) << '\n';
     for (AtomicFile* file : {&log, &switches, &companion}) file->seal();
-    for (AtomicFile* file : {&log, &switches, &companion}) file->commit();
+    for (AtomicFile* file : {&log, &switches, &database, &companion}) file->commit();
     folder.keep();
     console.result(options.output + ": " + scenario.name + " with seed " + std::to_string(seed) + ", " +
                        std::to_string(counts.frames) + " frames over " +

@@ -1,9 +1,12 @@
 #include "host_sim/scenario/scenario.hpp"
 
 #include <array>
+#include <filesystem>
 #include <limits>
 
 #include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/scene_builder/source_path.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/units.hpp"
@@ -112,6 +115,19 @@ Leg read_leg(ConfigSection section) {
     return leg;
 }
 
+/// A bare name is that of a shipped scene file.
+std::string read_scene(ConfigSection& root, const std::string& file_name) {
+    const std::string name(root.text("scene", ""));
+    if (name.empty()) return {};
+    const bool is_bare = name.find_first_of("./") == std::string::npos;
+    const std::string folder = std::filesystem::path(file_name).parent_path().string();
+    std::string path = is_bare ? shipped_root() + "/configs/scenes/" + name + ".toml" : source_path(folder, name);
+    std::error_code not_there;
+    if (!std::filesystem::is_regular_file(path, not_there))
+        root.fault("scene", "there is no scene file " + path + "; name a shipped one such as jacksboro, or a file from this one's folder");
+    return path;
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::string& file_name) {
@@ -128,6 +144,8 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     scenario.strip = read_strip(root.section("strip"));
     scenario.environment = read_environment(root.section("environment"));
     scenario.aircraft = read_aircraft(root.section("aircraft"));
+    scenario.scene = read_scene(root, file_name);
+    if (ConfigSection weather = root.section("weather"); weather.present()) scenario.weather = read_weather(weather);
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMostLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMostLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "host_sim/scenario/weather_settings.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
@@ -74,10 +76,12 @@ struct Scenario {
     Environment environment;
     AircraftLimits aircraft;
     std::string switch_config;  ///< shipped name or path
+    std::string scene;          ///< path of the scene file whose layers stand round the flight; empty: none
+    std::optional<WeatherSettings> weather;
     std::vector<Leg> legs;
 };
 
-/// `file_name` is how messages call the file. Throws UserError with its line.
+/// `file_name` is how messages call the file, and where relative names of scene files start from. Throws UserError with its line.
 [[nodiscard]] Scenario parse_scenario(std::string_view text, const std::string& file_name);
 
 }  // namespace tedavis::host_sim

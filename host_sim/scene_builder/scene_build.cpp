@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "host_sim/atomic_file.hpp"
@@ -119,20 +120,38 @@ std::uint64_t next_revision(const std::string& output) {
     }
 }
 
+/// Out of the layers the one of that name, where there is one.
+std::optional<LayerDraft> take(std::vector<LayerDraft>& layers, const std::string& name) {
+    const auto found = std::find_if(layers.begin(), layers.end(), [&](const LayerDraft& layer) { return layer.name == name; });
+    if (found == layers.end()) return std::nullopt;
+    LayerDraft taken = std::move(*found);
+    layers.erase(found);
+    return taken;
+}
+
 }  // namespace
 
-MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress) {
+MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress,
+                     std::vector<LayerDraft> given) {
     require_unique_names(recipe);
     MadeScene made;
     made.draft.name = recipe.name;
     made.draft.origin = recipe.origin;
+    std::set<std::string> standing_in;
     for (const LayerRecipe& layer : recipe.layers) {
         progress(layer.name, made.draft.layers.size(), recipe.layers.size());
+        if (std::optional<LayerDraft> other = take(given, layer.name)) {
+            standing_in.insert(layer.name);
+            made.draft.layers.push_back(std::move(*other));
+            continue;
+        }
         made.draft.layers.push_back(make_layer(layer, folder, made.notes));
         finish(layer, made.draft.layers.back());
     }
+    for (LayerDraft& layer : given) made.draft.layers.push_back(std::move(layer));
     // Of all layers: a wind may stand behind the lines that ask for it.
     for (std::size_t n = 0; n < recipe.layers.size(); ++n) {
+        if (standing_in.count(recipe.layers[n].name) > 0) continue;
         const std::vector<std::string> notes = add_derived(recipe.layers[n], made.draft.layers[n], made.draft.layers);
         made.notes.insert(made.notes.end(), notes.begin(), notes.end());
     }

@@ -18,9 +18,11 @@ struct MadeScene {
     std::vector<std::string> notes;  ///< sentences that the user should read; each begins with a layer's name
 };
 
-/// Every layer from its source. `folder`: where relative names start. Throws UserError that begins with the
-/// layer or its file.
-[[nodiscard]] MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress);
+/// Every layer from its source. `folder`: where relative names start. `given`: layers that are there already; they stand in for the
+/// recipe's of the same names, whose sources are not read, and behind it otherwise. Throws UserError that begins with the layer or
+/// its file.
+[[nodiscard]] MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress,
+                                   std::vector<LayerDraft> given = {});
 
 /// Reads the scene file, makes the scene and puts the database in its place, whole or not at all. Its revision is one more than
 /// that of a sound database that stood there, else 1. Returns the notes. Throws UserError.

@@ -1,0 +1,29 @@
+/// A smooth random function of place: a sum of plane waves whose directions, lengths and phases are drawn. Over space its mean is
+/// 0 and its variance 1; beyond kMost it never is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "host_sim/scenario/seeded_random.hpp"
+
+namespace tedavis::host_sim {
+
+class SeededWaves {
+public:
+    static constexpr std::size_t kWaves = 16;
+    static constexpr double kMost = 5.66;  ///< the square root of twice the number of waves
+
+    /// Lengths of waves over the ground lie between the two. `height_m`: over which height phases turn by half a circle at most.
+    SeededWaves(SeededRandom& random, double shortest_m, double longest_m, double height_m);
+
+    [[nodiscard]] double at(double east_m, double north_m, double up_m) const;
+
+private:
+    struct Wave {
+        double east_per_m = 0, north_per_m = 0, up_per_m = 0, phase_rad = 0;
+    };
+    std::array<Wave, kWaves> waves_;
+};
+
+}  // namespace tedavis::host_sim
