@@ -136,8 +136,9 @@ void add_scenario(CLI::App& app, CommandLine& line) {
     CLI::App* group = app.add_subcommand("scenario", "generated flights");
     group->require_subcommand(1);
     ScenarioBuildOptions& o = line.scenario;
-    CLI::App* command = add_command(*group, line, "build", "scenario file to flight.log, flight.switches, scene.sdb and scenario.json",
-                                    [&o](Console& console) { return run_scenario_build(o, console); });
+    CLI::App* command =
+        add_command(*group, line, "build", "scenario file to flight.log, flight.switches, scene.sdb and scenario.json",
+                    [&o](Console& console) { return run_scenario_build(o, console); });
     command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(from_zero());

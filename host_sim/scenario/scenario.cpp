@@ -124,7 +124,8 @@ std::string read_scene(ConfigSection& root, const std::string& file_name) {
     std::string path = is_bare ? shipped_root() + "/configs/scenes/" + name + ".toml" : source_path(folder, name);
     std::error_code not_there;
     if (!std::filesystem::is_regular_file(path, not_there))
-        root.fault("scene", "there is no scene file " + path + "; name a shipped one such as jacksboro, or a file from this one's folder");
+        root.fault("scene",
+                   "there is no scene file " + path + "; name a shipped one such as jacksboro, or a file from this one's folder");
     return path;
 }
 

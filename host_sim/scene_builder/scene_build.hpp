@@ -18,9 +18,9 @@ struct MadeScene {
     std::vector<std::string> notes;  ///< sentences that the user should read; each begins with a layer's name
 };
 
-/// Every layer from its source. `folder`: where relative names start. `given`: layers that are there already; they stand in for the
-/// recipe's of the same names, whose sources are not read, and behind it otherwise. Throws UserError that begins with the layer or
-/// its file.
+/// Every layer from its source. `folder`: where relative names start. `given`: layers that are there already; they stand in for
+/// the recipe's of the same names, whose sources are not read, and behind it otherwise. Throws UserError that begins with the
+/// layer or its file.
 [[nodiscard]] MadeScene make_scene(const SceneRecipe& recipe, const std::string& folder, const SceneProgress& progress,
                                    std::vector<LayerDraft> given = {});
 

@@ -5,6 +5,7 @@
 
 #include "bus/candump/candump_log_source.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/scene_builder/open_scene.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -18,6 +19,13 @@ using test_support::run_command;
 
 CommandRun build(const ScenarioBuildOptions& options) {
     return run_command([&](Console& console) { return run_scenario_build(options, console); }, true);
+}
+
+/// The shipped scenario with another scene file.
+std::string replaced_scene(const std::string& name) {
+    const std::string shipped = "scene = \"jacksboro\"";
+    std::string text = read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml");
+    return text.replace(text.find(shipped), shipped.size(), "scene = \"" + name + "\"");
 }
 
 TEST(ScenarioCommand, LeavesALogASwitchLogAndAManifest) {
@@ -39,6 +47,18 @@ TEST(ScenarioCommand, LeavesALogASwitchLogAndAManifest) {
     EXPECT_GT(place.read("a/b/flight.switches").size(), 100u);
 }
 
+TEST(ScenarioCommand, LeavesASceneThatTheBoardReads) {
+    const test_support::TemporaryFolder place;
+    const auto json = build({"default", place.file("a"), {}}).json();
+    EXPECT_EQ(json["scene"], "scene.sdb");
+    const OpenScene open(place.file("a/scene.sdb"));
+    EXPECT_EQ(open.scene().layers().size(), json["layers"].size());
+    EXPECT_THAT(open.scene().header().origin, ::testing::HasSubstr("not for navigation"));
+    EXPECT_EQ(open.scene().header().revision, 1u);
+    for (const char* name : {"flight", "wind", "storm", "radar", "no_go", "obstacles"})
+        EXPECT_NE(open.scene().find(name), nullptr) << name;
+}
+
 TEST(ScenarioCommand, EqualSeedsGiveEqualBytesAndTheOptionReplacesTheFiles) {
     const test_support::TemporaryFolder place;
     for (const char* name : {"a", "b"}) EXPECT_EQ(build({"default", place.file(name), 7}).code, 0);
@@ -46,6 +66,8 @@ TEST(ScenarioCommand, EqualSeedsGiveEqualBytesAndTheOptionReplacesTheFiles) {
     EXPECT_EQ(place.read("a/flight.log"), place.read("b/flight.log"));
     EXPECT_EQ(place.read("a/flight.switches"), place.read("b/flight.switches"));
     EXPECT_NE(place.read("a/flight.log"), place.read("c/flight.log"));
+    EXPECT_EQ(place.read("a/scene.sdb"), place.read("b/scene.sdb"));
+    EXPECT_NE(place.read("a/scene.sdb"), place.read("c/scene.sdb"));
 }
 
 TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
@@ -58,9 +80,14 @@ TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
             (void)build({path, place.file("out"), {}});
         },
         "nowhere: no such file and no shipped one of switches");
+    const std::string lost = place.write("lost.toml", replaced_scene("nosuch"));
+    expect_user_error([&] { (void)build({lost, place.file("out"), {}}); }, "lost.toml:");
+    const std::string broken = place.write("broken.toml", replaced_scene("./scene.toml"));
+    place.write("scene.toml", "name = \"s\"\n[[layer]]\nname = \"a\"\nsource = \"nothing.csv\"\n");
+    expect_user_error([&] { (void)build({broken, place.file("out"), {}}); }, "nothing.csv");
     expect_user_error([&] { (void)build({"nosuch", place.file("out"), {}}); }, "nosuch: no such file");
     expect_user_error([&] { (void)build({"default", path + "/out", {}}); }, "s.toml/out: this folder cannot be made");
-    EXPECT_EQ(place.entries(), 1u);
+    EXPECT_EQ(place.entries(), 4u);
 }
 
 }  // namespace

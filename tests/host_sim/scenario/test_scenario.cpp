@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host_sim/input_file.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -28,6 +31,27 @@ TEST(Scenario, ReadsTheShippedOne) {
     EXPECT_EQ(scenario.legs[1].kind, LegKind::roll);
     EXPECT_EQ(scenario.legs[1].stated_by, PhaseStatedBy::can);
     EXPECT_EQ(scenario.legs[1].phase, flight::kTakeoffStart);
+    EXPECT_EQ(scenario.scene, TEDAVIS_SOURCE_DIR "/configs/scenes/jacksboro.toml");
+    ASSERT_TRUE(scenario.weather.has_value());
+    EXPECT_EQ(scenario.weather->storm.cells, 3);
+}
+
+TEST(Scenario, NeedsNeitherSceneNorWeather) {
+    std::string text = replaced(shipped(), "scene = \"jacksboro\"", "");
+    const std::size_t from = text.find("[weather]");
+    text.erase(from, text.find("[aircraft]") - from);
+    const Scenario scenario = parse_scenario(text, "s.toml");
+    EXPECT_TRUE(scenario.scene.empty());
+    EXPECT_FALSE(scenario.weather.has_value());
+}
+
+TEST(Scenario, FindsASceneFileFromItsOwnFolder) {
+    const test_support::TemporaryFolder place;
+    place.write("own.toml", "");
+    const std::string text = replaced(shipped(), "scene = \"jacksboro\"", "scene = \"own.toml\"");
+    EXPECT_EQ(parse_scenario(text, place.file("s.toml")).scene, place.file("own.toml"));
+    test_support::expect_user_error([&] { (void)parse_scenario(text, place.file("else/s.toml")); },
+                                    "there is no scene file " + place.file("else/own.toml"));
 }
 
 TEST(Scenario, NamesFileAndLineOfAFault) {
@@ -43,6 +67,13 @@ TEST(Scenario, NamesFileAndLineOfAFault) {
     refused(replaced(shipped(), "2026-06-01T14:00:00Z", "yesterday"), "no time such as");
     refused(replaced(shipped(), "duration_s = 3", "duration_s = 3\nspeed_mps = 20"), "speed_mps");
     refused(shipped().substr(0, shipped().find("[[leg]]")), "[[leg]]");
+    refused(replaced(shipped(), "scene = \"jacksboro\"", "scene = \"nowhere\""),
+            "configs/scenes/nowhere.toml; name a shipped one");
+    refused(replaced(shipped(), "storm_cells = 3", "storm_cells = -3"), "storm_cells");
+    refused(replaced(shipped(), "reach_m = 18000", "reach_m = 18000\nrech_m = 1"), "rech_m");
+    const std::string text = replaced(shipped(), "storm_cells = 3", "storm_cells = -3");
+    const auto line = std::to_string(1 + std::count(text.begin(), text.begin() + text.find("storm_cells"), '\n'));
+    refused(text, "s.toml:" + line + ": ");
 }
 
 }  // namespace

@@ -133,6 +133,22 @@ TEST_F(SceneFiles, EverySourceBecomesALayer) {
     EXPECT_EQ(scene.find("field")->entry->valid_until_ns, INT64_MAX);
 }
 
+TEST_F(SceneFiles, GivenLayersStandInForThoseOfTheirNames) {
+    LayerDraft zones, more;
+    zones.name = "zones";
+    zones.shape = more.shape = LayerShape::areas;
+    zones.starts = more.starts = {0};
+    more.name = "more";
+    std::filesystem::remove(folder_.file("zones.txt"));  // nobody asks for it
+    const MadeScene made = make_scene(parse_scene(kScene, "scene.toml"), folder_.path(), [](auto, auto, auto) {},
+                                      {std::move(more), std::move(zones)});
+    ASSERT_EQ(made.draft.layers.size(), 7u);
+    EXPECT_EQ(made.draft.layers[1].name, "zones");
+    EXPECT_EQ(made.draft.layers[1].feature_count(), 0u);
+    EXPECT_EQ(made.draft.layers[5].name, "field");
+    EXPECT_EQ(made.draft.layers[6].name, "more");
+}
+
 TEST_F(SceneFiles, EachBuildIsARevision) {
     build();
     const std::string first = folder_.read("x.sdb");
