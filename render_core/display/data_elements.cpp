@@ -3,6 +3,7 @@
 #include "render_core/base/utc_time.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
+#include "render_core/draw/data/diagrams.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
@@ -33,7 +34,9 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
 }
 
 /// What faces the eye, in pixels; built every frame.
-bool is_billboard(DataTechnique technique) { return technique == DataTechnique::billboard; }
+bool is_billboard(DataTechnique technique) {
+    return technique == DataTechnique::billboard || technique == DataTechnique::diagram;
+}
 
 bool shows_solids(const scene::Layer& layer) {
     const scene::LayerRole role = layer.entry->role;
@@ -52,6 +55,7 @@ bool shows(DataTechnique technique, const scene::Layer& layer) {
         case DataTechnique::space_time: return draw::shows_tubes(layer);
         case DataTechnique::solid: return shows_solids(layer);
         case DataTechnique::ribbon: return layer.entry->shape == scene::LayerShape::lines;
+        case DataTechnique::diagram: return layer.entry->shape == scene::LayerShape::points;
         case DataTechnique::billboard: return layer.entry->shape != scene::LayerShape::grid;
         default: return is_glyph_technique(technique);
     }
@@ -71,6 +75,11 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
     if (input.layer.entry->role == scene::LayerRole::runway) return draw::add_runways(batch, mesh, input);
     return input.layer.entry->shape == scene::LayerShape::points ? draw::add_obstacle_points(batch, mesh, input)
                                                                  : draw::add_cables(batch, mesh, input);
+}
+
+draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::ElementInput& input) {
+    if (input.element.technique == DataTechnique::diagram) return draw::add_diagrams(sheet, input);
+    return is_traffic(input.layer) ? draw::add_traffic_signs(sheet, input) : draw::add_billboards(sheet, input);
 }
 
 }  // namespace
@@ -132,8 +141,8 @@ void DataElements::plan(const ElementFrame& frame) {
     }
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
-    plan_glyphs(frame);
     build_billboards(frame);
+    plan_glyphs(frame);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
 }
@@ -162,7 +171,7 @@ void DataElements::plan_glyphs(const ElementFrame& frame) {
     glyphs_.begin_plan();
     for (ElementReport& report : reports_)
         if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots)
-            report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_ns_, has_date_});
+            report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_ns_, has_date_, &sheet_});
 }
 
 /// A full list has counted the refusal itself.
@@ -194,7 +203,7 @@ void DataElements::build_billboards(const ElementFrame& frame) {
         const draw::ElementInput input{
             *report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground, frame.missing, time_ns_, has_date_,
             frame.view.eye};
-        report.count = is_traffic(*report.layer) ? draw::add_traffic_signs(sheet_, input) : draw::add_billboards(sheet_, input);
+        report.count = build_billboard(sheet_, input);
     }
 }
 

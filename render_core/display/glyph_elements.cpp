@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render_core/draw/data/glyph_room.hpp"
+#include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -84,7 +85,7 @@ draw::GlyphStyle uncertainty_style(const design::DataElement& element) {
 
 bool is_glyph_technique(DataTechnique technique) noexcept {
     return technique == DataTechnique::arrows || technique == DataTechnique::flat_arrows || technique == DataTechnique::spheres ||
-           technique == DataTechnique::bars || technique == DataTechnique::uncertainty_only;
+           technique == DataTechnique::bars || technique == DataTechnique::barbs || technique == DataTechnique::uncertainty_only;
 }
 
 bool is_glyph_uncertainty(ElementUncertainty uncertainty) noexcept {
@@ -216,9 +217,26 @@ void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
                             batch_);
 }
 
+/// So far apart that they have room.
+draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameInput& frame) {
+    const bool is_wind =
+        draw::glyph_values(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer)) == scene::GlyphValues::wind;
+    const bool is_shown = is_wind && frame.sheet != nullptr;
+    scene::GlyphSettings settings;
+    settings.detail = slot.element->detail;
+    settings.least_px = settings.cell_px = is_shown ? draw::barb_spacing_px(*frame.sheet) : 1;
+    settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMostCandidates);
+    const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
+    if (!is_shown) return {0, 0, counts.drawn + counts.aggregated + counts.hidden};
+    draw::ElementCount count = draw::add_wind_barbs(*frame.sheet, input_of(slot, frame), selection_.glyphs());
+    count.hidden += counts.hidden;
+    return count;
+}
+
 draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& frame) {
     Slot& slot = slots_[n];
     show(slot, frame);
+    if (slot.element->technique == DataTechnique::barbs) return plan_barbs(slot, frame);
     scene::GlyphSettings settings;
     settings.detail = slot.element->detail;
     const bool is_twice = is_glyph_uncertainty(slot.element->uncertainty);

@@ -9,6 +9,7 @@
 ///           one sentence; elements beyond the slots are refused.
 #pragma once
 
+#include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/glyph_drawer.hpp"
 #include "render_core/draw/data/glyph_encoding.hpp"
@@ -23,6 +24,7 @@ struct GlyphFrameInput {
     design::Color missing;
     std::int64_t time_ns = 0;  ///< of the source where it has a date
     bool has_date = false;
+    draw::BillboardSheet* sheet = nullptr;  ///< of the frame, for wind barbs
 };
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;
@@ -68,6 +70,7 @@ private:
     void start_fields(Slot& slot, std::uint64_t bytes_a_field);
     void show(Slot& slot, const GlyphFrameInput& frame);
     void advance(Slot& slot, std::uint32_t field, std::int64_t time_ns, const GlyphFrameInput& frame, std::uint32_t most_sites);
+    [[nodiscard]] draw::ElementCount plan_barbs(const Slot& slot, const GlyphFrameInput& frame);
     void encode(const Slot& slot, const GlyphFrameInput& frame);
 
     Slot slots_[kSlots];

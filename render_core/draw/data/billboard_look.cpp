@@ -13,11 +13,8 @@ using design::ElementUncertainty;
 constexpr design::Color kText{255, 255, 255};
 
 /// 0..1, in the element's gradations: as solids fade (shaders/solid.vert).
-double shown_level(const ElementInput& input, scene::Uncertainty uncertainty) {
-    const std::int64_t since = input.layer.entry->data_time_ns;
-    if (input.has_date && since != scene::kNoTime)
-        uncertainty = scene::aged(uncertainty, {input.time_ns - since}, uncertainty_growth_per_hour(input));
-    const double level = uncertainty.level(), levels = input.element.uncertainty_levels;
+double shown_level(const design::DataElement& element, scene::Uncertainty uncertainty) {
+    const double level = uncertainty.level(), levels = element.uncertainty_levels;
     if (levels < 2) return level;
     constexpr double kBelowOne = 0.9999;
     return std::floor(std::min(level, kBelowOne) * levels) / (levels - 1);
@@ -35,12 +32,9 @@ design::Color grey_of(design::Color color) {
 
 }  // namespace
 
-BillboardLook billboard_look(const ElementInput& input, std::size_t n) {
-    const design::DataElement& element = input.element;
-    const scene::Uncertainty uncertainty = encoded_uncertainty(input, n);
-    BillboardLook look{encoded_color(input, element.by_color, n), kText,
-                       element.uncertainty != ElementUncertainty::none && !uncertainty.is_known()};
-    const double lost = shown_level(input, uncertainty) * element.uncertainty_strength;
+BillboardLook faded_look(const design::DataElement& element, design::Color color, scene::Uncertainty uncertainty) {
+    BillboardLook look{color, kText, element.uncertainty != ElementUncertainty::none && !uncertainty.is_known()};
+    const double lost = shown_level(element, uncertainty) * element.uncertainty_strength;
     double opacity = element.opacity;
     if (element.uncertainty == ElementUncertainty::transparency) opacity *= 1 - lost;
     if (element.uncertainty == ElementUncertainty::saturation)
@@ -48,6 +42,14 @@ BillboardLook billboard_look(const ElementInput& input, std::size_t n) {
     look.color = with_opacity(look.color, opacity);
     look.text = with_opacity(look.text, opacity);
     return look;
+}
+
+BillboardLook billboard_look(const ElementInput& input, std::size_t n) {
+    scene::Uncertainty uncertainty = encoded_uncertainty(input, n);
+    const std::int64_t since = input.layer.entry->data_time_ns;
+    if (input.has_date && since != scene::kNoTime)
+        uncertainty = scene::aged(uncertainty, {input.time_ns - since}, uncertainty_growth_per_hour(input));
+    return faded_look(input.element, encoded_color(input, input.element.by_color, n), uncertainty);
 }
 
 BillboardText billboard_name(const ElementInput& input, std::uint32_t feature, const BillboardLook& look) {

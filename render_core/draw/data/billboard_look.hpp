@@ -11,8 +11,11 @@ struct BillboardLook {
     bool is_unsure = false;  ///< how sure it is, nobody knows, and the element shows uncertainty
 };
 
-/// Of value n of the coloured attribute (placement.hpp), with its age, opacity and the element's uncertainty technique:
-/// transparency and saturation fade what is less sure, by strength and levels.
+/// Of a colour and how sure its value is by now: opacity, and the element's uncertainty technique (transparency and saturation
+/// fade what is less sure, by strength and levels).
+[[nodiscard]] BillboardLook faded_look(const design::DataElement& element, design::Color color, scene::Uncertainty uncertainty);
+
+/// Of value n of the coloured attribute (placement.hpp), with its age.
 [[nodiscard]] BillboardLook billboard_look(const ElementInput& input, std::size_t n);
 
 /// A name with a question mark where nobody knows how sure it is.

@@ -1,0 +1,202 @@
+#include "render_core/draw/data/diagrams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render_core/draw/data/billboard_look.hpp"
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+constexpr double kFarthest_m = 60'000;
+constexpr float kStem = 0.7f, kMargin = 0.3f, kNameSize = 0.75f;  // of the text's size
+constexpr float kLine_px = 1.6f;
+constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
+/// Plate, frame, stem, axis; a line and a cross each sample; a name with its halo: four each.
+constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 2 + 4 * kMostProfileSamples + 2 * 31);
+
+design::Color with_alpha(design::Color color, std::uint8_t alpha) {
+    color.alpha = static_cast<std::uint8_t>(color.alpha * alpha / 255);
+    return color;
+}
+
+bool is_quantity(const scene::Attribute& attribute) {
+    return attribute.entry->scale == scene::AttributeScale::quantitative && attribute.entry->of == scene::AttributeOf::feature;
+}
+
+bool is_missing(const scene::Attribute& attribute, std::uint32_t feature) {
+    return feature >= attribute.values.size() || attribute.state(feature) == scene::ValueState::missing;
+}
+
+/// 0..1 between the least and the largest of the layer; 0.5 where they are one.
+float share_of(const scene::Attribute& attribute, std::uint32_t feature) {
+    const float least = attribute.entry->minimum, range = attribute.entry->maximum - least;
+    return range > 0 ? std::clamp((attribute.values[feature] - least) / range, 0.0f, 1.0f) : 0.5f;
+}
+
+const scene::Attribute* profile_attribute(const ElementInput& input) {
+    const design::DataElement& element = input.element;
+    if (element.by_color.is_used()) return input.layer.find(element.by_color.attribute.view());
+    if (!element.size_attribute.view().empty()) return input.layer.find(element.size_attribute.view());
+    for (const scene::Attribute& attribute : input.layer.attributes)
+        if (is_quantity(attribute)) return &attribute;
+    return nullptr;
+}
+
+bool is_same_place(const scene::ScenePoint& a, const scene::ScenePoint& b) {
+    return a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad;
+}
+
+/// Number of points that follow each other at one place.
+std::uint32_t run_at(const scene::Layer& layer, std::uint32_t first) {
+    std::uint32_t count = 1;
+    while (first + count < layer.points.size() && is_same_place(layer.points[first], layer.points[first + count])) ++count;
+    return count;
+}
+
+class Diagram {
+public:
+    Diagram(BillboardSheet& sheet, const ElementInput& input, std::uint32_t first)
+        : sheet_(sheet),
+          input_(input),
+          first_(first),
+          count_(std::min<std::uint32_t>(run_at(input.layer, first), kMostProfileSamples)) {}
+
+    /// Points that it shows: none where it has no room.
+    [[nodiscard]] std::uint32_t add() {
+        const Placed place = placed(input_, input_.layer.points[lowest()]);
+        if (!place.is_known) return 0;
+        const BillboardSheet::Spot spot = sheet_.spot(place.place);
+        if (!spot.is_ahead || !sheet_.has_room(kMostVertices)) return 0;
+        const float text = sheet_.text_px(), width = kDiagramWidth * text, height = (kDiagramHeight + 1) * text;
+        plate_ = {spot.at.x - width / 2, spot.at.y - kStem * text - height, width, height};
+        if (!sheet_.claim({plate_.x, plate_.y, width, height + kStem * text})) return 0;
+        look_ = billboard_look(input_, first_);
+        sheet_.stand_at(spot);
+        draw_plate(spot.at);
+        if (count_ > 1)
+            draw_profile();
+        else
+            draw_bars();
+        return count_;
+    }
+
+private:
+    [[nodiscard]] QuadBatch& batch() const { return sheet_.batch(); }
+
+    [[nodiscard]] std::uint32_t lowest() const {
+        std::uint32_t lowest = first_;
+        for (std::uint32_t n = first_; n < first_ + count_; ++n)
+            if (input_.layer.points[n].height_m < input_.layer.points[lowest].height_m) lowest = n;
+        return lowest;
+    }
+
+    void draw_plate(Point foot) {
+        const float text = sheet_.text_px();
+        const std::uint8_t alpha = look_.color.alpha;
+        static_cast<void>(batch().line(foot, {foot.x, plate_.bottom()}, kLine_px + 2, {0, 0, 0, alpha}));
+        static_cast<void>(batch().line(foot, {foot.x, plate_.bottom()}, kLine_px, look_.color));
+        static_cast<void>(batch().box(plate_, with_alpha(kPlate, alpha)));
+        static_cast<void>(batch().frame(plate_, 1, with_alpha(kAxis, alpha)));
+        BillboardText name = billboard_name(input_, first_, look_);
+        if (name.empty()) name.append(input_.layer.entry->title);
+        // Names that are wider than their plate would cover the neighbours.
+        const float wide = text_width_px(name.view(), kNameSize * text), room = plate_.width - kMargin * text;
+        const float size = kNameSize * text * std::min(1.0f, wide > 0 ? room / wide : 1.0f);
+        static_cast<void>(batch().text(name.view(), {plate_.center().x, plate_.y + 0.5f * text}, TextAnchor::center,
+                                       {size, look_.text, 1, {0, 0, 0, alpha}}));
+        inner_ = {plate_.x + kMargin * text, plate_.y + text, plate_.width - 2 * kMargin * text,
+                  plate_.height - (1 + kMargin) * text};
+        const Point corner{inner_.x, inner_.bottom()};
+        static_cast<void>(batch().line(corner, {inner_.right(), corner.y}, 1, with_alpha(kAxis, alpha)));
+        static_cast<void>(batch().line(corner, {corner.x, inner_.y}, 1, with_alpha(kAxis, alpha)));
+    }
+
+    void draw_cross(Point at) {
+        const float arm = 0.2f * sheet_.text_px();
+        const design::Color color = with_alpha(input_.missing, look_.color.alpha);
+        static_cast<void>(batch().line({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, kLine_px, color));
+        static_cast<void>(batch().line({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, kLine_px, color));
+    }
+
+    void draw_bars() {
+        std::size_t count = 0;
+        for (const scene::Attribute& attribute : input_.layer.attributes) count += is_quantity(attribute) ? 1 : 0;
+        count = std::min(count, kMostDiagramBars);
+        if (count == 0) return draw_cross(inner_.center());
+        const float step = inner_.width / static_cast<float>(count);
+        float x = inner_.x + 0.2f * step;
+        for (const scene::Attribute& attribute : input_.layer.attributes) {
+            if (!is_quantity(attribute) || count == 0) continue;
+            --count;
+            if (is_missing(attribute, first_))
+                draw_cross({x + 0.3f * step, inner_.bottom() - 0.3f * sheet_.text_px()});
+            else
+                draw_bar(x, 0.6f * step, share_of(attribute, first_));
+            x += step;
+        }
+    }
+
+    void draw_bar(float x, float width, float share) {
+        const float height = inner_.height * (kLeastBar + (1 - kLeastBar) * share);
+        static_cast<void>(batch().box({x, inner_.bottom() - height, width, height}, look_.color));
+    }
+
+    [[nodiscard]] Point on_profile(const scene::Attribute& attribute, std::uint32_t n) const {
+        const auto height_of = [&](std::uint32_t k) { return input_.layer.points[k].height_m; };
+        float low = height_of(first_), high = low;
+        for (std::uint32_t k = first_; k < first_ + count_; ++k) {
+            low = std::fmin(low, height_of(k));
+            high = std::fmax(high, height_of(k));
+        }
+        const float up = high > low && !std::isnan(height_of(n)) ? (height_of(n) - low) / (high - low) : 0;
+        const float right = is_missing(attribute, n) ? 0.5f : share_of(attribute, n);
+        return {inner_.x + right * inner_.width, inner_.bottom() - up * inner_.height};
+    }
+
+    /// A line from sample to sample; none to and from missing ones.
+    void draw_profile() {
+        const scene::Attribute* const attribute = profile_attribute(input_);
+        if (attribute == nullptr) return draw_cross(inner_.center());
+        for (std::uint32_t n = first_; n < first_ + count_; ++n) {
+            const Point at = on_profile(*attribute, n);
+            if (is_missing(*attribute, n)) {
+                draw_cross(at);
+                continue;
+            }
+            const float half = 0.14f * sheet_.text_px();
+            const BillboardLook look = billboard_look(input_, n);
+            static_cast<void>(batch().box({at.x - half, at.y - half, 2 * half, 2 * half}, look.color));
+            const bool goes_on = n + 1 < first_ + count_ && !is_missing(*attribute, n + 1);
+            if (goes_on) static_cast<void>(batch().line(at, on_profile(*attribute, n + 1), kLine_px, look.color));
+        }
+    }
+
+    BillboardSheet& sheet_;
+    const ElementInput& input_;
+    std::uint32_t first_, count_;
+    Rect plate_, inner_;
+    BillboardLook look_;
+};
+
+}  // namespace
+
+ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input) {
+    const auto all = static_cast<std::uint32_t>(input.layer.points.size());
+    sheet.begin_candidates();
+    for (std::uint32_t first = 0; first < all; first += run_at(input.layer, first)) {
+        const scene::ScenePoint& point = input.layer.points[first];
+        const double distance_m = glm::distance(earth::to_ecef({point.latitude_rad, point.longitude_rad, {0}}), sheet.view().eye);
+        if (distance_m <= kFarthest_m) sheet.offer({distance_m, first});
+    }
+    ElementCount count;
+    for (const BillboardCandidate& candidate : sheet.ranked()) count.drawn += Diagram(sheet, input, candidate.feature).add();
+    count.hidden = all - count.drawn;
+    return count;
+}
+
+}  // namespace tedavis::draw

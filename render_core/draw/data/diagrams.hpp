@@ -1,0 +1,26 @@
+/// Small diagrams that face the eye, above the places of a layer of points: what one says by several attributes, or how one
+/// attribute changes with height.
+///
+/// Points that follow each other at the same latitude and longitude are one profile: the value to the right, the height upwards,
+/// from the least to the largest of either; over the lowest of them. A point alone has a bar for each of its first
+/// kMostDiagramBars quantitative attributes, from the least of the layer, which has a bar of kLeastBar, to the largest. The value
+/// of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross stands where
+/// a value is missing. The nearest come first; what would cover another billboard is hidden.
+///
+/// Pure but for the ground that is asked, once a diagram. Bounded.
+#pragma once
+
+#include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr std::size_t kMostDiagramBars = 5, kMostProfileSamples = 24;
+inline constexpr float kLeastBar = 0.08f;  ///< of the diagram's height
+/// Of the text's size: the plate, without its name.
+inline constexpr float kDiagramWidth = 4.2f, kDiagramHeight = 3.2f;
+
+/// Points are drawn with the diagram that shows them. Of a profile longer than kMostProfileSamples the rest is hidden.
+[[nodiscard]] ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input);
+
+}  // namespace tedavis::draw
