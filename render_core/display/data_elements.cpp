@@ -57,6 +57,7 @@ bool shows(DataTechnique technique, const scene::Layer& layer) {
         case DataTechnique::ribbon: return layer.entry->shape == scene::LayerShape::lines;
         case DataTechnique::diagram: return layer.entry->shape == scene::LayerShape::points;
         case DataTechnique::billboard: return layer.entry->shape != scene::LayerShape::grid;
+        case DataTechnique::isosurface: return draw::shows_isosurfaces(layer);
         default: return is_glyph_technique(technique);
     }
 }
@@ -67,6 +68,7 @@ bool is_traffic(const scene::Layer& layer) {
 
 /// Of its solids; billboards are built every frame anyway.
 bool moves(DataTechnique technique, const scene::Layer& layer) {
+    if (technique == DataTechnique::isosurface) return draw::isosurfaces_move(layer);
     return is_traffic(layer) || (technique == DataTechnique::prism && draw::prisms_move(layer));
 }
 
@@ -106,7 +108,9 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
         !error.sentence.empty())
         return error;
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
-    if (!mesh_.start(memory.solids) || !tubes_.start(memory.solids, draw::TubeSolids::rings_for(rooms.standing.vertices)))
+    const std::uint32_t most = rooms.standing.vertices;
+    if (!mesh_.start(memory.solids) || !tubes_.start(memory.solids, draw::TubeSolids::rings_for(most)) ||
+        !isosurfaces_.start(memory.solids, draw::IsosurfaceRoom::beside(most)))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
@@ -214,6 +218,7 @@ draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const dr
         case DataTechnique::space_time: return tubes_.add(batch, mesh_, input);
         case DataTechnique::solid: return build_solids(batch, mesh_, input);
         case DataTechnique::ribbon: return draw::add_ribbons(batch, mesh_, input);
+        case DataTechnique::isosurface: return isosurfaces_.add(batch, mesh_, input);
         default: return {};
     }
 }

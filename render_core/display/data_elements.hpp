@@ -13,6 +13,7 @@
 #include "render_core/display/glyph_elements.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/draw/data/tube_solids.hpp"
@@ -92,6 +93,7 @@ private:
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;
+    draw::IsosurfaceSolids isosurfaces_;
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;

@@ -132,6 +132,8 @@ std::uint32_t TubeWay::fill(std::uint32_t feature, std::uint32_t first, std::uin
 }
 
 glm::dvec3 TubeWay::place_of(const scene::ScenePoint& point) const {
+    const bool comes_by = input_->has_date && input_->layer.entry->role == scene::LayerRole::traffic;
+    if (comes_by && point.time_ns > input_->time_ns) return glm::dvec3(kNone);
     if (!is_space_time()) {
         const Placed at = placed(*input_, point);
         return at.is_known ? at.place : glm::dvec3(kNone);

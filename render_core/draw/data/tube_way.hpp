@@ -9,6 +9,8 @@
 /// In space-time the height is the time since the layer's first point instead: `size_m` (1000 m) an hour over the highest ground
 /// below the lines. A point without a time then has no place.
 ///
+/// Other aircraft (role `traffic`) have come as far as the frame's time says: later points have no place yet.
+///
 /// Memory  from an arena, once. Thread  the ground's. Bounded: two visits of a point, each as way_weights.hpp says of a window.
 #pragma once
 

@@ -151,6 +151,20 @@ TEST_F(TubeWayOfTest, RadiiFollowTheirAttribute) {
     for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(static_cast<double>(line.points()[n].radius_m), expected_m[n], 1e-4);
 }
 
+TEST_F(TubeWayOfTest, OtherAircraftHaveComeSoFar) {
+    host_sim::LayerDraft layer = circling(1000);
+    layer.role = scene::LayerRole::traffic;
+    ElementOfTest test(layer);
+    static_cast<void>(kept(test));
+    EXPECT_EQ(line.numbers()[line.numbers().size() - 1], 999u) << "without a date all of it";
+    test.has_date = true;
+    test.time_ns = kStart_ns + 400 * kSecond_ns;
+    static_cast<void>(kept(test));
+    const auto last = static_cast<std::uint32_t>(line.numbers().size()) - 1;
+    EXPECT_TRUE(std::isnan(line.points()[last].position.x));
+    EXPECT_EQ(line.numbers()[last - 1], 400u);
+}
+
 TEST_F(TubeWayOfTest, InSpaceTimeHeightIsTime) {
     host_sim::LayerDraft layer = circling(3601);
     layer.points[7].time_ns = scene::kNoTime;

@@ -1,0 +1,79 @@
+/// Surfaces where a field of a scene has given values, around what is higher: the element's levels, from the lowest, outer one
+/// on, each more opaque than the one before. The values are those of the element's attribute, or of the layer's first one.
+///
+/// Grids with several times are built for the frame's minute, every frame, of kMostMovingPosts posts at most; others once. Where
+/// a grid has more posts than there is room for, or its surface more vertices, every second, third ... post is looked at. Places
+/// lie between the grid's heights as its posts do; normals are those of the field in space. The colour is that of the scale at
+/// the level; how unsure the field is at a vertex fades it.
+///
+/// Counts are posts at one time: drawn those that are looked at, aggregated those passed over, hidden all of a grid that shows
+/// nothing and those without a value.
+/// Memory  from an arena, once. Thread  the ground's. Bounded: posts and surfaces, kMostIsosurfaceSteps times.
+#pragma once
+
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/solid_mesh.hpp"
+#include "render_core/scene/grid_field.hpp"
+#include "render_core/scene/isosurface.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr std::uint32_t kMostMovingPosts = 8192;
+inline constexpr std::uint32_t kMostIsosurfaceSteps = 64;  ///< posts passed over to the next one looked at, and tries
+
+struct IsosurfaceRoom {
+    std::uint32_t posts = 0, posts_of_slice = 0, vertices = 0;
+
+    /// For batches of so many vertices.
+    [[nodiscard]] static IsosurfaceRoom beside(std::uint32_t batch_vertices);
+};
+
+class IsosurfaceSolids {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(const IsosurfaceRoom& room);
+    [[nodiscard]] bool start(base::Arena& arena, const IsosurfaceRoom& room);
+
+    [[nodiscard]] ElementCount add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
+
+private:
+    /// What is looked at: every so many posts along each axis.
+    struct Sampling {
+        std::uint32_t step[3] = {1, 1, 1}, posts[3] = {};
+
+        [[nodiscard]] std::uint64_t all() const { return std::uint64_t{posts[0]} * posts[1] * posts[2]; }
+    };
+    [[nodiscard]] static Sampling sampling_of(const scene::GridShape& grid, std::uint32_t step);
+    /// Returns how many values there are.
+    std::uint32_t sample(const scene::GridField& field, const Sampling& sampling);
+    [[nodiscard]] bool build(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const scene::GridField& field,
+                             const Sampling& sampling);
+    [[nodiscard]] bool make(const Sampling& sampling, float level, std::size_t room);
+    void add_surface(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const scene::GridField& field,
+                     const Sampling& sampling);
+    std::uint16_t add_vertex(SolidMesh& mesh, const ElementInput& input, const scene::GridField& field, const Sampling& sampling,
+                             const scene::IsosurfaceVertex& vertex);
+    struct GridPlace {
+        double latitude_rad = 0, longitude_rad = 0;
+        double height_m = 0;  ///< in the layer's datum
+        double climb_m = 0;   ///< from the level below to the one above
+        glm::dvec3 place{0};  ///< ECEF
+    };
+    [[nodiscard]] GridPlace placed_in(const ElementInput& input, const Sampling& sampling,
+                                      const scene::IsosurfaceVertex& vertex) const;
+
+    scene::IsosurfaceBuilder builder_;
+    base::Span<float> values_;
+    base::Span<scene::IsosurfaceVertex> vertices_;
+    base::Span<std::uint32_t> indices_;
+    base::Span<std::uint32_t> slots_;  ///< of a vertex: its number in a mesh, with the mesh's
+    std::uint32_t slice_posts_ = 0;
+    std::int64_t time_ns_ = 0;
+    design::Color color_;
+    bool has_uncertainty_ = false;
+};
+
+[[nodiscard]] bool shows_isosurfaces(const scene::Layer& layer);
+/// True where they are built anew every frame.
+[[nodiscard]] bool isosurfaces_move(const scene::Layer& layer);
+
+}  // namespace tedavis::draw
