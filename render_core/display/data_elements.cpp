@@ -1,5 +1,7 @@
 #include "render_core/display/data_elements.hpp"
 
+#include <algorithm>
+
 #include "render_core/base/utc_time.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
@@ -108,15 +110,22 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
         !error.sentence.empty())
         return error;
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
-    const std::uint32_t most = rooms.standing.vertices;
-    if (!mesh_.start(memory.solids) || !tubes_.start(memory.solids, draw::TubeSolids::rings_for(most)) ||
-        !isosurfaces_.start(memory.solids, draw::IsosurfaceRoom::beside(most)))
+    if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
     if (gl::GlError error = billboard_drawer_.start_billboards(gl, budget, memory.billboards, typeface); !error.sentence.empty())
         return error;
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
+}
+
+/// Builders that keep nothing from one element to the next share their memory.
+bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertices) {
+    const std::uint32_t rings = draw::TubeSolids::rings_for(batch_vertices);
+    const draw::IsosurfaceRoom room = draw::IsosurfaceRoom::beside(batch_vertices);
+    const std::uint64_t bytes = std::max(draw::TubeSolids::bytes_needed(rings), draw::IsosurfaceSolids::bytes_needed(room));
+    base::Arena for_tubes = memory.carve(bytes), for_isosurfaces = for_tubes;
+    return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room);
 }
 
 void DataElements::set(const scene::Scene& scene, const design::DataElementList& elements) {

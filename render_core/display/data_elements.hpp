@@ -77,6 +77,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    [[nodiscard]] bool start_scratch(base::Arena& memory, std::uint32_t batch_vertices);
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
     void begin_report(const design::DataElement& element, const scene::Layer* layer);

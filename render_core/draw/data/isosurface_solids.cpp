@@ -69,10 +69,10 @@ bool isosurfaces_move(const scene::Layer& layer) { return layer.times_ns.size() 
 
 IsosurfaceRoom IsosurfaceRoom::beside(std::uint32_t batch_vertices) {
     constexpr std::uint32_t kMostVertices = 262144, kMostPosts = 128 * 128 * 128;
-    constexpr std::uint32_t kLeastPosts = kMostMovingPosts, kLeastSlice = 24 * 24;
+    constexpr std::uint32_t kLeastPosts = kMostMovingPosts, kLeastSlice = 24 * 24, kSmallBatch = 65536;
     IsosurfaceRoom room;
     room.vertices = std::min(batch_vertices / 8, kMostVertices);
-    room.posts = std::clamp(batch_vertices * 2, kLeastPosts, kMostPosts);
+    room.posts = std::clamp(batch_vertices < kSmallBatch ? batch_vertices : 2 * batch_vertices, kLeastPosts, kMostPosts);
     room.posts_of_slice = std::clamp(room.posts / 64, kLeastSlice, 128u * 128);
     return room;
 }
