@@ -39,7 +39,7 @@ std::vector<base::Time> plan_times(const ScenarioFlight& flight) {
 
 }  // namespace
 
-LayerDraft make_flight_layer(const ScenarioFlight& flight) {
+LayerDraft make_flight_layer(const ScenarioFlight& flight, const LandingStrip& strip) {
     LayerDraft layer = empty_layer(flight.begin());
     AttributeDraft height = generated_attribute("height", "HEIGHT", "m", kFullHeightSigma_m);
     AttributeDraft speed = generated_attribute("ground_speed", "GROUND SPEED", "m/s", kFullSpeedSigma_mps);
@@ -54,13 +54,15 @@ LayerDraft make_flight_layer(const ScenarioFlight& flight) {
         if (!layer.points.empty()) flown_m += earth::surface_distance_m(before, here);
         before = here;
         const double height_m = sample[Signal::true_altitude];
-        const double height_accuracy_m = kPlanHeight_m + kPlanHeightShare * flown_m;
+        const double from_strip_m = earth::surface_distance_m({strip.latitude_rad, strip.longitude_rad, {}}, here);
+        const double position_m = kPlanPosition_m + std::min(kPlanPositionShare * flown_m, kStripPositionShare * from_strip_m);
+        const double vertical_m = kPlanHeight_m + std::min(kPlanHeightShare * flown_m, kStripHeightShare * from_strip_m);
         layer.points.push_back({here.latitude_rad, here.longitude_rad, static_cast<float>(height_m), 0, time.ns});
-        add_value(height, height_m, height_accuracy_m / kSigmasOf95);
+        add_value(height, height_m, vertical_m / kSigmasOf95);
         add_value(speed, sample[Signal::ground_speed], kPlanSpeedSigma_mps);
         add_value(climb, sample[Signal::vertical_speed], kPlanClimbSigma_mps);
-        position.values.push_back(static_cast<float>(kPlanPosition_m + kPlanPositionShare * flown_m));
-        vertical.values.push_back(static_cast<float>(height_accuracy_m));
+        position.values.push_back(static_cast<float>(position_m));
+        vertical.values.push_back(static_cast<float>(vertical_m));
     }
     layer.starts = {0, static_cast<std::uint32_t>(layer.points.size())};
     for (AttributeDraft* attribute : {&height, &speed, &climb, &position, &vertical})

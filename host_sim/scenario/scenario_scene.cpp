@@ -22,7 +22,7 @@ SeededRandom random_of(std::uint64_t seed, RandomStream stream) {
 }
 
 std::vector<LayerDraft> generated_layers(const Scenario& scenario, const ScenarioFlight& flight, std::uint64_t seed) {
-    std::vector<LayerDraft> layers = {make_flight_layer(flight)};
+    std::vector<LayerDraft> layers = {make_flight_layer(flight, scenario.strip)};
     if (!scenario.weather) return layers;
     SeededRandom for_wind = random_of(seed, RandomStream::wind), for_storm = random_of(seed, RandomStream::storm);
     const std::vector<StormCell> cells = draw_storm_cells(scenario.weather->storm, for_storm);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "host_sim/input_file.hpp"
@@ -77,8 +76,8 @@ TEST(RadarFrames, SeeNothingBeyondTheRangeAndAreLessSureTowardsIt) {
         const double share = away_m / scenario.weather->radar_range_m;
         ASSERT_NEAR(echo.uncertainties[n].level(), 0.7 * share * share, 1.0 / 254);
     }
-    const double strongest = static_cast<double>(
-        *std::max_element(echo.values.begin(), echo.values.begin() + kFrame, [](float a, float b) { return !(a >= b); }));
+    float strongest = static_cast<float>(kNoEcho_dbz);
+    for (std::size_t n = 0; n < kFrame; ++n) strongest = std::fmax(strongest, echo.values[n]);
     EXPECT_GT(strongest, 35);
 }
 

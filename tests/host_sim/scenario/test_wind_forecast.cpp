@@ -51,7 +51,8 @@ TEST(WindForecast, IsTheFlightsWindAtTheStrip) {
     EXPECT_NEAR(at_strip("east").value, -6 * std::sin(kAir.wind_from_rad), 0.15);
     EXPECT_NEAR(at_strip("north").value, -6 * std::cos(kAir.wind_from_rad), 0.15);
     EXPECT_NEAR(at_strip("speed").value, 6, 0.15);
-    EXPECT_NEAR(4 * at_strip("east").uncertainty.level(), 0.5, 0.08) << "posts do not stand at the strip itself";
+    EXPECT_NEAR(kFullWindSigma_mps * at_strip("east").uncertainty.level(), scenario.weather->wind.sigma_mps, 0.1)
+        << "posts do not stand at the strip itself";
 }
 
 TEST(WindForecast, VariesAwayFromTheStripByWhatIsAsked) {
@@ -86,8 +87,9 @@ TEST(WindForecast, IsTheLessSureTheFartherAndTheLater) {
     EXPECT_LT(sigma_mps(middle), sigma_mps(middle + 5));
     EXPECT_LT(sigma_mps(middle + 5), sigma_mps(0));
     const double corner_m = 18'000 * std::sqrt(2.0);
-    EXPECT_NEAR(sigma_mps(0), 0.5 * (1 + corner_m / 15'000), 0.02);
-    EXPECT_NEAR(sigma_mps(2 * kHour), 0.5 * (1 + corner_m / 15'000 + 2), 0.02);
+    const double least_mps = shipped().weather->wind.sigma_mps;
+    EXPECT_NEAR(sigma_mps(0), least_mps * (1 + corner_m / 15'000), 0.02);
+    EXPECT_NEAR(sigma_mps(2 * kHour), least_mps * (1 + corner_m / 15'000 + 2), 0.02);
 }
 
 TEST(WindForecast, HasTheTimesAndHeightsOfItsFlight) {
