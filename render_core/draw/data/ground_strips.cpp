@@ -56,11 +56,10 @@ Section section(const ElementInput& input, const scene::ScenePoint& middle, cons
         const double ground_m = input.ground.height_m(at.latitude_rad, at.longitude_rad);
         if (ground_m > highest) highest = ground_m;
     }
-    if (highest > -1e9)
-        result.height_m = highest + kStripLift_m;
-    else
-        result.height_m = placed(input, middle).height_m + kStripLift_m;
-    result.is_known = std::isfinite(result.height_m);
+    const bool has_ground = highest > -1e9;
+    const Placed stated = placed(input, middle);
+    result.is_known = has_ground || stated.is_known;
+    result.height_m = (has_ground ? highest : stated.height_m) + kStripLift_m;
     return result;
 }
 

@@ -33,7 +33,8 @@ Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double
     const bool has_height = height_m > 0;
     const double usual_m = has_height ? height_m : least_m;
     stand.is_stated = has_height || !std::isnan(point.height_m);
-    stand.top_m = std::isnan(point.height_m) ? ground_m + usual_m : placed(input, point).height_m;
+    const Placed stated = placed(input, point);
+    stand.top_m = !std::isnan(point.height_m) && stated.is_known ? stated.height_m : ground_m + usual_m;
     stand.foot_m = std::isfinite(ground_m) && ground_m < stand.top_m ? ground_m : stand.top_m - usual_m;
     return stand;
 }

@@ -38,7 +38,7 @@ void go_on(TrafficState& state, double seconds) {
     state.point.height_m += static_cast<float>(state.up * seconds);
 }
 
-/// Number of reports up to a time; those of a line do not run back.
+/// Number of reports up to a time. Where times run back it is a number of some, never more than there are.
 std::uint32_t reports_until(base::Span<const scene::ScenePoint> points, std::int64_t time_ns) {
     const auto* const end =
         std::upper_bound(points.begin(), points.end(), time_ns,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/billboard_room.hpp"
@@ -69,11 +70,13 @@ TEST(WindBarb, FlagsAreOnTheSideOfTheLowPressure) {
 }
 
 TEST(WindBarb, MoreWindHasMoreInk) {
-    int before = 0;
-    for (const double knots : {1.0, 5.0, 10.0, 15.0, 25.0, 50.0, 100.0, 150.0}) {
-        const Ink ink = ink_of(kWest, wind(knots), style());
-        EXPECT_GE(ink.above, before) << knots;
-        before = ink.above;
+    for (const auto& speeds : {std::vector<double>{1, 5, 10, 15, 25, 45}, {50, 100, 150}}) {
+        int before = -1;
+        for (const double knots : speeds) {
+            const Ink ink = ink_of(kWest, wind(knots), style());
+            EXPECT_GT(ink.above, before) << knots;
+            before = ink.above;
+        }
     }
     EXPECT_EQ(ink_of(kWest, wind(1), style()).above, 0) << "a staff alone";
     EXPECT_GT(ink_of(kWest, wind(1), style()).left, 0);
@@ -84,11 +87,9 @@ TEST(WindBarb, WithoutADirectionThereIsNoStaff) {
     std::size_t vertices[3];
     int n = 0;
     for (const WindState state : {WindState::calm, WindState::variable, WindState::unknown}) {
-        const Ink ink = ink_of(kWest, wind(9, state), style());
-        EXPECT_EQ(ink.left, 0);
-        EXPECT_EQ(ink.right, 0);
         BillboardRoom room;
         EXPECT_TRUE(draw_wind_barb(room.batch, {100, 100}, kWest, wind(9, state), style()));
+        EXPECT_LT(std::fmax(room.bounds().width, room.bounds().height), 26) << "rings and a letter";
         vertices[n++] = room.glyph_vertices();
     }
     EXPECT_EQ(vertices[0], 0u) << "two rings";
