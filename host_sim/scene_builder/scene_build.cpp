@@ -12,6 +12,7 @@
 #include "host_sim/scene_builder/feature_layer.hpp"
 #include "host_sim/scene_builder/flight_source.hpp"
 #include "host_sim/scene_builder/grid_layer.hpp"
+#include "host_sim/scene_builder/model_source.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "host_sim/scene_builder/openair_source.hpp"
 #include "host_sim/scene_builder/runway_source.hpp"
@@ -33,6 +34,7 @@ void require_no_words_for_features(const LayerRecipe& recipe) {
     if (!recipe.time_variable.empty()) word = "time_variable";
     if (!recipe.prepare.keep_attribute.empty()) word = "keep_attribute";
     if (!recipe.wind_layer.empty()) word = "wind_layer";
+    if (!recipe.model.empty()) word = "model";
     for (const AttributeRecipe& attribute : recipe.attributes)
         if (!attribute.uncertainty.classes.empty()) word = "uncertainty.classes";
     if (word != nullptr)
@@ -73,6 +75,14 @@ void finish(const LayerRecipe& recipe, LayerDraft& layer) {
     layer.valid_until_ns = layer.data_time_ns + static_cast<std::int64_t>(recipe.valid_hours * kHour_ns);
 }
 
+void set_model(const LayerRecipe& recipe, const std::string& folder, LayerDraft& layer) {
+    if (layer.shape != scene::LayerShape::points)
+        throw UserError(recipe.name + ": 'model' stands at points, and the role shows " + std::string(shape_name(layer.shape)) +
+                        "; leave it out or give role = \"model\"");
+    layer.model = read_model(source_path(folder, recipe.model));
+    layer.shape = scene::LayerShape::meshes;
+}
+
 LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std::vector<std::string>& notes) {
     const std::string path = source_path(folder, recipe.source);
     const SourceKind kind = source_kind(path, recipe.role);
@@ -85,6 +95,7 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
     if (recipe.attributes.empty()) bound.attributes = std::move(source.usual_attributes);
     FeatureLayer made = make_feature_layer(bound, std::move(source.features));
     notes.insert(notes.end(), made.notes.begin(), made.notes.end());
+    if (!recipe.model.empty()) set_model(recipe, folder, made.draft);
     return std::move(made.draft);
 }
 
@@ -103,6 +114,7 @@ std::vector<std::string> inputs_of(const SceneRecipe& recipe, const std::string&
     std::vector<std::string> inputs;
     for (const LayerRecipe& layer : recipe.layers) {
         inputs.push_back(source_path(folder, layer.source));
+        if (!layer.model.empty()) inputs.push_back(source_path(folder, layer.model));
         for (const AttributeRecipe& attribute : layer.attributes)
             if (!attribute.uncertainty.source.empty()) inputs.push_back(source_path(folder, attribute.uncertainty.source));
     }

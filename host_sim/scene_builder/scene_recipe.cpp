@@ -153,6 +153,7 @@ LayerRecipe read_layer(ConfigSection section) {
     layer.position_accuracy_m = section.number("position_accuracy_m", 0, 1e6, 0);
     layer.height_accuracy_m = section.number("height_accuracy_m", 0, 1e5, 0);
     layer.crs = text(section, "crs");
+    layer.model = text(section, "model");
     layer.wind_layer = text(section, "wind_layer");
     layer.wind_time_ns = instant(section, "wind_time");
     layer.members = std::string(kMembers[section.choice("members", Texts(kMembers.data(), kMembers.size()), 0)]);

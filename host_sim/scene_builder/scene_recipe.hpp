@@ -70,6 +70,7 @@ struct LayerRecipe {
     double height_factor = 1;
     std::vector<double> levels;     ///< of a raster those that are wanted, as it states them (pressures in hPa); empty: all
     std::vector<double> heights_m;  ///< of a raster's levels, where no variable gives them
+    std::string model;              ///< of points: the file of the 3D model that stands at them; empty: none
     std::string wind_layer;         ///< of lines: the grid that derived wind is taken from
     std::optional<std::int64_t> wind_time_ns;  ///< at this time; else at the points' own
     std::string members;                       ///< "bands": bands of one time are members of an ensemble

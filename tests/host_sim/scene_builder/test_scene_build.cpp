@@ -6,6 +6,7 @@
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/model_file.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -149,6 +150,19 @@ TEST_F(SceneFiles, GivenLayersStandInForThoseOfTheirNames) {
     EXPECT_EQ(made.draft.layers[6].name, "more");
 }
 
+TEST_F(SceneFiles, AModelStandsAtPoints) {
+    build();
+    folder_.write("hut.gltf", test_support::tetrahedron());
+    const std::string file = folder_.write(
+        "scene.toml", "name = 's'\n[[layer]]\nname = 'huts'\nsource = 'masts.csv'\nrole = 'model'\nmodel = 'hut.gltf'\n");
+    build_scene(file, folder_.file("huts.sdb"), [](std::string_view, std::size_t, std::size_t) {});
+    const OpenScene open(folder_.file("huts.sdb"));
+    const Layer& huts = open.scene().layers()[0];
+    EXPECT_EQ(huts.entry->shape, LayerShape::meshes);
+    EXPECT_EQ(huts.entry->triangle_count, 4u);
+    EXPECT_GT(huts.points.size(), 0u);
+}
+
 TEST_F(SceneFiles, EachBuildIsARevision) {
     build();
     const std::string first = folder_.read("x.sdb");
@@ -166,6 +180,9 @@ TEST_F(SceneFiles, BadInputLeavesWhatWasThere) {
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nvalid_hours = 3\n",
                    "a: 'valid_hours' counts from the data's time");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\naircraft = 'HB1'\n", "a: 'aircraft' chooses one");
+    expect_refused(head + "source = 'masts.csv'\nrole = 'model'\nmodel = 'none.gltf'\n",
+                   "none.gltf: cannot be read as a 3D model");
+    expect_refused(head + "source = 'grid.tif'\nmodel = 'hut.gltf'\n", "a: 'model' is for tables and flights");
     expect_refused(head + "source = 'grid.tif'\ntime_variable = 't'\n", "a: 'time_variable' is for tables and flights");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nlicence = '" + std::string(200, 'x') + "'\n",
                    "a: its source 'masts.csv, xxx");
