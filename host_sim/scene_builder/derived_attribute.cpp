@@ -27,7 +27,8 @@ using scene::ValueState;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kPrefix = "derived:";
-constexpr std::array<std::string_view, 5> kNames = {"cross_wind", "head_wind", "wind_speed", "ground_speed", "vertical_speed"};
+constexpr std::array<std::string_view, 6> kNames = {"cross_wind", "cross_wind_speed", "head_wind",
+                                                    "wind_speed", "ground_speed",     "vertical_speed"};
 constexpr std::size_t kMostNeighbours = 30;  // to either side, for a track
 
 bool is_wind(DerivedQuantity quantity) { return quantity <= DerivedQuantity::wind_speed; }
@@ -41,7 +42,8 @@ DerivedQuantity quantity_of(const LayerRecipe& recipe, const AttributeRecipe& at
     const auto* const found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
         refuse(recipe, attribute,
-               "is nothing that can be derived; these are derived:cross_wind, derived:head_wind, derived:wind_speed, "
+               "is nothing that can be derived; these are derived:cross_wind, derived:cross_wind_speed, derived:head_wind, "
+               "derived:wind_speed, "
                "derived:ground_speed and derived:vertical_speed");
     return static_cast<DerivedQuantity>(found - kNames.begin());
 }
@@ -104,6 +106,15 @@ struct Derived {
     ValueState state = ValueState::missing;
 };
 
+double part_of(const scene::TrackWind& wind, double speed_mps, DerivedQuantity quantity) {
+    switch (quantity) {
+        case DerivedQuantity::head_wind: return wind.head_mps;
+        case DerivedQuantity::cross_wind: return wind.cross_mps;
+        case DerivedQuantity::cross_wind_speed: return std::abs(wind.cross_mps);
+        default: return speed_mps;
+    }
+}
+
 class WindAlong {
 public:
     WindAlong(const LayerRecipe& recipe, const AttributeRecipe& attribute, const LayerDraft& line, const LayerDraft& wind)
@@ -138,13 +149,11 @@ public:
         const double speed = std::hypot(east.value, north.value);
         // The part of the wind that is asked for is that along a direction.
         double toward_rad = track_rad + base::kPi;
-        if (quantity == DerivedQuantity::cross_wind) toward_rad = track_rad - 0.5 * base::kPi;
+        if (quantity <= DerivedQuantity::cross_wind_speed) toward_rad = track_rad - 0.5 * base::kPi;
         if (quantity == DerivedQuantity::wind_speed) toward_rad = std::atan2(east.value, north.value);
         const scene::TrackWind wind = scene::along_track(east.value, north.value, track_rad);
         Derived derived;
-        derived.value = quantity == DerivedQuantity::wind_speed  ? speed
-                        : quantity == DerivedQuantity::head_wind ? wind.head_mps
-                                                                 : wind.cross_mps;
+        derived.value = part_of(wind, speed, quantity);
         if (!std::isfinite(derived.value)) return {};
         derived.state = std::max(east.state, north.state);
         derived.level = scene::worse(east.uncertainty, north.uncertainty);

@@ -17,7 +17,7 @@ namespace tedavis::host_sim {
 
 inline constexpr double kLeastTrack_m = 50;
 
-enum class DerivedQuantity : std::uint8_t { cross_wind, head_wind, wind_speed, ground_speed, vertical_speed };
+enum class DerivedQuantity : std::uint8_t { cross_wind, cross_wind_speed, head_wind, wind_speed, ground_speed, vertical_speed };
 
 [[nodiscard]] bool is_derived(const AttributeRecipe& recipe);
 /// The recipe without them.

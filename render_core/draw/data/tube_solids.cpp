@@ -17,10 +17,23 @@ constexpr std::uint64_t kAlignment_bytes = 64;
 constexpr std::size_t kSideIndices = 36;
 constexpr double kPostShare = 0.25;    // of the tube's radius
 constexpr float kMarginShare = 0.35f;  // of the tube's opacity
+constexpr double kSteep = 0.9;         // of a unit tangent upwards, from which on a side cannot well face upwards
 constexpr design::Color kRim{16, 16, 20, 255};
 
 /// A ring more for each place where the way turns back on itself.
 std::uint32_t with_cusps(std::uint32_t rings) { return rings + rings / 16 + 2; }
+
+/// The same side faces upwards all along, however much of the way is left out; steep parts keep what was before them.
+void keep_upright(base::Span<scene::TubeRing> rings) {
+    for (std::size_t n = 0; n < rings.size(); ++n) {
+        scene::TubeFrame& frame = rings[n].frame;
+        const glm::dvec3 up = glm::normalize(rings[n].centre);
+        const bool is_steep = std::abs(glm::dot(frame.tangent, up)) > kSteep;
+        const bool goes_on = n > 0 && rings[n - 1].piece == rings[n].piece;
+        if (is_steep && !goes_on) continue;
+        frame.normal = scene::normal_towards(is_steep ? rings[n - 1].frame.normal : up, frame.tangent);
+    }
+}
 
 bool has_rim(const ElementInput& input) { return input.element.halo_px > 0 && !look_of(input).is_mixed; }
 
@@ -59,6 +72,7 @@ ElementCount TubeSolids::add(SolidBatch& batch, SolidMesh& mesh, const ElementIn
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         way_.read(feature, line_);
         const scene::TubeCounts made = scene::make_tube(line_.points(), glm::dvec3(0), rings_);
+        keep_upright({rings_.data(), made.rings});
         const Work work{batch, mesh, input, feature, {rings_.data(), made.rings}};
         const std::uint32_t drawn = add_layer(work, Layer::sides);
         if (drawn > 0 && has_rim(input)) add_layer(work, Layer::rim);

@@ -102,6 +102,10 @@ TEST(DerivedAttribute, WindAlongAndAcrossTheTrack) {
     EXPECT_NEAR(unsure_mps(cross, 1), 1, 0.02);
     EXPECT_NEAR(unsure_mps(head, 3), 1, 0.02);
     EXPECT_NEAR(unsure_mps(cross, 3), 2, 0.02);
+    const Made strength = derive(recipe_of("cross_wind_speed"));
+    EXPECT_NEAR(value(strength, 1), kNorth, 0.01);
+    EXPECT_NEAR(value(strength, 3), kEast, 1e-3) << "whatever the side";
+    EXPECT_NEAR(unsure_mps(strength, 3), 2, 0.02);
     EXPECT_EQ(head.attribute.uncertainty_kind, scene::UncertaintyKind::standard_deviation);
 }
 

@@ -188,6 +188,39 @@ TEST_F(TubeSolidsOfTest, PostsStandUnderBothEnds) {
     EXPECT_NEAR(high, 600 + 199, kDefaultTubeRadius_m);
 }
 
+TEST_F(TubeSolidsOfTest, TheSameSideFacesUpwardsAllAlong) {
+    host_sim::LayerDraft layer = lines({});
+    for (int n = 0; n < 400; ++n) {
+        const double turn = 0.1 * n;  // in circles that climb and sink
+        layer.points.push_back(scene_point(46.8 + 0.02 * std::cos(turn), 9.8 + 0.03 * std::sin(turn),
+                                           3000 + 500 * static_cast<float>(std::sin(0.37 * turn))));
+    }
+    for (int n = 1; n < 10; ++n) {  // and straight up
+        layer.points.push_back(layer.points[399]);
+        layer.points.back().height_m += 100 * static_cast<float>(n);
+    }
+    layer.starts = {0, 409};
+    bind(layer, "even", 0);
+    bind(layer, "odd", 0);
+    for (float& value : layer.attributes[1].values) value = std::numeric_limits<float>::quiet_NaN();
+    ElementOfTest test(layer);
+    test.element.by_color.attribute = "even";
+    test.element.by_color.scale.palette = test_support::grey_palette();
+    test.element.by_second_color = test.element.by_color;
+    test.element.by_second_color.attribute = "odd";
+    ASSERT_GT(add(test).drawn, 100u);
+    const glm::dvec3 up = glm::normalize(room.batch.pieces()[0].anchor);
+    std::size_t upper = 0;
+    for (const SolidVertex& vertex : room.batch.vertices()) {
+        const glm::dvec3 normal((vertex.normal[0] - 127.0) / 127, (vertex.normal[1] - 127.0) / 127,
+                                (vertex.normal[2] - 127.0) / 127);
+        if (glm::dot(normal, up) < 0.9) continue;
+        EXPECT_EQ(vertex.rgba[0], vertex.rgba[1]) << "grey, not the colour of what is missing";
+        ++upper;
+    }
+    EXPECT_GT(upper, 200u);
+}
+
 TEST_F(TubeSolidsOfTest, WithoutPlaceNothingIsDrawn) {
     host_sim::LayerDraft layer = lines({30});
     for (scene::ScenePoint& point : layer.points) point.height_m = std::numeric_limits<float>::quiet_NaN();
