@@ -29,8 +29,9 @@ double reach_m(const TubeMargin& margin, double upwards) {
 /// A round hull: a ring of vertices for each ring of the tube.
 class Hull {
 public:
-    Hull(SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides, base::Span<const TubeMargin> margins)
-        : mesh_(mesh), block_(block), sides_(sides), margins_(margins) {}
+    Hull(SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides, base::Span<const TubeMargin> margins,
+         base::Span<const RingColors> colors)
+        : mesh_(mesh), block_(block), sides_(sides), margins_(margins), colors_(colors) {}
 
     void build() {
         const std::size_t count = block_.rings.size();
@@ -51,6 +52,7 @@ private:
     }
     void add_ring(std::size_t n, double facing) {
         const scene::TubeRing& ring = block_.rings[n];
+        mesh_.set_color(colors_[n].even.color, colors_[n].even.uncertainty);
         const glm::dvec3 binormal = ring.frame.binormal(), up = glm::normalize(ring.centre);
         for (std::uint32_t corner = 0; corner < sides_; ++corner) {
             const double turn = base::kPi * (2.0 * corner - 1) / sides_;
@@ -73,6 +75,7 @@ private:
     const TubeBlock& block_;
     std::uint32_t sides_;
     base::Span<const TubeMargin> margins_;
+    base::Span<const RingColors> colors_;
 };
 
 }  // namespace
@@ -109,10 +112,9 @@ bool TubeSkin::add_sides(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& bl
 }
 
 bool add_tube_hull(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides,
-                   base::Span<const TubeMargin> margins, const TubeColor& color) {
+                   base::Span<const TubeMargin> margins, base::Span<const RingColors> colors) {
     mesh.begin(block.rings[0].centre);
-    mesh.set_color(color.color, color.uncertainty);
-    Hull(mesh, block, sides, margins).build();
+    Hull(mesh, block, sides, margins, colors).build();
     return mesh.add_to(batch);
 }
 

@@ -51,9 +51,9 @@ struct TubeMargin {
 };
 
 /// A hull of kTubeHullSides, or kTubeRimSides whose corners are those of the tube's sides. `margins`: one for each ring, or none
-/// at all. Its colour is the mesh's.
+/// at all. Rings have their even colours.
 bool add_tube_hull(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides,
-                   base::Span<const TubeMargin> margins, const TubeColor& color);
+                   base::Span<const TubeMargin> margins, base::Span<const RingColors> colors);
 
 /// A single place: eight flat faces.
 bool add_tube_marker(SolidBatch& batch, SolidMesh& mesh, const scene::TubeRing& ring, const TubeColor& color);

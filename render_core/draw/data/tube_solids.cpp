@@ -18,7 +18,7 @@ constexpr std::size_t kSideIndices = 36;
 constexpr double kPostShare = 0.25;    // of the tube's radius
 constexpr float kMarginShare = 0.35f;  // of the tube's opacity
 constexpr double kSteep = 0.9;         // of a unit tangent upwards, from which on a side cannot well face upwards
-constexpr design::Color kRim{16, 16, 20, 255};
+constexpr TubeColor kRimColor{{16, 16, 20, 255}, scene::Uncertainty::from_code(0)};
 
 /// A ring more for each place where the way turns back on itself.
 std::uint32_t with_cusps(std::uint32_t rings) { return rings + rings / 16 + 2; }
@@ -138,17 +138,16 @@ bool TubeSolids::add_block(const Work& work, Layer layer, const TubeBlock& block
     std::array<TubeMargin, kTubeBlockRings + 1> margins;
     const std::size_t count = block.rings.size();
     for (std::size_t n = 0; n < count; ++n) {
-        colors[n] = colors_of(work, block.rings[n]);
+        colors[n] = layer == Layer::rim ? RingColors{kRimColor, kRimColor} : colors_of(work, block.rings[n]);
         if (layer == Layer::margin) margins[n] = margin_of(work, block.rings[n]);
     }
     if (block.rings[0].is_marker)
         return layer == Layer::sides && add_tube_marker(work.batch, work.mesh, block.rings[0], colors[0].even);
     switch (layer) {
         case Layer::sides: return skin_.add_sides(work.batch, work.mesh, block, {colors.data(), count});
-        case Layer::rim:
-            return add_tube_hull(work.batch, work.mesh, block, kTubeRimSides, {}, {kRim, scene::Uncertainty::from_code(0)});
+        case Layer::rim: return add_tube_hull(work.batch, work.mesh, block, kTubeRimSides, {}, {colors.data(), count});
         case Layer::margin:
-            return add_tube_hull(work.batch, work.mesh, block, kTubeHullSides, {margins.data(), count}, colors[0].even);
+            return add_tube_hull(work.batch, work.mesh, block, kTubeHullSides, {margins.data(), count}, {colors.data(), count});
     }
     return false;
 }

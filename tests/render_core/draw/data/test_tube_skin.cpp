@@ -89,13 +89,15 @@ TEST_F(TubeSkinOfTest, FullBatchesRefuse) {
     const std::vector<scene::TubeRing> rings = straight(3);
     const std::vector<RingColors> colors(3);
     EXPECT_FALSE(skin.add_sides(small.batch, small.mesh, block_of(rings, 0, 3), {colors.data(), 3}));
-    EXPECT_FALSE(add_tube_hull(small.batch, small.mesh, block_of(rings, 0, 3), kTubeHullSides, {}, {}));
+    EXPECT_FALSE(add_tube_hull(small.batch, small.mesh, block_of(rings, 0, 3), kTubeHullSides, {}, {colors.data(), 3}));
     EXPECT_EQ(small.batch.use().refused, 2u);
 }
 
 TEST_F(TubeSkinOfTest, HullsOfNoMarginAreTheTube) {
     const std::vector<scene::TubeRing> rings = straight(5);
-    ASSERT_TRUE(add_tube_hull(room.batch, room.mesh, block_of(rings, 0, 5), kTubeRimSides, {}, {}));
+    std::vector<RingColors> colors(5);
+    colors[3].even.color = {50, 60, 70, 255};
+    ASSERT_TRUE(add_tube_hull(room.batch, room.mesh, block_of(rings, 0, 5), kTubeRimSides, {}, {colors.data(), 5}));
     const SolidPiece& piece = room.batch.pieces()[0];
     EXPECT_NEAR(test_support::volume_m3(room.batch, piece), hexagon_m2(40) * 400, 500);
     EXPECT_EQ(test_support::open_edges(room.batch, piece), 0u);
@@ -103,13 +105,16 @@ TEST_F(TubeSkinOfTest, HullsOfNoMarginAreTheTube) {
         const glm::dvec3 outwards(vertex.place_m.x, vertex.place_m.y, 0);
         const glm::dvec3 normal(vertex.normal[0] - 127.0, vertex.normal[1] - 127.0, 0);
         EXPECT_GT(glm::dot(glm::normalize(outwards), glm::normalize(normal)), 0.999);
+        EXPECT_EQ(vertex.rgba[1] == 60, std::abs(vertex.place_m.z - 300) < 1) << "every ring its own colour";
     }
 }
 
 TEST_F(TubeSkinOfTest, MarginsAreEllipses) {
     const std::vector<scene::TubeRing> rings = straight(2);
     const std::vector<TubeMargin> margins(2, TubeMargin{100, 30});
-    ASSERT_TRUE(add_tube_hull(room.batch, room.mesh, block_of(rings, 0, 2), kTubeHullSides, {margins.data(), 2}, {}));
+    const std::vector<RingColors> colors(2);
+    ASSERT_TRUE(
+        add_tube_hull(room.batch, room.mesh, block_of(rings, 0, 2), kTubeHullSides, {margins.data(), 2}, {colors.data(), 2}));
     double high = 0, wide = 0, from = 0, to = 0;
     for (const SolidVertex& vertex : room.batch.vertices()) {
         const glm::dvec3 at(vertex.place_m);
