@@ -42,6 +42,7 @@ struct SolidLook {
     float growth_per_hour = 0;  ///< of the uncertainty, by the data's age
     std::uint8_t group = 0;     ///< below 32: what is hidden and shown together
     bool is_mixed = false;      ///< has colours that are not opaque
+    bool is_hollow = false;     ///< not seen from inside: its far sides do not show through its near ones
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;
 

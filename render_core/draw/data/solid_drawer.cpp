@@ -166,7 +166,7 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
                   look.halo_px / static_cast<float>(frame.frame.view.focal_px));
     point_attributes(gl, piece);
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
-    if (pass == Pass::mixed || look.halo_px > 0) {
+    if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {
         gl->CullFace(GL_FRONT);
         gl::draw_triangles(gl, range);
         ++draws_;

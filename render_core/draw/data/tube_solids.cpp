@@ -114,6 +114,7 @@ std::uint32_t TubeSolids::add_layer(const Work& work, Layer layer) {
         look.opacity *= kMarginShare * static_cast<float>(work.input.element.uncertainty_strength);
         look.is_mixed = true;
     }
+    look.is_hollow = true;  // whoever flies along it looks out of it
     work.batch.set_look(look, work.input.layer.entry->data_time_ns);
     std::uint32_t points = 0;
     std::int64_t last_source = -1;

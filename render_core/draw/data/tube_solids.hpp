@@ -8,6 +8,7 @@
 /// Uncertainty `widening` adds a translucent hull that reaches as far as the place may be off: the attributes "position_accuracy"
 /// and "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole; a height accuracy that is not
 /// stated is that of the place.
+/// Tubes and hulls are not seen from inside, so that nobody's view is filled by the way that they fly.
 ///
 /// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within
 /// its tolerance (tube_way.hpp), hidden those without a place or without room. Tubes take at most half of the room that the batch

@@ -40,7 +40,8 @@ struct SolidSession {
         drawer.destroy(session.gl);
         solids.destroy(session.gl);
     }
-    void add_square(double distance_m, double half_m, design::Color color, double level = 0, bool shaded = true) {
+    void add_square(double distance_m, double half_m, design::Color color, double level = 0, bool shaded = true,
+                    bool turned = false) {
         const glm::dvec3 middle = frame.view.eye + frame.view.forward * distance_m;
         const glm::dvec3 right = frame.view.right * half_m, up = -frame.view.down * half_m;
         mesh.begin(middle);
@@ -48,8 +49,8 @@ struct SolidSession {
         const glm::dvec3 normal = shaded ? -frame.view.forward : glm::dvec3(0);
         const std::uint16_t a = mesh.vertex(middle - right - up, normal), b = mesh.vertex(middle + right - up, normal);
         const std::uint16_t c = mesh.vertex(middle + right + up, normal), d = mesh.vertex(middle - right + up, normal);
-        mesh.triangle(a, b, c);
-        mesh.triangle(a, c, d);
+        mesh.triangle(a, turned ? c : b, turned ? b : c);
+        mesh.triangle(a, turned ? d : c, turned ? c : d);
         EXPECT_TRUE(mesh.add_to(solids.batch()));
     }
     /// The pixel in the middle over black; `wall_m`: terrain stands there already.
@@ -153,6 +154,20 @@ TEST(SolidDrawer, WhatIsMixedHidesNothing) {
     const design::Color color = test.middle();
     EXPECT_NEAR(color.red, 100, 1);
     EXPECT_NEAR(color.blue, 100, 1);
+}
+
+TEST(SolidDrawer, TheHollowAreNotSeenFromInside) {
+    for (const bool is_hollow : {false, true}) {
+        SolidSession test;
+        SolidLook look = mixed(0.5f);
+        look.is_hollow = is_hollow;
+        test.solids.batch().set_look(look, 0);
+        test.add_square(100, 500, kRed, 0, true, true);
+        EXPECT_NEAR(test.middle().red, is_hollow ? 0 : 100, 1) << "turned away";
+        test.solids.batch().clear();
+        test.add_square(100, 500, kRed);
+        EXPECT_NEAR(test.middle().red, 100, 1);
+    }
 }
 
 TEST(SolidDrawer, TheUnsureFadesAndGrows) {
