@@ -96,6 +96,7 @@ double detail_of(const GroundOverlay& overlay) noexcept {
 
 GroundData at_detail(const GroundData& ground, double detail) noexcept {
     GroundData reduced = ground;
+    if (!ground.is_shown) return reduced;
     const std::size_t most = gradations_of_detail(detail);
     const auto levels = static_cast<std::uint32_t>(most);
     if (detail_of(ground.scale) > detail) reduce_classes(reduced.scale, std::max<std::size_t>(most, 2));

@@ -150,6 +150,17 @@ void add_uncertainty(const design::GroundData& ground, const scene::AttributeEnt
     if (is_known && has_look && has_overlay) static_cast<void>(legend.signs.try_push_back(overlay));
 }
 
+/// "AIR TEMPERATURE", but "WIND SPEED" of an attribute "Wind speed" of the layer "Wind", and no unit in place of a title.
+base::FixedString<31> legend_title(std::string_view layer, std::string_view attribute, std::string_view unit) {
+    base::FixedString<31> title;
+    const bool says_both = !layer.empty() && same_words(attribute.substr(0, layer.size()), layer);
+    if (!says_both) append_upper(title, layer);
+    if (!says_both && same_words(attribute, unit)) return title;
+    if (!title.empty()) title.append(" ");
+    append_upper(title, attribute);
+    return title;
+}
+
 }  // namespace
 
 base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept {
@@ -184,11 +195,7 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
     draw::DataLegend legend;
     const scene::AttributeEntry& entry = *attribute.entry;
     const std::string_view layer_title = field_text(layer.entry->title);
-    append_upper(legend.title, layer_title);
-    if (!same_words(title_of(entry), layer_title) && !same_words(title_of(entry), field_text(entry.unit))) {
-        if (!legend.title.empty()) legend.title.append(" ");
-        append_upper(legend.title, title_of(entry));
-    }
+    legend.title = legend_title(layer_title, title_of(entry), field_text(entry.unit));
     const bool is_angle = field_text(entry.unit) == "rad";
     legend.factor = is_angle ? base::degrees(1) : 1;
     append_upper(legend.unit, is_angle ? "deg" : field_text(entry.unit));

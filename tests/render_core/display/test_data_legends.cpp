@@ -41,6 +41,20 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     EXPECT_EQ(draw::time_and_age(entry_of(layer, 5, false)).view(), "22:00Z AGE ?") << "a source without a date";
 }
 
+TEST(DataLegends, TitlesSayNothingTwice) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    const auto titled = [&](const char* of_layer, const char* of_attribute) {
+        layer.title = of_layer;
+        layer.attributes[0].title = of_attribute;
+        return std::string(entry_of(layer, 0, false).title.view());
+    };
+    EXPECT_EQ(titled("Air", "Temperature"), "AIR TEMPERATURE");
+    EXPECT_EQ(titled("WIND", "Wind speed"), "WIND SPEED");
+    EXPECT_EQ(titled("Radar", "radar"), "RADAR");
+    EXPECT_EQ(titled("Cloud", "K"), "CLOUD") << "the unit stands beside it";
+    EXPECT_EQ(titled("", "Temperature"), "TEMPERATURE");
+}
+
 TEST(DataLegends, ALayerOfOneTimeAgesFromIt) {
     host_sim::LayerDraft layer = test_support::small_grid();
     layer.grid.times = 1;
