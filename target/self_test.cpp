@@ -22,18 +22,18 @@ std::string_view text_of(const unsigned char (&bytes)[N]) {
     return {reinterpret_cast<const char*>(bytes), N - 1};  // the embedded zero behind it
 }
 
-/// The design's palette comes from the program as well.
-class EmbeddedPalette final : public design::PaletteSource {
+/// The design's palettes come from the program as well.
+class EmbeddedPalettes final : public design::PaletteSource {
 public:
-    explicit EmbeddedPalette(std::string_view text) : text_(text) {}
+    explicit EmbeddedPalettes(base::Span<const NamedPalette> palettes) : palettes_(palettes) {}
     base::Result<design::Palette, base::ConfigError> find(std::string_view name) override {
-        if (name != kName) return base::fail(base::ConfigError{"is not the palette that the self-test has"});
-        return design::read_palette(text_, "alpine.toml");
+        for (const NamedPalette& palette : palettes_)
+            if (palette.name == name) return design::read_palette(palette.text, name);
+        return base::fail(base::ConfigError{"is none of the palettes that the self-test has"});
     }
 
 private:
-    static constexpr std::string_view kName = "alpine";
-    std::string_view text_;
+    base::Span<const NamedPalette> palettes_;
 };
 
 /// The parts of the test, each of which needs those before it.
@@ -67,9 +67,9 @@ private:
     }
 
     bool read_settings() {
-        EmbeddedPalette palette(inputs_.palette);
-        const auto read_design = [&palette](std::string_view text, std::string_view name) {
-            return design::read_design_settings(text, name, palette);
+        EmbeddedPalettes palettes(inputs_.palettes);
+        const auto read_design = [&palettes](std::string_view text, std::string_view name) {
+            return design::read_design_settings(text, name, palettes);
         };
         const bool all = read("canaerospace.toml", inputs_.bus, bus_, &bus::load_bus_settings) &&
                          read("es2-small.toml", inputs_.device, settings_.device, &effects::read_device_settings) &&
@@ -167,7 +167,9 @@ SelfTestInputs embedded_inputs() noexcept {
             text_of(embedded::k_canaerospace_toml),
             text_of(embedded::k_es2_small_toml),
             text_of(embedded::k_default_toml),
-            text_of(embedded::k_alpine_toml)};
+            {{"alpine", text_of(embedded::k_alpine_toml)},
+             {"data_radar", text_of(embedded::k_data_radar_toml)},
+             {"data_wind", text_of(embedded::k_data_wind_toml)}}};
 }
 
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) { SelfTest(inputs, report).run(); }

@@ -7,6 +7,7 @@
 /// Thread  one; makes and releases a surface. Memory  its own reservation. Failure  a check that does not hold.
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <string_view>
 
@@ -15,10 +16,17 @@
 
 namespace tedavis::target {
 
+/// A file of configs/palettes by its name there.
+struct NamedPalette {
+    std::string_view name, text;
+};
+inline constexpr std::size_t kSelfTestPalettes = 3;
+
 struct SelfTestInputs {
     base::Span<const char> log;
     base::Span<const unsigned char> terrain;
-    std::string_view bus, device, design, palette;  ///< texts of configuration files; the palette is the design's only one
+    std::string_view bus, device, design;      ///< texts of configuration files
+    NamedPalette palettes[kSelfTestPalettes];  ///< all that the design names
 };
 
 /// What the build has embedded; lives as long as the program.

@@ -134,6 +134,7 @@ TEST(BoardConfig, TheShippedExamplesAreRight) {
     // The board's example names its neighbours in /etc/tedavis: put them beside it as the README says.
     const test_support::TemporaryFolder folder;
     for (const char* file : {"configs/devices/es2-small.toml", "configs/designs/default.toml", "configs/palettes/alpine.toml",
+                             "configs/palettes/data_radar.toml", "configs/palettes/data_wind.toml",
                              "configs/buses/canaerospace.toml", "configs/switches/one_hot.toml", "target/boards/arm_board.toml"})
         std::filesystem::copy(kRoot + "/" + file, folder.path());
     const auto board = load_board_settings(folder.file("arm_board.toml").c_str());

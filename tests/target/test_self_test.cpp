@@ -18,12 +18,19 @@ using ::testing::HasSubstr;
 struct Damaged {
     std::string log{embedded_inputs().log.begin(), embedded_inputs().log.end()};
     std::vector<unsigned char> terrain{embedded_inputs().terrain.begin(), embedded_inputs().terrain.end()};
-    std::string bus{embedded_inputs().bus}, device{embedded_inputs().device}, design{embedded_inputs().design},
-        palette{embedded_inputs().palette};
+    std::string bus{embedded_inputs().bus}, device{embedded_inputs().device}, design{embedded_inputs().design};
+    std::string palette{embedded_inputs().palettes[0].text};
 
     [[nodiscard]] SelfTestReport report() const {
         SelfTestReport result;
-        run_self_test({{log.data(), log.size()}, {terrain.data(), terrain.size()}, bus, device, design, palette}, result);
+        SelfTestInputs inputs = embedded_inputs();
+        inputs.log = {log.data(), log.size()};
+        inputs.terrain = {terrain.data(), terrain.size()};
+        inputs.bus = bus;
+        inputs.device = device;
+        inputs.design = design;
+        inputs.palettes[0].text = palette;
+        run_self_test(inputs, result);
         return result;
     }
     void replace(std::string& text, const std::string& old, const std::string& by) {

@@ -115,7 +115,9 @@ TEST(SheetCommand, AGeneratedImageIsShownAndSaid) {
 TEST(SheetCommand, WrongInputLeavesNothing) {
     SheetOptions o = options("none");
     o.sheet = "no-such-sheet";
-    refused(o, "no-such-sheet: no such file and no shipped one of sheets; name a file, or one of these: terrain-styles");
+    refused(o,
+            "no-such-sheet: no such file and no shipped one of sheets; name a file, or one of these: data-techniques, "
+            "terrain-styles");
     o.sheet = files().folder.write("missing.toml", sheet_of("styles/woods"));
     refused(o, "missing.toml: picture 'Heights': styles/woods: no such file");
     o = options("none");

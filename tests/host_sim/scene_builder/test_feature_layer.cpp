@@ -180,7 +180,7 @@ TEST(FeatureLayer, FiltersByRegionValueAndTime) {
     recipe.prepare.keep_most = 40;
     EXPECT_THAT(make_feature_layer(recipe, masts()).draft.names, ElementsAre("A")) << "missing values are not kept";
     recipe.prepare.keep_attribute = "weight";
-    expect_user_error([&] { (void)make_feature_layer(recipe, masts()); }, "keep_attribute 'weight' is none of the layer's");
+    expect_user_error([&] { (void)make_feature_layer(recipe, masts()); }, "keep_attribute 'weight' is none of the attributes");
     recipe.prepare.keep_attribute = "height";
     recipe.prepare.keep_most = 39;
     const FeatureLayer none = make_feature_layer(recipe, masts());

@@ -38,6 +38,7 @@ struct GlyphView {
         EXPECT_TRUE(element.by_color.scale.palette.stops.try_push_back({260, {0, 0, 255}}));
         EXPECT_TRUE(element.by_color.scale.palette.stops.try_push_back({310, {255, 0, 0}}));
         EXPECT_TRUE(element.heights_m.try_push_back(1000));
+        element.size_m = 16'000;  // posts are 19 km apart
         const glm::dvec3 eye = earth::to_ecef({base::radians(45.6), base::radians(9.4), {12'000}});
         frame.view =
             test_support::free_view(eye, earth::body_axes(base::radians(45.6), base::radians(9.4), 0, -0.1, 0), 160, 120, 10);
