@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
 #include "host_sim/commands/terrain.hpp"
@@ -86,8 +87,18 @@ void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
     job.has_generated_image = job.plan.generated_image;
 }
 
-/// The sheet's own scene, built as `scene build` does.
+/// The sheet's own scene, built as `scene build` or `scenario build` does.
 void build_scene(SheetJob& job, const std::string& folder, Console& console) {
+    if (!job.plan.scenario.empty()) {
+        ScenarioBuildOptions build;
+        build.scenario = job.plan.scenario;
+        build.output = folder + "/scenario";
+        Console only_notes = console.without_result();
+        (void)run_scenario_build(build, only_notes);
+        job.picture.scene = build.output + "/scene.sdb";
+        return;
+    }
+    if (job.plan.scene.empty()) return;
     SceneBuildOptions build;
     build.scene = job.plan.scene;
     build.output = folder + "/scene.sdb";
@@ -159,7 +170,7 @@ int run_sheet(const SheetOptions& options, Console& console) {
     const TemporaryFolder temporary;
     if (options.picture.terrain.empty()) build_terrain(job, temporary.path(), console);
     const bool is_own_ground = options.picture.terrain.empty() && options.picture.scene.empty();
-    if (is_own_ground && !job.plan.scene.empty()) build_scene(job, temporary.path(), console);
+    if (is_own_ground) build_scene(job, temporary.path(), console);
     std::string fault;
     DrawnSheet sheet = draw_sheet(job, options, console, fault);
     sheet.name = options.sheet;

@@ -77,6 +77,8 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
     plan.terrain = std::string(root.text("terrain"));
     plan.scene = std::string(root.text("scene", ""));
+    plan.scenario = std::string(root.text("scenario", ""));
+    if (!plan.scene.empty() && !plan.scenario.empty()) root.fault("scenario", "and 'scene' both say what is shown; keep one");
     if (root.has("time")) plan.time = read_time(root);
     plan.generated_image = root.boolean("generated_image", false);
     plan.size.width = static_cast<std::uint32_t>(root.integer("width_px", 64, 4096));

@@ -27,6 +27,7 @@ struct SheetPlan {
     std::uint32_t columns = 0;
     std::string terrain;             ///< raster in configs/data that the sheet shows unless a database is given
     std::string scene;               ///< recipe in configs/scenes that is shown over that terrain; empty: none
+    std::string scenario;            ///< instead of a scene: the one of this scenario in configs/scenarios
     std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
     bool generated_image = false;    ///< an invented image is draped over that terrain
     PictureSize size;                ///< of each picture, unless --size says another

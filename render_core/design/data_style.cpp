@@ -55,7 +55,7 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
     read_scale(section, palettes, ground.scale);
     ground.opacity = section.number("opacity", 0, 1, ground.opacity);
     ground.shown_from = section.number("shown_from", -1e12, 1e12, ground.shown_from);
-    ground.height_m = section.number("height_m", -1000, 100'000, ground.height_m);
+    if (section.has("height_m")) ground.height_m = section.number("height_m", -1000, 100'000);
     read_uncertainty(section.section("uncertainty"), ground.uncertainty);
     read_overlay(section.section("overlay"), ground.overlay);
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 
@@ -62,7 +63,8 @@ struct GroundData {
     DataScale scale;
     double opacity = 0.85;      ///< 0..1, of the surest
     double shown_from = -1e12;  ///< lower values have no colour: radar without echo, calm
-    double height_m = 0;        ///< of the slice, in the layer's datum; only fields with several levels ask for it
+    /// Of the slice, in the layer's datum; only fields with several levels ask for it. NaN: the lowest level.
+    double height_m = std::numeric_limits<double>::quiet_NaN();
     GroundUncertainty uncertainty;
     GroundOverlay overlay;
 };

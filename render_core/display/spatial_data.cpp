@@ -1,6 +1,7 @@
 #include "render_core/display/spatial_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render_core/base/utc_time.hpp"
 
@@ -15,6 +16,11 @@ constexpr std::string_view kOfScene = "the scene database ";
 std::int64_t start_of_minute(std::int64_t time_ns) {
     const std::int64_t into = time_ns % kSlice_ns;
     return time_ns - (into < 0 ? into + kSlice_ns : into);
+}
+
+double slice_height_m(const design::GroundData& ground, const scene::Layer& layer) {
+    if (!std::isnan(ground.height_m)) return ground.height_m;
+    return layer.levels_m.empty() ? 0 : static_cast<double>(layer.levels_m[0]);
 }
 
 /// Where the data of a layer begin; for a source without a date.
@@ -82,10 +88,10 @@ SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time no
         show(false);
         return plan;
     }
-    if (slice_.show(design.ground.height_m, time_ns)) has_changed_ = true;
+    const double height_m = slice_height_m(design.ground, layer);
+    if (slice_.show(height_m, time_ns)) has_changed_ = true;
     show(true);
-    if (plan.has_date)
-        slice_.prepare(design.ground.height_m, time_ns + kSlice_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
+    if (plan.has_date) slice_.prepare(height_m, time_ns + kSlice_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
     return plan;
 }
 

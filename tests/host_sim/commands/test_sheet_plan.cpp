@@ -50,6 +50,10 @@ TEST(SheetPlan, DataHaveASceneATimeDetailsAndViewsOfTheirOwn) {
                                                 "altitude_msl_m = 3\nheading_deg = 4\n",
                                             "d.toml");
     EXPECT_EQ(plan.scene, "jacksboro");
+    EXPECT_EQ(parse_sheet_plan("scenario = 'default'\n" + kHead + kGroup + picture("A", "a"), "d.toml").scenario, "default");
+    test_support::expect_user_error(
+        [] { (void)parse_sheet_plan("scene = 'a'\nscenario = 'b'\n" + kHead + kGroup + picture("A", "a"), "d.toml"); },
+        "keep one");
     ASSERT_TRUE(plan.time);
     EXPECT_EQ(plan.time->ns, 60'000'000'000);
     const auto& pictures = plan.groups[0].pictures;

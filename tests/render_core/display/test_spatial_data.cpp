@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "tests/support/flaky_bytes.hpp"
@@ -58,6 +59,16 @@ TEST_F(SpatialDataOf, TheGroundFollowsTheSourcesTime) {
     static_cast<void>(plan(kDate_ns + kHour_ns / 2));
     EXPECT_TRUE(data_.take_change());
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 272, 0.01) << "between 260 and 284";
+}
+
+TEST_F(SpatialDataOf, WithoutAHeightItIsTheLowestLevel) {
+    start(dated_scene());
+    style_.ground.height_m = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
+    style_.ground.height_m = 3000;
+    static_cast<void>(plan(kDate_ns));
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 272, 0.01) << "the upper one";
 }
 
 TEST_F(SpatialDataOf, TheSameMomentHasTheSameTexelsFromWhereverItIsReached) {
