@@ -24,7 +24,8 @@ public:
         read_design(root);
         take(root, "bus", settings_.bus, &bus::load_bus_settings);
         read_switches(root.section("switches"));
-        read_terrain(root.section("terrain"));
+        read_database(root.section("terrain"), settings_.terrain);
+        read_database(root.section("scene"), settings_.scene);
         read_can(root.section("can"));
         read_surface(root.section("surface"));
         const bool touch = root.section("memory").boolean("touch", true);
@@ -77,8 +78,8 @@ private:
         if (section.present()) take(section, "config", settings_.switches, &bus::load_switch_config);
     }
 
-    void read_terrain(base::ConfigSection section) {
-        if (section.present()) settings_.terrain = path_at(section, "database");
+    void read_database(base::ConfigSection section, Path& path) {
+        if (section.present()) path = path_at(section, "database");
     }
 
     void read_can(base::ConfigSection section) {

@@ -7,6 +7,8 @@
 ///     bus = "canaerospace.toml"
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"
+///     [scene]                    absent: no spatial data
+///     database = "area.sdb"      may be missing at first; a newer revision at its place is taken over in flight
 ///     [can]
 ///     interface = "can0"
 ///     fd = false                 also receive CAN FD frames
@@ -53,13 +55,14 @@ struct BoardSettings {
     bool has_switches = false;
     bus::SwitchConfig switches;
     Path terrain;  ///< empty: none
+    Path scene;    ///< the same
     base::FixedString<15> surface;
     std::uint32_t width_px = 0, height_px = 0;
     platform::Residency residency = platform::Residency::touched;
 };
 static_assert(std::is_trivially_copyable_v<BoardSettings>);
 
-/// Reads the board file and all files that it names, except the terrain database, of which it keeps the path.
+/// Reads the board file and all files that it names, except the terrain and scene databases, of which it keeps the paths.
 [[nodiscard]] base::Result<BoardSettings, BoardError> load_board_settings(const char* path);
 
 /// `name` found from the folder of `board_file`; an absolute name stays as it is. Longer than a Path can be: cut() says so.

@@ -14,6 +14,7 @@ DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts
       flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log) {}
 
 DisplayApplication::~DisplayApplication() {
+    scene_watch_.stop();
     if (started_) display_.stop();
     if (surface_) surface_->release_current();
 }
@@ -21,6 +22,7 @@ DisplayApplication::~DisplayApplication() {
 BoardError DisplayApplication::start() {
     if (BoardError error = open_surface(); !error.sentence.empty()) return error;
     if (BoardError error = start_display(); !error.sentence.empty()) return error;
+    if (BoardError error = start_scene(); !error.sentence.empty()) return error;
     flight_.start(ports_.clocks.live.monotonic());
     started_ = true;
     return {};
@@ -61,6 +63,7 @@ BoardError DisplayApplication::start_display() {
     settings.design = settings_.design;
     settings.width_px = settings_.width_px;
     settings.height_px = settings_.height_px;
+    settings.expects_scene = !settings_.scene.empty();
     const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return {};
     if (const std::string_view fault = display::database_fault(error.sentence.view()); !fault.empty())
@@ -68,7 +71,26 @@ BoardError DisplayApplication::start_display() {
     return make_board_error({"device '", settings_.device.name.view(), "': ", error.sentence.view()});
 }
 
+/// The first scene comes the way all others do: the display shows what it has until then.
+BoardError DisplayApplication::start_scene() {
+    if (settings_.scene.empty()) return {};
+    if (scene_watch_.start(settings_.scene.c_str(), display_.spare_scene_memory(), 0)) return {};
+    return make_board_error({"the machine gives no thread for reading the scene; end other programs"});
+}
+
+void DisplayApplication::take_new_scene() {
+    if (settings_.scene.empty()) return;
+    if (const auto fault = scene_watch_.take_fault(); !fault.empty()) ports_.log.write({fault.view()});
+    const scene::Scene* const loaded = scene_watch_.loaded();
+    if (loaded == nullptr) return;
+    const std::uint64_t revision = loaded->header().revision;
+    if (display_.take_scene(*loaded))
+        ports_.log.write({settings_.scene.view(), ": shows revision ", gl::digits(revision).view()});
+    scene_watch_.go_on(display_.spare_scene_memory(), revision);
+}
+
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
+    take_new_scene();
     const LiveFlight::Instant instant = flight_.at(now, display_);
     display_.update(instant.aircraft, instant.phase, now);
     display_.draw(*surface_);

@@ -18,6 +18,7 @@
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 #include "target/live_flight.hpp"
+#include "target/scene_watch.hpp"
 #include "target/stop_signal.hpp"
 #include "target/watchdog.hpp"
 
@@ -64,6 +65,8 @@ private:
     [[nodiscard]] BoardError open_surface();
     [[nodiscard]] BoardError open_terrain();
     [[nodiscard]] BoardError start_display();
+    [[nodiscard]] BoardError start_scene();
+    void take_new_scene();
 
     BoardSettings settings_;
     BoardPorts ports_;
@@ -74,6 +77,7 @@ private:
     platform::FileByteSource terrain_file_;
     std::unique_ptr<base::AsyncReader> terrain_reader_;
     display::Display display_;
+    SceneWatch scene_watch_;
     bool started_ = false;
 };
 

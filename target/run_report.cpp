@@ -32,6 +32,7 @@ void print_start_json(DisplayApplication& application, std::FILE* out) {
     json.text("device", settings.device.name.view()).text("size", size_text(application.surface()).view());
     json.number("frame_rate_hz", settings.device.frame_rate_hz).text("gl", gl_description(application).view());
     json.text("can", settings.can.interface_name.view()).text("terrain", settings.terrain.view());
+    json.text("scene", settings.scene.view());
     json.text("switches", settings.has_switches ? settings.switches.title.view() : "").open_list("budget");
     for (const base::BudgetLine& line : application.display().budget().lines())
         json.open_object()
@@ -59,10 +60,11 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out) {
         print_start_json(application, out);
     } else {
         const BoardSettings& settings = application.settings();
-        std::fprintf(out, "tedavis-display %s: %s; device %s, %s, %g frames/s\n%s\nCAN %s; terrain %s; switches %s\n",
+        std::fprintf(out, "tedavis-display %s: %s; device %s, %s, %g frames/s\n%s\nCAN %s; terrain %s; scene %s; switches %s\n",
                      TEDAVIS_VERSION, settings.title.c_str(), settings.device.name.c_str(),
                      size_text(application.surface()).c_str(), settings.device.frame_rate_hz, gl_description(application).c_str(),
                      settings.can.interface_name.c_str(), settings.terrain.empty() ? "none" : settings.terrain.c_str(),
+                     settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
         for (const base::BudgetLine& line : application.display().budget().lines())
             std::fprintf(out, "  %-3s %-20s %10" PRIu64 " bytes  %-24s %s\n", to_string(line.kind), line.name.c_str(), line.bytes,

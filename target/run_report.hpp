@@ -8,7 +8,7 @@
 namespace tedavis::target {
 
 void print_version(bool json, std::FILE* out);
-/// After start(). JSON: {"version", "board", "device", "size", "frame_rate_hz", "gl", "can", "terrain", "switches",
+/// After start(). JSON: {"version", "board", "device", "size", "frame_rate_hz", "gl", "can", "terrain", "scene", "switches",
 /// "budget": [{"name", "kind", "bytes", "in_use", "owner", "reason"}]}.
 void print_start(DisplayApplication& application, bool json, std::FILE* out);
 /// JSON: {"end", "frames", "missed", "gl_calls_outside_device", "can": {"frames", "decoded", "alien", "errors", "dropped"}}.

@@ -116,6 +116,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"triangles", record.terrain.triangles},
                        {"chunks", record.terrain.chunks},
                        {"pending", record.terrain.pending}};
+    json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
     json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
     json["bytes"] = {{"cpu", record.bytes.cpu},

@@ -132,6 +132,10 @@ void DataElements::set(const scene::Scene& scene, const design::DataElementList&
     scene_ = &scene;
     elements_ = &elements;
     has_changed_ = true;
+    // What they point to may be gone.
+    reports_.clear();
+    glyphs_.clear();
+    shown_ = 0;
 }
 
 ElementState DataElements::state_of(const ElementReport& report) const {
@@ -147,6 +151,7 @@ void DataElements::plan(const ElementFrame& frame) {
     time_ns_ = frame.now.ns;
     has_date_ = base::can_be_utc(frame.now);
     shown_ = 0;
+    if (scene_ == nullptr) return;
     if (has_changed_) begin_reports();
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         reports_[n].state = state_of(reports_[n]);

@@ -64,7 +64,7 @@ public:
     /// What is shown from the next plan() on. Scene and design must stay. A role of which the scene has no layer asks for
     /// nothing.
     void set(const scene::Scene& scene, const design::DataElementList& elements);
-    void plan(const ElementFrame& frame);
+    void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
     /// Instead of plan() in a frame that shows none of it.
     void rest();
     [[nodiscard]] const ElementReports& reports() const { return reports_; }

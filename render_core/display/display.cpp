@@ -20,8 +20,6 @@ using flight::Signal;
 
 }  // namespace
 
-std::uint64_t Display::bytes_needed(const effects::DeviceSettings& device) { return DisplayMemory::bytes_needed(device.budget); }
-
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
@@ -42,8 +40,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 gl::GlError Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
-    if (!data_.has_scene() || !terrain_.is_started()) return {};
-    elements_.set(data_.scene(), settings_.design.data.elements);
+    if ((!data_.has_scene() && !settings_.expects_scene) || !terrain_.is_started()) return {};
+    if (data_.has_scene()) elements_.set(data_.scene(), settings_.design.data.elements);
     return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_);
 }
 
@@ -80,7 +78,7 @@ design::DesignSettings Display::possible_design(const design::DesignSettings& de
 
 void Display::keep_design(const design::DesignSettings& possible) {
     settings_.design = possible;
-    if (elements_.is_started()) elements_.set(data_.scene(), settings_.design.data.elements);
+    if (elements_.is_started() && data_.has_scene()) elements_.set(data_.scene(), settings_.design.data.elements);
     band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
 }
 
@@ -92,12 +90,16 @@ bool Display::set_design(const design::DesignSettings& design) {
     return true;
 }
 
+bool Display::take_scene(const scene::Scene& scene) {
+    if ((!elements_.is_started() && terrain_.is_started()) || !data_.take(scene)) return false;
+    if (elements_.is_started()) elements_.set(data_.scene(), settings_.design.data.elements);
+    return true;
+}
+
 void Display::set_free_view(const terrain::View& view) {
     free_view_ = view;
     free_view_active_ = true;
 }
-
-void Display::clear_free_view() { free_view_active_ = false; }
 
 base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
     if (!terrain_.is_started() || own_ship.state != base::SignalState::valid) return {};
@@ -182,6 +184,7 @@ void Display::begin_record(base::Time now) {
     record_.view.mode = settings_.design.view.mode;
     record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
+    record_.scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
     record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
     for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }

@@ -33,6 +33,7 @@ struct DisplaySettings {
     design::DesignSettings design;
     std::uint32_t width_px = 0, height_px = 0;
     bool generated_flight = false;  ///< said on the display
+    bool expects_scene = false;     ///< one may come later, by take_scene()
 };
 
 class Display {
@@ -46,7 +47,9 @@ public:
     [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                                     const TerrainInput& terrain, base::ByteSource* scene = nullptr);
     /// What the reservation handed to start() must hold for this device.
-    [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device);
+    [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device) {
+        return DisplayMemory::bytes_needed(device.budget);
+    }
 
     /// Plans the frame for `now`. Pure planning: no GL.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
@@ -62,9 +65,14 @@ public:
     /// travels to another mode of view. False, and nothing changes, when its terrain needs techniques that the display was not
     /// started with.
     [[nodiscard]] bool set_design(const design::DesignSettings& design);
+    /// Room to load the next scene into, by whoever reads files; it is empty, and stays whoever's it is until take_scene().
+    [[nodiscard]] base::Arena& spare_scene_memory() { return data_.spare(); }
+    /// Takes over a scene that lies in that room, whole, with the next update(). False, and nothing changes, where it is no newer
+    /// revision, or the display was started without a scene and expected none.
+    [[nodiscard]] bool take_scene(const scene::Scene& scene);
     /// Replaces the own ship's eye with another one until cleared: the simulator's free camera.
     void set_free_view(const terrain::View& view);
-    void clear_free_view();
+    void clear_free_view() { free_view_active_ = false; }
 
     /// Height above the terrain below a position; missing outside the database or over voids.
     [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now);

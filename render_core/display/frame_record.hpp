@@ -76,6 +76,7 @@ struct FrameRecord {
     TerrainLight light;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
+    std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
     base::FixedVector<DataRecord, 16> data;
     ByteRecord bytes;
     base::FixedVector<EffectRecord, 32> effects;

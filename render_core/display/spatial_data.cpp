@@ -52,12 +52,30 @@ gl::GlError SpatialData::start(base::ByteSource* file, const Memory& memory, std
     const auto posts = static_cast<std::uint32_t>(memory.slices.use().capacity / (2 * sizeof(scene::SliceTexel)));
     if (!slice_.start(posts, memory.slices))
         return gl::make_error("the budget line 'scene_slices' is too small for data on the ground; raise it in the device file");
+    const std::size_t half = memory.scene.use().capacity / 2 & ~std::size_t{63};
+    for (base::Arena& room : rooms_) room = memory.scene.carve(half);
     if (file == nullptr) return {};
-    auto loaded = scene::Scene::load(*file, memory.scene);
+    auto loaded = scene::Scene::load(*file, rooms_[room_]);
     if (!loaded.ok()) return gl::make_error(kOfScene, scene::describe(loaded.error()).view());
     scene_ = loaded.value();
     has_scene_ = true;
     return {};
+}
+
+base::Arena& SpatialData::spare() {
+    base::Arena& room = rooms_[1 - room_];
+    room.reset();
+    return room;
+}
+
+bool SpatialData::take(const scene::Scene& scene) {
+    if (has_scene_ && scene.header().revision <= scene_.header().revision) return false;
+    room_ = 1 - room_;
+    scene_ = scene;
+    has_scene_ = true;
+    slice_.forget();
+    show(false);
+    return true;
 }
 
 GroundDataState SpatialData::choose(const design::GroundData& ground) {

@@ -44,6 +44,11 @@ public:
     /// without terrain.
     [[nodiscard]] gl::GlError start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
     [[nodiscard]] bool has_scene() const { return has_scene_; }
+    /// Empty room for the next scene, as large as that of the one that is shown: half of the arena given to start().
+    [[nodiscard]] base::Arena& spare();
+    /// Shows a scene that was loaded into spare(), from the next plan() on. False, and nothing changes, unless its revision is
+    /// larger.
+    [[nodiscard]] bool take(const scene::Scene& scene);
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
 
     [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, base::Time now);
@@ -56,6 +61,8 @@ private:
     [[nodiscard]] GroundDataState choose(const design::GroundData& ground);
     void show(bool shown);
 
+    base::Arena rooms_[2];
+    std::size_t room_ = 0;  ///< of the scene that is shown
     scene::Scene scene_;
     scene::GridSlice slice_;
     std::uint32_t most_side_ = 0;

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "render_core/gl/readback.hpp"
+#include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/fake_board.hpp"
 
@@ -82,6 +86,21 @@ TEST_F(DisplayApplicationTest, AFlightOnTheBusShowsTerrain) {
     EXPECT_GT(record.terrain.triangles, 1000u);
     EXPECT_LT(red_pixels(), 50u);
     EXPECT_EQ(report.gl_calls_outside_device, 0u);
+}
+
+TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
+    const test_support::TemporaryFolder folder;
+    host_sim::SceneDraft draft = test_support::small_scene();
+    draft.revision = 3;
+    const auto bytes = host_sim::sdb_bytes(draft);
+    settings.scene = Path(folder.write("area.sdb", std::string(bytes.begin(), bytes.end())));
+    start();
+    for (int n = 0; n < 500 && application->display().record().scene_revision == 0; ++n) {
+        (void)application->run(1, stop);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_EQ(application->display().record().scene_revision, 3u);
+    EXPECT_THAT(lines.str(), HasSubstr("area.sdb: shows revision 3\n"));
 }
 
 TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {

@@ -166,6 +166,20 @@ TEST_F(DataElementsTest, AnotherDesignTakesEffectWithTheNextPlan) {
     EXPECT_EQ(drawn_pixels(), 0u);
 }
 
+TEST_F(DataElementsTest, AnotherSceneLeavesNothingOfTheOneBefore) {
+    ask_for("zones", DataTechnique::prism);
+    plan();
+    host_sim::SceneDraft draft = scene_draft();
+    draft.layers.erase(draft.layers.begin() + 2);
+    const test_support::LoadedScene other(draft);
+    elements_.set(other.scene(), asked_);
+    EXPECT_EQ(elements_.reports().size(), 0u) << "before the next plan nothing points to the old one";
+    EXPECT_FALSE(elements_.has_anything());
+    elements_.plan({ground_, frame_.view, {}, kNow});
+    EXPECT_EQ(state(0), ElementState::no_such_layer);
+    EXPECT_EQ(drawn_pixels(), 0u);
+}
+
 TEST_F(DataElementsTest, AFrameWithoutTerrainShowsNone) {
     ask_for("zones", DataTechnique::prism);
     plan();

@@ -71,6 +71,39 @@ TEST_F(SpatialDataOf, WithoutAHeightItIsTheLowestLevel) {
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 272, 0.01) << "the upper one";
 }
 
+TEST_F(SpatialDataOf, ANewerSceneIsTakenOverWholeAndAnOlderOneNever) {
+    start(dated_scene());
+    static_cast<void>(plan(kDate_ns));
+    const auto loaded = [this](std::uint64_t revision, const char* layer) {
+        host_sim::SceneDraft draft = dated_scene();
+        draft.revision = revision;
+        draft.layers[0].name = layer;
+        test_support::FlakyBytes file(host_sim::sdb_bytes(draft));
+        auto scene = scene::Scene::load(file, data_.spare());
+        EXPECT_TRUE(scene.ok());
+        return scene.value();
+    };
+    EXPECT_FALSE(data_.take(loaded(1, "other"))) << "the same revision";
+    EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
+    EXPECT_TRUE(data_.take(loaded(2, "other")));
+    EXPECT_TRUE(data_.take_change()) << "what was shown is gone";
+    EXPECT_EQ(data_.ground(), nullptr);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_layer);
+    EXPECT_TRUE(data_.take(loaded(7, "air")));
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
+    EXPECT_EQ(data_.scene().header().revision, 7u);
+}
+
+TEST_F(SpatialDataOf, AFirstSceneMayComeLater) {
+    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+    EXPECT_FALSE(data_.has_scene());
+    test_support::FlakyBytes file(host_sim::sdb_bytes(dated_scene()));
+    auto scene = scene::Scene::load(file, data_.spare());
+    ASSERT_TRUE(scene.ok());
+    EXPECT_TRUE(data_.take(scene.value()));
+    EXPECT_TRUE(data_.has_scene());
+}
+
 TEST_F(SpatialDataOf, TheSameMomentHasTheSameTexelsFromWhereverItIsReached) {
     start(dated_scene());
     for (std::int64_t t = 0; t < 40; ++t) static_cast<void>(plan(kDate_ns + t * 10'000'000'000));
