@@ -174,9 +174,7 @@ TEST(DataStyle, ManyClassesAreAlmostThePalette) {
         EXPECT_NEAR(scale_color(fine.style.ground.scale, value).red, 2.55 * value, 255 / 32.0 + 0.6) << "half a class";
 }
 
-TEST(DataStyle, WhatIsNotShownHasNothingToReduce) {
-    EXPECT_TRUE(at_detail({}, 0.25).scale.breaks.empty());
-}
+TEST(DataStyle, WhatIsNotShownHasNothingToReduce) { EXPECT_TRUE(at_detail({}, 0.25).scale.breaks.empty()); }
 
 TEST(DataStyle, ProgramsDifferByTechnique) {
     DataStyle none, shown;
