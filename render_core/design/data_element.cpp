@@ -9,11 +9,6 @@ using base::ConfigSection;
 
 constexpr double kLargestValue = 1e12;
 
-template <std::size_t N, class Enum>
-void read_choice(ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {
-    value = static_cast<Enum>(section.choice("technique", {names.data(), names.size()}, static_cast<std::size_t>(value)));
-}
-
 void read_name(ConfigSection& section, std::string_view key, DataName& name) {
     name = section.text(key, "");
     if (name.cut()) fault_of(section, key, "is longer than 31 bytes; nothing in a scene has such a name");
@@ -37,7 +32,7 @@ void read_list(ConfigSection& section, std::string_view key, double low, double 
 }
 
 void read_uncertainty(ConfigSection section, DataElement& element) {
-    read_choice(section, kElementUncertaintyNames, element.uncertainty);
+    read_technique(section, kElementUncertaintyNames, element.uncertainty);
     element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
     element.uncertainty_levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, 0));
     if (element.uncertainty_levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
@@ -55,7 +50,7 @@ void read_layer(ConfigSection& section, DataElement& element) {
 DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     DataElement element;
     read_layer(section, element);
-    read_choice(section, kDataTechniqueNames, element.technique);
+    read_technique(section, kDataTechniqueNames, element.technique);
     if (section.has("color")) element.color = required_color(section, "color");
     read_encoding(section, palettes, "attribute", {}, element.by_color);
     read_encoding(section, palettes, "second_attribute", {"second_palette", "second_classes", "second_breaks"},

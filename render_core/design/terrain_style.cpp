@@ -20,14 +20,8 @@ double read_angle(ConfigSection& section, std::string_view key, double low_deg, 
 
 void read_share(ConfigSection& section, std::string_view key, double& share) { share = section.number(key, 0, 1, share); }
 
-template <class Enum, std::size_t N>
-void read_choice(ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {
-    const base::Span<const std::string_view> choices(names.data(), names.size());
-    value = static_cast<Enum>(section.choice("technique", choices, static_cast<std::size_t>(value)));
-}
-
 void read_texture(ConfigSection section, TerrainStyle& style) {
-    read_choice(section, kTerrainTextureNames, style.texture);
+    read_technique(section, kTerrainTextureNames, style.texture);
     read_color(section, "plain_color", style.plain);
     style.line_spacing_m = section.number("line_spacing_m", 10, 100'000, style.line_spacing_m);
 }
@@ -60,7 +54,7 @@ void read_sun(ConfigSection& section, ShadeSettings& shade) {
 }
 
 void read_shade(ConfigSection section, ShadeSettings& shade) {
-    read_choice(section, kTerrainShadeNames, shade.technique);
+    read_technique(section, kTerrainShadeNames, shade.technique);
     read_lights(section, shade);
     read_share(section, "ambient", shade.ambient);
     read_color(section, "ambient_color", shade.ambient_color);

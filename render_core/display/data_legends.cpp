@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "render_core/base/units.hpp"
+#include "render_core/design/grey_of.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -64,11 +65,6 @@ std::int64_t data_time_of(const scene::Layer& layer, std::int64_t now_ns) {
 Color sample_color(const design::GroundData& ground, Color plain) {
     const auto& stops = ground.scale.palette.stops;
     return blended(plain, scale_color(ground.scale, 0.5 * (stops[0].value + stops.back().value)), ground.opacity);
-}
-
-Color grey_of(Color c) {
-    const auto level = static_cast<std::uint8_t>(std::lround(0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue));
-    return {level, level, level};
 }
 
 /// As ground_data.frag draws the least sure.

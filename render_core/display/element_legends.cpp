@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render_core/base/utc_time.hpp"
+#include "render_core/design/grey_of.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -18,11 +19,6 @@ struct LegendFrame {
 Color middle_color(const design::DataScale& scale) {
     const auto& stops = scale.palette.stops;
     return scale_color(scale, 0.5 * (stops[0].value + stops.back().value));
-}
-
-Color grey_of(Color c) {
-    const auto level = static_cast<std::uint8_t>(std::lround(0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue));
-    return {level, level, level};
 }
 
 draw::LegendSample sample_of(std::string_view text, Color color) {

@@ -6,6 +6,7 @@
 #include "render_core/draw/data/glyph_room.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
+#include "render_core/scene/data_time.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -13,15 +14,9 @@ namespace {
 using design::DataTechnique;
 using design::ElementUncertainty;
 
-constexpr std::int64_t kMinute_ns = 60'000'000'000;
 constexpr std::uint32_t kSitesAhead = 4096;  // a frame, of the field that will be shown next
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
 constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
-
-std::int64_t start_of_minute(std::int64_t time_ns) {
-    const std::int64_t into = time_ns % kMinute_ns;
-    return time_ns - (into < 0 ? into + kMinute_ns : into);
-}
 
 scene::GlyphView glyph_view(const terrain::View& view) {
     return {view.eye,      view.forward, view.right, view.down, view.half_width_tangent(), view.half_height_tangent(),
@@ -194,15 +189,14 @@ void GlyphElements::advance(Slot& slot, std::uint32_t field, std::int64_t time_n
 
 void GlyphElements::show(Slot& slot, const GlyphFrameInput& frame) {
     const bool changes = draw::glyphs_change(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer));
-    const std::int64_t own = slot.layer->times_ns.empty() ? slot.layer->entry->data_time_ns : slot.layer->times_ns[0];
     const bool follows = frame.has_date && changes;
-    const std::int64_t time_ns = follows ? start_of_minute(frame.time_ns) : own == scene::kNoTime ? 0 : own;
+    const std::int64_t time_ns = follows ? scene::start_of_data_step(frame.time_ns) : scene::own_time_ns(*slot.layer);
     const auto is_of = [&](std::uint32_t n) {
         return slot.is_begun[n] && slot.times_ns[n] == time_ns && slot.fields[n].is_ready();
     };
     if (!is_of(slot.shown) && slot.field_count == 2) slot.shown = 1 - slot.shown;
     while (!is_of(slot.shown)) advance(slot, slot.shown, time_ns, frame, kAll);  // three times at most
-    if (follows) advance(slot, 1 - slot.shown, time_ns + kMinute_ns, frame, kSitesAhead);
+    if (follows) advance(slot, 1 - slot.shown, time_ns + scene::kDataStep_ns, frame, kSitesAhead);
 }
 
 void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {

@@ -4,29 +4,18 @@
 #include <cmath>
 
 #include "render_core/base/utc_time.hpp"
+#include "render_core/scene/data_time.hpp"
 
 namespace tedavis::display {
 namespace {
 
-constexpr std::int64_t kSlice_ns = 60'000'000'000;
 constexpr std::uint32_t kPostsAhead = 8192;  // made a frame; some hundred microseconds
 
 constexpr std::string_view kOfScene = "the scene database ";
 
-std::int64_t start_of_minute(std::int64_t time_ns) {
-    const std::int64_t into = time_ns % kSlice_ns;
-    return time_ns - (into < 0 ? into + kSlice_ns : into);
-}
-
 double slice_height_m(const design::GroundData& ground, const scene::Layer& layer) {
     if (!std::isnan(ground.height_m)) return ground.height_m;
     return layer.levels_m.empty() ? 0 : static_cast<double>(layer.levels_m[0]);
-}
-
-/// Where the data of a layer begin; for a source without a date.
-std::int64_t own_time_of(const scene::Layer& layer) {
-    if (!layer.times_ns.empty()) return layer.times_ns[0];
-    return layer.entry->data_time_ns == scene::kNoTime ? 0 : layer.entry->data_time_ns;
 }
 
 }  // namespace
@@ -100,7 +89,7 @@ SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time no
     }
     const scene::Layer& layer = *slice_.layer();
     plan.has_date = base::can_be_utc(now);
-    const std::int64_t time_ns = plan.has_date ? start_of_minute(now.ns) : own_time_of(layer);
+    const std::int64_t time_ns = plan.has_date ? scene::start_of_data_step(now.ns) : scene::own_time_ns(layer);
     if (time_ns < layer.entry->valid_from_ns || time_ns > layer.entry->valid_until_ns) {
         plan.ground = GroundDataState::out_of_date;
         show(false);
@@ -109,7 +98,8 @@ SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time no
     const double height_m = slice_height_m(design.ground, layer);
     if (slice_.show(height_m, time_ns)) has_changed_ = true;
     show(true);
-    if (plan.has_date) slice_.prepare(height_m, time_ns + kSlice_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
+    if (plan.has_date)
+        slice_.prepare(height_m, time_ns + scene::kDataStep_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
     return plan;
 }
 

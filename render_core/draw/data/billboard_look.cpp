@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_core/design/grey_of.hpp"
 #include "render_core/draw/data/placement.hpp"
 
 namespace tedavis::draw {
@@ -25,11 +26,6 @@ design::Color with_opacity(design::Color color, double share) {
     return color;
 }
 
-design::Color grey_of(design::Color color) {
-    const auto grey = static_cast<std::uint8_t>(std::lround(0.2126 * color.red + 0.7152 * color.green + 0.0722 * color.blue));
-    return {grey, grey, grey, color.alpha};
-}
-
 }  // namespace
 
 BillboardLook faded_look(const design::DataElement& element, design::Color color, scene::Uncertainty uncertainty) {
@@ -38,7 +34,7 @@ BillboardLook faded_look(const design::DataElement& element, design::Color color
     double opacity = element.opacity;
     if (element.uncertainty == ElementUncertainty::transparency) opacity *= 1 - lost;
     if (element.uncertainty == ElementUncertainty::saturation)
-        look.color = design::blended(look.color, grey_of(look.color), lost);
+        look.color = design::blended(look.color, design::grey_of(look.color), lost);
     look.color = with_opacity(look.color, opacity);
     look.text = with_opacity(look.text, opacity);
     return look;

@@ -9,13 +9,13 @@
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/data_time.hpp"
 
 namespace tedavis::draw {
 namespace {
 
 constexpr std::uint64_t kAlignment_bytes = 256;
 constexpr std::size_t kIndicesAVertex = 6, kShareOfRoom = 2;
-constexpr std::int64_t kMinute_ns = 60'000'000'000;
 constexpr std::uint32_t kLeastAcross = 4;  // posts that are looked at along an axis, where there are as many
 constexpr std::uint64_t kAllCells = ~std::uint64_t{0};
 constexpr std::uint32_t kSlotBits = 13;
@@ -32,8 +32,7 @@ std::int64_t time_of(const ElementInput& input) {
     const base::Span<const std::int64_t>& times = input.layer.times_ns;
     if (times.empty()) return input.layer.entry->data_time_ns;
     if (!input.has_date) return times[0];
-    const std::int64_t into = input.time_ns % kMinute_ns;
-    return input.time_ns - (into < 0 ? into + kMinute_ns : into);
+    return scene::start_of_data_step(input.time_ns);
 }
 
 std::size_t level_below(const base::Span<const float>& levels_m, double level) {
