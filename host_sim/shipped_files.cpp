@@ -42,4 +42,13 @@ std::string resolve_config(const std::string& name_or_path, const std::string& f
                     "; name a file, or one of these: " + shipped_names(shipped_folder));
 }
 
+std::string path_from(const std::string& stated_in, const std::string& path) {
+    return (std::filesystem::path(stated_in).parent_path() / path).lexically_normal().string();
+}
+
+std::string stated_config(const std::string& name_or_path, const std::string& folder, const std::string& stated_in) {
+    const bool is_bare = name_or_path.find_first_of("./") == std::string::npos;
+    return is_bare ? shipped_root() + "/configs/" + folder + "/" + name_or_path + ".toml" : path_from(stated_in, name_or_path);
+}
+
 }  // namespace tedavis::host_sim

@@ -12,4 +12,9 @@ namespace tedavis::host_sim {
 /// likewise. Throws UserError naming the shipped choices when neither exists.
 [[nodiscard]] std::string resolve_config(const std::string& name_or_path, const std::string& folder);
 
+/// A path that the file `stated_in` says; relative ones start from its folder.
+[[nodiscard]] std::string path_from(const std::string& stated_in, const std::string& path);
+/// A configuration that another one, `stated_in`, names: a bare name is that of a shipped one, the rest paths from its folder.
+[[nodiscard]] std::string stated_config(const std::string& name_or_path, const std::string& folder, const std::string& stated_in);
+
 }  // namespace tedavis::host_sim

@@ -109,7 +109,7 @@ std::string check_replay_config(const std::string& path) {
 }
 
 std::string check_sheet(const std::string& path) {
-    const SheetPlan plan = parse_sheet_plan(read_file(path), path);
+    const SheetPlan plan = read_sheet_plan(path);
     require_designs(plan, path);
     return "a contact sheet of " + std::to_string(plan.picture_count()) + " pictures";
 }

@@ -62,7 +62,7 @@ PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture
 SheetJob read_job(const SheetOptions& options) {
     SheetJob job;
     job.path = resolve_config(options.sheet, "sheets");
-    job.plan = parse_sheet_plan(read_file(job.path), job.path);
+    job.plan = read_sheet_plan(job.path);
     job.picture = options.picture;
     if (!job.picture.size) job.picture.size = job.plan.size;
     job.picture.symbology = job.plan.symbology;
@@ -75,7 +75,7 @@ SheetJob read_job(const SheetOptions& options) {
 /// The sheet's own raster, built as `terrain build` does.
 void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
     TerrainBuildOptions build;
-    build.rasters = {shipped_root() + "/configs/data/" + job.plan.terrain};
+    build.rasters = {job.plan.terrain};
     build.output = folder + "/" + std::filesystem::path(job.plan.terrain).stem().string() + ".tdb";
     if (job.plan.generated_image) {
         build.drape = folder + "/generated_image.tif";
@@ -109,7 +109,7 @@ void build_scene(SheetJob& job, const std::string& folder, Console& console) {
 
 /// A view of its own is of the sheet's own terrain.
 AircraftPose pose_of(const SheetJob& job, const SheetOptions& options, const SheetPlan::Picture& planned) {
-    AircraftPose pose = options.pose ? job.pose : planned.pose.value_or(job.pose);
+    AircraftPose pose = options.pose ? job.pose : job.plan.pose_of(planned);
     pose.time = job.time;
     return pose;
 }
@@ -166,7 +166,8 @@ void write_sheet(const DrawnSheet& sheet, const std::string& output) {
 
 int run_sheet(const SheetOptions& options, Console& console) {
     SheetJob job = read_job(options);
-    const std::string terrain = options.picture.terrain.empty() ? job.plan.terrain : options.picture.terrain;
+    const std::string terrain =
+        options.picture.terrain.empty() ? std::filesystem::path(job.plan.terrain).filename().string() : options.picture.terrain;
     const TemporaryFolder temporary;
     if (options.picture.terrain.empty()) build_terrain(job, temporary.path(), console);
     const bool is_own_ground = options.picture.terrain.empty() && options.picture.scene.empty();

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "host_sim/input_file.hpp"
 #include "host_sim/replay/load_design.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/utc_time.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 using base::ConfigSection;
 
-constexpr std::size_t kMostGroups = 16, kMostPictures = 64;
+constexpr std::size_t kMostGroups = 16, kMostPictures = 64, kMostViews = 64;
 constexpr std::size_t kLongestTitle = 60;
 
 AircraftPose read_pose(ConfigSection section) {
@@ -40,31 +42,99 @@ std::string read_title(ConfigSection& section) {
     return std::string(title);
 }
 
-SheetPlan::Picture read_picture(ConfigSection section, std::set<std::string>& files) {
+SheetPlan::Picture read_picture(ConfigSection& section) {
     SheetPlan::Picture picture;
     picture.title = read_title(section);
     picture.design = std::string(section.text("design"));
+    picture.view = std::string(section.text("view", ""));
     picture.file = std::filesystem::path(picture.design).stem().string();
-    if (section.has("detail")) {
-        picture.detail = section.number("detail", 0, 1);
-        picture.file += "_" + std::to_string(std::lround(100 * *picture.detail));
-    }
-    picture.file += ".png";
-    if (ConfigSection pose = section.section("pose"); pose.present()) picture.pose = read_pose(pose);
-    if (!files.insert(picture.file).second || picture.file == "sheet.png")
-        section.fault("design",
-                      "gives a picture '" + picture.file + "', whose name is taken; name the design's file differently");
     return picture;
 }
 
-SheetPlan::Group read_group(ConfigSection section, std::set<std::string>& files) {
-    SheetPlan::Group group;
-    group.title = read_title(section);
-    const std::size_t count = section.table_count("picture");
-    if (count == 0 || count > kMostPictures) section.fault("picture", "1 to 64 tables [[group.picture]] are needed");
-    for (std::size_t i = 0; i < count && i < kMostPictures; ++i)
-        group.pictures.push_back(read_picture(section.table_at("picture", i), files));
-    return group;
+SheetPlan::Picture with_detail(SheetPlan::Picture picture, double detail, std::string_view words) {
+    picture.title += words;
+    picture.detail = detail;
+    picture.file += "_" + std::to_string(std::lround(100 * detail));
+    return picture;
+}
+
+/// Pictures of a group; the names of their files are unique in the sheet.
+class GroupReader {
+public:
+    explicit GroupReader(double little_detail) : little_detail_(little_detail) {}
+
+    SheetPlan::Group read(ConfigSection section) {
+        SheetPlan::Group group;
+        group.title = read_title(section);
+        const std::size_t count = section.table_count("picture");
+        if (count == 0 || count > kMostPictures) section.fault("picture", "1 to 64 tables [[group.picture]] are needed");
+        for (std::size_t i = 0; i < count && i < kMostPictures; ++i) add_pictures(section.table_at("picture", i), group);
+        return group;
+    }
+
+private:
+    /// One, or a pair of which the second has all detail.
+    void add_pictures(ConfigSection section, SheetPlan::Group& group) {
+        const SheetPlan::Picture picture = read_picture(section);
+        const double little = section.number("little_detail", 0, 0.99, little_detail_);
+        if (little <= 0) return add(picture, section, group);
+        add(with_detail(picture, little, ", little detail"), section, group);
+        add(with_detail(picture, 1, ", all detail"), section, group);
+    }
+    void add(SheetPlan::Picture picture, ConfigSection& section, SheetPlan::Group& group) {
+        picture.file += ".png";
+        if (!files_.insert(picture.file).second || picture.file == "sheet.png")
+            section.fault("design",
+                          "gives a picture '" + picture.file + "', whose name is taken; name the design's file differently");
+        group.pictures.push_back(std::move(picture));
+    }
+
+    double little_detail_;
+    std::set<std::string> files_;
+};
+
+void read_views(ConfigSection root, SheetPlan& plan) {
+    const std::size_t count = root.table_count("view");
+    if (count > kMostViews) root.fault("view", "no more than 64 tables [[view]] are read");
+    for (std::size_t i = 0; i < count && i < kMostViews; ++i) {
+        ConfigSection section = root.table_at("view", i);
+        const std::string name(section.text("name"));
+        if (name.empty() || !plan.views.emplace(name, read_pose(section)).second)
+            section.fault("name", "must be there, and of this view alone");
+    }
+}
+
+void read_groups(ConfigSection root, const std::string& file_name, SheetPlan& plan) {
+    if (const std::string other(root.text("groups_of", "")); !other.empty()) {
+        plan.groups_of = stated_config(other, "sheets", file_name);
+        return;
+    }
+    plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
+    const std::size_t groups = root.table_count("group");
+    if (groups == 0 || groups > kMostGroups) root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
+    GroupReader reader(root.number("little_detail", 0, 0.99, 0));
+    for (std::size_t i = 0; i < groups && i < kMostGroups; ++i) plan.groups.push_back(reader.read(root.table_at("group", i)));
+}
+
+/// What the ground shows and what stands over it.
+void read_sources(ConfigSection root, const std::string& file_name, SheetPlan& plan) {
+    const std::string terrain(root.text("terrain"));
+    plan.terrain =
+        terrain.find('/') == std::string::npos ? shipped_root() + "/configs/data/" + terrain : path_from(file_name, terrain);
+    const std::string scene(root.text("scene", "")), scenario(root.text("scenario", ""));
+    if (!scene.empty()) plan.scene = stated_config(scene, "scenes", file_name);
+    if (!scenario.empty()) plan.scenario = stated_config(scenario, "scenarios", file_name);
+    if (!scene.empty() && !scenario.empty()) root.fault("scenario", "and 'scene' both say what is shown; keep one");
+}
+
+void require_views(const SheetPlan& plan, const std::string& file_name) {
+    for (const SheetPlan::Group& group : plan.groups) {
+        for (const SheetPlan::Picture& picture : group.pictures) {
+            if (picture.view.empty() || plan.views.count(picture.view) != 0) continue;
+            throw UserError(file_name + ": picture '" + picture.title + "' asks for the view '" + picture.view +
+                            "', which is not there; add a table [[view]] of this name");
+        }
+    }
 }
 
 }  // namespace
@@ -74,24 +144,35 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     ConfigSection root = reader.root();
     SheetPlan plan;
     plan.title = read_title(root);
-    plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
-    plan.terrain = std::string(root.text("terrain"));
-    plan.scene = std::string(root.text("scene", ""));
-    plan.scenario = std::string(root.text("scenario", ""));
-    if (!plan.scene.empty() && !plan.scenario.empty()) root.fault("scenario", "and 'scene' both say what is shown; keep one");
+    read_sources(root, file_name, plan);
     if (root.has("time")) plan.time = read_time(root);
     plan.generated_image = root.boolean("generated_image", false);
     plan.size.width = static_cast<std::uint32_t>(root.integer("width_px", 64, 4096));
     plan.size.height = static_cast<std::uint32_t>(root.integer("height_px", 48, 4096));
     plan.symbology = root.boolean("symbology", false);
     plan.pose = read_pose(root.section("pose"));
-    const std::size_t groups = root.table_count("group");
-    if (groups == 0 || groups > kMostGroups) root.fault("group", "1 to 16 tables [[group]] are needed");
-    std::set<std::string> files;
-    for (std::size_t i = 0; i < groups && i < kMostGroups; ++i)
-        plan.groups.push_back(read_group(root.table_at("group", i), files));
+    read_views(root, plan);
+    read_groups(root, file_name, plan);
     if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (plan.groups_of.empty()) require_views(plan, file_name);
     return plan;
+}
+
+SheetPlan read_sheet_plan(const std::string& path) {
+    SheetPlan plan = parse_sheet_plan(read_file(path), path);
+    if (plan.groups_of.empty()) return plan;
+    const SheetPlan other = parse_sheet_plan(read_file(plan.groups_of), plan.groups_of);
+    if (!other.groups_of.empty())
+        throw UserError(path + ": 'groups_of' names " + plan.groups_of +
+                        ", which has no groups of its own; name the sheet that has");
+    plan.columns = other.columns;
+    plan.groups = other.groups;
+    require_views(plan, path);
+    return plan;
+}
+
+const AircraftPose& SheetPlan::pose_of(const Picture& picture) const {
+    return picture.view.empty() ? pose : views.at(picture.view);
 }
 
 std::size_t SheetPlan::picture_count() const {

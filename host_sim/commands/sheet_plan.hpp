@@ -1,6 +1,7 @@
 /// What is on a contact sheet (`configs/sheets/*.toml`): one view, and the pictures of it in groups.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,10 +15,10 @@ namespace tedavis::host_sim {
 struct SheetPlan {
     struct Picture {
         std::string title;
-        std::string design;                ///< shipped name or path
-        std::optional<double> detail;      ///< of all its data, instead of the design's
-        std::optional<AircraftPose> pose;  ///< instead of the sheet's
-        std::string file;  ///< "lambert.png", from the last part of the design's name; with a detail "barbs_30.png"
+        std::string design;            ///< shipped name or path
+        std::optional<double> detail;  ///< of all its data, instead of the design's
+        std::string view;              ///< name of one of `views`; empty: the sheet's pose
+        std::string file;              ///< "lambert.png", from the last part of the design's name; with a detail "barbs_30.png"
     };
     struct Group {
         std::string title;
@@ -25,21 +26,28 @@ struct SheetPlan {
     };
     std::string title;
     std::uint32_t columns = 0;
-    std::string terrain;             ///< raster in configs/data that the sheet shows unless a database is given
-    std::string scene;               ///< recipe in configs/scenes that is shown over that terrain; empty: none
-    std::string scenario;            ///< instead of a scene: the one of this scenario in configs/scenarios
+    std::string terrain;             ///< path of the raster that the sheet shows unless a database is given
+    std::string scene;               ///< path of the recipe that is shown over that terrain; empty: none
+    std::string scenario;            ///< instead of a scene: path of the scenario that makes one
     std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
     bool generated_image = false;    ///< an invented image is draped over that terrain
     PictureSize size;                ///< of each picture, unless --size says another
     bool symbology = false;          ///< PictureOptions::symbology
     AircraftPose pose;
+    std::map<std::string, AircraftPose> views;
+    std::string groups_of;  ///< path of the sheet whose groups are shown instead of own ones; empty: own ones
     std::vector<Group> groups;
 
     [[nodiscard]] std::size_t picture_count() const;
+    /// Of the picture's view, else of the sheet.
+    [[nodiscard]] const AircraftPose& pose_of(const Picture& picture) const;
 };
 
-/// `file_name` is how messages call the file. Throws UserError with its line.
+/// `file_name` is how messages call the file; names with a slash or a dot in it start from its folder. Throws UserError with its
+/// line.
 [[nodiscard]] SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name);
+/// Reads the file, and the one whose groups it shows. Throws UserError.
+[[nodiscard]] SheetPlan read_sheet_plan(const std::string& path);
 /// Reads every design of the plan; throws UserError that names the sheet's file, the picture and the fault.
 void require_designs(const SheetPlan& plan, const std::string& file_name);
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "host_sim/importers/calendar_time.hpp"
-#include "host_sim/scene_builder/source_path.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
@@ -119,9 +118,7 @@ Leg read_leg(ConfigSection section) {
 std::string read_scene(ConfigSection& root, const std::string& file_name) {
     const std::string name(root.text("scene", ""));
     if (name.empty()) return {};
-    const bool is_bare = name.find_first_of("./") == std::string::npos;
-    const std::string folder = std::filesystem::path(file_name).parent_path().string();
-    std::string path = is_bare ? shipped_root() + "/configs/scenes/" + name + ".toml" : source_path(folder, name);
+    std::string path = stated_config(name, "scenes", file_name);
     std::error_code not_there;
     if (!std::filesystem::is_regular_file(path, not_there))
         root.fault("scene",

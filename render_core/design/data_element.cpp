@@ -58,6 +58,9 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     read_name(section, "size_attribute", element.size_attribute);
     element.size_m = section.number("size_m", 0, 100'000, element.size_m);
     read_list(section, "heights_m", -1000, 100'000, element.heights_m);
+    element.heights_over_ground = section.boolean("heights_over_ground", false);
+    if (element.heights_over_ground && element.heights_m.empty())
+        section.fault("heights_over_ground", "says what 'heights_m' are above, and there are none; state them");
     read_list(section, "levels", -kLargestValue, kLargestValue, element.levels);
     element.opacity = section.number("opacity", 0, 1, element.opacity);
     element.ghost = section.number("ghost", 0, 1, element.ghost);

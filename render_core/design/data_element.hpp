@@ -11,7 +11,8 @@
 ///     second_attribute = "..."     of tubes: on every other side, with second_palette
 ///     size_attribute = "..."       what the size says: size_m is that of its largest value
 ///     size_m = 300                 radius of tubes and spheres, length of arrows, height of bars and markers
-///     heights_m = [1500, 3000]     of slices through a field
+///     heights_m = [1500, 3000]     of slices through a field, in its own datum, or
+///     heights_over_ground = true   they are above the ground
 ///     levels = [30, 40]            of isosurfaces
 ///     opacity = 0.5                0..1
 ///     ghost = 0.25                 what terrain before it leaves of the opacity, 0..1
@@ -88,6 +89,7 @@ struct DataElement {
     DataName size_attribute;
     double size_m = 0;  ///< 0: the technique's own
     base::FixedVector<double, kMaxElementHeights> heights_m;
+    bool heights_over_ground = false;
     base::FixedVector<double, kMaxElementLevels> levels;
     double opacity = 1;
     double ghost = 0;

@@ -45,5 +45,13 @@ TEST(ShippedFiles, PathsStayAsTheyAre) {
     test_support::expect_user_error([&] { (void)resolve_config(folder.file("none.toml"), "designs"); }, "no such file");
 }
 
+TEST(ShippedFiles, NamesInAFileAreShippedOnesOrStartFromItsFolder) {
+    EXPECT_EQ(stated_config("jacksboro", "scenes", "/a/b/s.toml"), shipped_root() + "/configs/scenes/jacksboro.toml");
+    EXPECT_EQ(stated_config("own.toml", "scenes", "/a/b/s.toml"), "/a/b/own.toml");
+    EXPECT_EQ(stated_config("../own.toml", "scenes", "/a/b/s.toml"), "/a/own.toml");
+    EXPECT_EQ(path_from("/a/b/s.toml", "/c/x.tif"), "/c/x.tif") << "an absolute path stays";
+    EXPECT_EQ(path_from("s.toml", "x.tif"), "x.tif");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim

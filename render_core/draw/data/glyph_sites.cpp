@@ -113,15 +113,18 @@ scene::GlyphSite GlyphSites::post(const ElementInput& input, std::uint32_t n) co
                             : has_levels ? static_cast<double>(layer_->levels_m[0])
                                          : kNone;
     const double longitude = grid.west_rad + column * grid.step_lon_rad, latitude = grid.north_rad - row * grid.step_lat_rad;
-    Placed at = placed(input, latitude, longitude, height_m);
-    if (std::isnan(height_m)) at = placed_over_ground(input, latitude, longitude, kOverGround_m);
+    const bool is_over_ground = std::isnan(height_m) || element_->heights_over_ground;
+    const Placed at = is_over_ground ? placed_over_ground(input, latitude, longitude, has_heights ? height_m : kOverGround_m)
+                                     : placed(input, latitude, longitude, height_m);
     scene::GlyphSite site;
     site.place = at.is_known ? at.place : glm::dvec3(kNone);
     site.size_m = size_m_;
+    const double level_m = !is_over_ground             ? height_m
+                           : has_levels && at.is_known ? height_in_datum_m(input, latitude, longitude, at.height_m)
+                                                       : 0;
     const auto value_of = [&](const scene::Attribute& attribute) {
         const scene::GridField values(*layer_, attribute);
-        return values.at_post(column, row, values.level_at(std::isnan(height_m) ? 0 : height_m), values.time_at(time_ns_),
-                              values.age(time_ns_));
+        return values.at_post(column, row, values.level_at(level_m), values.time_at(time_ns_), values.age(time_ns_));
     };
     const scene::FieldValue value = value_of(*attribute_);
     const auto number = [](const scene::FieldValue& of) {

@@ -14,6 +14,13 @@ namespace {
 
 constexpr double kSlab_m = 4;  // from a runway's surface down
 constexpr design::Color kPaint{245, 245, 245};
+constexpr float kRaised_px = 2;  // the ground is drawn a pixel or so above or below the true one
+
+SolidLook look_on_ground(const ElementInput& input) {
+    SolidLook look = look_of(input);
+    look.raised_px = kRaised_px;
+    return look;
+}
 
 glm::dvec2 metres_per_rad(double latitude_rad) {
     return {std::cos(latitude_rad) * earth::prime_vertical_radius_m(latitude_rad), earth::meridian_radius_m(latitude_rad)};
@@ -266,7 +273,7 @@ private:
 
 ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
-    batch.set_look(look_of(input), input.layer.entry->data_time_ns);
+    batch.set_look(look_on_ground(input), input.layer.entry->data_time_ns);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         const bool is_drawn = Runway(mesh, input, feature).build() && mesh.add_to(batch);
         ++(is_drawn ? count.drawn : count.hidden);
@@ -276,7 +283,7 @@ ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput&
 
 ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
-    batch.set_look(look_of(input), input.layer.entry->data_time_ns);
+    batch.set_look(look_on_ground(input), input.layer.entry->data_time_ns);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature)
         ++(Ribbon(batch, mesh, input, feature).build() ? count.drawn : count.hidden);
     return count;

@@ -58,6 +58,14 @@ Placed placed(const ElementInput& input, const scene::ScenePoint& point) {
     return placed(input, point.latitude_rad, point.longitude_rad, static_cast<double>(point.height_m));
 }
 
+double height_in_datum_m(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m) {
+    switch (input.layer.entry->height_datum) {
+        case scene::HeightDatum::ground: return height_m - input.ground.height_m(latitude_rad, longitude_rad);
+        case scene::HeightDatum::msl: return height_m - input.ground.undulation_m(latitude_rad, longitude_rad);
+        default: return height_m;
+    }
+}
+
 glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature) {
     const double speed = value_or_nan(input.layer, "speed", feature), toward = value_or_nan(input.layer, "toward", feature);
     const std::int64_t since = input.layer.entry->data_time_ns;

@@ -27,6 +27,9 @@ struct Placed {
 /// The same over the ground, whatever the layer's datum.
 [[nodiscard]] Placed placed_over_ground(const ElementInput& input, double latitude_rad, double longitude_rad, double over_m);
 
+/// A height over the ellipsoid as one in the layer's datum: what placed() makes a place of.
+[[nodiscard]] double height_in_datum_m(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m);
+
 /// Metres east and north that a feature with attributes "speed" (m/s) and "toward" (rad) has gone since the data's time.
 [[nodiscard]] glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature);
 

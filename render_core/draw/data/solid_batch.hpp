@@ -33,9 +33,10 @@ static_assert(sizeof(SolidVertex) == 20);
 enum class SolidFading : std::uint8_t { none, transparency, saturation };
 
 struct SolidLook {
-    float opacity = 1;  ///< below 1, or with a vertex colour's alpha below 255: mixed with what is behind
-    float ghost = 0;    ///< what terrain before it leaves of the opacity
-    float halo_px = 0;  ///< the piece is the rim of others: swollen along its normals by so many pixels, drawn inside out
+    float opacity = 1;    ///< below 1, or with a vertex colour's alpha below 255: mixed with what is behind
+    float ghost = 0;      ///< what terrain before it leaves of the opacity
+    float halo_px = 0;    ///< the piece is the rim of others: swollen along its normals by so many pixels, drawn inside out
+    float raised_px = 0;  ///< along its normals: of what lies on the ground, which is drawn a little above or below the true one
     SolidFading fading = SolidFading::none;
     float fading_strength = 0;  ///< 0..1: what the least sure loses
     float fading_levels = 0;    ///< gradations; 0 for continuous

@@ -162,8 +162,9 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
     gl->Uniform3f(program_.uniform(kAnchor), anchor.x, anchor.y, anchor.z);
     gl->Uniform4f(program_.uniform(kFading), is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels,
                   grown_since(piece, frame));
-    gl->Uniform2f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f),
-                  look.halo_px / static_cast<float>(frame.frame.view.focal_px));
+    const auto focal_px = static_cast<float>(frame.frame.view.focal_px);
+    gl->Uniform3f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
+                  look.raised_px / focal_px);
     point_attributes(gl, piece);
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
     if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {

@@ -5,6 +5,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -25,7 +26,7 @@ TEST(SheetPlan, ReadsWhatTheFileSays) {
                          "two.toml");
     EXPECT_EQ(plan.title, "Two");
     EXPECT_EQ(plan.columns, 2u);
-    EXPECT_EQ(plan.terrain, "x.tif");
+    EXPECT_EQ(plan.terrain, shipped_root() + "/configs/data/x.tif");
     EXPECT_EQ(plan.size.width, 320u);
     EXPECT_EQ(plan.size.height, 240u);
     EXPECT_FALSE(plan.symbology);
@@ -43,29 +44,78 @@ TEST(SheetPlan, ReadsWhatTheFileSays) {
     EXPECT_EQ(plan.picture_count(), 3u);
 }
 
-TEST(SheetPlan, DataHaveASceneATimeDetailsAndViewsOfTheirOwn) {
-    const SheetPlan plan = parse_sheet_plan("scene = 'jacksboro'\ntime = '1970-01-01T00:01:00Z'\n" + kHead + kGroup +
-                                                picture("Low", "barbs") + "detail = 0.3\n" + picture("High", "barbs") +
-                                                "detail = 1\n[group.picture.pose]\nlatitude_deg = 1\nlongitude_deg = 2\n" +
-                                                "altitude_msl_m = 3\nheading_deg = 4\n",
-                                            "d.toml");
-    EXPECT_EQ(plan.scene, "jacksboro");
-    EXPECT_EQ(parse_sheet_plan("scenario = 'default'\n" + kHead + kGroup + picture("A", "a"), "d.toml").scenario, "default");
-    test_support::expect_user_error(
-        [] { (void)parse_sheet_plan("scene = 'a'\nscenario = 'b'\n" + kHead + kGroup + picture("A", "a"), "d.toml"); },
-        "keep one");
+std::string view(const std::string& name, int heading_deg) {
+    return "[[view]]\nname = '" + name +
+           "'\nlatitude_deg = 1\nlongitude_deg = 2\naltitude_msl_m = 3\nheading_deg = " + std::to_string(heading_deg) + "\n";
+}
+
+TEST(SheetPlan, DataHaveASceneAndATime) {
+    const std::string rest = kHead + kGroup + picture("A", "a");
+    const SheetPlan plan = parse_sheet_plan("scene = 'jacksboro'\ntime = '1970-01-01T00:01:00Z'\n" + rest, "d.toml");
+    EXPECT_EQ(plan.scene, shipped_root() + "/configs/scenes/jacksboro.toml");
     ASSERT_TRUE(plan.time);
     EXPECT_EQ(plan.time->ns, 60'000'000'000);
+    EXPECT_EQ(parse_sheet_plan("scenario = 'default'\n" + rest, "d.toml").scenario,
+              shipped_root() + "/configs/scenarios/default.toml");
+    EXPECT_EQ(parse_sheet_plan("scene = '../own.toml'\n" + rest, "/a/b/d.toml").scene, "/a/own.toml");
+    std::string own_terrain = rest;
+    own_terrain.replace(own_terrain.find("x.tif"), 5, "../x.tif");
+    EXPECT_EQ(parse_sheet_plan(own_terrain, "/a/b/d.toml").terrain, "/a/x.tif") << "from the sheet's folder";
+    test_support::expect_user_error([&] { (void)parse_sheet_plan("scene = 'a'\nscenario = 'b'\n" + rest, "d.toml"); },
+                                    "keep one");
+    test_support::expect_user_error([&] { (void)parse_sheet_plan("time = 'noon'\n" + rest, "d.toml"); }, "d.toml:1");
+}
+
+TEST(SheetPlan, OnePictureBecomesAPairOfLittleAndAllDetail) {
+    const SheetPlan plan =
+        parse_sheet_plan("little_detail = 0.3\n" + kHead + kGroup + picture("Barbs", "data/barbs") + picture("Plain", "plain") +
+                             "little_detail = 0\n" + picture("Own", "own") + "little_detail = 0.5\n",
+                         "d.toml");
     const auto& pictures = plan.groups[0].pictures;
-    ASSERT_EQ(pictures.size(), 2u);
+    ASSERT_EQ(pictures.size(), 5u);
+    EXPECT_EQ(pictures[0].title, "Barbs, little detail");
     EXPECT_EQ(pictures[0].file, "barbs_30.png");
-    EXPECT_EQ(pictures[1].file, "barbs_100.png") << "one design twice";
     EXPECT_EQ(pictures[0].detail, 0.3);
-    EXPECT_FALSE(pictures[0].pose);
-    ASSERT_TRUE(pictures[1].pose);
-    EXPECT_EQ(pictures[1].pose->heading_deg, 4);
-    test_support::expect_user_error(
-        [] { (void)parse_sheet_plan("time = 'noon'\n" + kHead + kGroup + picture("A", "a"), "d.toml"); }, "d.toml:1");
+    EXPECT_EQ(pictures[1].title, "Barbs, all detail");
+    EXPECT_EQ(pictures[1].file, "barbs_100.png") << "one design twice";
+    EXPECT_EQ(pictures[1].detail, 1);
+    EXPECT_EQ(pictures[2].title, "Plain");
+    EXPECT_EQ(pictures[2].file, "plain.png");
+    EXPECT_FALSE(pictures[2].detail) << "none: the design's own";
+    EXPECT_EQ(pictures[3].detail, 0.5);
+}
+
+TEST(SheetPlan, PicturesHaveViewsByName) {
+    const std::string seen = picture("A", "a") + "view = 'near'\n";
+    const SheetPlan plan =
+        parse_sheet_plan(kHead + view("near", 4) + view("far", 5) + kGroup + seen + picture("B", "b"), "d.toml");
+    EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[0]).heading_deg, 4);
+    EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[1]).heading_deg, 40) << "the sheet's own";
+    const auto refused = [](const std::string& text, const std::string& words) {
+        test_support::expect_user_error([&] { (void)parse_sheet_plan(text, "d.toml"); }, words);
+    };
+    refused(kHead + view("far", 5) + kGroup + seen, "d.toml: picture 'A' asks for the view 'near', which is not there");
+    refused(kHead + view("far", 5) + view("far", 6) + kGroup + picture("A", "a"), "of this view alone");
+}
+
+TEST(SheetPlan, AnotherSheetsPicturesAreShownFromViewsOfItsOwn) {
+    const test_support::TemporaryFolder folder;
+    folder.write("first.toml", kHead + view("near", 4) + kGroup + picture("A", "a") + "view = 'near'\n");
+    std::string head = kHead;
+    head.replace(head.find("columns = 2"), 11, "groups_of = './first.toml'");
+    const SheetPlan plan = read_sheet_plan(folder.write("second.toml", head + view("near", 9)));
+    EXPECT_EQ(plan.columns, 2u);
+    ASSERT_EQ(plan.picture_count(), 1u);
+    EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[0]).heading_deg, 9);
+    const auto refused = [&](const std::string& text, const std::string& words) {
+        const std::string path = folder.write("third.toml", text);
+        test_support::expect_user_error([&] { (void)read_sheet_plan(path); }, words);
+    };
+    refused(head, "third.toml: picture 'A' asks for the view 'near'");
+    refused(head + view("near", 9) + kGroup + picture("A", "a"), "third.toml:");
+    std::string third = head + view("near", 9);
+    third.replace(third.find("first"), 5, "second");
+    refused(third, "second.toml, which has no groups of its own");
 }
 
 TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {
@@ -88,12 +138,15 @@ TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {
     refused(off_the_earth, "s.toml:7: ");
 }
 
-TEST(SheetPlan, TheShippedOneIsWhole) {
-    const std::string path = resolve_config("terrain-styles", "sheets");
-    const SheetPlan plan = parse_sheet_plan(read_file(path), path);
-    EXPECT_NO_THROW(require_designs(plan, path));
-    EXPECT_GE(plan.picture_count(), 27u) << "every design of styles";
-    EXPECT_NO_THROW((void)read_file(shipped_root() + "/configs/data/" + plan.terrain));
+TEST(SheetPlan, TheShippedOnesAreWhole) {
+    const std::map<std::string, std::size_t> least = {{"terrain-styles", 27}, {"data-techniques", 74}};
+    for (const auto& [name, pictures] : least) {
+        const std::string path = resolve_config(name, "sheets");
+        const SheetPlan plan = read_sheet_plan(path);
+        EXPECT_NO_THROW(require_designs(plan, path));
+        EXPECT_GE(plan.picture_count(), pictures) << "every design of its folder";
+        EXPECT_NO_THROW((void)read_file(plan.terrain));
+    }
 }
 
 TEST(SheetPlan, ADesignThatIsNotThereIsNamedWithItsPicture) {

@@ -44,6 +44,7 @@ second_breaks = [5, 9]
 size_attribute = "fuel"
 size_m = 120
 heights_m = [1000, 2000.5]
+heights_over_ground = true
 levels = [30]
 opacity = 0.5
 ghost = 0.25
@@ -70,6 +71,7 @@ levels = 3
     EXPECT_EQ(element.size_m, 120);
     ASSERT_EQ(element.heights_m.size(), 2u);
     EXPECT_EQ(element.heights_m[1], 2000.5);
+    EXPECT_TRUE(element.heights_over_ground);
     ASSERT_EQ(element.levels.size(), 1u);
     EXPECT_EQ(element.levels[0], 30);
     EXPECT_EQ(element.opacity, 0.5);
@@ -114,6 +116,7 @@ TEST(DataElement, FaultsNameTheirKeyAndLine) {
     EXPECT_NE(read(one + "attribute = \"x\"\npalette = \"none\"\n").fault.find("no palette"), std::string::npos);
     EXPECT_NE(read(one + "levels = [1, 2, 3, 4, 5]\n").fault.find("too many"), std::string::npos);
     EXPECT_NE(read(one + "[data.element.uncertainty]\nlevels = 1\n").fault.find("2 to 16"), std::string::npos);
+    EXPECT_NE(read(one + "heights_over_ground = true\n").fault.find("state them"), std::string::npos);
     EXPECT_NE(read(one + "opasity = 1\n").fault.find("opasity"), std::string::npos);
     EXPECT_NE(read(repeated(one, static_cast<int>(kMaxDataElements) + 1)).fault.find("at most 12"), std::string::npos);
     EXPECT_EQ(read(repeated(one, static_cast<int>(kMaxDataElements))).fault, "");

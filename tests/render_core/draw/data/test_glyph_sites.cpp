@@ -91,6 +91,8 @@ TEST(GlyphSites, PostsStandOverTheGroundOrAtTheDesignsHeights) {
     EXPECT_NEAR(height_of(), 2050, 0.5);
     const FilledField two(test, 0);
     EXPECT_EQ(two.field.given(), 12u) << "a site a post and height";
+    test.element.heights_over_ground = true;
+    EXPECT_NEAR(height_of(), 2600, 0.5) << "600 m is the ground's";
 }
 
 TEST(GlyphSites, WithoutGroundTheyHaveNoPlace) {

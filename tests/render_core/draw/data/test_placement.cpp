@@ -30,7 +30,10 @@ TEST(Placement, HeightsAreOverWhatTheLayerSays) {
     EXPECT_EQ(height_of(ground, 40), 640);
     EXPECT_EQ(height_of(msl, 40), 90);
     EXPECT_EQ(height_of(ellipsoid, 40), 40);
-    for (ElementOfTest* test : {&ground, &msl, &ellipsoid}) EXPECT_EQ(height_of(*test, kNone), 600) << "on the ground";
+    for (ElementOfTest* test : {&ground, &msl, &ellipsoid}) {
+        EXPECT_EQ(height_of(*test, kNone), 600) << "on the ground";
+        EXPECT_EQ(height_in_datum_m(test->input(), 0.8, 0.2, height_of(*test, 40)), 40) << "there and back";
+    }
 }
 
 TEST(Placement, WithoutGroundNothingStandsOnIt) {

@@ -236,5 +236,18 @@ TEST(SolidDrawer, ARimIsAsWideNearAndFar) {
     }
 }
 
+TEST(SolidDrawer, WhatLiesOnTheGroundIsRaisedAboveItsErrors) {
+    for (const float raised_px : {0.0f, 2.0f}) {
+        SolidSession test;
+        SolidLook look;
+        look.raised_px = raised_px;
+        test.solids.batch().set_look(look, 0);
+        test.add_square(1000, 500, kRed);
+        const double reach_m = 1000 * 2 / test.frame.view.focal_px;
+        EXPECT_EQ(test.middle(1000 - 0.7 * reach_m), raised_px > 0 ? kRed : (design::Color{0, 0, 0}));
+        EXPECT_EQ(test.middle(1000 - 1.3 * reach_m), (design::Color{0, 0, 0})) << "a ridge before it hides it";
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::draw

@@ -1,0 +1,29 @@
+// Every technique over the real data round Davos: the sheet that shows them is drawn, small, and every picture shows its data.
+#include <gtest/gtest.h>
+
+#include "host_sim/commands/sheet.hpp"
+#include "host_sim/commands/sheet_plan.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/davos_files.hpp"
+
+namespace tedavis {
+namespace {
+
+TEST(DavosSheet, EveryPictureShowsItsData) {
+    const test_support::DavosFiles davos;
+    host_sim::SheetOptions options;
+    options.sheet = davos.folder.file("sheets/data-techniques.toml");
+    options.output = davos.folder.file("out");
+    options.picture.size = host_sim::PictureSize{160, 120};
+    const auto told = test_support::run_command([&](host_sim::Console& console) { return run_sheet(options, console); }, true);
+    ASSERT_EQ(told.code, 0) << told.notes;
+    const auto json = told.json();
+    EXPECT_EQ(json.at("pictures").size(), host_sim::read_sheet_plan(options.sheet).picture_count());
+    for (const auto& picture : json.at("pictures")) {
+        EXPECT_EQ(picture.at("flags").dump().find("data.missing"), std::string::npos) << picture.at("title");
+        EXPECT_EQ(picture.at("flags").dump().find("terrain.outside"), std::string::npos) << picture.at("title");
+    }
+}
+
+}  // namespace
+}  // namespace tedavis
