@@ -195,7 +195,7 @@ std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const
     const draw::DepthPlan depth = depth_plan(view);
     std::uint32_t triangles = 0;
     for (const terrain::SelectedChunk& chunk : selected()) {
-        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, double{draw::greatest_lift_m(chunk.lift)});
+        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)});
         for (std::size_t n = 0; n < depth.count; ++n)
             triangles += terrain::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
     }
@@ -223,7 +223,7 @@ void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const d
 double TerrainScene::farthest_depth_m(const terrain::View& view) const {
     double farthest = 0;
     for (const terrain::SelectedChunk& chunk : selected())
-        farthest = std::fmax(farthest, terrain::depth_span(*chunk.entry, view, double{draw::greatest_lift_m(chunk.lift)}).far_m);
+        farthest = std::fmax(farthest, terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)}).far_m);
     return farthest;
 }
 
@@ -234,18 +234,30 @@ draw::ScreenPart TerrainScene::drawn_part(const terrain::View& view) const {
     on_screen = length > kLeastVertical ? on_screen / length : glm::dvec2(0, -1);
     double highest = -std::numeric_limits<double>::infinity();
     for (const terrain::SelectedChunk& chunk : selected())
-        highest = std::fmax(highest,
-                            terrain::highest_tangent(*chunk.entry, view, on_screen, double{draw::greatest_lift_m(chunk.lift)}));
+        highest =
+            std::fmax(highest, terrain::highest_tangent(*chunk.entry, view, on_screen, double{greatest_lift_m(chunk.lift)}));
     return {static_cast<float>(on_screen.x * view.half_width_tangent()),
             static_cast<float>(-on_screen.y * view.half_height_tangent()),
             static_cast<float>(highest + kSkyMargin_px / view.focal_px)};
+}
+
+base::Span<const terrain::ChunkVertex> TerrainScene::vertices(const terrain::SelectedChunk& chunk) {
+    return store_.vertices(chunk.slot);
+}
+
+base::Span<const std::uint16_t> TerrainScene::stored_indices(const terrain::SelectedChunk& chunk) {
+    return store_.indices(chunk.slot);
+}
+
+base::Span<const std::uint16_t> TerrainScene::drawn_indices(const terrain::SelectedChunk& chunk) {
+    return drawer_.drawn_indices(chunk);
 }
 
 terrain::DrawnPoint TerrainScene::drawn_point(double latitude_rad, double longitude_rad) {
     const terrain::LatticePoint point = database_.lattice().point(latitude_rad, longitude_rad);
     const terrain::SelectedChunk* chunk = terrain::chunk_under(database_.lattice(), selected(), point);
     if (chunk == nullptr) return {};
-    return terrain::drawn_point(database_, {chunk, store_.vertices(chunk->slot), drawer_.drawn_indices(*chunk)}, point);
+    return terrain::drawn_point(database_, {chunk, vertices(*chunk), drawn_indices(*chunk)}, point);
 }
 
 }  // namespace tedavis::display

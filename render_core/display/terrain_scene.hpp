@@ -12,7 +12,7 @@
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
-#include "render_core/terrain/drawn_surface.hpp"
+#include "render_core/terrain/drawn_sight.hpp"
 #include "render_core/terrain/near_ground.hpp"
 
 namespace tedavis::display {
@@ -49,7 +49,7 @@ struct TerrainPlan {
 /// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
 [[nodiscard]] std::string_view database_fault(std::string_view sentence);
 
-class TerrainScene {
+class TerrainScene final : public terrain::DrawnMeshes {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
 
@@ -86,6 +86,11 @@ public:
 
     /// The drawn surface at a place, for what stands on the ground; after prepare().
     [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
+    /// Over the surface of this frame; after plan(). The view must stay.
+    [[nodiscard]] terrain::DrawnSight sight(const terrain::View& view) { return {database_.lattice(), selected(), *this, view}; }
+    [[nodiscard]] base::Span<const terrain::ChunkVertex> vertices(const terrain::SelectedChunk& chunk) override;
+    [[nodiscard]] base::Span<const std::uint16_t> stored_indices(const terrain::SelectedChunk& chunk) override;
+    [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk) override;
     [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
 
 private:

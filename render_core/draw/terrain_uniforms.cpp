@@ -202,10 +202,4 @@ GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::Chun
     return post_size(lattice, owner, std::ldexp(kPostsPerTexel, static_cast<int>(owner.level)));
 }
 
-float greatest_lift_m(const terrain::ChunkLift& lift) {
-    float greatest = lift.own_m;
-    for (int n = 0; n < 4; ++n) greatest = std::max({greatest, lift.edge_m[n], lift.corner_m[n]});
-    return greatest;
-}
-
 }  // namespace tedavis::draw

@@ -48,6 +48,4 @@ struct GroundSize {
 [[nodiscard]] GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
 [[nodiscard]] GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
 
-[[nodiscard]] float greatest_lift_m(const terrain::ChunkLift& lift);
-
 }  // namespace tedavis::draw

@@ -17,6 +17,15 @@ struct ChunkLift {
     float corner_m[4]{};
 };
 
+[[nodiscard]] constexpr float greatest_lift_m(const ChunkLift& lift) {
+    float greatest = lift.own_m;
+    for (int n = 0; n < 4; ++n) {
+        if (lift.edge_m[n] > greatest) greatest = lift.edge_m[n];
+        if (lift.corner_m[n] > greatest) greatest = lift.corner_m[n];
+    }
+    return greatest;
+}
+
 /// A lift and the leaf that asks for it.
 struct LiftSource {
     float lift_m = 0;

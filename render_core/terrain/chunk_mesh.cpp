@@ -1,6 +1,6 @@
 #include "render_core/terrain/chunk_mesh.hpp"
 
-#include "render_core/terrain/regular_chunk.hpp"
+#include "render_core/terrain/stored_triangles.hpp"
 
 namespace tedavis::terrain {
 namespace {
@@ -23,12 +23,6 @@ std::int64_t squared_length(const ChunkVertex& a, const ChunkVertex& b) {
 
 bool same_place(const ChunkVertex& a, const ChunkVertex& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/// Sides of the chunk that a border vertex lies on; the south-east corner is the farthest vertex both ways.
-std::uint8_t sides_of(const ChunkVertex& v, const ChunkVertex& south_east) {
-    return static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == south_east.i ? kEdgeEast : 0) |
-                                     (v.j == south_east.j ? kEdgeSouth : 0) | (v.i == 0 ? kEdgeWest : 0));
-}
-
 class MeshBuilder {
 public:
     MeshBuilder(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices, ChunkMeshScratch& scratch,
@@ -42,12 +36,8 @@ public:
             if (vertices_[n].j > south_east.j) south_east.j = vertices_[n].j;
         }
         for (std::uint32_t n = 0; n < vertices_.size(); ++n) scratch_.taken_out[n] = 0;
-        for (std::uint32_t n = 0; n < entry_.border_count; ++n) {
-            const std::uint8_t sides = sides_of(vertices_[n], south_east);
-            const bool is_corner = (sides & (sides - 1)) != 0;
-            const bool out = !is_corner && (sides & coarser_edges) != 0 && !vertices_[n].stays_beside_coarser();
-            scratch_.taken_out[n] = out ? 1 : 0;
-        }
+        for (std::uint32_t n = 0; n < entry_.border_count; ++n)
+            scratch_.taken_out[n] = is_taken_out(vertices_[n], south_east.i, south_east.j, coarser_edges) ? 1 : 0;
     }
 
     /// Triangles that lose a corner wait in the strip.
@@ -172,29 +162,14 @@ private:
     std::uint32_t count_ = 0, strip_ = 0, ring_ = 0;
 };
 
-/// Two triangles a cell, cut along the true surface's diagonal.
-bool add_regular(MeshBuilder& mesh, const RegularGrid& grid) {
-    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
-        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i) {
-            const auto at = [&](std::uint32_t di, std::uint32_t dj) {
-                return static_cast<std::uint16_t>(grid.index_of(i + di, j + dj));
-            };
-            if (!mesh.add({at(0, 0), at(0, 1), at(1, 0)}) || !mesh.add({at(1, 0), at(0, 1), at(1, 1)})) return false;
-        }
-    return true;
-}
-
-/// The grid of a regular chunk, from its counts; rows 0 when they fit no grid.
-RegularGrid grid_of(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices) {
-    std::uint32_t columns = 1;
-    while (columns < vertices.size() && vertices[columns].j == 0) ++columns;
-    const RegularGrid grid{columns, entry.vertex_count / columns};
-    const bool fits =
-        columns >= 2 && grid.rows >= 2 && grid.vertex_count() == entry.vertex_count && grid.border_count() == entry.border_count;
-    return fits ? grid : RegularGrid{};
-}
-
 }  // namespace
+
+bool is_taken_out(const ChunkVertex& v, std::uint32_t last_i, std::uint32_t last_j, std::uint8_t coarser_edges) {
+    const auto sides = static_cast<std::uint8_t>((v.j == 0 ? kEdgeNorth : 0) | (v.i == last_i ? kEdgeEast : 0) |
+                                                 (v.j == last_j ? kEdgeSouth : 0) | (v.i == 0 ? kEdgeWest : 0));
+    const bool is_corner = (sides & (sides - 1)) != 0;
+    return !is_corner && (sides & coarser_edges) != 0 && !v.stays_beside_coarser();
+}
 
 MeshCount build_chunk_indices(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices,
                               base::Span<const std::uint16_t> stored, std::uint8_t coarser_edges, ChunkMeshScratch& scratch,
@@ -204,14 +179,8 @@ MeshCount build_chunk_indices(const ChunkEntry& entry, base::Span<const ChunkVer
         return {};
     MeshBuilder mesh(entry, vertices, scratch, indices);
     mesh.mark_taken_out(coarser_edges);
-    if ((entry.flags & kChunkRegular) != 0) {
-        const RegularGrid grid = grid_of(entry, vertices);
-        if (grid.rows == 0 || !add_regular(mesh, grid)) return {};
-    } else {
-        for (std::size_t n = 0; n + 2 < stored.size(); n += 3)
-            if (!mesh.add({stored[n], stored[n + 1], stored[n + 2]})) return {};
-    }
-    if (!mesh.close_strip()) return {};
+    const auto add = [&](std::uint16_t a, std::uint16_t b, std::uint16_t c) { return mesh.add({a, b, c}); };
+    if (!each_stored_triangle(entry, vertices, stored, add) || !mesh.close_strip()) return {};
     return {mesh.count(), true};
 }
 

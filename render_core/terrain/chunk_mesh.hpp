@@ -25,6 +25,10 @@ struct MeshCount {
     bool sound = false;  ///< false: the chunk contradicts its format; nothing of it may be drawn
 };
 
+/// Whether a vertex of the border is left out beside these coarser neighbours; `last_i` and `last_j` of the south-east corner.
+[[nodiscard]] bool is_taken_out(const ChunkVertex& vertex, std::uint32_t last_i, std::uint32_t last_j,
+                                std::uint8_t coarser_edges);
+
 /// Writes triangles (counter-clockwise seen from above) as indices into `vertices`. `stored` are the payload's indices (empty
 /// for a regular chunk), `coarser_edges` a set of EdgeBit. Triangles that a pole has made a line are left out.
 /// Deterministic; bounded by the counts of the entry; allocates nothing.

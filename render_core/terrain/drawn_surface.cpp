@@ -92,15 +92,6 @@ Found find_triangle(const Lattice& lattice, const PostRange& posts, const DrawnM
     return best;
 }
 
-/// Where a vertex is drawn, from the chunk's centre.
-glm::dvec3 drawn_position(const Lattice& lattice, const SelectedChunk& chunk, const PostRange& posts, const ChunkVertex& v) {
-    const glm::dvec3 place(double{v.x}, double{v.y}, double{v.z});
-    const double lift_m = double{vertex_lift_m(chunk.lift, posts, v)};
-    if (lift_m == 0) return place;
-    const std::uint32_t i = posts.i0 + v.i, j = posts.j0 + v.j;
-    return place + lattice.position(i, j, lift_m) - lattice.position(i, j, 0);
-}
-
 }  // namespace
 
 float vertex_lift_m(const ChunkLift& lift, const PostRange& posts, const ChunkVertex& vertex) {
@@ -111,6 +102,14 @@ float vertex_lift_m(const ChunkLift& lift, const PostRange& posts, const ChunkVe
     if (east) return lift.edge_m[1];
     if (south) return lift.edge_m[2];
     return west ? lift.edge_m[3] : lift.own_m;
+}
+
+glm::dvec3 drawn_position(const Lattice& lattice, const SelectedChunk& chunk, const PostRange& posts, const ChunkVertex& v) {
+    const glm::dvec3 place(double{v.x}, double{v.y}, double{v.z});
+    const double lift_m = double{vertex_lift_m(chunk.lift, posts, v)};
+    if (lift_m == 0) return place;
+    const std::uint32_t i = posts.i0 + v.i, j = posts.j0 + v.j;
+    return place + lattice.position(i, j, lift_m) - lattice.position(i, j, 0);
 }
 
 const SelectedChunk* chunk_under(const Lattice& lattice, base::Span<const SelectedChunk> selected, const LatticePoint& point) {

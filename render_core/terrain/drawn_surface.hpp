@@ -17,6 +17,22 @@ struct DrawnMesh {
     base::Span<const std::uint16_t> indices;
 };
 
+/// Meshes of the chunks that a frame selected, on the display's thread.
+class DrawnMeshes {
+public:
+    [[nodiscard]] virtual base::Span<const ChunkVertex> vertices(const SelectedChunk& chunk) = 0;
+    /// As the payload has them; empty for a regular chunk.
+    [[nodiscard]] virtual base::Span<const std::uint16_t> stored_indices(const SelectedChunk& chunk) = 0;
+    /// As they are drawn; valid until the next call.
+    [[nodiscard]] virtual base::Span<const std::uint16_t> drawn_indices(const SelectedChunk& chunk) = 0;
+
+protected:
+    DrawnMeshes() = default;
+    DrawnMeshes(const DrawnMeshes&) = default;
+    DrawnMeshes& operator=(const DrawnMeshes&) = default;
+    ~DrawnMeshes() = default;
+};
+
 struct DrawnPoint {
     bool found = false;  ///< false: no triangle there
     earth::Ecef position{};
@@ -31,5 +47,8 @@ struct DrawnPoint {
 
 /// Metres by which a vertex of a chunk is raised; `posts` is the chunk's range.
 [[nodiscard]] float vertex_lift_m(const ChunkLift& lift, const PostRange& posts, const ChunkVertex& vertex);
+/// Where a vertex is drawn, from the chunk's centre, m in ECEF axes.
+[[nodiscard]] glm::dvec3 drawn_position(const Lattice& lattice, const SelectedChunk& chunk, const PostRange& posts,
+                                        const ChunkVertex& vertex);
 
 }  // namespace tedavis::terrain

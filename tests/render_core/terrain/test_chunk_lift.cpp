@@ -137,5 +137,14 @@ TEST(ChunkLift, StripsCountWhereANeighbourIsCoarser) {
     EXPECT_EQ(own_lift_m(entry, 0), 3);
 }
 
+TEST(ChunkLift, TheGreatestIsOfAnyPart) {
+    ChunkLift lift{1, {10, 11, 12, 13}, {20, 21, 22, 23}};
+    EXPECT_EQ(greatest_lift_m(lift), 23);
+    lift.edge_m[2] = 24;
+    EXPECT_EQ(greatest_lift_m(lift), 24);
+    lift.own_m = 30;
+    EXPECT_EQ(greatest_lift_m(lift), 30);
+}
+
 }  // namespace
 }  // namespace tedavis::terrain

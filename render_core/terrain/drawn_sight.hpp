@@ -1,0 +1,45 @@
+/// Whether the surface, as it is drawn, stands between an eye and a place: what it hides can then be hidden whole.
+///
+/// A sight ends at kReach of its way, so that what stands on the ground is not hidden by the triangle that it stands on, and
+/// begins at the near plane. It is blocked where it enters a triangle's front, of the triangles that are drawn: those of the
+/// selected chunks beside coarser neighbours, with their lifts; back faces are culled. Triangles are taken a millimetre wider, so
+/// that no sight slips through between two.
+///
+/// In a chunk whose box the sight passes through, every vertex gets its sides of two planes that meet in the sight; a triangle
+/// that it meets has corners on both sides of both. The index list beside coarser neighbours, which costs most, is asked for only
+/// where the triangles that it replaces reach both sides: they have all the corners of those in their place, and a polygon whose
+/// triangles all stay on one side of a plane stays there.
+///
+/// Computed in double, from the eye. Pure but for the meshes that are asked. Bounded: a box a chunk, and the vertices and
+/// triangles of the chunks whose boxes are met. No heap; the answer depends on nothing that was asked before.
+/// Thread  the meshes'.
+#pragma once
+
+#include "render_core/terrain/drawn_surface.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::terrain {
+
+class DrawnSight {
+public:
+    static constexpr double kReach = 0.995;
+
+    /// Everything must stay, and the selection be of this frame, its payloads in memory.
+    DrawnSight(const Lattice& lattice, base::Span<const SelectedChunk> selected, DrawnMeshes& meshes, const View& view)
+        : lattice_(lattice), selected_(selected), meshes_(meshes), view_(view) {}
+
+    /// `place` in ECEF, m. False for what does not lie beyond the near plane: nobody looks there.
+    [[nodiscard]] bool is_hidden(const glm::dvec3& place);
+
+private:
+    [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const SelectedChunk& chunk);
+
+    const Lattice& lattice_;
+    base::Span<const SelectedChunk> selected_;
+    DrawnMeshes& meshes_;
+    const View& view_;
+    const SelectedChunk* built_ = nullptr;  ///< the last chunk whose drawn index list was asked for
+    base::Span<const std::uint16_t> built_indices_;
+};
+
+}  // namespace tedavis::terrain
