@@ -114,7 +114,8 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
-    if (gl::GlError error = billboard_drawer_.start_billboards(gl, budget, memory.billboards, typeface); !error.sentence.empty())
+    if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
+    if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
         return error;
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
 }
@@ -214,7 +215,7 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
 
 /// Only what is valid now: what is not shown must take no room from what is.
 void DataElements::build_billboards(const ElementFrame& frame) {
-    sheet_.begin(billboard_drawer_.batch(), frame.view, frame.text_px);
+    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, frame.text_px, frame.sight});
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
@@ -242,20 +243,26 @@ void DataElements::prepare(gl::Gl& gl) {
     is_uploaded_ = is_uploaded_ || standing_.upload(gl);
     moving_is_uploaded_ = moving_.upload(gl);
     glyphs_.prepare(gl);
-    static_cast<void>(billboard_drawer_.upload(gl));
+    static_cast<void>(link_drawer_.upload(gl));
 }
 
-std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
+std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthPlan& depth, std::size_t n) {
     if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
     const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
+    const draw::DepthRange& range = depth.ranges[n];
     const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
-    return draws + glyphs_.draw(gl, frame, range) + billboard_drawer_.draw_within(gl, frame.view.width, frame.view.height, range);
+    return draws + glyphs_.draw(gl, frame, range) + link_drawer_.draw_within(gl, frame.view.width, frame.view.height, depth, n);
+}
+
+std::uint32_t DataElements::draw_signs(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {
+    return shown_ == 0 ? 0 : sign_drawer_.draw(gl, width, height);
 }
 
 void DataElements::destroy(gl::Gl& gl) {
     glyphs_.destroy(gl);
     drawer_.destroy(gl);
-    billboard_drawer_.destroy(gl);
+    sign_drawer_.destroy(gl);
+    link_drawer_.destroy(gl);
     standing_.destroy(gl);
     moving_.destroy(gl);
 }

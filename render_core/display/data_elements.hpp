@@ -48,7 +48,8 @@ struct ElementFrame {
     const terrain::View& view;  ///< of the eye
     design::Color missing;
     base::Time now;
-    double text_px = 16;  ///< of the display's ordinary text
+    double text_px = 16;                   ///< of the display's ordinary text
+    terrain::DrawnSight* sight = nullptr;  ///< over the drawn terrain, for signs; null: nothing stands in the way
 };
 
 class DataElements {
@@ -72,8 +73,10 @@ public:
 
     /// Uploads what is new; before draw().
     void prepare(gl::Gl& gl);
-    /// Returns the number of draws.
-    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
+    /// What stands in the n-th range of depth, but for the signs. Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthPlan& depth, std::size_t n);
+    /// After the last range, over the picture; leaves the depth test off.
+    std::uint32_t draw_signs(gl::Gl& gl, std::uint32_t width, std::uint32_t height);
     void destroy(gl::Gl& gl);
 
 private:
@@ -89,7 +92,7 @@ private:
 
     GlyphElements glyphs_;
     draw::SolidDrawer drawer_;
-    draw::QuadDrawer billboard_drawer_;
+    draw::QuadDrawer sign_drawer_, link_drawer_;
     draw::BillboardSheet sheet_;
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;

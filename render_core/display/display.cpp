@@ -14,11 +14,8 @@
 #include "render_core/gl/render_target.hpp"
 
 namespace tedavis::display {
-namespace {
 
 using flight::Signal;
-
-}  // namespace
 
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
@@ -254,7 +251,8 @@ void Display::plan_elements(base::Time now) {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
     TerrainGround ground(terrain_);
-    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, text_px()});
+    terrain::DrawnSight sight = terrain_.sight(eye_.view);
+    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, text_px(), &sight});
 }
 
 double Display::text_px() const {
@@ -329,9 +327,10 @@ void Display::draw_terrain() {
         if (n == 0) sky_drawer_.draw(gl_, make_sky_input(context()));
         if (!elements_.has_anything()) continue;
         gl_->Enable(GL_DEPTH_TEST);
-        elements_.draw(gl_, make_data_frame(context()), depth.ranges[n]);
+        elements_.draw(gl_, make_data_frame(context()), depth, n);
         gl_->Disable(GL_DEPTH_TEST);
     }
+    if (!picture_.is_started()) elements_.draw_signs(gl_, settings_.width_px, settings_.height_px);
 }
 
 /// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
@@ -347,9 +346,10 @@ void Display::draw_elements_over_picture() {
         gl_->Disable(GL_CULL_FACE);
         gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         if (n > 0) picture_.repaint(gl_, settings_.design, picture_input());
-        elements_.draw(gl_, make_data_frame(context()), depth.ranges[n]);
+        elements_.draw(gl_, make_data_frame(context()), depth, n);
         gl_->Disable(GL_DEPTH_TEST);
     }
+    elements_.draw_signs(gl_, settings_.width_px, settings_.height_px);
 }
 
 void Display::draw_symbology() {

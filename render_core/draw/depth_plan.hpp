@@ -17,6 +17,10 @@ using DepthRange = terrain::DepthSpan;
 struct DepthPlan {
     DepthRange ranges[2];  ///< in drawing order
     std::size_t count = 1;
+
+    /// Where the ranges overlap, what is mixed with the colours below belongs to one of them: from here on to the far one. 0
+    /// where there is one range.
+    [[nodiscard]] double parting_m() const { return count > 1 ? ranges[1].far_m : 0; }
 };
 
 [[nodiscard]] inline DepthPlan plan_depth(double near_m, double far_m) {

@@ -27,7 +27,7 @@ struct QuadVertex {
     float u = 0, v = 0;
     float extent_x = 0, extent_y = 0;
     std::uint8_t rgba[4] = {};
-    float distance_m = 0;  ///< along the view, for what terrain may hide; 0 for what lies over everything
+    float distance_m = 0;  ///< along the view, of lines that terrain may hide; else 0
 };
 static_assert(sizeof(QuadVertex) == 32);
 

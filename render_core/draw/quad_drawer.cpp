@@ -17,11 +17,14 @@ namespace {
 enum Attribute : GLuint { kPosition, kUv, kExtent, kColor, kDistance };
 constexpr gl::AttributeBinding kAttributes[] = {
     {"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}, {"distance_m", kDistance}};
-enum Uniform : std::size_t { kClipPerPixel, kAtlas, kDepth };
-constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth"};
+enum Uniform : std::size_t { kClipPerPixel, kAtlas, kDepth, kParting, kIsNearer };
+constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth", "parting_m", "is_nearer"};
+constexpr std::string_view kGlyphs = "#define GLYPHS 1\n", kAmongTerrain = "#define AMONG_TERRAIN 1\n";
+constexpr std::size_t kLinkShare = 4;  // links have one in so many of the vertices of billboards
 
-gl::GlError build_program(gl::Gl& gl, std::string_view defines, bool with_depth, gl::Program& program) {
-    base::FixedString<kMaxShaderText> vertex(with_depth ? "#define AMONG_TERRAIN 1\n" : ""), fragment(defines);
+gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
+    const bool with_depth = defines == kAmongTerrain;
+    base::FixedString<kMaxShaderText> vertex(defines), fragment(defines);
     vertex.append(shader_text(k_symbology_vert));
     fragment.append(shader_text(k_symbology_frag));
     constexpr std::size_t kAll = std::size(kAttributes);
@@ -31,6 +34,15 @@ gl::GlError build_program(gl::Gl& gl, std::string_view defines, bool with_depth,
     if (!built.ok()) return built.error();
     program = built.value();
     return {};
+}
+
+constexpr QuadLines kBillboardLines{effects::kSceneBillboards, effects::kSceneBillboardVertices};
+
+/// Signs and links together.
+std::size_t billboard_vertices(base::BudgetTable& budget) {
+    constexpr std::uint64_t kMost = 65'536;
+    const std::uint64_t room = budget.find(effects::kSceneBillboardVertices)->bytes / QuadDrawer::kBytesAVertex;
+    return static_cast<std::size_t>(std::min(room, kMost));
 }
 
 void point_attributes(gl::Gl& gl) {
@@ -48,16 +60,24 @@ void point_attributes(gl::Gl& gl) {
 gl::GlError QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
     gl::GlError error = make_buffers(gl, budget, memory, {effects::kSymbology, effects::kSymbologyVertices}, max_vertices);
     if (error.sentence.empty()) error = make_typeface(gl, budget);
-    return error.sentence.empty() ? make_programs(gl, false) : error;
+    boxes_ = &box_program_;
+    glyphs_ = &glyph_program_;
+    if (error.sentence.empty()) error = build_program(gl, "", box_program_);
+    return error.sentence.empty() ? build_program(gl, kGlyphs, glyph_program_) : error;
 }
 
-gl::GlError QuadDrawer::start_billboards(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
-    constexpr std::uint64_t kMost = 65'536;
-    const std::uint64_t room = budget.find(effects::kSceneBillboardVertices)->bytes / kBytesAVertex;
-    gl::GlError error = make_buffers(gl, budget, memory, {effects::kSceneBillboards, effects::kSceneBillboardVertices},
-                                     static_cast<std::size_t>(std::min(room, kMost)));
+gl::GlError QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
     typeface_ = lender.typeface_;
-    return error.sentence.empty() ? make_programs(gl, true) : error;
+    boxes_ = lender.boxes_;
+    glyphs_ = lender.glyphs_;
+    const std::size_t vertices = billboard_vertices(budget);
+    return make_buffers(gl, budget, memory, kBillboardLines, vertices - vertices / kLinkShare);
+}
+
+gl::GlError QuadDrawer::start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
+    boxes_ = &box_program_;
+    gl::GlError error = make_buffers(gl, budget, memory, kBillboardLines, billboard_vertices(budget) / kLinkShare);
+    return error.sentence.empty() ? build_program(gl, kAmongTerrain, box_program_) : error;
 }
 
 gl::GlError QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
@@ -91,11 +111,6 @@ gl::GlError QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
     return {};
 }
 
-gl::GlError QuadDrawer::make_programs(gl::Gl& gl, bool with_depth) {
-    if (gl::GlError error = build_program(gl, "", with_depth, box_program_); !error.sentence.empty()) return error;
-    return build_program(gl, "#define GLYPHS 1\n", with_depth, glyph_program_);
-}
-
 bool QuadDrawer::upload(gl::Gl& gl) {
     const auto vertices = batch_.vertices();
     const auto indices = batch_.indices();
@@ -107,42 +122,53 @@ bool QuadDrawer::upload(gl::Gl& gl) {
 std::uint32_t QuadDrawer::draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {
     if (!upload(gl)) return 0;
     gl->Disable(GL_DEPTH_TEST);
-    return draw_runs(gl, width, height, nullptr);
+    return draw_runs(gl, width, height, kColor);
 }
 
-std::uint32_t QuadDrawer::draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange& range) {
+std::uint32_t QuadDrawer::draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthPlan& plan,
+                                      std::size_t n) {
     if (!is_uploaded_) return 0;
+    set_depths(gl, plan, n);
     gl->DepthMask(GL_FALSE);
-    const std::uint32_t draws = draw_runs(gl, width, height, &range);
+    const std::uint32_t draws = draw_runs(gl, width, height, kDistance);
     gl->DepthMask(GL_TRUE);
     return draws;
 }
 
-/// With a range, depths are those of the perspective: scale + offset / distance (view_projection.hpp).
-std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange* range) {
+/// Those of the perspective: scale + offset / distance (view_projection.hpp).
+void QuadDrawer::set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) const {
+    const double near_m = plan.ranges[n].near_m, far_m = plan.ranges[n].far_m;
+    boxes_->use(gl);
+    gl->Uniform2f(boxes_->uniform(kDepth), static_cast<float>((far_m + near_m) / (far_m - near_m)),
+                  static_cast<float>(-2 * far_m * near_m / (far_m - near_m)));
+    gl->Uniform1f(boxes_->uniform(kParting), static_cast<float>(plan.parting_m()));
+    gl->Uniform1f(boxes_->uniform(kIsNearer), n > 0 ? 1.0f : 0.0f);
+}
+
+std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last) {
     const auto vertices = batch_.vertices();
     const auto indices = batch_.indices();
     gl->Disable(GL_CULL_FACE);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    for (const gl::Program* program : {&box_program_, &glyph_program_}) {
+    for (const gl::Program* program : {boxes_, glyphs_}) {
+        if (program == nullptr) continue;
         program->use(gl);
         gl->Uniform2f(program->uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
-        if (range == nullptr) continue;
-        const double n = range->near_m, f = range->far_m;
-        gl->Uniform2f(program->uniform(kDepth), static_cast<float>((f + n) / (f - n)), static_cast<float>(-2 * f * n / (f - n)));
     }
-    gl->Uniform1i(glyph_program_.uniform(kAtlas), 0);
-    typeface_->bind(gl, 0);
+    if (glyphs_ != nullptr) {
+        gl->Uniform1i(glyphs_->uniform(kAtlas), 0);
+        typeface_->bind(gl, 0);
+    }
     vertices_.bind(gl);
     indices_.bind(gl);
-    const GLuint last = range == nullptr ? kColor : kDistance;
     for (GLuint attribute = kPosition; attribute <= last; ++attribute) gl->EnableVertexAttribArray(attribute);
     point_attributes(gl);
     const base::Span<const QuadRun> runs = batch_.runs();
     for (std::size_t n = 0; n < runs.size(); ++n) {
         const std::uint32_t end = n + 1 < runs.size() ? runs[n + 1].first_index : static_cast<std::uint32_t>(indices.size());
-        (runs[n].glyphs ? glyph_program_ : box_program_).use(gl);
+        if (runs[n].glyphs && glyphs_ == nullptr) continue;
+        (runs[n].glyphs ? glyphs_ : boxes_)->use(gl);
         gl::draw_triangles(gl, {runs[n].first_index, end - runs[n].first_index, static_cast<std::uint32_t>(vertices.size() - 1)});
     }
     for (GLuint attribute = kPosition; attribute <= last; ++attribute) gl->DisableVertexAttribArray(attribute);

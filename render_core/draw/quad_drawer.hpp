@@ -1,4 +1,4 @@
-/// Holds a batch of flat symbology and draws it over the picture, or with billboards among the terrain.
+/// Holds a batch of flat symbology and draws it over the picture: symbology, signs; or lines that stand among the terrain.
 ///
 /// Memory    the batch from the arena, one vertex and one index buffer from a budget line, the typeface from `font_atlas` unless
 ///           another drawer lends its own; all at start(). Thread  the GL thread. Failure  start() gives one sentence.
@@ -26,9 +26,10 @@ public:
 
     /// `max_vertices` up to 65,536. An empty sentence means success.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices);
-    /// Of what stands among the terrain, with the typeface of `lender`, which must outlive it.
-    [[nodiscard]] gl::GlError start_billboards(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory,
-                                               const QuadDrawer& lender);
+    /// Of signs, with typeface and programs of `lender`, which must outlive it.
+    [[nodiscard]] gl::GlError start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender);
+    /// Of lines among the terrain, without a typeface.
+    [[nodiscard]] gl::GlError start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
     /// To be filled for the frame; build_symbology clears it first.
     [[nodiscard]] QuadBatch& batch() { return batch_; }
     [[nodiscard]] const QuadBatch& batch() const { return batch_; }
@@ -38,20 +39,22 @@ public:
     std::uint32_t draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height);
     /// After the batch has changed. False when it cannot be had; then draw_within() draws nothing.
     bool upload(gl::Gl& gl);
-    /// Of a drawer started by start_billboards(), after upload(): what stands within the range, where nothing nearer is drawn.
-    /// Writes no depths. The depth test is on before and after, culling and blending off.
-    std::uint32_t draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange& range);
+    /// Of a drawer started by start_links(), after upload(): what stands within the n-th range, where nothing nearer is drawn.
+    /// All ranges together draw everything once. Writes no depths. The depth test is on before and after, culling and blending
+    /// off.
+    std::uint32_t draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthPlan& plan, std::size_t n);
     void destroy(gl::Gl& gl);
 
 private:
     [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
                                            std::size_t max_vertices);
     [[nodiscard]] gl::GlError make_typeface(gl::Gl& gl, base::BudgetTable& budget);
-    [[nodiscard]] gl::GlError make_programs(gl::Gl& gl, bool with_depth);
-    std::uint32_t draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthRange* range);
+    void set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) const;
+    std::uint32_t draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last_attribute);
 
     QuadBatch batch_;
-    gl::Program box_program_, glyph_program_;  ///< the second draws everything
+    gl::Program box_program_, glyph_program_;
+    const gl::Program *boxes_ = nullptr, *glyphs_ = nullptr;  ///< own or lent; the second draws everything, links have none
     gl::Buffer vertices_, indices_;
     gl::Texture atlas_;
     const gl::Texture* typeface_ = nullptr;

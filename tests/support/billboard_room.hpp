@@ -19,8 +19,10 @@ public:
     static constexpr double kEyeLatitude_deg = 46.8, kEyeLongitude_deg = 9.8, kEyeHeight_m = 1000;
 
     explicit BillboardRoom(std::size_t vertices = 16'384, double heading_deg = 0)
-        : vertices_(vertices), indices_(3 * vertices / 2), block_(1u << 16) {
-        batch = draw::QuadBatch({vertices_.data(), vertices}, {indices_.data(), indices_.size()});
+        : vertices_(2 * vertices), indices_(3 * vertices), block_(1u << 16) {
+        const std::size_t indices = 3 * vertices / 2;
+        batch = draw::QuadBatch({vertices_.data(), vertices}, {indices_.data(), indices});
+        links = draw::QuadBatch({vertices_.data() + vertices, vertices}, {indices_.data() + indices, indices});
         base::Arena arena(block_.data(), block_.size());
         EXPECT_TRUE(sheet.start(arena));
         const double latitude = base::radians(kEyeLatitude_deg), longitude = base::radians(kEyeLongitude_deg);
@@ -28,7 +30,7 @@ public:
                          earth::body_axes(latitude, longitude, base::radians(heading_deg), 0, 0), 800, 600, 1);
         begin();
     }
-    void begin() { sheet.begin(batch, view, 16); }
+    void begin() { sheet.begin({batch, links, view, 16}); }
 
     /// So many metres ahead of the eye and right of it.
     [[nodiscard]] static scene::ScenePoint point(double ahead_m, double right_m, float height_m) {
@@ -38,12 +40,18 @@ public:
         result.longitude_rad += right_m / (earth::prime_vertical_radius_m(latitude) * std::cos(latitude));
         return result;
     }
-    [[nodiscard]] base::Span<const draw::QuadVertex> drawn() const { return batch.vertices(); }
+    /// Links and stems, then signs.
+    [[nodiscard]] std::vector<draw::QuadVertex> drawn() const {
+        std::vector<draw::QuadVertex> all;
+        for (const draw::QuadVertex& vertex : links.vertices()) all.push_back(vertex);
+        for (const draw::QuadVertex& vertex : batch.vertices()) all.push_back(vertex);
+        return all;
+    }
     /// Of the vertices that hold, x and y of the least and the greatest.
     template <class Holds>
     [[nodiscard]] draw::Rect bounds(const Holds& holds) const {
         float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
-        for (const draw::QuadVertex& vertex : batch.vertices()) {
+        for (const draw::QuadVertex& vertex : drawn()) {
             if (!holds(vertex)) continue;
             left = std::min(left, vertex.x), right = std::max(right, vertex.x);
             top = std::min(top, vertex.y), bottom = std::max(bottom, vertex.y);
@@ -60,7 +68,7 @@ public:
         return count;
     }
 
-    draw::QuadBatch batch;
+    draw::QuadBatch batch, links;  ///< of signs, and of what leads to them
     draw::BillboardSheet sheet;
     terrain::View view;
 

@@ -22,11 +22,14 @@ bool BillboardSheet::start(base::Arena& arena) {
     return !boxes_.empty() && !candidates_.empty();
 }
 
-void BillboardSheet::begin(QuadBatch& batch, const terrain::View& view, double text_px) {
-    batch_ = &batch;
-    batch.clear();
-    view_ = view;
-    text_px_ = static_cast<float>(text_px);
+void BillboardSheet::begin(const Frame& frame) {
+    signs_ = &frame.signs;
+    links_ = &frame.links;
+    sight_ = frame.sight;
+    signs_->clear();
+    links_->clear();
+    view_ = frame.view;
+    text_px_ = static_cast<float>(frame.text_px);
     box_count_ = 0;
 }
 
@@ -44,19 +47,46 @@ BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
 
 void BillboardSheet::line(const Spot& from, const Spot& to, float width_px, design::Color color) const {
     if (!from.is_ahead || !to.is_ahead) return;
-    batch_->set_distance(from.distance_m * kNearer, to.distance_m * kNearer);
-    static_cast<void>(batch_->line(from.at, to.at, width_px, color));
+    links_->set_distance(from.distance_m * kNearer, to.distance_m * kNearer);
+    rimmed_line(from.at, to.at, width_px, color);
 }
 
-bool BillboardSheet::has_room(std::size_t vertices) const { return batch_->use().capacity - batch_->use().in_use >= vertices; }
+void BillboardSheet::stem(const Spot& spot, Point to, float width_px, design::Color color) const {
+    links_->set_distance(spot.distance_m * kNearer);
+    rimmed_line(spot.at, to, width_px, color);
+}
 
-bool BillboardSheet::claim(const Rect& box) {
+void BillboardSheet::rimmed_line(Point from, Point to, float width_px, design::Color color) const {
+    constexpr float kRims_px = 2;
+    static_cast<void>(links_->line(from, to, width_px + kRims_px, {0, 0, 0, color.alpha}));
+    static_cast<void>(links_->line(from, to, width_px, color));
+}
+
+bool BillboardSheet::has_room(std::size_t sign_vertices, std::size_t link_vertices) const {
+    const auto left = [](const QuadBatch& batch) { return batch.use().capacity - batch.use().in_use; };
+    return left(*signs_) >= sign_vertices && left(*links_) >= link_vertices;
+}
+
+bool BillboardSheet::is_free(const Rect& box) const {
     const Rect picture{0, 0, static_cast<float>(view_.width), static_cast<float>(view_.height)};
     if (!picture.contains(box) || box_count_ == boxes_.size()) return false;
     for (std::size_t n = 0; n < box_count_; ++n)
         if (boxes_[n].overlaps(box)) return false;
+    return true;
+}
+
+bool BillboardSheet::claim(const Rect& box, const glm::dvec3& place) {
+    if (!is_free(box) || !is_seen(place)) return false;
     boxes_[box_count_++] = box;
     return true;
+}
+
+/// As high over its place as a stem in its length in the picture: upright, so that seen from above nothing beside it hides it.
+bool BillboardSheet::is_seen(const glm::dvec3& place) const {
+    if (sight_ == nullptr) return true;
+    const double distance_m = glm::dot(place - view_.eye, view_.forward);
+    const double stem_m = static_cast<double>(kStem * text_px_) * distance_m / view_.focal_px;
+    return !sight_->is_hidden(place + glm::normalize(place) * stem_m);
 }
 
 /// A heap with the last one on top: a better one takes its place.

@@ -1,7 +1,9 @@
 /// Where the billboards of a frame stand: they face the eye, have sizes in pixels, and never cover each other: who comes first
-/// has the room. Depths are those of their places, so that terrain hides them (quad_drawer.hpp).
+/// has the room. A sign is drawn whole or not at all: over the picture where the eye sees its place, lifted by kStem (as high as
+/// icons stand on their stems), over the drawn terrain; else it is hidden. Stems and links have the depths of their ends, and
+/// terrain hides them pixel by pixel, but says nothing wrong by that.
 ///
-///   start(arena) · begin(...) each frame · spot(place), claim(box), batch()
+///   start(arena) · begin(...) each frame · spot(place), claim(box, place), signs(), line()
 ///
 /// Thread  one. Memory  from an arena, once. Failure  claim() refuses what has no room; the batch counts what it refuses.
 #pragma once
@@ -11,7 +13,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/quad_batch.hpp"
-#include "render_core/terrain/view.hpp"
+#include "render_core/terrain/drawn_sight.hpp"
 
 namespace tedavis::draw {
 
@@ -24,14 +26,21 @@ struct BillboardCandidate {
 class BillboardSheet {
 public:
     static constexpr std::size_t kMostCandidates = 256, kMostBoxes = 256;
-    /// A place stands nearer by this share, or the ground that it stands on would cut into its billboard.
-    static constexpr double kNearer = 0.995;
+    /// A line's end stands nearer by this share, or the ground that it stands on would cut into it.
+    static constexpr double kNearer = terrain::DrawnSight::kReach;
+    static constexpr float kStem = 0.7f;  ///< of the text's size
 
     [[nodiscard]] bool start(base::Arena& arena);
-    /// Empties the batch. `batch` must stay; `text_px`: of the display's ordinary text.
-    void begin(QuadBatch& batch, const terrain::View& view, double text_px);
+    struct Frame {
+        QuadBatch &signs, &links;  ///< to be drawn over the picture, and among the terrain
+        const terrain::View& view;
+        double text_px = 16;                   ///< of the display's ordinary text
+        terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
+    };
+    /// Empties the batches. What the frame refers to must stay until the last sign is drawn.
+    void begin(const Frame& frame);
 
-    [[nodiscard]] QuadBatch& batch() const { return *batch_; }
+    [[nodiscard]] QuadBatch& signs() const { return *signs_; }
     [[nodiscard]] const terrain::View& view() const { return view_; }
     [[nodiscard]] float text_px() const { return text_px_; }
 
@@ -41,14 +50,17 @@ public:
         bool is_ahead = false;  ///< beyond the near plane; else the rest means nothing
     };
     [[nodiscard]] Spot spot(const glm::dvec3& place) const;
-    /// What is drawn next stands there.
-    void stand_at(const Spot& spot) const { batch_->set_distance(spot.distance_m * kNearer); }
-    /// From one place to another, both with their own depths; nothing where one is not ahead.
+    /// From one place to another over a dark rim of the same opacity, both ends with their own depths; nothing where one is not
+    /// ahead.
     void line(const Spot& from, const Spot& to, float width_px, design::Color color) const;
-    /// Whether the batch takes so many vertices, so that nothing is drawn by half.
-    [[nodiscard]] bool has_room(std::size_t vertices) const;
-    /// True, and the box is taken, where it lies within the picture and covers none that was taken before.
-    bool claim(const Rect& box);
+    /// The same from a spot to its sign, which stands as far away.
+    void stem(const Spot& spot, Point to, float width_px, design::Color color) const;
+    /// Whether the batches take so many vertices, so that nothing is drawn by half.
+    [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
+    /// Whether a box lies within the picture and covers none that is taken.
+    [[nodiscard]] bool is_free(const Rect& box) const;
+    /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
+    [[nodiscard]] bool claim(const Rect& box, const glm::dvec3& place);
 
     /// Candidates of one element: the best kMostCandidates of those that are offered.
     void begin_candidates() { candidate_count_ = 0; }
@@ -57,7 +69,11 @@ public:
     [[nodiscard]] base::Span<const BillboardCandidate> ranked();
 
 private:
-    QuadBatch* batch_ = nullptr;
+    [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
+    void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
+
+    QuadBatch *signs_ = nullptr, *links_ = nullptr;
+    terrain::DrawnSight* sight_ = nullptr;
     terrain::View view_{};
     float text_px_ = 16;
     base::Span<Rect> boxes_;

@@ -16,12 +16,12 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
-constexpr float kStem = 0.7f;         // of the text's size, between a place and its icon
-constexpr float kGap = 0.25f;         // of the text's size, round an icon
+constexpr float kStem = BillboardSheet::kStem;
+constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 constexpr float kHalo_px = 1.5f, kLink_px = 1.5f;
-/// Link and stem, rim and strokes of an icon, dashes, name with halo: four each.
-constexpr std::size_t kMostVertices = 4 * (4 + 2 * (6 + 10) + 16 + 2 * 31);
+/// Rim and strokes of an icon, dashes, name with halo; link and stem with their rims: four each.
+constexpr std::size_t kMostVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31), kMostLinkVertices = 4 * 4;
 constexpr double kFloating_m = 5;  // over the ground: less needs no link
 
 /// Middle of an area's corners, in the plane of the first one.
@@ -92,14 +92,14 @@ public:
         const Placed place = placed(input_, anchor);
         if (!place.is_known) return false;
         spot_ = sheet_.spot(place.place);
-        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices)) return false;
+        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
         const BillboardLook look = billboard_look(input_, feature_);
         const float text_px = sheet_.text_px();
         half_px_ = 0.5f * icon_px();
         middle_ = {spot_.at.x, spot_.at.y - kStem * text_px - half_px_};
         const BillboardText name = with_name ? billboard_name(input_, feature_, look) : BillboardText(look.is_unsure ? "?" : "");
         const float side = find_side(name.view());
-        if (std::isnan(side)) return false;
+        if (std::isnan(side) || !sheet_.claim(box(name.view(), side), place.place)) return false;
         if (input_.element.link) add_link(anchor, place, look);
         draw(name.view(), side, look);
         return true;
@@ -133,26 +133,22 @@ private:
     [[nodiscard]] float find_side(std::string_view name) const {
         if (!name.empty())
             for (const float side : {1.0f, -1.0f})
-                if (sheet_.claim(box(name, side))) return side;
-        return sheet_.claim(box(name, 0)) ? 0 : std::numeric_limits<float>::quiet_NaN();
+                if (sheet_.is_free(box(name, side))) return side;
+        return sheet_.is_free(box(name, 0)) ? 0 : std::numeric_limits<float>::quiet_NaN();
     }
 
     void add_link(const scene::ScenePoint& anchor, const Placed& place, const BillboardLook& look) const {
         const double ground_m = input_.ground.height_m(anchor.latitude_rad, anchor.longitude_rad);
         if (!(place.height_m - ground_m > kFloating_m)) return;
         const BillboardSheet::Spot foot = sheet_.spot(earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {ground_m}}));
-        sheet_.line(foot, spot_, kLink_px + 2, {0, 0, 0, look.color.alpha});
         sheet_.line(foot, spot_, kLink_px, look.color);
     }
 
     void draw(std::string_view name, float side, const BillboardLook& look) const {
-        QuadBatch& batch = sheet_.batch();
-        sheet_.stand_at(spot_);
+        QuadBatch& batch = sheet_.signs();
         const float text_px = sheet_.text_px();
         const design::Color rim{0, 0, 0, look.color.alpha};
-        const Point foot = spot_.at, top{spot_.at.x, middle_.y + half_px_};
-        static_cast<void>(batch.line(foot, top, kLink_px + 2, rim));
-        static_cast<void>(batch.line(foot, top, kLink_px, look.color));
+        sheet_.stem(spot_, {spot_.at.x, middle_.y + half_px_}, kLink_px, look.color);
         static_cast<void>(draw_icon(batch, icon_of(input_.layer, feature_), middle_, half_px_, look.color));
         if (look.is_unsure) static_cast<void>(draw_dashed_rim(batch, middle_, half_px_ + 0.5f * kGap * text_px, look.color));
         if (side == 0) return;

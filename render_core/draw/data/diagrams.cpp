@@ -13,11 +13,11 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kFarthest_m = 60'000;
-constexpr float kStem = 0.7f, kMargin = 0.3f, kNameSize = 0.75f;  // of the text's size
+constexpr float kStem = BillboardSheet::kStem, kMargin = 0.3f, kNameSize = 0.75f;  // of the text's size
 constexpr float kLine_px = 1.6f;
 constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
-/// Plate, frame, stem, axis; a line and a cross each sample; a name with its halo: four each.
-constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 2 + 4 * kMostProfileSamples + 2 * 31);
+/// Plate, frame, axis; a line and a cross each sample; a name with its halo; the stem with its rim: four each.
+constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 4 * kMostProfileSamples + 2 * 31), kMostLinkVertices = 4 * 2;
 
 design::Color with_alpha(design::Color color, std::uint8_t alpha) {
     color.alpha = static_cast<std::uint8_t>(color.alpha * alpha / 255);
@@ -71,13 +71,13 @@ public:
         const Placed place = placed(input_, input_.layer.points[lowest()]);
         if (!place.is_known) return 0;
         const BillboardSheet::Spot spot = sheet_.spot(place.place);
-        if (!spot.is_ahead || !sheet_.has_room(kMostVertices)) return 0;
+        if (!spot.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return 0;
         const float text = sheet_.text_px(), width = kDiagramWidth * text, height = (kDiagramHeight + 1) * text;
         plate_ = {spot.at.x - width / 2, spot.at.y - kStem * text - height, width, height};
-        if (!sheet_.claim({plate_.x, plate_.y, width, height + kStem * text})) return 0;
+        if (!sheet_.claim({plate_.x, plate_.y, width, height + kStem * text}, place.place)) return 0;
         look_ = billboard_look(input_, first_);
-        sheet_.stand_at(spot);
-        draw_plate(spot.at);
+        sheet_.stem(spot, {spot.at.x, plate_.bottom()}, kLine_px, look_.color);
+        draw_plate();
         if (count_ > 1)
             draw_profile();
         else
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    [[nodiscard]] QuadBatch& batch() const { return sheet_.batch(); }
+    [[nodiscard]] QuadBatch& batch() const { return sheet_.signs(); }
 
     [[nodiscard]] std::uint32_t lowest() const {
         std::uint32_t lowest = first_;
@@ -95,11 +95,9 @@ private:
         return lowest;
     }
 
-    void draw_plate(Point foot) {
+    void draw_plate() {
         const float text = sheet_.text_px();
         const std::uint8_t alpha = look_.color.alpha;
-        static_cast<void>(batch().line(foot, {foot.x, plate_.bottom()}, kLine_px + 2, {0, 0, 0, alpha}));
-        static_cast<void>(batch().line(foot, {foot.x, plate_.bottom()}, kLine_px, look_.color));
         static_cast<void>(batch().box(plate_, with_alpha(kPlate, alpha)));
         static_cast<void>(batch().frame(plate_, 1, with_alpha(kAxis, alpha)));
         BillboardText name = billboard_name(input_, first_, look_);

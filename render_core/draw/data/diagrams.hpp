@@ -5,7 +5,7 @@
 /// from the least to the largest of either; over the lowest of them. A point alone has a bar for each of its first
 /// kMostDiagramBars quantitative attributes, from the least of the layer, which has a bar of kLeastBar, to the largest. The value
 /// of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross stands where
-/// a value is missing. The nearest come first; what would cover another billboard is hidden.
+/// a value is missing. The nearest come first; what would cover another billboard, and what terrain stands before, is hidden.
 ///
 /// Pure but for the ground that is asked, once a diagram. Bounded.
 #pragma once

@@ -20,8 +20,8 @@ constexpr design::Color kStale{150, 150, 150};
 constexpr float kHalf = 0.7f, kGap = 0.3f, kSize = 0.85f;  // of the text's size: the diamond, round it, its texts
 constexpr float kLine_px = 2, kHalo_px = 1.5f;
 constexpr int kCircleSides = 24;
-/// Diamond, cross, lines, circle, three texts with their halos: four vertices each.
-constexpr std::size_t kMostVertices = 4 * (16 + 8 + 2 * kCircleSides + 2 * 3 * 31);
+/// Diamond, dashes, cross, three texts with their halos; two lines and the circle with their rims: four vertices each.
+constexpr std::size_t kMostVertices = 4 * (8 + 16 + 2 + 2 * 3 * 31), kMostLinkVertices = 4 * 2 * (2 + kCircleSides);
 
 /// "+12", "-03": hundreds of feet.
 BillboardText height_text(double over_m, double climb_mps) {
@@ -55,11 +55,11 @@ public:
         place_ = placed(input_, state_.point);
         if (!state_.is_known || !place_.is_known) return false;
         spot_ = sheet_.spot(place_.place);
-        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices)) return false;
+        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
         look_ = billboard_look(input_, feature_);
         if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
         write();
-        if (!sheet_.claim(box())) return false;
+        if (!sheet_.claim(box(), place_.place)) return false;
         draw_lines();
         draw_sign();
         return true;
@@ -90,18 +90,18 @@ private:
         if (state_.has_velocity && !state_.is_stale) {
             const LocalAxes axes = local_axes(state_.point.latitude_rad, state_.point.longitude_rad);
             const glm::dvec3 velocity = axes.east * state_.east + axes.north * state_.north + axes.up * state_.up;
-            rimmed(spot_, sheet_.spot(place_.place + velocity * kVelocityLine_s));
+            line_between(spot_, sheet_.spot(place_.place + velocity * kVelocityLine_s));
         }
         if (input_.element.link) {
             const double ground_m = input_.ground.height_m(state_.point.latitude_rad, state_.point.longitude_rad);
             if (std::isfinite(ground_m))
-                rimmed(sheet_.spot(earth::to_ecef({state_.point.latitude_rad, state_.point.longitude_rad, {ground_m}})), spot_);
+                line_between(sheet_.spot(earth::to_ecef({state_.point.latitude_rad, state_.point.longitude_rad, {ground_m}})),
+                             spot_);
         }
         if (input_.element.uncertainty == design::ElementUncertainty::ellipsoid) draw_circle();
     }
 
-    void rimmed(const BillboardSheet::Spot& from, const BillboardSheet::Spot& to) const {
-        sheet_.line(from, to, kLine_px + 2, {0, 0, 0, look_.color.alpha});
+    void line_between(const BillboardSheet::Spot& from, const BillboardSheet::Spot& to) const {
         sheet_.line(from, to, kLine_px, look_.color);
     }
 
@@ -117,14 +117,13 @@ private:
         BillboardSheet::Spot before = on_circle(0);
         for (int n = 1; n <= kCircleSides; ++n) {
             const BillboardSheet::Spot next = on_circle(n);
-            rimmed(before, next);
+            line_between(before, next);
             before = next;
         }
     }
 
     void draw_sign() const {
-        QuadBatch& batch = sheet_.batch();
-        sheet_.stand_at(spot_);
+        QuadBatch& batch = sheet_.signs();
         const float half = kHalf * sheet_.text_px();
         static_cast<void>(draw_icon(batch, Icon::traffic, spot_.at, half, look_.color));
         if (state_.is_stale) {

@@ -14,7 +14,7 @@ namespace tedavis::draw {
 inline constexpr double kVelocityLine_s = 30, kShownAge_s = 5, kShownClimb_mps = 2.54;  // 500 feet a minute
 inline constexpr double kFarthestTraffic_m = 60'000;
 
-/// The nearest first: what would cover a nearer one is hidden, and counted.
+/// The nearest first: what would cover a nearer one, and what terrain stands before, is hidden, and counted.
 [[nodiscard]] ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input);
 
 }  // namespace tedavis::draw

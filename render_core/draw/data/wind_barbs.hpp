@@ -1,8 +1,8 @@
 /// Wind as barbs that face the eye (wind_barb.hpp), of glyphs that a view has selected: single places, and means of several.
 ///
 /// Up on a barb is ahead over the ground, as on a map that turns with the own ship; seen from above it is the picture's up. The
-/// nearest come first; what would cover another billboard is hidden. Colour by the mean speed; `link` leads down to the ground.
-/// Pure but for the ground that is asked, once a link. Bounded.
+/// nearest come first; what would cover another billboard, and what terrain stands before, is hidden. Colour by the mean speed;
+/// `link` leads down to the ground. Pure but for the ground that is asked, once a link. Bounded.
 #pragma once
 
 #include "render_core/draw/data/billboard_sheet.hpp"

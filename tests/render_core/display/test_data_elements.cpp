@@ -73,7 +73,8 @@ protected:
         session_.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         session_.gl->Enable(GL_DEPTH_TEST);
         elements_.prepare(session_.gl);
-        static_cast<void>(elements_.draw(session_.gl, frame_, {10, 100'000}));
+        static_cast<void>(elements_.draw(session_.gl, frame_, {{{10, 100'000}, {}}, 1}, 0));
+        static_cast<void>(elements_.draw_signs(session_.gl, frame_.view.width, frame_.view.height));
         EXPECT_EQ(session_.gl.denied().total, 0u);
         const auto pixels = session_.pixels();
         std::size_t drawn = 0;

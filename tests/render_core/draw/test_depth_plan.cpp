@@ -58,5 +58,13 @@ TEST(DepthPlan, OneRangeWhereItIsEnough) {
     EXPECT_EQ(plan_depth(1, 20000).count, 2u);
 }
 
+TEST(DepthPlan, RangesPartWhereTheNearerOneEnds) {
+    const DepthPlan one = plan_depth(50, 2000), two = plan_depth(1, 400'000);
+    EXPECT_EQ(one.parting_m(), 0);
+    ASSERT_EQ(two.count, 2u);
+    EXPECT_EQ(two.parting_m(), two.ranges[1].far_m);
+    EXPECT_GT(two.parting_m(), two.ranges[0].near_m) << "in the overlap";
+}
+
 }  // namespace
 }  // namespace tedavis::draw

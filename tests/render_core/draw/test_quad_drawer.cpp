@@ -20,23 +20,26 @@ using test_support::GlSession;
 
 struct QuadSession {
     QuadSession(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
-                bool with_billboards = false)
+                bool with_links = false)
         : session(backend, device, width, height),
           block(session.device.budget.find(effects::kSymbology)->bytes),
           arena(block.data(), block.size()) {
         const gl::GlError error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
         EXPECT_EQ(error.sentence.view(), "");
-        if (with_billboards) start_billboards();
+        if (with_links) start_links();
         session.gl.seal();
     }
     ~QuadSession() {
         session.gl.retire();
         quads.destroy(session.gl);
+        signs.destroy(session.gl);
+        links.destroy(session.gl);
     }
-    void start_billboards() {
+    void start_links() {
         billboard_block.resize(session.device.budget.find(effects::kSceneBillboards)->bytes);
         base::Arena own(billboard_block.data(), billboard_block.size());
-        EXPECT_EQ(billboards.start_billboards(session.gl, session.device.budget, own, quads).sentence.view(), "");
+        EXPECT_EQ(links.start_links(session.gl, session.device.budget, own).sentence.view(), "");
+        EXPECT_EQ(signs.start_signs(session.gl, session.device.budget, own, quads).sentence.view(), "");
     }
     /// RGBA8, bottom row first, over a plain background.
     std::vector<std::uint8_t> picture() {
@@ -51,7 +54,7 @@ struct QuadSession {
     base::Arena arena;
     QuadDrawer quads;
     std::vector<unsigned char> billboard_block;
-    QuadDrawer billboards;
+    QuadDrawer links, signs;
 };
 
 TEST(QuadDrawer, DrawsWhatTheFormulaSays) {
@@ -107,29 +110,26 @@ TEST(QuadDrawer, OsMesaAndEglAgreeBitForBit) {
     for (const auto& picture : pictures) EXPECT_EQ(picture, pictures.front());
 }
 
-/// Billboards over a wall so far away, drawn range by range as the display does.
-struct BillboardSession : QuadSession {
-    explicit BillboardSession(const std::string& device) : QuadSession("egl", device, 64, 48, true) {}
-    ~BillboardSession() { billboards.destroy(session.gl); }
-    BillboardSession(const BillboardSession&) = delete;
-    BillboardSession& operator=(const BillboardSession&) = delete;
+/// Links before a wall so far away, drawn range by range as the display does.
+struct LinkSession : QuadSession {
+    explicit LinkSession(const std::string& device) : QuadSession("egl", device, 64, 48, true) {}
 
     static float window_depth(double distance_m, const DepthRange& range) {
         const double n = range.near_m, f = range.far_m;
         return static_cast<float>(0.5 + 0.5 * ((f + n) - 2 * f * n / distance_m) / (f - n));
     }
     /// Red, in the middle of the picture.
-    std::uint8_t middle(double wall_m, base::Span<const DepthRange> ranges) {
+    std::uint8_t middle(double wall_m, const DepthPlan& plan) {
         gl::bind_surface(session.gl, *session.surface);
         session.gl->ClearColor(0, 0, 0, 1);
         session.gl->Clear(GL_COLOR_BUFFER_BIT);
         session.gl->Enable(GL_DEPTH_TEST);
-        EXPECT_TRUE(billboards.upload(session.gl));
-        for (const DepthRange& range : ranges) {
-            const float depth = window_depth(wall_m, range);
+        EXPECT_TRUE(links.upload(session.gl));
+        for (std::size_t n = 0; n < plan.count; ++n) {
+            const float depth = window_depth(wall_m, plan.ranges[n]);
             session.gl->ClearDepthf(std::min(1.0f, std::max(0.0f, depth)));
             session.gl->Clear(GL_DEPTH_BUFFER_BIT);
-            EXPECT_GT(billboards.draw_within(session.gl, 64, 48, range), 0u);
+            EXPECT_GT(links.draw_within(session.gl, 64, 48, plan, n), 0u);
         }
         session.gl->ClearDepthf(1);
         EXPECT_EQ(session.gl.take_error(), 0u);
@@ -138,36 +138,61 @@ struct BillboardSession : QuadSession {
     }
 };
 
-TEST(QuadDrawer, BillboardsAreHiddenByWhatIsNearer) {
-    constexpr DepthRange kWhole[] = {{1, 100'000}};
+constexpr DepthPlan kWhole{{{1, 100'000}, {}}, 1};
+
+TEST(QuadDrawer, LinksAreHiddenByWhatIsNearer) {
     for (const char* device : {"es2-small", "es3-mid"}) {
-        BillboardSession gl(device);
-        gl.billboards.batch().set_distance(3000);
-        gl.billboards.batch().box({0, 0, 64, 48}, {200, 0, 0});
+        LinkSession gl(device);
+        gl.links.batch().set_distance(3000);
+        gl.links.batch().box({0, 0, 64, 48}, {200, 0, 0});
         EXPECT_EQ(gl.middle(5000, kWhole), 200) << device;
         EXPECT_EQ(gl.middle(2900, kWhole), 0) << device;
         EXPECT_EQ(gl.middle(3100, kWhole), 200) << device;
     }
 }
 
-TEST(QuadDrawer, ABillboardStandsInOneOfTwoRanges) {
-    constexpr DepthRange kFarAndNear[] = {{980, 400'000}, {2.5, 1000}};
-    for (const double distance_m : {10.0, 900.0, 5000.0}) {
-        BillboardSession gl("es2-small");
-        gl.billboards.batch().set_distance(distance_m);
-        gl.billboards.batch().box({0, 0, 64, 48}, {200, 0, 0, 128});
+TEST(QuadDrawer, ALinkStandsInOneOfTwoRanges) {
+    constexpr DepthPlan kFarAndNear{{{980, 400'000}, {2.5, 1000}}, 2};
+    for (const double distance_m : {10.0, 900.0, 979.0, 985.0, 999.0, 1001.0, 5000.0}) {
+        LinkSession gl(distance_m > 990 ? "es3-mid" : "es2-small");
+        gl.links.batch().set_distance(distance_m);
+        gl.links.batch().box({0, 0, 64, 48}, {200, 0, 0, 128});
         EXPECT_NEAR(gl.middle(300'000, kFarAndNear), 100, 1) << "mixed once, at " << distance_m;
     }
 }
 
 TEST(QuadDrawer, LinesAreHiddenFromWhereTheyAreBehind) {
-    constexpr DepthRange kWhole[] = {{1, 100'000}};
-    BillboardSession gl("es3-mid");
-    gl.billboards.batch().set_distance(100, 1000);
-    gl.billboards.batch().line({-1, 24}, {65, 24}, 60, {200, 0, 0});
+    LinkSession gl("es3-mid");
+    gl.links.batch().set_distance(100, 1000);
+    gl.links.batch().line({-1, 24}, {65, 24}, 60, {200, 0, 0});
     // 1 / distance is linear in the picture: in its middle 1 / (0.5 / 100 + 0.5 / 1000) = 182 m.
     EXPECT_EQ(gl.middle(190, kWhole), 200);
     EXPECT_EQ(gl.middle(174, kWhole), 0);
+}
+
+/// From 990 m to 1010 m through where two ranges part, and their overlap.
+TEST(QuadDrawer, ALineThroughBothRangesIsDrawnOnceEverywhere) {
+    constexpr DepthPlan kFarAndNear{{{980, 400'000}, {2.5, 1000}}, 2};
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        LinkSession gl(device);
+        gl.links.batch().set_distance(990, 1010);
+        gl.links.batch().line({-1, 24}, {65, 24}, 60, {200, 0, 0, 128});
+        static_cast<void>(gl.middle(300'000, kFarAndNear));
+        const auto pixels = gl.session.pixels();
+        for (std::size_t x = 0; x < 64; ++x) EXPECT_NEAR(pixels[4 * (24 * 64 + x)], 100, 1) << device << ", " << x;
+    }
+}
+
+TEST(QuadDrawer, SignsBorrowWhatTheSymbologyHas) {
+    QuadSession gl("egl", "es2-small", 640, 480, true);
+    const TextStyle style{24, {255, 255, 255}};
+    for (QuadDrawer* drawer : {&gl.quads, &gl.signs})
+        ASSERT_TRUE(drawer->batch().text("Davos", {320, 240}, TextAnchor::center, style));
+    const auto expected = gl.picture();
+    gl.quads.batch().clear();
+    EXPECT_NE(gl.picture(), expected);
+    gl.signs.draw(gl.session.gl, 640, 480);
+    EXPECT_EQ(gl.session.pixels(), expected);
 }
 
 }  // namespace

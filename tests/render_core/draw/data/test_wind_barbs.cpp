@@ -46,7 +46,6 @@ TEST(WindBarbs, LeadToWhereTheWindComesFromAsSeenFromTheEye) {
         const double off_x = static_cast<double>(bounds.center().x) - 400, off_y = static_cast<double>(bounds.center().y) - 300;
         const double heading = base::radians(heading_deg);
         EXPECT_GT(off_x * std::sin(heading) + off_y * std::cos(heading), 8) << heading_deg;
-        for (const QuadVertex& vertex : barbs.room.drawn()) EXPECT_NEAR(vertex.distance_m, 5000 * BillboardSheet::kNearer, 1);
     }
 }
 
@@ -97,6 +96,7 @@ TEST(WindBarbs, ALinkLeadsDown) {
     Barbs barbs;
     barbs.build({glyph(barbs.room, 5000, 0, 0, 10)});
     const float free = barbs.room.bounds().bottom();
+    EXPECT_TRUE(barbs.room.links.vertices().empty());
     barbs.test.element.link = true;
     barbs.build({glyph(barbs.room, 5000, 0, 0, 10)});
     EXPECT_GT(barbs.room.bounds().bottom(), free + 10);
