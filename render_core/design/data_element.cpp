@@ -31,6 +31,19 @@ void read_list(ConfigSection& section, std::string_view key, double low, double 
     for (std::size_t n = 0; n < count; ++n) static_cast<void>(list.try_push_back(values[n]));
 }
 
+/// Tubes and areas have their own heights, and solids and ribbons stand on the ground.
+bool may_float(DataTechnique technique) {
+    switch (technique) {
+        case DataTechnique::tube:
+        case DataTechnique::space_time:
+        case DataTechnique::prism:
+        case DataTechnique::solid:
+        case DataTechnique::ribbon:
+        case DataTechnique::isosurface: return false;
+        default: return true;
+    }
+}
+
 void read_uncertainty(ConfigSection section, DataElement& element) {
     read_technique(section, kElementUncertaintyNames, element.uncertainty);
     element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
@@ -66,6 +79,8 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     element.ghost = section.number("ghost", 0, 1, element.ghost);
     element.halo_px = section.number("halo_px", 0, 20, element.halo_px);
     element.link = section.boolean("link", element.link);
+    if (element.link && !may_float(element.technique))
+        fault_of(section, "link", "is for signs, diagrams and glyphs, which float over a place; leave it out here");
     element.detail = section.number("detail", 0, 1, element.detail);
     read_uncertainty(section.section("uncertainty"), element);
     return element;

@@ -17,7 +17,7 @@
 ///     opacity = 0.5                0..1
 ///     ghost = 0.25                 what terrain before it leaves of the opacity, 0..1
 ///     halo_px = 1.5                dark rim, 0 for none
-///     link = true                  a line down to the ground
+///     link = true                  a line down to the ground, of signs, diagrams and glyphs that float
 ///     detail = 0.7                 0..1: what the technique is to convey of its most
 ///     [data.element.uncertainty]
 ///     technique = "widening"       a name of kElementUncertaintyNames

@@ -76,6 +76,12 @@ draw::GlyphStyle uncertainty_style(const design::DataElement& element) {
     return style;
 }
 
+/// Instances of a site's glyphs.
+std::uint32_t parts_of(const design::DataElement& element) {
+    const bool is_twice = is_glyph_uncertainty(element.uncertainty) && element.technique != DataTechnique::uncertainty_only;
+    return (is_twice ? 2 : 1) + (element.link ? draw::kLinkParts : 0);
+}
+
 }  // namespace
 
 bool is_glyph_technique(DataTechnique technique) noexcept {
@@ -203,12 +209,17 @@ void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
     const design::DataElement& element = *slot.element;
     const scene::Attribute& attribute = *draw::glyph_attribute(element, *slot.layer);
     const scene::GlyphValues values = draw::glyph_values(*slot.layer, attribute);
-    if (element.technique != DataTechnique::uncertainty_only)
-        draw::encode_glyphs(selection_.glyphs(), values, value_style(element, attribute, frame.missing), element.by_color.scale,
-                            frame.view.eye, batch_);
-    if (is_glyph_uncertainty(element.uncertainty))
-        draw::encode_glyphs(selection_.glyphs(), values, uncertainty_style(element), uncertainty_scale(element), frame.view.eye,
-                            batch_);
+    const bool shows_values = element.technique != DataTechnique::uncertainty_only;
+    const double link_per_px = element.link ? 1 / frame.view.focal_px : 0;
+    if (shows_values) {
+        draw::GlyphStyle style = value_style(element, attribute, frame.missing);
+        style.link_per_px = link_per_px;
+        draw::encode_glyphs(selection_.glyphs(), values, style, element.by_color.scale, frame.view.eye, batch_);
+    }
+    if (!is_glyph_uncertainty(element.uncertainty)) return;
+    draw::GlyphStyle style = uncertainty_style(element);
+    if (!shows_values) style.link_per_px = link_per_px;
+    draw::encode_glyphs(selection_.glyphs(), values, style, uncertainty_scale(element), frame.view.eye, batch_);
 }
 
 /// So far apart that they have room.
@@ -233,8 +244,7 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     if (slot.element->technique == DataTechnique::barbs) return plan_barbs(slot, frame);
     scene::GlyphSettings settings;
     settings.detail = slot.element->detail;
-    const bool is_twice = is_glyph_uncertainty(slot.element->uncertainty);
-    settings.most_drawn = most_glyphs_ / static_cast<std::uint32_t>(used_ * (is_twice ? 2 : 1));
+    settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);
     return {counts.drawn, counts.aggregated, counts.hidden};

@@ -30,6 +30,10 @@ Geodetic from_core(const Ecef& position, double p, double r) {
 
 }  // namespace
 
+glm::dvec3 up_at(const Ecef& place) noexcept {
+    return glm::normalize(glm::dvec3(place.x, place.y, place.z / (1 - kEccentricitySquared)));
+}
+
 Geodetic from_ecef(const Ecef& position) noexcept {
     const double p = std::hypot(position.x, position.y);
     const double r = std::hypot(p, position.z);

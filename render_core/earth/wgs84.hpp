@@ -31,6 +31,10 @@ using Ecef = glm::dvec3;
 /// Columns north, east, down as ECEF unit vectors at a place. At a pole the given longitude chooses north.
 [[nodiscard]] glm::dmat3 north_east_down(double latitude_rad, double longitude_rad) noexcept;
 
+/// Unit vector up at a place: the gradient of the ellipsoid through it of the same shape. Off from the vertical by less than
+/// 1e-5 rad within 10 km of the ellipsoid. The Earth's centre has none.
+[[nodiscard]] glm::dvec3 up_at(const Ecef& place) noexcept;
+
 /// Attitude of the aircraft in ECEF: columns forward, right, down of the body. Heading from true north, clockwise
 /// positive; pitch nose up positive; roll right wing down positive (ISO 1151 order yaw, pitch, roll).
 [[nodiscard]] glm::dmat3 body_axes(double latitude_rad, double longitude_rad, double heading_rad, double pitch_rad,

@@ -40,6 +40,7 @@ GlyphSummary summary_of(const GlyphSite& site, const glm::vec3& place, GlyphValu
     GlyphSummary summary;
     summary.place = place;
     summary.size_m = site.size_m > 0 && std::isfinite(site.size_m) ? site.size_m : 0;
+    summary.over_ground_m = site.over_ground_m;
     summary.members = 1;
     const bool is_wind = values == GlyphValues::wind;
     if (site.state == ValueState::missing || !std::isfinite(site.value) || (is_wind && !std::isfinite(site.north_mps))) {

@@ -29,6 +29,7 @@ struct GlyphSite {
     float value = 0;       ///< towards east, m/s; the number; the class. Not finite: missing
     float north_mps = 0;   ///< of wind
     float size_m = 0;      ///< across the glyph, not negative
+    float over_ground_m = std::numeric_limits<float>::quiet_NaN();  ///< NaN: not known, or not asked for
     Uncertainty uncertainty;
     ValueState state = ValueState::valid;
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <type_traits>
 
 #include "render_core/scene/uncertainty.hpp"
@@ -28,13 +29,14 @@ struct GlyphSummary {
     float north_mps = 0;   ///< of wind
     float speed_mps = 0;   ///< mean speed of wind, whatever its directions
     float size_m = 0;      ///< the largest member's, across its glyph
+    float over_ground_m = std::numeric_limits<float>::quiet_NaN();  ///< mean of all members; NaN where one's is not known
     std::uint32_t members = 0;
     std::uint32_t missing = 0;  ///< of the members
     Uncertainty uncertainty;
     ValueState state = ValueState::missing;  ///< interpolated where one member is; missing where all are
     bool is_mixed = false;                   ///< classes differ: there is no common one
 };
-static_assert(std::is_trivially_copyable_v<GlyphSummary> && sizeof(GlyphSummary) == 52);
+static_assert(std::is_trivially_copyable_v<GlyphSummary> && sizeof(GlyphSummary) == 56);
 
 /// Of a sphere that holds the box.
 [[nodiscard]] inline double radius_m(const GlyphSummary& summary) noexcept { return glm::length(glm::dvec3(summary.reach_m)); }

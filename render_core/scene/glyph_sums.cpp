@@ -15,6 +15,7 @@ void GlyphSums::add(const GlyphSummary& part) {
     GlyphSums sums(values_);
     const std::uint32_t valued = part.members - part.missing;
     for (int axis = 0; axis < 3; ++axis) sums.place_[axis] = double{part.place[axis]} * part.members;
+    sums.over_ground_ = double{part.over_ground_m} * part.members;
     sums.value_ = double{part.value} * valued;
     sums.north_ = double{part.north_mps} * valued;
     sums.speed_ = double{part.speed_mps} * valued;
@@ -37,6 +38,7 @@ void GlyphSums::add(const GlyphSums& other) {
     low_ = members_ == 0 ? other.low_ : glm::min(low_, other.low_);
     high_ = members_ == 0 ? other.high_ : glm::max(high_, other.high_);
     for (int axis = 0; axis < 3; ++axis) place_[axis] += other.place_[axis];
+    over_ground_ += other.over_ground_;
     value_ += other.value_;
     north_ += other.north_;
     speed_ += other.speed_;
@@ -70,6 +72,7 @@ GlyphSummary GlyphSums::summary() const {
     for (int axis = 0; axis < 3; ++axis) summary.place[axis] = static_cast<float>(place_[axis] / members_);
     summary.reach_m = glm::max(summary.place - low_, high_ - summary.place) * kRoundingRoom;
     summary.size_m = size_m_;
+    summary.over_ground_m = static_cast<float>(over_ground_ / members_);
     summary.members = members_;
     summary.missing = missing_;
     const std::uint32_t valued = members_ - missing_;

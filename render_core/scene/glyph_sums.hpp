@@ -23,7 +23,7 @@ private:
     void add_class(const GlyphSums& other);
 
     GlyphValues values_ = GlyphValues::number;
-    double place_[3] = {}, value_ = 0, north_ = 0, speed_ = 0;
+    double place_[3] = {}, over_ground_ = 0, value_ = 0, north_ = 0, speed_ = 0;
     std::uint64_t uncertainty_ = 0;
     glm::vec3 low_{0}, high_{0};  ///< of the places
     float size_m_ = 0, class_ = 0;

@@ -56,6 +56,15 @@ void BillboardSheet::stem(const Spot& spot, Point to, float width_px, design::Co
     rimmed_line(spot.at, to, width_px, color);
 }
 
+void BillboardSheet::link(const Spot& ground, const Spot& top, design::Color color) const {
+    constexpr float kLine_px = 1.5f, kHalfFoot_px = 4;
+    Spot left = ground, right = ground;
+    left.at.x -= kHalfFoot_px;
+    right.at.x += kHalfFoot_px;
+    line(left, right, kLine_px, color);
+    line(ground, top, kLine_px, color);
+}
+
 void BillboardSheet::rimmed_line(Point from, Point to, float width_px, design::Color color) const {
     constexpr float kRims_px = 2;
     static_cast<void>(links_->line(from, to, width_px + kRims_px, {0, 0, 0, color.alpha}));

@@ -55,6 +55,9 @@ public:
     void line(const Spot& from, const Spot& to, float width_px, design::Color color) const;
     /// The same from a spot to its sign, which stands as far away.
     void stem(const Spot& spot, Point to, float width_px, design::Color color) const;
+    /// The same from what floats down to the ground, with a mark where it stands.
+    void link(const Spot& ground, const Spot& top, design::Color color) const;
+    static constexpr std::size_t kStemVertices = 4 * 2, kLinkVertices = 4 * 4;
     /// Whether the batches take so many vertices, so that nothing is drawn by half.
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
     /// Whether a box lies within the picture and covers none that is taken.

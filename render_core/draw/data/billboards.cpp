@@ -20,9 +20,9 @@ constexpr float kStem = BillboardSheet::kStem;
 constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 constexpr float kHalo_px = 1.5f, kLink_px = 1.5f;
-/// Rim and strokes of an icon, dashes, name with halo; link and stem with their rims: four each.
-constexpr std::size_t kMostVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31), kMostLinkVertices = 4 * 4;
-constexpr double kFloating_m = 5;  // over the ground: less needs no link
+/// Rim and strokes of an icon, dashes, name with halo: four each.
+constexpr std::size_t kMostVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31);
+constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 /// Middle of an area's corners, in the plane of the first one.
 scene::ScenePoint middle_of(const ElementInput& input, const scene::Run& run) {
@@ -141,7 +141,7 @@ private:
         const double ground_m = input_.ground.height_m(anchor.latitude_rad, anchor.longitude_rad);
         if (!(place.height_m - ground_m > kFloating_m)) return;
         const BillboardSheet::Spot foot = sheet_.spot(earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {ground_m}}));
-        sheet_.line(foot, spot_, kLink_px, look.color);
+        sheet_.link(foot, spot_, look.color);
     }
 
     void draw(std::string_view name, float side, const BillboardLook& look) const {

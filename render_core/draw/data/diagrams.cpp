@@ -16,8 +16,9 @@ constexpr double kFarthest_m = 60'000;
 constexpr float kStem = BillboardSheet::kStem, kMargin = 0.3f, kNameSize = 0.75f;  // of the text's size
 constexpr float kLine_px = 1.6f;
 constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
-/// Plate, frame, axis; a line and a cross each sample; a name with its halo; the stem with its rim: four each.
-constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 4 * kMostProfileSamples + 2 * 31), kMostLinkVertices = 4 * 2;
+/// Plate, frame, axis; a line and a cross each sample; a name with its halo: four each.
+constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 4 * kMostProfileSamples + 2 * 31);
+constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 design::Color with_alpha(design::Color color, std::uint8_t alpha) {
     color.alpha = static_cast<std::uint8_t>(color.alpha * alpha / 255);
@@ -76,6 +77,7 @@ public:
         plate_ = {spot.at.x - width / 2, spot.at.y - kStem * text - height, width, height};
         if (!sheet_.claim({plate_.x, plate_.y, width, height + kStem * text}, place.place)) return 0;
         look_ = billboard_look(input_, first_);
+        if (input_.element.link) add_link(place, spot);
         sheet_.stem(spot, {spot.at.x, plate_.bottom()}, kLine_px, look_.color);
         draw_plate();
         if (count_ > 1)
@@ -93,6 +95,13 @@ private:
         for (std::uint32_t n = first_; n < first_ + count_; ++n)
             if (input_.layer.points[n].height_m < input_.layer.points[lowest].height_m) lowest = n;
         return lowest;
+    }
+
+    void add_link(const Placed& place, const BillboardSheet::Spot& spot) const {
+        const scene::ScenePoint& point = input_.layer.points[first_];
+        const double ground_m = input_.ground.height_m(point.latitude_rad, point.longitude_rad);
+        if (!(place.height_m - ground_m > kFloating_m)) return;
+        sheet_.link(sheet_.spot(earth::to_ecef({point.latitude_rad, point.longitude_rad, {ground_m}})), spot, look_.color);
     }
 
     void draw_plate() {

@@ -36,6 +36,8 @@ struct ElementInput {
     double metres_per_px_m = 0;  ///< of distance: a pixel is so wide there
 };
 
+inline constexpr double kFloating_m = 5;  ///< over the ground: less needs no link
+
 /// Features (points of a field) of an element: every one is in exactly one of them.
 struct ElementCount {
     std::uint32_t drawn = 0;

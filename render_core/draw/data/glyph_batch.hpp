@@ -28,7 +28,11 @@ static_assert(sizeof(GlyphInstance) == 32 && std::is_trivially_copyable_v<GlyphI
                                        design::Color color) noexcept;
 
 /// Towards what a glyph's +z points, as far as its direction leaves it free.
-enum class GlyphFacing : std::uint8_t { up, eye };
+enum class GlyphFacing : std::uint8_t {
+    up,
+    eye,
+    eye_upright,  ///< and its direction is exactly up
+};
 
 struct GlyphRun {
     GlyphShape shape = GlyphShape::arrow;

@@ -22,9 +22,9 @@ constexpr gl::AttributeBinding kAttributes[] = {{"place", kPlace},        {"colo
                                                 {"corner", kCorner},      {"look", kLook},   {"size", kSize},
                                                 {"direction", kDirection}};
 constexpr GLuint kInstancedAttributes = kDirection + 1;
-enum Uniform : std::size_t { kEarthToEye = kFirstOwnDataUniform, kFacesEye, kUniformCount };
+enum Uniform : std::size_t { kEarthToEye = kFirstOwnDataUniform, kFacing, kUniformCount };
 constexpr const char* kUniforms[kUniformCount] = {kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2],
-                                                  kDataUniformNames[3], "earth_to_eye",       "faces_eye"};
+                                                  kDataUniformNames[3], "earth_to_eye",       "facing"};
 constexpr float kOne = 127;  // of signed bytes
 constexpr std::uint64_t kShapeBytes =
     GlyphShapes::kMostVertices * sizeof(GlyphVertex) + GlyphShapes::kMostIndices * sizeof(std::uint16_t);
@@ -38,12 +38,14 @@ std::uint8_t product(std::uint8_t a, std::uint8_t b) { return static_cast<std::u
 
 GlyphAxes glyph_axes(const GlyphInstance& glyph, GlyphFacing facing, const vec3& earth_to_eye) noexcept {
     constexpr float kParallel = 1e-4f, kSteep = 0.7f;
-    const vec3 to_eye = -glm::normalize(glyph.place), up = glm::normalize(earth_to_eye + glyph.place);
+    const vec3 kOfNormal(1, 1, static_cast<float>(1 / (1 - earth::kEccentricitySquared)));  // as earth::up_at()
+    const vec3 to_eye = -glm::normalize(glyph.place), up = glm::normalize((earth_to_eye + glyph.place) * kOfNormal);
     const bool is_upright = glyph.direction[3] > 0;
     GlyphAxes axes;
-    axes.z = is_upright || facing == GlyphFacing::eye ? to_eye : up;
-    axes.x = is_upright ? glm::cross(up, to_eye)
-                        : glm::normalize(vec3(glyph.direction[0], glyph.direction[1], glyph.direction[2]) / kOne);
+    axes.z = is_upright || facing != GlyphFacing::up ? to_eye : up;
+    axes.x = facing == GlyphFacing::eye_upright ? up
+             : is_upright                       ? glm::cross(up, to_eye)
+                          : glm::normalize(vec3(glyph.direction[0], glyph.direction[1], glyph.direction[2]) / kOne);
     axes.y = glm::cross(axes.z, axes.x);
     if (glm::dot(axes.y, axes.y) < kParallel)
         axes.y = glm::cross(axes.z, std::fabs(axes.z.x) < kSteep ? vec3(1, 0, 0) : vec3(0, 1, 0));
@@ -164,7 +166,7 @@ std::uint32_t GlyphDrawer::draw(gl::Gl& gl, const DataFrame& frame, const DepthR
 }
 
 void GlyphDrawer::begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range) {
-    earth_to_eye_ = vec3(glm::normalize(frame.view.eye) * earth::kSemiMajorAxis_m);
+    earth_to_eye_ = vec3(frame.view.eye);
     gl->Enable(GL_DEPTH_TEST);
     gl->Disable(GL_BLEND);
     program_.use(gl);
@@ -196,7 +198,7 @@ void GlyphDrawer::end(gl::Gl& gl) {
 void GlyphDrawer::draw_instances(gl::Gl& gl, const GlyphRun& run) {
     constexpr GLsizei kStride = sizeof(GlyphInstance);
     const std::size_t first = run.first * sizeof(GlyphInstance);
-    gl->Uniform1f(program_.uniform(kFacesEye), run.facing == GlyphFacing::eye ? 1.0f : 0.0f);
+    gl->Uniform1f(program_.uniform(kFacing), static_cast<float>(run.facing));
     gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, place)));
     gl->VertexAttribPointer(kSize, 3, GL_FLOAT, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, size_m)));
     gl->VertexAttribPointer(kDirection, 4, GL_BYTE, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, direction)));

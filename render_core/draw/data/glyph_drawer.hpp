@@ -1,7 +1,6 @@
 /// Draws glyphs: instances on devices that have them (es3), else corners that the processor puts together (es2, sc2).
 ///
-/// Up is away from the centre of a sphere of the Earth's size below the eye: within 0.2 degrees of the vertical for glyphs up to
-/// some hundred kilometres away.
+/// Up is the vertical at each glyph (earth::up_at), however far the eye.
 ///
 /// Memory    CPU from the arena, GPU from the budget line scene_glyph_vertices; all at start(). Thread  the GL thread. Failure
 /// start() gives one sentence.

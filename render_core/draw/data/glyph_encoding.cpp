@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/data/element_input.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -19,15 +20,14 @@ using scene::WindState;
 constexpr double kSignShare = 0.5;                                       // of signs, of the full size
 constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.5;  // of the full size
 constexpr double kLeastPoleDistance = 1e-9;
+constexpr double kStem_px = 2, kFootWidth_px = 12, kFootHeight_px = 4;
 
 struct LocalAxes {
     glm::dvec3 east, north, up;
 };
 
-/// By the gradient of the ellipsoid through the place.
 LocalAxes local_axes(const earth::Ecef& place) {
-    constexpr double kStretch = 1 / (1 - earth::kEccentricitySquared);
-    const glm::dvec3 up = glm::normalize(glm::dvec3(place.x, place.y, place.z * kStretch));
+    const glm::dvec3 up = earth::up_at(place);
     const double from_axis = std::hypot(up.x, up.y);
     const glm::dvec3 east = from_axis > kLeastPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
     return {east, glm::cross(up, east), up};
@@ -82,6 +82,21 @@ public:
             direction = axes.east * std::sin(towards) + axes.north * std::cos(towards);
         }
         return make_glyph(summary.place, extent(glyph.size_m, share(value)), direction, color(summary, value));
+    }
+
+    [[nodiscard]] bool has_link(const SelectedGlyph& glyph) const {
+        return style_.link_per_px > 0 && double{glyph.summary.over_ground_m} > kFloating_m;
+    }
+    /// The line and its mark, from who is linked.
+    void add_link(const SelectedGlyph& glyph, const GlyphInstance& linked, GlyphInstance (&parts)[kLinkParts]) const {
+        const glm::dvec3 place(glyph.summary.place), up = earth::up_at(eye_ + place);
+        const auto length_m = double{glyph.summary.over_ground_m};
+        const double pixel_m = glm::length(place) * style_.link_per_px;
+        const design::Color color{linked.rgba[0], linked.rgba[1], linked.rgba[2], linked.rgba[3]};
+        parts[0] = make_glyph(glm::vec3(place - up * (0.5 * length_m)), glm::vec3(glm::dvec3(length_m, kStem_px * pixel_m, 1)),
+                              up, color);
+        parts[1] = make_glyph(glm::vec3(place - up * (length_m - 0.5 * kFootHeight_px * pixel_m)),
+                              glm::vec3(glm::dvec3(kFootHeight_px, kFootWidth_px, 1) * pixel_m), up, color);
     }
 
     [[nodiscard]] bool is_transparent() const {
@@ -161,12 +176,16 @@ std::uint32_t encode_glyphs(base::Span<const SelectedGlyph> glyphs, GlyphValues 
                             const design::DataScale& scale, const earth::Ecef& eye, GlyphBatch& batch) {
     const Encoder encoder(values, style, scale, eye);
     std::uint32_t counts[kGlyphShapes] = {};
-    for (const SelectedGlyph& glyph : glyphs) ++counts[static_cast<std::size_t>(encoder.shape(glyph))];
+    constexpr auto kStem = static_cast<std::size_t>(GlyphShape::stem);
+    for (const SelectedGlyph& glyph : glyphs) {
+        ++counts[static_cast<std::size_t>(encoder.shape(glyph))];
+        if (encoder.has_link(glyph)) counts[kStem] += kLinkParts;
+    }
     base::Span<GlyphInstance> rooms[kGlyphShapes];
     std::uint32_t left_out = 0;
     for (std::size_t n = 0; n < kGlyphShapes; ++n) {
         const auto shape = static_cast<GlyphShape>(n);
-        const GlyphFacing facing = is_sign_shape(shape) ? GlyphFacing::eye : style.facing;
+        const GlyphFacing facing = n == kStem ? GlyphFacing::eye_upright : is_sign_shape(shape) ? GlyphFacing::eye : style.facing;
         rooms[n] = batch.add(shape, facing, encoder.is_transparent(), counts[n]);
         if (rooms[n].empty()) left_out += counts[n];
     }
@@ -174,7 +193,12 @@ std::uint32_t encode_glyphs(base::Span<const SelectedGlyph> glyphs, GlyphValues 
     for (const SelectedGlyph& glyph : glyphs) {
         const GlyphShape shape = encoder.shape(glyph);
         const auto n = static_cast<std::size_t>(shape);
-        if (!rooms[n].empty()) rooms[n][filled[n]++] = encoder.instance(glyph, shape);
+        if (rooms[n].empty()) continue;
+        const GlyphInstance& made = rooms[n][filled[n]++] = encoder.instance(glyph, shape);
+        if (rooms[kStem].empty() || !encoder.has_link(glyph)) continue;
+        GlyphInstance parts[kLinkParts];
+        encoder.add_link(glyph, made, parts);
+        for (const GlyphInstance& part : parts) rooms[kStem][filled[kStem]++] = part;
     }
     if (encoder.is_transparent())
         for (const base::Span<GlyphInstance>& room : rooms) order(room);

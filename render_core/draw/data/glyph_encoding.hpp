@@ -6,6 +6,9 @@
 /// Uncertainty has size and colour alike (4.2.3), solids that stand on their place by their height; unknown is as large as the
 /// least certain, in a colour that no level has.
 ///
+/// What floats over the ground may have a link to it, in its own colour. Those of an aggregate lead to the mean height of the
+/// ground below its members.
+///
 /// Glyphs below kPlainBelow_px take plain shapes. Transparent ones are put in the order from far to near.
 /// Pure but for the batch; any thread.
 #pragma once
@@ -39,9 +42,13 @@ struct GlyphStyle {
     design::Color plain{235, 235, 235};  ///< of signs, and of all where there is no colour by value
     design::Color missing{150, 150, 150};
     design::Color unknown{255, 0, 255};  ///< of an uncertainty
+    /// Of those that float: a line down to the ground below them and a mark where it stands, for which this is how wide a pixel
+    /// is at a distance of 1; 0: none.
+    double link_per_px = 0;
 };
 
 inline constexpr double kPlainBelow_px = 28;
+inline constexpr std::uint32_t kLinkParts = 2;  ///< instances of a link
 
 /// `eye`: the one of the selection. The number of glyphs for which the batch had no room.
 std::uint32_t encode_glyphs(base::Span<const scene::SelectedGlyph> glyphs, scene::GlyphValues values, const GlyphStyle& style,

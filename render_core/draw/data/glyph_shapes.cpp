@@ -152,6 +152,13 @@ public:
             triangle(at(1, n + 1), at(0, n + 1), at(0, n));
         }
     }
+    /// Dark along one side, so that it stands out against any ground: two triangles, as it may be long and often there.
+    void stem() {
+        const std::uint16_t first = vertex_count();
+        for (const vec2& corner : {vec2(-kHalf, -kHalf), vec2(kHalf, -kHalf), vec2(kHalf, kHalf), vec2(-kHalf, kHalf)})
+            vertex(vec3(corner, 0), vec3(0), corner.y < 0 ? std::uint8_t{0} : kFull);
+        fan(first, 4);
+    }
 
 private:
     struct Part {
@@ -286,6 +293,7 @@ void GlyphShapes::build() {
             case GlyphShape::circle: maker.circle(); break;
             case GlyphShape::triangle: maker.flat_triangle(); break;
             case GlyphShape::puff: maker.puff(); break;
+            case GlyphShape::stem: maker.stem(); break;
         }
         maker.end(shape);
     }

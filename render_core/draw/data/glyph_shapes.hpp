@@ -32,13 +32,14 @@ enum class GlyphShape : std::uint8_t {
     circle,    ///< flat
     triangle,  ///< flat, a corner to +x
     puff,      ///< flat, without rim: opaque in its middle, nothing at its edge
+    stem,      ///< flat: a line along x, -0.5 .. 0.5, from dark to light across
 };
-inline constexpr std::size_t kGlyphShapes = static_cast<std::size_t>(GlyphShape::puff) + 1;
+inline constexpr std::size_t kGlyphShapes = static_cast<std::size_t>(GlyphShape::stem) + 1;
 
 [[nodiscard]] constexpr bool is_flat(GlyphShape shape) {
     return shape == GlyphShape::flat_arrow || shape == GlyphShape::ring || shape == GlyphShape::crossed_ring ||
            shape == GlyphShape::cross || shape == GlyphShape::circle || shape == GlyphShape::triangle ||
-           shape == GlyphShape::puff;
+           shape == GlyphShape::puff || shape == GlyphShape::stem;
 }
 /// Of the sphere, arrow and cone; others are plain already.
 [[nodiscard]] GlyphShape plain_variant(GlyphShape shape) noexcept;

@@ -41,6 +41,10 @@ double metres_east(double latitude_rad, double step_rad) {
     return step_rad * earth::prime_vertical_radius_m(latitude_rad) * std::cos(latitude_rad);
 }
 
+float over_ground_m(const ElementInput& input, const Placed& at, double latitude_rad, double longitude_rad) {
+    return static_cast<float>(at.is_known ? at.height_m - input.ground.height_m(latitude_rad, longitude_rad) : kNone);
+}
+
 }  // namespace
 
 const scene::Attribute* glyph_attribute(const design::DataElement& element, const scene::Layer& layer) {
@@ -122,6 +126,7 @@ scene::GlyphSite GlyphSites::post(const ElementInput& input, std::uint32_t n) co
     const double level_m = !is_over_ground             ? height_m
                            : has_levels && at.is_known ? height_in_datum_m(input, latitude, longitude, at.height_m)
                                                        : 0;
+    if (element_->link) site.over_ground_m = over_ground_m(input, at, latitude, longitude);
     const auto value_of = [&](const scene::Attribute& attribute) {
         const scene::GridField values(*layer_, attribute);
         return values.at_post(column, row, values.level_at(level_m), values.time_at(time_ns_), values.age(time_ns_));
@@ -157,6 +162,8 @@ scene::GlyphSite GlyphSites::point(const ElementInput& input, std::uint32_t n) c
     scene::GlyphSite site;
     site.place = at.is_known ? at.place : glm::dvec3(kNone);
     site.size_m = size_m_;
+    if (element_->link)
+        site.over_ground_m = over_ground_m(input, at, layer_->points[n].latitude_rad, layer_->points[n].longitude_rad);
     site.value = static_cast<float>(value.value);
     if (north_ != nullptr) site.north_mps = static_cast<float>(value_of_point(*north_, n).value);
     site.uncertainty = value.uncertainty;

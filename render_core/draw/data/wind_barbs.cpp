@@ -12,8 +12,6 @@ namespace tedavis::draw {
 namespace {
 
 constexpr float kBox = 0.75f;  // of a staff, to each side: room that a barb takes
-constexpr float kLink_px = 1.2f;
-constexpr std::size_t kMostLinkVertices = 4 * 2;
 
 /// Level unit vectors at a place: ahead and to the right on the picture.
 struct Level {
@@ -37,13 +35,13 @@ public:
 
     bool add() const {
         const BillboardSheet::Spot spot = sheet_.spot(place_);
-        if (!spot.is_ahead || !sheet_.has_room(kMostBarbVertices, kMostLinkVertices)) return false;
+        if (!spot.is_ahead || !sheet_.has_room(kMostBarbVertices, BillboardSheet::kLinkVertices)) return false;
         const float staff_px = kStaff * sheet_.text_px(), half = kBox * staff_px;
         if (!sheet_.claim({spot.at.x - half, spot.at.y - half, 2 * half, 2 * half}, place_)) return false;
         const earth::Geodetic at = earth::from_ecef(place_);
         const scene::Wind wind = scene::wind_of(summary_);
         const BillboardLook look = look_of(wind);
-        if (input_.element.link) add_link(at, spot, look);
+        if (input_.element.link) add_link(spot, look);
         const BarbStyle style{staff_px, at.latitude_rad < 0, look.color, look.text};
         static_cast<void>(draw_wind_barb(sheet_.signs(), spot.at, from_on_screen(at, wind), wind, style));
         return true;
@@ -64,11 +62,10 @@ private:
         return {static_cast<float>(glm::dot(from, level.right)), static_cast<float>(-glm::dot(from, level.ahead))};
     }
 
-    void add_link(const earth::Geodetic& at, const BillboardSheet::Spot& spot, const BillboardLook& look) const {
-        const double ground_m = input_.ground.height_m(at.latitude_rad, at.longitude_rad);
-        if (!(ground_m < at.height.m)) return;
-        const BillboardSheet::Spot foot = sheet_.spot(earth::to_ecef({at.latitude_rad, at.longitude_rad, {ground_m}}));
-        sheet_.line(foot, spot, kLink_px, look.color);
+    void add_link(const BillboardSheet::Spot& spot, const BillboardLook& look) const {
+        const auto over_ground_m = double{summary_.over_ground_m};
+        if (!(over_ground_m > kFloating_m)) return;
+        sheet_.link(sheet_.spot(place_ - earth::up_at(place_) * over_ground_m), spot, look.color);
     }
 
     BillboardSheet& sheet_;

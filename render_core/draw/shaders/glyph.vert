@@ -8,16 +8,16 @@ VERTEX_IN vec3 normal;
 VERTEX_IN vec2 look;       // tone, opacity
 VERTEX_IN vec3 size;       // m
 VERTEX_IN vec4 direction;  // 127ths
-uniform vec3 earth_to_eye; // m; where "up" begins
-uniform float faces_eye;   // 1: towards the eye instead of up
+uniform vec3 earth_to_eye; // m, from the Earth's centre
+uniform float facing;      // 0: up; 1: the eye; 2: the eye, along the vertical
 
 void main() {
     vec3 to_eye = -normalize(place);
-    vec3 up = normalize(earth_to_eye + place);
+    vec3 up = normalize((earth_to_eye + place) * vec3(1.0, 1.0, 1.0067394967));  // as earth::up_at()
     vec4 given = direction / 127.0;
     bool is_upright = given.w > 0.5;
-    vec3 z = is_upright || faces_eye > 0.5 ? to_eye : up;
-    vec3 x = is_upright ? cross(up, to_eye) : normalize(given.xyz);
+    vec3 z = is_upright || facing > 0.5 ? to_eye : up;
+    vec3 x = facing > 1.5 ? up : is_upright ? cross(up, to_eye) : normalize(given.xyz);
     vec3 y = cross(z, x);
     if (dot(y, y) < 1e-4) y = cross(z, abs(z.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
     y = normalize(y);

@@ -33,7 +33,7 @@ std::string repeated(const std::string& text, int times) {
 TEST(DataElement, EveryKeyIsRead) {
     const Read whole = read(R"([[data.element]]
 layer = "tracks"
-technique = "tube"
+technique = "spheres"
 color = "#102030"
 attribute = "cross_wind"
 palette = "grey"
@@ -60,7 +60,7 @@ levels = 3
     ASSERT_EQ(whole.elements.size(), 1u);
     const DataElement& element = whole.elements[0];
     EXPECT_EQ(element.layer.view(), "tracks");
-    EXPECT_EQ(element.technique, DataTechnique::tube);
+    EXPECT_EQ(element.technique, DataTechnique::spheres);
     EXPECT_EQ(element.color, (Color{0x10, 0x20, 0x30}));
     EXPECT_EQ(element.by_color.attribute.view(), "cross_wind");
     EXPECT_EQ(element.by_color.scale.breaks.size(), 3u);
@@ -100,6 +100,16 @@ TEST(DataElement, LayersAreChosenByNameOrByRole) {
     EXPECT_TRUE(by_role.elements[0].layer.view().empty());
     EXPECT_NE(read("[[data.element]]\nlayer = \"a\"\nrole = \"place\"\n").fault.find("give one"), std::string::npos);
     EXPECT_NE(read("[[data.element]]\nrole = \"ghost\"\n").fault, "");
+}
+
+TEST(DataElement, LinksAreForWhatFloats) {
+    for (std::size_t n = 0; n < kDataTechniques; ++n) {
+        const std::string name(kDataTechniqueNames[n]);
+        const std::string fault = read("[[data.element]]\nlayer = \"a\"\ntechnique = \"" + name + "\"\nlink = true\n").fault;
+        const auto technique = static_cast<DataTechnique>(n);
+        const bool stands = technique <= DataTechnique::ribbon || technique == DataTechnique::isosurface;
+        EXPECT_EQ(fault.find("'link'") != std::string::npos, stands) << name;
+    }
 }
 
 TEST(DataElement, OrderIsKept) {

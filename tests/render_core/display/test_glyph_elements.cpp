@@ -171,6 +171,26 @@ TEST(GlyphElements, AHundredThousandKeepTheirPlacesWhereThereIsRoom) {
         }
 }
 
+TEST(GlyphElements, LinksTakeOfTheSameRoomAndAreSeenInBothLanes) {
+    const test_support::LoadedScene large(large_grid(false));
+    for (const char* device : {"es3-mid", "es2-small"}) {
+        const auto plan = [&](bool link, std::vector<std::uint8_t>* pixels) {
+            GlyphView view(device);
+            view.element.link = link;
+            view.element.size_m = 4000;
+            EXPECT_TRUE(view.glyphs.add(view.element, large.layer()));
+            const draw::ElementCount count = view.plan(kStart_ns);
+            *pixels = view.picture();
+            return count;
+        };
+        std::vector<std::uint8_t> linked, free;
+        const draw::ElementCount with = plan(true, &linked), without = plan(false, &free);
+        EXPECT_EQ(with.all(), without.all()) << device;
+        EXPECT_LE(with.drawn, without.drawn) << device;
+        EXPECT_NE(linked, free) << device;
+    }
+}
+
 TEST(GlyphElements, LayersWithoutSitesAreRefused) {
     GlyphView view;
     const test_support::LoadedScene areas(test_support::small_areas());

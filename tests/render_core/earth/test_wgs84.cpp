@@ -246,5 +246,18 @@ TEST(Wgs84, surface_distance_is_symmetric_and_ignores_height) {
     EXPECT_EQ(surface_distance_m(a, b), surface_distance_m(flat_a, b));
 }
 
+TEST(Wgs84, up_is_the_normal_of_the_ellipsoid_near_it) {
+    double worst = 0, worst_geocentric = 0;
+    for (double lat = -90; lat <= 90; lat += 7.5)
+        for (const double height_m : {-10'000.0, 0.0, 10'000.0}) {
+            const Ecef place = to_ecef({radians(lat), radians(33), {height_m}});
+            const glm::dvec3 normal = -north_east_down(radians(lat), radians(33))[2];
+            worst = std::max(worst, glm::length(up_at(place) - normal));
+            worst_geocentric = std::max(worst_geocentric, glm::length(glm::normalize(place) - normal));
+        }
+    EXPECT_LT(worst, 1e-5);
+    EXPECT_GT(worst_geocentric, 1e-3) << "the check tells it from the direction from the centre";
+}
+
 }  // namespace
 }  // namespace tedavis::earth

@@ -141,5 +141,17 @@ TEST(GlyphSums, WindsThatCancelAreVariableAndNotCalm) {
     EXPECT_EQ(wind_of(of(GlyphValues::wind, {missing({})})).state, WindState::unknown);
 }
 
+TEST(GlyphSums, TheMeanHeightOverTheGroundIsOneOfAllOrNotKnown) {
+    const auto over = [](float metres, float value) {
+        GlyphSummary part = std::isnan(value) ? missing({0, 0, 0}) : one({0, 0, 0}, value);
+        part.over_ground_m = metres;
+        return part;
+    };
+    EXPECT_FLOAT_EQ(of(GlyphValues::number, {over(100, 1), over(200, 1), over(900, NAN)}).over_ground_m, 400)
+        << "a missing value floats as well";
+    EXPECT_TRUE(std::isnan(of(GlyphValues::number, {over(100, 1), over(NAN, 1)}).over_ground_m));
+    EXPECT_TRUE(std::isnan(of(GlyphValues::number, {one({}, 1)}).over_ground_m)) << "not asked for";
+}
+
 }  // namespace
 }  // namespace tedavis::scene

@@ -97,6 +97,21 @@ TEST(Diagrams, PointsAboveEachOtherAreOneProfile) {
     EXPECT_EQ(diagrams.shapes(kMissingColor).size(), 2u) << "a cross";
 }
 
+TEST(Diagrams, ALinkLeadsFromTheLowestPointToTheGround) {
+    host_sim::LayerDraft layer = samples({BillboardRoom::point(4000, 0, 1400), BillboardRoom::point(4000, 0, 900)});
+    bind(layer, "a", {0, 10});
+    const auto bottom = [&](bool link) {
+        Diagrams diagrams(layer);
+        diagrams.test.element.link = link;
+        diagrams.room.begin();
+        EXPECT_EQ(add_diagrams(diagrams.room.sheet, diagrams.test.input()).drawn, 2u);
+        return static_cast<double>(diagrams.room.bounds().bottom());
+    };
+    const double px_per_m = BillboardRoom().view.focal_px / 4000;
+    EXPECT_NEAR(bottom(false), 300 + 100 * px_per_m, 2) << "900 m, seen from 1000 m";
+    EXPECT_NEAR(bottom(true), 300 + 400 * px_per_m, 3) << "the ground is at 600 m";
+}
+
 TEST(Diagrams, WhatHasNoRoomOrPlaceIsHidden) {
     host_sim::LayerDraft layer = samples({BillboardRoom::point(4000, 0, 1000), BillboardRoom::point(4100, 10, 1000),
                                           BillboardRoom::point(-4000, 0, 1000), BillboardRoom::point(90'000, 0, 1000)});

@@ -88,7 +88,7 @@ constexpr const char* kDevices[] = {"es2-small", "es3-mid"};
 TEST(GlyphDrawer, AxesAreOrthonormalAndAsAsked) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> any(-1, 1);
-    const glm::vec3 earth_to_eye(glm::normalize(level_frame().view.eye) * 6.4e6);
+    const glm::vec3 earth_to_eye(level_frame().view.eye);
     for (int n = 0; n < 500; ++n) {
         const glm::dvec3 direction =
             n % 7 == 0 ? glm::dvec3(0) : glm::normalize(glm::dvec3(any(random), any(random), any(random)));
@@ -110,6 +110,37 @@ TEST(GlyphDrawer, AxesAreOrthonormalAndAsAsked) {
     const GlyphAxes steep =
         glyph_axes(make_glyph(local(0, 100, 0), {1, 1, 1}, local(0, 0, 1), kRed), GlyphFacing::up, earth_to_eye);
     EXPECT_NEAR(glm::length(steep.y), 1, 1e-5) << "straight up as well";
+}
+
+TEST(GlyphDrawer, UprightIsTheVerticalHoweverFarTheEye) {
+    const earth::Geodetic place{base::radians(46.8), base::radians(9.8), {1500}};
+    const glm::dvec3 at = earth::to_ecef(place), up = -earth::north_east_down(place.latitude_rad, place.longitude_rad)[2];
+    for (const double distance_m : {2e3, 1e5, 1.5e7})
+        for (const double pitch_deg : {-20.0, -60.0, -90.0}) {
+            const glm::dvec3 forward =
+                earth::body_axes(place.latitude_rad, place.longitude_rad, 1.2, base::radians(pitch_deg), 0)[0];
+            const glm::dvec3 eye = at - distance_m * forward;
+            const auto axes = [&](const glm::dvec3& direction, GlyphFacing facing) {
+                return glyph_axes(make_glyph(glm::vec3(at - eye), {1, 1, 1}, direction, kRed), facing, glm::vec3(eye));
+            };
+            const GlyphAxes bar = axes(earth::north_east_down(place.latitude_rad, place.longitude_rad)[0], GlyphFacing::up);
+            EXPECT_GT(glm::dot(glm::dvec3(bar.z), up), std::cos(base::radians(0.5))) << distance_m;
+            const GlyphAxes stem = axes(up, GlyphFacing::eye_upright);
+            EXPECT_LT(glm::length(glm::dvec3(stem.x) - up), 2e-5) << distance_m << " " << pitch_deg;
+            EXPECT_TRUE(pitch_deg == -90 || glm::dot(glm::dvec3(stem.z), forward) < -0.3) << "seen from the eye";
+        }
+}
+
+TEST(GlyphDrawer, StemsLeadFromTheirPlaceDown) {
+    for (const char* device : kDevices) {
+        Glyphs glyphs;
+        glyphs.add(GlyphShape::stem, make_glyph(local(0, 100, -10), {20, 2, 1}, local(0, 0, 1), kRed), GlyphFacing::eye_upright);
+        const Box box = box_of(drawn(device, glyphs));
+        const double px_per_m = level_frame().view.focal_px / 100;
+        EXPECT_NEAR(box.top - box.bottom + 1, 20 * px_per_m, 2) << device;
+        EXPECT_NEAR(box.right - box.left + 1, 2 * px_per_m, 1.5) << device << ", dark side and all";
+        EXPECT_NEAR(0.5 * (box.bottom + box.top + 1), 0.5 * kHeight - 10 * px_per_m, 1.5) << device;
+    }
 }
 
 TEST(GlyphDrawer, SpheresStandWhereTheyAreAndAsLarge) {

@@ -196,6 +196,52 @@ TEST(GlyphEncoding, SolidsStandByTheirHeight) {
     EXPECT_FLOAT_EQ(Encoded({glyph_of(10)}, GlyphValues::number, style).only().size_m.x, 50);
 }
 
+/// Against the local frame of GeographicLib.
+TEST(GlyphEncoding, WhatFloatsHasALineDownToTheGround) {
+    GlyphStyle style = wind_style();
+    style.link_per_px = 1 / 700.0;
+    SelectedGlyph high = glyph_of(12);
+    high.summary.over_ground_m = 2300;
+    const Encoded encoded({high}, GlyphValues::wind, style);
+    ASSERT_EQ(encoded.batch.runs().size(), 2u);
+    const GlyphRun& run = encoded.batch.runs()[1];
+    EXPECT_EQ(run.shape, GlyphShape::stem);
+    EXPECT_EQ(run.facing, GlyphFacing::eye_upright);
+    ASSERT_EQ(run.count, kLinkParts);
+    const glm::dvec3 eye = earth::to_ecef(kPlace), at = eye + glm::dvec3(high.summary.place);
+    const earth::Geodetic there = earth::from_ecef(at);
+    const GeographicLib::LocalCartesian frame(base::degrees(there.latitude_rad), base::degrees(there.longitude_rad),
+                                              there.height.m);
+    double latitude = 0, longitude = 0, height = 0;
+    const auto below = [&](double down_m) {
+        frame.Reverse(0, 0, -down_m, latitude, longitude, height);
+        return earth::to_ecef({radians(latitude), radians(longitude), earth::EllipsoidHeight{height}}) - eye;
+    };
+    const GlyphInstance &line = encoded.batch.of(run)[0], &foot = encoded.batch.of(run)[1];
+    EXPECT_LT(glm::length(glm::dvec3(line.place) - below(1150)), 0.05);
+    EXPECT_FLOAT_EQ(line.size_m.x, 2300);
+    EXPECT_NEAR(line.size_m.y, 2 * glm::length(high.summary.place) / 700, 1e-3) << "two pixels";
+    EXPECT_LT(glm::length(glm::dvec3(foot.place) - below(2300 - 0.5 * double{foot.size_m.x})), 0.05);
+    EXPECT_GT(foot.size_m.y, 2 * line.size_m.y);
+    const GlyphInstance& arrow = encoded.batch.of(encoded.batch.runs()[0])[0];
+    for (int n = 0; n < 4; ++n) EXPECT_EQ(line.rgba[n], arrow.rgba[n]);
+}
+
+TEST(GlyphEncoding, WhatStandsOrIsNotKnownToFloatHasNoLine) {
+    GlyphStyle style = wind_style();
+    style.link_per_px = 1 / 700.0;
+    SelectedGlyph low = glyph_of(12), below = low, unknown = low, high = low;
+    low.summary.over_ground_m = 4;
+    below.summary.over_ground_m = -50;
+    high.summary.over_ground_m = 300;
+    EXPECT_EQ(Encoded({low, below, unknown}, GlyphValues::wind, style).batch.instances().size(), 3u);
+    EXPECT_EQ(Encoded({low, below, unknown, high}, GlyphValues::wind, style).batch.instances().size(), 6u);
+    EXPECT_EQ(Encoded({high}, GlyphValues::wind, wind_style()).batch.instances().size(), 1u) << "not asked for";
+    const Encoded little({high, high}, GlyphValues::wind, style, scale_of(), 3);
+    EXPECT_EQ(little.batch.instances().size(), 2u) << "lines have no room, the glyphs have";
+    EXPECT_EQ(little.left_out, 2 * kLinkParts);
+}
+
 TEST(GlyphEncoding, SmallOnesArePlain) {
     GlyphStyle style = wind_style();
     SelectedGlyph small = glyph_of(9);

@@ -95,6 +95,27 @@ TEST(GlyphSites, PostsStandOverTheGroundOrAtTheDesignsHeights) {
     EXPECT_NEAR(height_of(), 2600, 0.5) << "600 m is the ground's";
 }
 
+TEST(GlyphSites, WhatHasALinkKnowsHowFarItFloats) {
+    ElementOfTest test(wind_draft());
+    const auto over = [&] { return FilledField(test, 0).all().over_ground_m; };
+    EXPECT_TRUE(std::isnan(over())) << "nobody asks";
+    test.element.link = true;
+    EXPECT_NEAR(over(), kOverGround_m, 1e-2);
+    EXPECT_TRUE(test.element.heights_m.try_push_back(1000) && test.element.heights_m.try_push_back(3000));
+    EXPECT_NEAR(over(), (1000 + 3000) / 2.0 + 50 - 600, 1e-2) << "the geoid lies 50 m over the ellipsoid";
+    ElementOfTest points(test_support::small_points());
+    points.element.link = true;
+    const FilledField filled(points, 0);
+    const scene::Layer& layer = points.input().layer;
+    double mean = 0;
+    for (const scene::ScenePoint& point : layer.points) {
+        const bool on_ground = layer.entry->height_datum == scene::HeightDatum::ground || std::isnan(point.height_m);
+        const double height_m = std::isnan(point.height_m) ? 0 : double{point.height_m};
+        mean += (on_ground ? height_m : height_m - 600) / 3;
+    }
+    EXPECT_NEAR(filled.all().over_ground_m, mean, 1e-2);
+}
+
 TEST(GlyphSites, WithoutGroundTheyHaveNoPlace) {
     ElementOfTest test(wind_draft());
     test.ground.is_known = false;

@@ -98,8 +98,13 @@ TEST(WindBarbs, ALinkLeadsDown) {
     const float free = barbs.room.bounds().bottom();
     EXPECT_TRUE(barbs.room.links.vertices().empty());
     barbs.test.element.link = true;
-    barbs.build({glyph(barbs.room, 5000, 0, 0, 10)});
-    EXPECT_GT(barbs.room.bounds().bottom(), free + 10);
+    scene::SelectedGlyph high = glyph(barbs.room, 5000, 0, 0, 10);
+    barbs.build({high});
+    EXPECT_EQ(barbs.room.bounds().bottom(), free) << "nobody knows how far";
+    high.summary.over_ground_m = 400;
+    barbs.build({high});
+    const double foot_px = 300 + 400 * barbs.room.view.focal_px / 5000;
+    EXPECT_NEAR(static_cast<double>(barbs.room.bounds().bottom()), foot_px, 3);
 }
 
 }  // namespace
