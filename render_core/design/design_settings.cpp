@@ -15,8 +15,33 @@ void read_angle(ConfigSection& section, std::string_view key, double low_deg, do
     angle_rad = base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
 }
 
+void read_mode(ConfigSection& section, ViewSettings& view) {
+    static constexpr std::string_view kModes[] = {"3d", "map"}, kProjections[] = {"perspective", "orthographic"};
+    view.mode = static_cast<ViewMode>(section.choice("mode", kModes, static_cast<std::size_t>(view.mode)));
+    const bool is_parallel = section.choice("projection", kProjections, 0) == 1;
+    if (!is_parallel) return;
+    if (view.mode == ViewMode::map)
+        fault_of(section, "projection", "is of mode 3d; the map shows equal lengths alike anyway, leave it out");
+    view.mode = ViewMode::orthographic;
+    if (section.number("map_range_m", 500, 500'000, view.map_range_m) > kMostOrthographicRange_m)
+        fault_of(section, "map_range_m", "is at most 15000 in the orthographic view; farther away lengths would differ");
+}
+
+void read_reference(ConfigSection& section, ViewSettings& view) {
+    view.reference =
+        static_cast<Reference>(section.choice("reference", kReferenceNames, static_cast<std::size_t>(view.reference)));
+    view.flat_msl_m = section.number("flat_msl_m", -500, 9000, view.flat_msl_m);
+    if (view.reference == Reference::flat && view.mode == ViewMode::perspective)
+        fault_of(
+            section, "reference",
+            "flat would be taken for the terrain in the pilot's own view; it is for mode map and for projection orthographic");
+}
+
 void read_view(ConfigSection section, ViewSettings& view) {
-    view.mode = static_cast<ViewMode>(section.choice("mode", kViewModeNames, static_cast<std::size_t>(view.mode)));
+    read_mode(section, view);
+    read_reference(section, view);
+    read_angle(section, "look_down_deg", 25, 90, view.look_down_rad);
+    read_angle(section, "look_turn_deg", -180, 180, view.look_turn_rad);
     view.map_orientation = static_cast<MapOrientation>(
         section.choice("map_orientation", kMapOrientationNames, static_cast<std::size_t>(view.map_orientation)));
     view.map_range_m = section.number("map_range_m", 500, 500'000, view.map_range_m);
@@ -160,6 +185,10 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
     read_view(root.section("view"), design.view);
     read_terrain(root.section("terrain"), palettes, design.terrain);
+    if (design.terrain.conservative_up && design.view.reference == Reference::flat) {
+        ConfigSection terrain = root.section("terrain");
+        fault_of(terrain, "conservative_up", "has no meaning where the ground is drawn flat; leave it out");
+    }
     read_data_style(root.section("data"), palettes, design.data);
     read_sky(root.section("sky"), design.sky);
     read_warning(root.section("warning"), design);

@@ -22,9 +22,14 @@
 
 namespace tedavis::design {
 
-/// What the terrain is seen as: from the own ship, or from far above as a map.
-enum class ViewMode : std::uint8_t { perspective, map };
-inline constexpr std::array<std::string_view, 2> kViewModeNames{"3d", "map"};
+/// What the terrain is seen as: from the own ship, from far above as a map, or obliquely from far away, where equal lengths are
+/// equally long on the screen.
+enum class ViewMode : std::uint8_t { perspective, map, orthographic };
+inline constexpr std::array<std::string_view, 3> kViewModeNames{"3d", "map", "orthographic"};
+
+/// What data stand on: the terrain, or a plane in its colours.
+enum class Reference : std::uint8_t { terrain, flat };
+inline constexpr std::array<std::string_view, 2> kReferenceNames{"terrain", "flat"};
 
 /// What stands at the top of the map; track_up falls back to the heading, then to north.
 enum class MapOrientation : std::uint8_t { north_up, track_up };
@@ -33,12 +38,20 @@ inline constexpr std::array<std::string_view, 2> kMapOrientationNames{"north_up"
 struct ViewSettings {
     ViewMode mode = ViewMode::perspective;
     MapOrientation map_orientation = MapOrientation::north_up;
-    double map_range_m = 20'000;                                ///< (500 .. 500,000) from the own ship to the nearest edge
+    /// (500 .. 500,000; orthographic ..kMostOrthographicRange_m) from the own ship to the nearest edge.
+    double map_range_m = 20'000;
+    double look_down_rad = base::radians(35);                   ///< (25 .. 90 degrees) of the orthographic view, from level
+    double look_turn_rad = 0;                                   ///< (-180 .. 180 degrees) of it, clockwise from what is up
+    Reference reference = Reference::terrain;                   ///< flat: not in perspective
+    double flat_msl_m = 0;                                      ///< (-500 .. 9000) of the plane
     double transition_s = 1;                                    ///< (0.5 .. 2) in which the eye travels to another mode
     double horizontal_field_of_view_rad = base::radians(60);    ///< (10 .. 120 degrees), over the whole width
     double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0;  ///< eye in body axes from the reference point of the own ship
     double dpi = 96;  ///< pixels an inch of the panel; text never gets smaller than legible on it
 };
+
+/// The eye is no farther than floats allow; beyond this range lengths would differ by more than a hundredth (display/eye.hpp).
+inline constexpr double kMostOrthographicRange_m = 15'000;
 
 struct TerrainSettings {
     double tau_px = 1.0;  ///< pixel error asked for, (0.1 .. 32)

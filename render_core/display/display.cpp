@@ -179,7 +179,8 @@ void Display::begin_record(base::Time now) {
     record_.pitch_rad = state_[Signal::pitch].value_or(0);
     record_.roll_rad = state_[Signal::roll].value_or(0);
     record_.view.mode = settings_.design.view.mode;
-    record_.view.transition = record_.view.mode == design::ViewMode::map ? transition_.map_share() : 1 - transition_.map_share();
+    const bool is_far = record_.view.mode != design::ViewMode::perspective;
+    record_.view.transition = is_far ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
     record_.scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
     record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
@@ -204,6 +205,7 @@ void Display::plan_view() {
     input.height_px = settings_.height_px;
     eye_ = make_eye(input, settings_.design.view, settings_.design.sky.haze_distance_m);
     if (free_view_active_) eye_.view = free_view_;
+    if (settings_.design.view.reference == design::Reference::flat) eye_.view.flat_msl_m = settings_.design.view.flat_msl_m;
     const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
     eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
 }
@@ -250,7 +252,7 @@ void Display::widen_bands() {
 void Display::plan_elements(base::Time now) {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
-    TerrainGround ground(terrain_);
+    TerrainGround ground(terrain_, eye_.view);
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
     elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, text_px(), &sight});
 }
@@ -365,8 +367,7 @@ void Display::draw_symbology() {
     symbology.over = transition_.is_under_way() ? draw::SymbolGround::moving
                      : conditions_.is_map       ? draw::SymbolGround::map
                                                 : draw::SymbolGround::perspective;
-    symbology.map = {draw::map_up_rad(state_, decisions_),
-                     map_scale_px_per_m(settings_.design.view, settings_.width_px, settings_.height_px)};
+    symbology.map = make_map_input(context(), state_);
     if (decisions_.show_terrain) {
         add_ground_legend(data_, data_plan_, settings_.design, record_.time, symbology.data_legends);
         add_element_legends(elements_.reports(), settings_.design, record_.time, symbology.data_legends);

@@ -53,6 +53,24 @@ draw::DataFrame make_data_frame(const DrawContext& frame) {
     return data;
 }
 
+draw::MapInput make_map_input(const DrawContext& frame, const flight::AircraftState& state) {
+    const design::ViewSettings& view = frame.design.view;
+    draw::MapInput map;
+    map.up_rad = draw::map_up_rad(state, frame.decisions);
+    map.px_per_m = map_scale_px_per_m(view, frame.eye.view.width, frame.eye.view.height);
+    map.is_flat = frame.decisions.show_terrain && frame.eye.view.is_flat();
+    if (view.mode != design::ViewMode::orthographic) return map;
+    map.is_oblique = true;
+    map.turn_rad = view.look_turn_rad;
+    map.look_down_rad = view.look_down_rad;
+    const flight::Signal source = flight::Signal::height_above_terrain;
+    if (frame.eye.view.is_flat())
+        map.above_ground_m = frame.aircraft_msl_m - frame.eye.view.flat_msl_m;
+    else if (state.is_valid(source, frame.record.time))
+        map.above_ground_m = state[source].value_or(0);
+    return map;
+}
+
 draw::PictureInput make_picture_input(const DrawContext& frame) {
     const draw::TerrainDrawInput terrain = make_terrain_input(frame);
     constexpr float kAny_m = 1e9f;

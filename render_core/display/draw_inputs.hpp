@@ -7,6 +7,7 @@
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
+#include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
@@ -28,6 +29,8 @@ struct DrawContext {
 [[nodiscard]] draw::TerrainDrawInput make_terrain_input(const DrawContext& frame);
 [[nodiscard]] draw::SkyInput make_sky_input(const DrawContext& frame);
 [[nodiscard]] draw::DataFrame make_data_frame(const DrawContext& frame);
+/// Of the map and the orthographic view.
+[[nodiscard]] draw::MapInput make_map_input(const DrawContext& frame, const flight::AircraftState& state);
 /// Without what only the terrain knows: outlines, the part of the screen it is drawn in, and voids.
 [[nodiscard]] draw::PictureInput make_picture_input(const DrawContext& frame);
 

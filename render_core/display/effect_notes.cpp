@@ -38,7 +38,7 @@ void note_silhouettes(const EffectInput& input, FrameRecord& record) {
              "ridges");
     else if (input.style.sketch.silhouettes > 0)
         note(record, kName, run_or_skipped(shown && input.has_silhouettes),
-             input.has_silhouettes ? "asked for by the design" : "from above nothing hides anything");
+             input.has_silhouettes ? "asked for by the design" : "seen from so far away depths hardly differ");
 }
 
 void note_sun(const EffectInput& input, FrameRecord& record) {

@@ -24,6 +24,10 @@ constexpr double kNearPlaneOfHeight = 0.02;
 constexpr double kMapDistanceOfRange = 1000;
 constexpr double kFarthestMapEye_m = 15'000'000;
 
+// What is shown over the ground, as columns of time, in the orthographic view.
+constexpr double kHighestElement_m = 20'000;
+constexpr double kNearestObliqueEye_m = 3'000'000;
+
 // Shares of the way in which the eye turns and in which it rises.
 constexpr double kTurned = 0.6;
 constexpr double kRiseBegins = 0.35;
@@ -59,6 +63,11 @@ terrain::View perspective_view(const EyeInput& input, const design::ViewSettings
     view.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * input.above_ground_m, kNearestPlane_m), kFarthestNearPlane_m);
     view.far_m = std::fmin(kFar_m, horizon_m(input.msl_m));
     return view;
+}
+
+/// So far that a summit in a small picture hardly has another scale, no farther than floats place vertices.
+double oblique_distance_m(const design::ViewSettings& design) {
+    return std::fmin(std::fmax(kMapDistanceOfRange * design.map_range_m, kNearestObliqueEye_m), kFarthestMapEye_m);
 }
 
 double map_distance_m(const design::ViewSettings& design) {
@@ -109,6 +118,40 @@ void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design)
     eye.height_weight = turn;
 }
 
+/// Half of the picture's height, and of its diagonal, at the own ship.
+struct Reach {
+    double half_height_m = 0, half_diagonal_m = 0;
+};
+Reach reach_of(const EyeInput& input, const design::ViewSettings& design) {
+    const double px_per_m = map_scale_px_per_m(design, input.width_px, input.height_px);
+    return {0.5 * input.height_px / px_per_m, 0.5 * std::hypot(input.width_px, input.height_px) / px_per_m};
+}
+
+/// Round what the picture can show between the lowest ground and the highest element. Of a picture's place v over its middle what
+/// lies z below the own ship's level is (z + v cos(down)) / sin(down) behind the own ship.
+void set_oblique_planes(terrain::View& view, const EyeInput& input, const design::ViewSettings& design, double distance_m) {
+    const Reach reach = reach_of(input, design);
+    const double sine = std::sin(design.look_down_rad), rise_m = reach.half_height_m * std::cos(design.look_down_rad);
+    const double below_m = input.msl_m - kLowestGround_m + 2 * kMostUndulation_m;
+    const double above_m = kHighestElement_m - input.msl_m + 2 * kMostUndulation_m;
+    const double behind_m = (below_m + rise_m) / sine;
+    const double farthest_m = std::hypot(behind_m, reach.half_diagonal_m);
+    const double fallen_m = farthest_m * farthest_m / kRadius_m;  // twice the drop of a sphere
+    const double rounding_m = 1e-6 * distance_m;
+    view.near_m = distance_m - (std::fmax(above_m, 0) + rise_m) / sine - rounding_m;
+    view.far_m = distance_m + behind_m + fallen_m / sine + rounding_m;
+}
+
+void stand_far_away(Eye& eye, const EyeInput& input, const design::ViewSettings& design) {
+    const double distance_m = oblique_distance_m(design);
+    aim(eye.view, input.own_ship, input.map_up_rad + design.look_turn_rad, -design.look_down_rad, 0);
+    eye.view.eye = earth::to_ecef(input.own_ship) - distance_m * eye.view.forward;
+    eye.view.focal_px = map_scale_px_per_m(design, input.width_px, input.height_px) * distance_m;
+    set_oblique_planes(eye.view, input, design, distance_m);
+    eye.haze_per_m = 0;
+    eye.height_weight = 1;
+}
+
 }  // namespace
 
 double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t width_px, std::uint32_t height_px) noexcept {
@@ -121,7 +164,8 @@ Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double h
     eye.view.width = input.width_px;
     eye.view.height = input.height_px;
     eye.haze_per_m = haze_distance_m > 0 ? 1 / haze_distance_m : 0;
-    if (input.map_share > 0) travel(eye, input, design);
+    if (input.map_share <= 0) return eye;
+    design.mode == design::ViewMode::orthographic ? stand_far_away(eye, input, design) : travel(eye, input, design);
     return eye;
 }
 

@@ -7,6 +7,11 @@
 /// the
 ///      middle, and rises as the field of view narrows: height above the ground and ground scale are geometric in the share of
 ///      the way, so both change monotonically.
+/// Orthographic  a perspective as well, obliquely from far away onto the own ship, so that nothing that draws and proves a
+/// picture
+///      is different. It has the scale of the own ship's distance; a length anywhere in the picture, on the ground or up to 9 km
+///      high, is drawn within a hundredth of what a parallel projection makes of it, for ranges up to
+///      design::kMostOrthographicRange_m, at least 25 degrees down, on screens up to 1.67 times as high as wide.
 /// Pure functions; any thread.
 #pragma once
 
@@ -25,7 +30,7 @@ struct EyeInput {
     double above_ground_m = 0;  ///< own ship's height above the terrain; above MSL where that is not known
     double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
     double map_up_rad = 0;  ///< true direction at the top of the map
-    double map_share = 0;   ///< of the way from 3D (0) to the map (1)
+    double map_share = 0;   ///< of the way from 3D (0) to the map, or the orthographic view (1)
     std::uint32_t width_px = 1, height_px = 1;
 };
 
@@ -39,7 +44,7 @@ static_assert(std::is_trivially_copyable_v<Eye>);
 /// `haze_distance_m`: of the 3D picture, 0 for none.
 [[nodiscard]] Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept;
 
-/// Pixels a metre on the map's ground.
+/// Pixels a metre on the map's ground, and across the orthographic view.
 [[nodiscard]] double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t width_px,
                                         std::uint32_t height_px) noexcept;
 

@@ -241,7 +241,10 @@ private:
         if (conditions_.terrain == TerrainSource::above_own_ship) flag("terrain", "above_own_ship");
         if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
         if (out_.show_terrain && conditions_.image_is_missing) flag("terrain", "no_image");
+        if (is_flat()) flag("terrain", "flat");
     }
+
+    [[nodiscard]] bool is_flat() const { return out_.show_terrain && design_.view.reference == design::Reference::flat; }
 
     void decide_flight_path() {
         const flight::OwnShipEstimate& own = state_.own_ship;
@@ -280,6 +283,9 @@ private:
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
         if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
+        if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
+            notice(NoticeLevel::information, "ORTHOGRAPHIC VIEW");
+        if (is_flat()) notice(NoticeLevel::information, "FLAT - NO RELIEF");
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");
     }

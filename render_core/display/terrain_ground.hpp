@@ -1,6 +1,8 @@
-/// The terrain as the ground that spatial data stand on: heights of its true surface. What is read for an answer is bounded.
+/// The terrain as the ground that spatial data stand on: heights of its true surface, or of the plane that it is drawn as. What
+/// is read for an answer is bounded.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "render_core/display/terrain_scene.hpp"
@@ -11,13 +13,13 @@ namespace tedavis::display {
 class TerrainGround final : public draw::Ground {
 public:
     /// The terrain must be started, and stay.
-    explicit TerrainGround(TerrainScene& terrain) : terrain_(terrain) {}
+    TerrainGround(TerrainScene& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
 
     [[nodiscard]] double height_m(double latitude_rad, double longitude_rad) override {
         const terrain::HeightAnswer ground = terrain_.true_height(latitude_rad, longitude_rad);
         if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea)
             return std::numeric_limits<double>::quiet_NaN();
-        return ground.height.m + ground.undulation.m;
+        return (std::isnan(flat_msl_m_) ? ground.height.m : flat_msl_m_) + ground.undulation.m;
     }
     [[nodiscard]] double undulation_m(double latitude_rad, double longitude_rad) override {
         return terrain_.database().undulation(latitude_rad, longitude_rad).m;
@@ -25,6 +27,7 @@ public:
 
 private:
     TerrainScene& terrain_;
+    double flat_msl_m_;  ///< NaN: as it is
 };
 
 }  // namespace tedavis::display

@@ -7,7 +7,8 @@ namespace tedavis::display {
 void ViewTransition::step(design::ViewMode wanted, double whole_way_s, base::Time now) noexcept {
     const base::Duration passed = now - last_;
     const bool turns = wanted != wanted_, stands_still = passed.ns == 0;
-    const bool jumps = !has_begun_ || passed.ns < 0 || passed.to_seconds() > whole_way_s || (turns && stands_still);
+    const bool cuts = turns && (wanted == design::ViewMode::orthographic || wanted_ == design::ViewMode::orthographic);
+    const bool jumps = !has_begun_ || passed.ns < 0 || passed.to_seconds() > whole_way_s || (turns && stands_still) || cuts;
     if (turns) {
         from_ = last_;
         from_share_ = map_share_;

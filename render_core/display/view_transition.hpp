@@ -1,5 +1,6 @@
 /// How far the eye has come from one view mode to another: by the time of the source, at an even rate, so that the same instants
-/// give the same ways. Plain data; a copy is a checkpoint.
+/// give the same ways. To and from the orthographic view there is no way: back from the own ship it would lead through the
+/// terrain. Plain data; a copy is a checkpoint.
 #pragma once
 
 #include <type_traits>
@@ -17,12 +18,12 @@ public:
     /// Leaves out the rest of the way.
     void arrive() noexcept;
 
-    /// Of the way from 3D to the map, 0..1.
+    /// Of the way from 3D to the map, 0..1; 1 in the orthographic view too, which is as far away.
     [[nodiscard]] double map_share() const { return map_share_; }
     [[nodiscard]] bool is_under_way() const { return map_share_ != goal(); }
 
 private:
-    [[nodiscard]] double goal() const { return wanted_ == design::ViewMode::map ? 1 : 0; }
+    [[nodiscard]] double goal() const { return wanted_ == design::ViewMode::perspective ? 0 : 1; }
 
     bool has_begun_ = false;
     design::ViewMode wanted_ = design::ViewMode::perspective;

@@ -121,6 +121,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     TerrainVariant variant;
     variant.output = output_;
     variant.lifted = design_.terrain.conservative_up;
+    variant.flat = design_.view.reference == design::Reference::flat;
     variant.ground_data = ground_.is_started();
     variant.uncertainty = design_.data.ground.uncertainty.technique;
     variant.overlay = design_.data.ground.overlay.technique;
@@ -155,7 +156,7 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 
 bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
     if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
-        design_.terrain.conservative_up != design.terrain.conservative_up)
+        design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference)
         return false;
     design_ = design;
     if (ground_.has_data()) ground_.set_look(gl, design.data.ground);

@@ -14,13 +14,16 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"place", kTerrainPlace}};
 
 constexpr const char* kUniformNames[kTerrainUniforms] = {
-    "chunk_offset", "view_projection", "to_local",     "haze_per_m",   "lift",         "place_end",     "earth_centre",
-    "page_window",  "stroke_window",   "form_map",     "light_map",    "aperture_map", "horizon_map",   "page_origin",
-    "page_scale",   "drape_map",       "drape_window", "drape_origin", "palette",      "palette_range", "plain_color",
-    "sea_color",    "unknown_color",   "haze_color",   "pixel",        "grid_lines",   "lights",        "light",
-    "light_color",  "ambient_color",   "occlusion",    "line_color",   "form_lines",   "contour",       "strokes",
-    "page_texel",   "coast_sharp",     "band_color",   "band_lower",   "height_range", "data_map",      "data_colors",
-    "data_size",    "data_scale",      "data_breaks",  "data_look",    "data_window",  "data_overlay",  "data_overlay_color",
+    "chunk_offset",  "view_projection", "to_local",     "haze_per_m",    "lift",
+    "place_end",     "earth_centre",    "flat_height",  "page_window",   "stroke_window",
+    "form_map",      "light_map",       "aperture_map", "horizon_map",   "page_origin",
+    "page_scale",    "drape_map",       "drape_window", "drape_origin",  "palette",
+    "palette_range", "plain_color",     "sea_color",    "unknown_color", "haze_color",
+    "pixel",         "grid_lines",      "lights",       "light",         "light_color",
+    "ambient_color", "occlusion",       "line_color",   "form_lines",    "contour",
+    "strokes",       "page_texel",      "coast_sharp",  "band_color",    "band_lower",
+    "height_range",  "data_map",        "data_colors",  "data_size",     "data_scale",
+    "data_breaks",   "data_look",       "data_window",  "data_overlay",  "data_overlay_color",
     "data_lowest"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
@@ -105,6 +108,7 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
     if (style.shade.technique != TerrainShade::none)
         defines.add_number("LIGHTS", style.shade.technique == TerrainShade::lights ? style.shade.light_count : std::size_t{1});
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.flat, "#define FLAT 1\n");
     const bool coast = variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
     defines.add_if(coast, "#define COAST 1\n");
     defines.add_if(variant.classes, "#define CLASSES 1\n");
@@ -144,6 +148,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     }
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }

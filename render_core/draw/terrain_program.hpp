@@ -28,6 +28,7 @@ enum TerrainUniform : std::size_t {
     kLift,
     kPlaceEnd,
     kEarthCentre,
+    kFlatHeight,
     kPageWindow,
     kStrokeWindow,
     kFormMap,
@@ -90,6 +91,7 @@ struct TerrainVariant {
     bool coast = false;     ///< the chunk has sea and land; what a pixel is comes from its pages
     bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
     bool lifted = false;    ///< never below the true terrain
+    bool flat = false;      ///< all at one height
     TerrainOutput output = TerrainOutput::color;
     bool ground_data = false;                                                       ///< a field of the scene colours the ground
     design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field

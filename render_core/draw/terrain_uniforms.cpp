@@ -67,14 +67,13 @@ void set_lights(gl::Gl& gl, GLint location, const ChunkUniforms& of, const desig
 }
 
 /// Row by row: north-west corner, north side, north-east corner, west side, inside, ...
-void set_lift(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const glm::dvec3& eye_whole) {
+void set_lift(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of) {
     const terrain::ChunkLift& lift = of.chunk.lift;
     const float by_place[9] = {lift.corner_m[0], lift.edge_m[0],   lift.corner_m[1], lift.edge_m[3],  lift.own_m,
                                lift.edge_m[1],   lift.corner_m[2], lift.edge_m[2],   lift.corner_m[3]};
     gl->Uniform1fv(program.uniform(kLift), 9, by_place);
     const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
     gl->Uniform2f(program.uniform(kPlaceEnd), static_cast<float>(posts.i1 - posts.i0), static_cast<float>(posts.j1 - posts.j0));
-    set_vec3(gl, program.uniform(kEarthCentre), -eye_whole);
 }
 
 /// Metres a post at the middle latitude of the whole lattice, so that strokes meet at every chunk's border.
@@ -112,7 +111,10 @@ GroundSize post_size(const terrain::Lattice& lattice, const terrain::ChunkKey& c
 }  // namespace
 
 void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range) {
-    set_matrix(gl, program.uniform(kViewProjection), view_projection(view, range, view.eye - glm::round(view.eye)));
+    const glm::dvec3 eye_whole = glm::round(view.eye);
+    set_matrix(gl, program.uniform(kViewProjection), view_projection(view, range, view.eye - eye_whole));
+    if (program.uniform(kEarthCentre) >= 0) set_vec3(gl, program.uniform(kEarthCentre), -eye_whole);
+    if (program.uniform(kFlatHeight) >= 0) gl->Uniform1f(program.uniform(kFlatHeight), static_cast<float>(view.flat_msl_m));
 }
 
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m) {
@@ -157,7 +159,7 @@ void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUnifo
     const glm::dvec3 local[3] = {axis_of(entry, 1), axis_of(entry, 0), -axis_of(entry, 2)};
     set_to_local(gl, program.uniform(kToLocal), local[0], local[1], local[2]);
     if (program.uniform(kLights) >= 0) set_lights(gl, program.uniform(kLights), of, style.shade, local);
-    if (program.uniform(kLift) >= 0) set_lift(gl, program, of, eye_whole);
+    if (program.uniform(kLift) >= 0) set_lift(gl, program, of);
     if (program.uniform(kStrokeWindow) >= 0) set_strokes(gl, program, of, style);
 }
 

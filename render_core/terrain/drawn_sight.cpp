@@ -33,7 +33,7 @@ glm::dvec3 normal_to(const glm::dvec3& way, const glm::dvec3& up) {
 }
 
 Sight sight_of(const View& view, const glm::dvec3& way, double depth_m) {
-    Sight sight{way, view.near_m / depth_m, DrawnSight::kReach, {}, {}};
+    Sight sight{way, view.near_m / depth_m, DrawnSight::reach(view), {}, {}};
     sight.across = normal_to(way, glm::normalize(view.eye));
     sight.above = glm::normalize(glm::cross(sight.across, way));
     return sight;
@@ -178,10 +178,12 @@ base::Span<const std::uint16_t> DrawnSight::drawn_indices(const SelectedChunk& c
     return built_indices_;
 }
 
+double DrawnSight::reach(const View& view) { return 1 - kTail * std::fmin(2 * view.half_width_tangent(), 1.0); }
+
 bool DrawnSight::is_hidden(const glm::dvec3& place) {
     const glm::dvec3 way = place - view_.eye;
     const double depth_m = glm::dot(way, view_.forward);
-    if (!(depth_m * kReach > view_.near_m)) return false;
+    if (view_.is_flat() || !(depth_m * reach(view_) > view_.near_m)) return false;
     const Sight sight = sight_of(view_, way, depth_m);
     for (const SelectedChunk& chunk : selected_) {
         if (!meets_box(chunk, view_.eye, sight)) continue;

@@ -1,6 +1,6 @@
 /// Whether the surface, as it is drawn, stands between an eye and a place: what it hides can then be hidden whole.
 ///
-/// A sight ends at kReach of its way, so that what stands on the ground is not hidden by the triangle that it stands on, and
+/// A sight ends at reach() of its way, so that what stands on the ground is not hidden by the triangle that it stands on, and
 /// begins at the near plane. It is blocked where it enters a triangle's front, of the triangles that are drawn: those of the
 /// selected chunks beside coarser neighbours, with their lifts; back faces are culled. Triangles are taken a millimetre wider, so
 /// that no sight slips through between two.
@@ -22,13 +22,17 @@ namespace tedavis::terrain {
 
 class DrawnSight {
 public:
-    static constexpr double kReach = 0.995;
+    static constexpr double kTail = 0.005;
+    /// Share of its way at which a sight ends: all but kTail; of an eye that sees little of the far, but kTail of what it sees
+    /// across there.
+    [[nodiscard]] static double reach(const View& view);
 
     /// Everything must stay, and the selection be of this frame, its payloads in memory.
     DrawnSight(const Lattice& lattice, base::Span<const SelectedChunk> selected, DrawnMeshes& meshes, const View& view)
         : lattice_(lattice), selected_(selected), meshes_(meshes), view_(view) {}
 
-    /// `place` in ECEF, m. False for what does not lie beyond the near plane: nobody looks there.
+    /// `place` in ECEF, m. False for what does not lie beyond the near plane: nobody looks there; and
+    /// over a flat surface, which hides nothing that stands on it.
     [[nodiscard]] bool is_hidden(const glm::dvec3& place);
 
 private:

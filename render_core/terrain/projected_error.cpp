@@ -19,6 +19,13 @@ struct Box {
 
 glm::dvec3 centre_of(const ChunkEntry& entry) { return {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]}; }
 
+/// Its points move up by as much as they are below that height.
+void flatten(Box& box, const ChunkEntry& entry, double flat_msl_m) {
+    const double least_m = flat_msl_m - double{entry.max_height_m}, most_m = flat_msl_m - double{entry.min_height_m};
+    box.centre -= box.axis[2] * (0.5 * (least_m + most_m));
+    box.half[2] += 0.5 * (most_m - least_m);
+}
+
 /// Stretched upwards by lift_m.
 Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     Box box;
@@ -29,6 +36,7 @@ Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     }
     box.centre -= box.axis[2] * (0.5 * lift_m);
     box.half[2] += 0.5 * lift_m;
+    if (view.is_flat()) flatten(box, entry, view.flat_msl_m);
     return box;
 }
 

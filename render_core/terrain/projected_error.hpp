@@ -2,7 +2,8 @@
 ///
 /// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies
 /// e * focal * |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth
-/// (difference of the two projections). Boxes are ECEF; pure functions; any thread.
+/// (difference of the two projections). In a flat view boxes are those of what is drawn, and errors still those of the relief:
+/// what is drawn has no more. Boxes are ECEF; pure functions; any thread.
 #pragma once
 
 #include <glm/vec2.hpp>

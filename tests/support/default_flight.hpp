@@ -75,17 +75,19 @@ private:
 using SurfaceWrapper = std::unique_ptr<base::Surface> (*)(std::unique_ptr<base::Surface>);
 inline std::unique_ptr<base::Surface> as_it_is(std::unique_ptr<base::Surface> surface) { return surface; }
 
-/// A started display; throws what start() says. `terrain` must outlive it and may be null.
+/// A started display; throws what start() says. `terrain` must outlive it and may be null; so may `scene`, which is read at once.
 class HeadlessDisplay {
 public:
     HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
                     base::ByteSource* terrain)
         : HeadlessDisplay(backend, device, width, height, terrain, shipped_design("default")) {}
     HeadlessDisplay(const std::string& backend, const std::string& device, std::uint32_t width, std::uint32_t height,
-                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is)
-        : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design, wrap) {}
+                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is,
+                    base::ByteSource* scene = nullptr)
+        : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design, wrap, scene) {}
     HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
-                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is) {
+                    base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is,
+                    base::ByteSource* scene = nullptr) {
         display::DisplaySettings settings;
         settings.device = device;
         settings.design = design;
@@ -105,7 +107,7 @@ public:
             reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
             input = {terrain, reader_.get(), terrain::ArrivalMode::exact};
         }
-        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, input);
+        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, input, scene);
         if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
     }
     ~HeadlessDisplay() {

@@ -76,8 +76,9 @@ struct MapScene {
     HeadlessDisplay headless;
 
     explicit MapScene(const design::DesignSettings& design, const BuiltDatabase& terrain = hills(),
-                      const std::string& device = "es3-mid", std::uint32_t width = 640, std::uint32_t height = 480)
-        : bytes(terrain.image), headless("egl", device, width, height, &bytes, design) {}
+                      const std::string& device = "es3-mid", std::uint32_t width = 640, std::uint32_t height = 480,
+                      base::ByteSource* scene = nullptr)
+        : bytes(terrain.image), headless("egl", device, width, height, &bytes, design, as_it_is, scene) {}
     MapScene(const MapScene&) = delete;
     MapScene& operator=(const MapScene&) = delete;
     [[nodiscard]] display::Display& display() { return headless.display(); }

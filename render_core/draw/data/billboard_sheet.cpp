@@ -45,14 +45,19 @@ BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
     return result;
 }
 
+double BillboardSheet::seen_distance_m(double distance_m) const {
+    constexpr double kUsual = 0.57735026918962576;  // of half of 60 degrees
+    return distance_m * std::fmin(view_.half_width_tangent() / kUsual, 1.0);
+}
+
 void BillboardSheet::line(const Spot& from, const Spot& to, float width_px, design::Color color) const {
     if (!from.is_ahead || !to.is_ahead) return;
-    links_->set_distance(from.distance_m * kNearer, to.distance_m * kNearer);
+    links_->set_distance(before_m(from), before_m(to));
     rimmed_line(from.at, to.at, width_px, color);
 }
 
 void BillboardSheet::stem(const Spot& spot, Point to, float width_px, design::Color color) const {
-    links_->set_distance(spot.distance_m * kNearer);
+    links_->set_distance(before_m(spot));
     rimmed_line(spot.at, to, width_px, color);
 }
 

@@ -26,8 +26,6 @@ struct BillboardCandidate {
 class BillboardSheet {
 public:
     static constexpr std::size_t kMostCandidates = 256, kMostBoxes = 256;
-    /// A line's end stands nearer by this share, or the ground that it stands on would cut into it.
-    static constexpr double kNearer = terrain::DrawnSight::kReach;
     static constexpr float kStem = 0.7f;  ///< of the text's size
 
     [[nodiscard]] bool start(base::Arena& arena);
@@ -50,6 +48,8 @@ public:
         bool is_ahead = false;  ///< beyond the near plane; else the rest means nothing
     };
     [[nodiscard]] Spot spot(const glm::dvec3& place) const;
+    /// How far away 60 degrees of view would show as much: by this things far away are ranked and left out.
+    [[nodiscard]] double seen_distance_m(double distance_m) const;
     /// From one place to another over a dark rim of the same opacity, both ends with their own depths; nothing where one is not
     /// ahead.
     void line(const Spot& from, const Spot& to, float width_px, design::Color color) const;
@@ -72,6 +72,8 @@ public:
     [[nodiscard]] base::Span<const BillboardCandidate> ranked();
 
 private:
+    /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
+    [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view_); }
     [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 

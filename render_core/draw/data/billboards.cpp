@@ -75,7 +75,7 @@ void offer_features(BillboardSheet& sheet, const ElementInput& input) {
         if (!anchor_of(input, feature, anchor)) continue;
         const double height_m = std::isnan(anchor.height_m) ? 0 : static_cast<double>(anchor.height_m);
         const glm::dvec3 from_eye = earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {height_m}}) - sheet.view().eye;
-        const double distance_m = glm::length(from_eye);
+        const double distance_m = sheet.seen_distance_m(glm::length(from_eye));
         const bool is_near = distance_m <= kFarthestBillboard_m && glm::dot(from_eye, sheet.view().forward) > -kBehind_m;
         if (is_near) sheet.offer({distance_m / precedence_of(input.layer, feature), feature});
     }

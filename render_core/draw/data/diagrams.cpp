@@ -197,7 +197,8 @@ ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input) {
     sheet.begin_candidates();
     for (std::uint32_t first = 0; first < all; first += run_at(input.layer, first)) {
         const scene::ScenePoint& point = input.layer.points[first];
-        const double distance_m = glm::distance(earth::to_ecef({point.latitude_rad, point.longitude_rad, {0}}), sheet.view().eye);
+        const double distance_m = sheet.seen_distance_m(
+            glm::distance(earth::to_ecef({point.latitude_rad, point.longitude_rad, {0}}), sheet.view().eye));
         if (distance_m <= kFarthest_m) sheet.offer({distance_m, first});
     }
     ElementCount count;

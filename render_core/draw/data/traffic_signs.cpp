@@ -157,7 +157,7 @@ ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input)
         const TrafficState state = traffic_state(input, feature);
         if (!state.is_known) continue;
         const glm::dvec3 place = earth::to_ecef({state.point.latitude_rad, state.point.longitude_rad, {0}});
-        const double distance_m = glm::distance(place, sheet.view().eye);
+        const double distance_m = sheet.seen_distance_m(glm::distance(place, sheet.view().eye));
         if (distance_m <= kFarthestTraffic_m) sheet.offer({distance_m, feature});
     }
     ElementCount count;

@@ -13,15 +13,27 @@ uniform mat3 to_local;         // ECEF to east, north, up at the chunk
 #ifdef LIFTED
 uniform float lift[9];         // by row and column: north-west corner, north side, ...
 uniform vec2 place_end;        // of the south-east corner
+#endif
+#ifdef FLAT
+uniform float flat_height;     // above MSL, of all that is drawn
+#endif
+#if defined(LIFTED) || defined(FLAT)
 uniform vec3 earth_centre;     // from the eye's whole metres
+
+// Along the ellipsoid's normal: z weighs a^2 / b^2.
+vec3 raised(vec3 eye_relative, float by) {
+    return eye_relative + normalize((eye_relative - earth_centre) * vec3(1.0, 1.0, 1.0067394967)) * by;
+}
 #endif
 
 vec3 eye_relative_place() {
     vec3 eye_relative = position + chunk_offset;
 #ifdef LIFTED
     vec2 side = step(0.5, place) + step(place_end - 0.5, place);
-    // Along the ellipsoid's normal: z weighs a^2 / b^2.
-    eye_relative += normalize((eye_relative - earth_centre) * vec3(1.0, 1.0, 1.0067394967)) * lift[int(side.y * 3.0 + side.x + 0.5)];
+    eye_relative = raised(eye_relative, lift[int(side.y * 3.0 + side.x + 0.5)]);
+#endif
+#ifdef FLAT
+    eye_relative = raised(eye_relative, flat_height - height);
 #endif
     return eye_relative;
 }

@@ -28,32 +28,63 @@ constexpr MilesLabel kRings[] = {{0.05, "0.05 NM"}, {0.1, "0.1 NM"}, {0.2, "0.2 
                                  {2, "2 NM"},       {5, "5 NM"},     {10, "10 NM"},   {20, "20 NM"},   {50, "50 NM"},
                                  {100, "100 NM"},   {200, "200 NM"}, {500, "500 NM"}};
 
-/// A place by a direction on the screen, clockwise from up, and a distance.
-Point off(Point from, double angle_rad, float distance) {
-    return {from.x + distance * static_cast<float>(std::sin(angle_rad)),
-            from.y - distance * static_cast<float>(std::cos(angle_rad))};
-}
+/// Places of a level plane on the screen: as high as wide from above, lower obliquely.
+class Plane {
+public:
+    explicit Plane(const MapInput& map) : squash_(static_cast<float>(std::sin(map.look_down_rad))) {}
+
+    /// By a direction on the plane, clockwise from the screen's top, and a distance.
+    [[nodiscard]] Point off(Point from, double angle_rad, float distance) const {
+        return {from.x + distance * static_cast<float>(std::sin(angle_rad)),
+                from.y - distance * squash_ * static_cast<float>(std::cos(angle_rad))};
+    }
+    [[nodiscard]] float squash() const { return squash_; }
+
+private:
+    float squash_;
+};
 
 template <int kSteps>
-void build_circle(const Painter& painter, Point center, float radius, design::Color color, float strokes) {
+void build_circle(const Painter& painter, const Plane& plane, Point center, float radius, design::Color color, float strokes) {
     Point circle[kSteps];
-    for (int i = 0; i < kSteps; ++i) circle[i] = off(center, 2 * base::kPi * i / kSteps, radius);
+    for (int i = 0; i < kSteps; ++i) circle[i] = plane.off(center, 2 * base::kPi * i / kSteps, radius);
     painter.polyline(circle, color, strokes, true);
 }
 
+/// Where the own ship is over the ground, straight below it on the screen; its own place where nothing says how far.
+Point foot_of(const Painter& painter, const MapInput& map) {
+    Point foot = painter.layout().screen.center();
+    const double down_px = map.above_ground_m * std::cos(map.look_down_rad) * map.px_per_m;
+    if (map.is_oblique && down_px > 0) foot.y += static_cast<float>(down_px);
+    return foot;
+}
+
+/// Round the own ship's place on the ground.
 void build_ring(const Painter& painter, const MapInput& map) {
     const Rect& box = painter.layout().attitude;
-    const Point center = painter.layout().screen.center();
+    const Plane plane(map);
+    const Point center = foot_of(painter, map);
     const float t = painter.text_px();
-    const float room = std::min({center.x - box.x, box.right() - center.x, center.y - box.y, box.bottom() - center.y});
+    const float room = std::min({center.x - box.x, box.right() - center.x, (center.y - box.y) / plane.squash(),
+                                 (box.bottom() - center.y) / plane.squash()});
     const RangeRing ring = range_ring(static_cast<double>(room - kEdge * t), map.px_per_m);
     if (!(ring.radius_m > 0)) return;
     const auto radius = static_cast<float>(ring.radius_m * map.px_per_m);
-    build_circle<kRingSteps>(painter, center, radius, kScaleColor, 0.7f);
-    const Point at = off(center, base::radians(135), radius);
+    build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+    const Point at = plane.off(center, base::radians(135), radius);
     const Rect plate{at.x - 2 * t, at.y - 0.6f * t, 4 * t, 1.2f * t};
     painter.batch().box(plate, kTapeGround);
     painter.fitted_text(ring.label, plate, TextAnchor::center, 0.8f, kScaleColor);
+}
+
+/// From the own ship down to its place on the ground.
+void build_drop(const Painter& painter, const MapInput& map) {
+    const Rect& box = painter.layout().attitude;
+    const Point center = painter.layout().screen.center(), foot = foot_of(painter, map);
+    if (!(foot.y > center.y)) return;
+    const bool is_shown = foot.y < box.bottom();
+    painter.line(center, {foot.x, std::min(foot.y, box.bottom())}, kReferenceColor);
+    if (is_shown) build_circle<kDiscSteps>(painter, Plane(map), foot, 0.35f * painter.text_px(), kReferenceColor, 1);
 }
 
 std::string_view up_label(Signal source) {
@@ -61,22 +92,43 @@ std::string_view up_label(Signal source) {
     return source == Signal::true_track ? "TRK UP" : "HDG UP";
 }
 
-/// In the upper left corner, with what is up below it.
+/// What the top is turned to: "TRK UP", and by how much it is turned from there: "TRK+030".
+ShortText top_label(const SymbologyInput& input) {
+    const std::string_view up = up_label(input.decisions[Element::map_up].source);
+    const double turn_deg = std::round(base::degrees(input.map.turn_rad));
+    if (turn_deg == 0) return ShortText(up);
+    ShortText label(up.substr(0, up.find(' ')));
+    label.append(turn_deg < 0 ? "-" : "+");
+    label.append(whole_number(std::fabs(turn_deg), 3).view());
+    return label;
+}
+
+/// In the upper left corner, with what is up and what the picture is below it.
 void build_north(const Painter& painter, const SymbologyInput& input) {
     const float t = painter.text_px();
     const Rect& box = painter.layout().attitude;
-    const Rect plate{box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t, (kNorthBox + kNorthLabel) * t};
+    const MapInput& map = input.map;
+    const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0);
+    const Rect plate{box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t,
+                     (kNorthBox + static_cast<float>(labels) * kNorthLabel) * t};
     painter.batch().box(plate, kTapeGround);
+    const Plane plane(map);
     const Point center{plate.center().x, plate.y + 0.5f * kNorthBox * t};
-    const double north = -input.map.up_rad, quarter = 0.5 * base::kPi;
-    const Point head = off(center, north, 1.1f * t), foot = off(center, north, -1.5f * t);
-    const Point neck = off(center, north, 0.1f * t);
+    const double north = -map.top_rad(), quarter = 0.5 * base::kPi;
+    const Point head = plane.off(center, north, 1.1f * t), foot = plane.off(center, north, -1.5f * t);
+    const Point neck = plane.off(center, north, 0.1f * t);
     painter.line(foot, neck);
-    painter.batch().triangle(head, off(neck, north + quarter, 0.5f * t), off(neck, north - quarter, 0.5f * t), kScaleColor);
-    painter.text("N", off(center, north, 1.65f * t), TextAnchor::center, 0.8f);
-    const display::ElementDecision& up = input.decisions[Element::map_up];
-    const Rect label{plate.x, plate.y + kNorthBox * t, plate.width, kNorthLabel * t};
-    painter.fitted_text(up_label(up.source), label, TextAnchor::center, 0.8f, label_color(up.show));
+    painter.batch().triangle(head, plane.off(neck, north + quarter, 0.5f * t), plane.off(neck, north - quarter, 0.5f * t),
+                             kScaleColor);
+    painter.text("N", plane.off(center, north, 1.65f * t), TextAnchor::center, 0.8f);
+    Rect label{plate.x, plate.y + kNorthBox * t, plate.width, kNorthLabel * t};
+    const auto add = [&](std::string_view text, design::Color color) {
+        painter.fitted_text(text, label, TextAnchor::center, 0.8f, color);
+        label.y += kNorthLabel * t;
+    };
+    add(top_label(input).view(), label_color(input.decisions[Element::map_up].show));
+    if (map.is_oblique) add("ORTHO", kScaleColor);
+    if (map.is_flat) add("FLAT", kScaleColor);
 }
 
 /// Fuselage, wings and tail from above.
@@ -87,13 +139,14 @@ void build_own_ship(const Painter& painter, const SymbologyInput& input) {
     const Signal heading = input.decisions.view_heading;
     // A track in the heading's place is not where the nose points.
     const design::Color color = trusted && heading != Signal::true_track ? kReferenceColor : kCautionColor;
-    if (heading == Signal::count_) return build_circle<kDiscSteps>(painter, center, 0.6f * t, color, 2);
-    const double ahead = input.view_heading_rad - input.map.up_rad, quarter = 0.5 * base::kPi;
+    const Plane plane(input.map);
+    if (heading == Signal::count_) return build_circle<kDiscSteps>(painter, plane, center, 0.6f * t, color, 2);
+    const double ahead = input.view_heading_rad - input.map.top_rad(), quarter = 0.5 * base::kPi;
     const auto across = [&](float along, float half) {
-        const Point middle = off(center, ahead, along);
-        painter.line(off(middle, ahead - quarter, half), off(middle, ahead + quarter, half), color, 2);
+        const Point middle = plane.off(center, ahead, along);
+        painter.line(plane.off(middle, ahead - quarter, half), plane.off(middle, ahead + quarter, half), color, 2);
     };
-    painter.line(off(center, ahead, 1.1f * t), off(center, ahead, -1.1f * t), color, 2);
+    painter.line(plane.off(center, ahead, 1.1f * t), plane.off(center, ahead, -1.1f * t), color, 2);
     across(0.2f * t, 1.1f * t);
     across(-0.9f * t, 0.45f * t);
 }
@@ -114,6 +167,7 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     if (position == ElementShow::absent) return;
     if (position == ElementShow::failed) return painter.failed(box, "NO POSITION");
     build_ring(painter, input.map);
+    build_drop(painter, input.map);
     build_north(painter, input);
     build_own_ship(painter, input);
     if (position != ElementShow::flagged) return;

@@ -1,6 +1,9 @@
 /// What stands on the map: the own ship in its middle, pointing along the heading; a ring of a round number of nautical miles
 /// round it; the arrow to the north with what the map is turned to.
 ///
+/// In the orthographic view they lie level: the ring is an ellipse round the own ship's place on the ground, to which a line
+/// leads down. The corner says ORTHO, and FLAT where the ground is drawn without its relief.
+///
 /// Without a position there is a red cross in their place; a stale one is amber and says so. Without a heading the own ship is a
 /// disc that points nowhere. In the layout's box of the attitude.
 #pragma once

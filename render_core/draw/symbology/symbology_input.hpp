@@ -1,8 +1,10 @@
 /// Everything that the symbology of a frame is built from: values in SI, what may be shown, and the view.
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 
+#include "render_core/base/units.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/draw/symbology/data_legend.hpp"
@@ -33,10 +35,17 @@ enum class SymbolGround : std::uint8_t {
     moving,       ///< on the way between the two, where neither kind would tell the truth
 };
 
-/// The map, whose middle is the own ship.
+/// The map, or the orthographic view, whose middle is the own ship.
 struct MapInput {
-    double up_rad = 0;    ///< true direction at the top
-    double px_per_m = 0;  ///< on the ground
+    double up_rad = 0;                         ///< true direction of what the map is turned to
+    double px_per_m = 0;                       ///< on the ground; across the orthographic view
+    bool is_oblique = false;                   ///< the orthographic view
+    bool is_flat = false;                      ///< the ground is drawn without its relief
+    double turn_rad = 0;                       ///< of the top from there, clockwise
+    double look_down_rad = base::radians(90);  ///< from level
+    double above_ground_m = std::nan("");      ///< own ship's, over what is drawn as the ground; NaN: not known
+
+    [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };
 
 struct SymbologyInput {

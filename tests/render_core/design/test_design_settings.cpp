@@ -110,8 +110,32 @@ TEST(DesignSettings, ReadsTheMap) {
     EXPECT_FALSE(read.value().symbology.map);
 }
 
+TEST(DesignSettings, ReadsTheOrthographicViewAndTheFlatGround) {
+    const auto read = read_seeded(
+        "name = 'x'\n[view]\nprojection = 'orthographic'\nmap_range_m = 15000\nlook_down_deg = 25\nlook_turn_deg = -90\n"
+        "reference = 'flat'\nflat_msl_m = 450\n");
+    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    const ViewSettings& view = read.value().view;
+    EXPECT_EQ(view.mode, ViewMode::orthographic);
+    EXPECT_NEAR(view.look_down_rad, base::radians(25), 1e-12);
+    EXPECT_NEAR(view.look_turn_rad, base::radians(-90), 1e-12);
+    EXPECT_EQ(view.reference, Reference::flat);
+    EXPECT_EQ(view.flat_msl_m, 450);
+    EXPECT_TRUE(read_seeded("name = 'x'\n[view]\nmode = 'map'\nreference = 'flat'\n").ok());
+    const auto plain = read_seeded("name = 'x'\n[view]\nprojection = 'perspective'\n");
+    ASSERT_TRUE(plain.ok());
+    EXPECT_EQ(plain.value().view.mode, ViewMode::perspective);
+    EXPECT_EQ(plain.value().view.reference, Reference::terrain);
+}
+
 TEST(DesignSettings, EveryFaultNamesItsLine) {
     const std::pair<const char*, const char*> faults[] = {
+        {"name = 'x'\n[view]\nreference = 'flat'\n", "d.toml:3: 'reference' flat would be taken for the terrain"},
+        {"name = 'x'\n[view]\nmode = 'map'\nprojection = 'orthographic'\n", "d.toml:4: 'projection' is of mode 3d"},
+        {"name = 'x'\n[view]\nprojection = 'orthographic'\nmap_range_m = 15001\n", "d.toml:4: 'map_range_m' is at most 15000"},
+        {"name = 'x'\n[view]\nlook_down_deg = 24\n", "d.toml:3: 'look_down_deg'"},
+        {"name = 'x'\n[view]\nmode = 'map'\nreference = 'flat'\n[terrain]\nconservative_up = true\n",
+         "d.toml:6: 'conservative_up' has no meaning"},
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = 200\n", "d.toml:3: 'horizontal_field_of_view_deg'"},
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = nan\n", "d.toml:3: "},
         {"name = 'x'\n[view]\nmode = '2d'\n", "d.toml:3: 'mode' must be one of: 3d, map"},

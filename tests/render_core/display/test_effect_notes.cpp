@@ -58,7 +58,7 @@ TEST_F(EffectNotes, WithoutTerrainNothingOfItRuns) {
 
 TEST_F(EffectNotes, SilhouettesAreSkippedFromAboveAndReplacedWithoutDepth) {
     input_.has_silhouettes = false;
-    EXPECT_EQ(line_of(noted(), "silhouettes"), "skipped : from above nothing hides anything");
+    EXPECT_EQ(line_of(noted(), "silhouettes"), "skipped : seen from so far away depths hardly differ");
     style_.sketch.silhouettes = 0;
     EXPECT_EQ(line_of(noted(), "silhouettes"), "");
     input_.silhouettes_replaced = true;

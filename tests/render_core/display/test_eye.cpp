@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/Geodesic.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,29 +10,22 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "tests/support/eye_views.hpp"
 
 namespace tedavis::display {
 namespace {
 
 using base::degrees;
 using base::radians;
-using GeographicLib::Geocentric;
 using GeographicLib::Geodesic;
-
-constexpr double kGround_m = 400;  // of the terrain below the own ship, above MSL and the ellipsoid alike
-
-EyeInput own_ship_at(double latitude_deg, double longitude_deg, double above_ground_m = 1500) {
-    EyeInput input;
-    input.msl_m = kGround_m + above_ground_m;
-    input.own_ship = {radians(latitude_deg), radians(longitude_deg), {input.msl_m}};
-    input.above_ground_m = above_ground_m;
-    input.heading_rad = radians(40);
-    input.pitch_rad = radians(-4);
-    input.roll_rad = radians(12);
-    input.width_px = 1024;
-    input.height_px = 768;
-    return input;
-}
+using test_support::ecef_of;
+using Pixel = test_support::EyePixel;
+using Place = test_support::EyePlace;
+using test_support::own_ship_at;
+using test_support::project;
+using test_support::project_as_drawn;
+constexpr double kGround_m = test_support::kEyeGround_m;
+constexpr const auto& kPlaces = test_support::kEyePlaces;
 
 design::ViewSettings map_of(double range_m) {
     design::ViewSettings view;
@@ -48,38 +40,6 @@ Eye map_eye(EyeInput input, double range_m, double up_deg = 0) {
     return make_eye(input, map_of(range_m), 60'000);
 }
 
-struct Pixel {
-    double x = 0, y = 0, depth = 0;
-};
-
-Pixel project(const terrain::View& view, const glm::dvec3& ecef) {
-    const glm::dvec3 from = ecef - view.eye;
-    const double depth = glm::dot(from, view.forward);
-    return {0.5 * view.width + view.focal_px * glm::dot(from, view.right) / depth,
-            0.5 * view.height + view.focal_px * glm::dot(from, view.down) / depth, depth};
-}
-
-/// As a vertex goes through the shader: whole metres from the eye in float, then a matrix of floats.
-Pixel project_as_drawn(const terrain::View& view, const glm::dvec3& ecef) {
-    const glm::dvec3 eye_whole = glm::round(view.eye), fraction = view.eye - eye_whole;
-    const glm::dvec3 chunk = glm::round(ecef / 4096.0) * 4096.0;
-    const glm::vec3 relative = glm::vec3(chunk - eye_whole) + glm::vec3(ecef - chunk);
-    float clip[3];
-    const glm::dvec3 rows[3] = {view.right / view.half_width_tangent(), view.down / view.half_height_tangent(), view.forward};
-    for (int n = 0; n < 3; ++n) {
-        const glm::vec3 row(rows[n]);
-        clip[n] = row.x * relative.x + row.y * relative.y + row.z * relative.z - static_cast<float>(glm::dot(rows[n], fraction));
-    }
-    return {0.5 * view.width * (1 + static_cast<double>(clip[0] / clip[2])),
-            0.5 * view.height * (1 + static_cast<double>(clip[1] / clip[2])), static_cast<double>(clip[2])};
-}
-
-glm::dvec3 ecef_of(double latitude_deg, double longitude_deg, double height_m) {
-    glm::dvec3 ecef;
-    Geocentric::WGS84().Forward(latitude_deg, longitude_deg, height_m, ecef.x, ecef.y, ecef.z);
-    return ecef;
-}
-
 /// A place on the ground by azimuth and distance from the own ship.
 glm::dvec3 ground_at(const EyeInput& input, double azimuth_deg, double distance_m, double height_m = kGround_m) {
     double latitude_deg = 0, longitude_deg = 0;
@@ -87,11 +47,6 @@ glm::dvec3 ground_at(const EyeInput& input, double azimuth_deg, double distance_
                              latitude_deg, longitude_deg);
     return ecef_of(latitude_deg, longitude_deg, height_m);
 }
-
-struct Place {
-    double latitude_deg, longitude_deg;
-};
-constexpr Place kPlaces[] = {{0, 0}, {46.8, 9.9}, {-33.9, 179.9999}, {71, -180}, {89.99, 45}, {90, 30}, {-90, -70}};
 
 /// Places of the whole picture on the ground: straight up to the edges and into the corners.
 template <class Visit>

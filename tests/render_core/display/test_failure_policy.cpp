@@ -229,6 +229,24 @@ TEST(FailurePolicy, UnusualAttitudesDeclutter) {
     EXPECT_FALSE(decide_on(steep).unusual_attitude);
 }
 
+TEST(FailurePolicy, WhatIsNoPilotsViewIsSaid) {
+    design::DesignSettings design = design::default_design_settings();
+    const auto decide = [&](const DisplayConditions& conditions) {
+        return decide_display(everything_valid(), kPolicyNow, conditions, design);
+    };
+    EXPECT_FALSE(has_notice(decide(map_conditions()), "ORTHOGRAPHIC VIEW"));
+    EXPECT_FALSE(has_flag(decide(map_conditions()), "terrain.flat"));
+    design.view.mode = design::ViewMode::orthographic;
+    EXPECT_TRUE(has_notice(decide(map_conditions()), "ORTHOGRAPHIC VIEW"));
+    EXPECT_FALSE(has_notice(decide(map_conditions()), "FLAT - NO RELIEF"));
+    design.view.reference = design::Reference::flat;
+    EXPECT_TRUE(has_notice(decide(map_conditions()), "FLAT - NO RELIEF"));
+    EXPECT_TRUE(has_flag(decide(map_conditions()), "terrain.flat"));
+    DisplayConditions without = map_conditions();
+    without.terrain = TerrainSource::failed;
+    EXPECT_FALSE(has_notice(decide(without), "FLAT - NO RELIEF")) << "there is no ground at all";
+}
+
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.phase.switch_fault = true;

@@ -86,6 +86,19 @@ TEST(ViewTransition, WhereTimeStandsStillTheOtherModeIsThereAtOnce) {
     EXPECT_EQ(transition.map_share(), 0);
 }
 
+TEST(ViewTransition, ToAndFromTheOrthographicViewThereIsNoWay) {
+    for (const ViewMode other : {ViewMode::perspective, ViewMode::map}) {
+        ViewTransition transition = begun();
+        transition.step(other, 1, after(0.01));
+        transition.step(ViewMode::orthographic, 1, after(0.4));
+        EXPECT_EQ(transition.map_share(), 1);
+        EXPECT_FALSE(transition.is_under_way());
+        transition.step(other, 1, after(0.5));
+        EXPECT_EQ(transition.map_share(), other == ViewMode::map ? 1 : 0);
+        EXPECT_FALSE(transition.is_under_way());
+    }
+}
+
 TEST(ViewTransition, ArriveLeavesOutTheRest) {
     ViewTransition transition = begun();
     transition.step(ViewMode::map, 1, after(0.4));

@@ -109,6 +109,7 @@ TEST(TerrainProgram, CodesCompileInBothLanes) {
                 TerrainVariant variant;
                 variant.output = TerrainOutput::code;
                 variant.classes = variant.lifted = classes;
+                variant.flat = !classes;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 EXPECT_GE(program.value().uniform(kHeightRange), 0);

@@ -74,7 +74,7 @@ public:
             const long double u = -glm::dot(a, across) / determinant, v = -glm::dot(way, glm::cross(a, ab)) / determinant,
                               at = -glm::dot(ac, glm::cross(a, ab)) / determinant;
             constexpr long double kClose = 1e-3L;
-            const long double inside = std::min({u, v, 1 - u - v}), within = std::min(at - near, DrawnSight::kReach - at);
+            const long double inside = std::min({u, v, 1 - u - v}), within = std::min(at - near, DrawnSight::reach(view) - at);
             if (inside > kClose && within > 1e-6L) return Answer::hidden;
             if (inside > -kClose && within > -1e-6L) answer = Answer::close;
         }
@@ -129,7 +129,7 @@ struct Tally {
 };
 
 void compare(Scene& scene, const glm::dvec3& place, Tally& tally) {
-    if (glm::dot(place - scene.view.eye, scene.view.forward) * DrawnSight::kReach <= scene.view.near_m) return;
+    if (glm::dot(place - scene.view.eye, scene.view.forward) * DrawnSight::reach(scene.view) <= scene.view.near_m) return;
     const Answer expected = scene.drawn.ask(scene.view, place);
     ++(expected == Answer::hidden ? tally.hidden : expected == Answer::seen ? tally.seen : tally.close);
     if (expected == Answer::close) return;

@@ -73,6 +73,38 @@ TEST(ProjectedError, WhatIsOutsideAViewIsOutsideEveryNarrowerOne) {
     EXPECT_GT(behind, 20) << "boxes that reach behind the eye are the hard ones";
 }
 
+/// What is drawn on a plane may be seen where the relief is not, and the other way round.
+TEST(ProjectedError, BoxesOfAFlatViewHoldThePlane) {
+    const Lattice& lattice = rough().lattice();
+    int visible = 0, outside = 0, only_flat = 0;
+    for (View view : test_support::some_views(rough(), 60)) {
+        const View relief = view;
+        view.flat_msl_m = 300;
+        for (const ChunkKey& key : rough().keys()) {
+            const PostRange posts = lattice.posts_of(key);
+            const ChunkEntry& entry = rough().entry(key);
+            const DepthSpan span = depth_span(entry, view, 0);
+            bool sees = false;
+            for (std::uint32_t j = posts.j0; j <= posts.j1; j += 8)
+                for (std::uint32_t i = posts.i0; i <= posts.i1; i += 8) {
+                    const double latitude = lattice.latitude_rad(j);
+                    const glm::dvec3 at = lattice.position(i, j, 300 + WrittenTdb::undulation_m(latitude));
+                    sees = sees || project(view, at).visible;
+                    const double depth = glm::dot(at - view.eye, view.forward);
+                    EXPECT_GE(depth, span.near_m - 0.01);
+                    EXPECT_LE(depth, span.far_m + 0.01);
+                }
+            visible += sees ? 1 : 0;
+            EXPECT_FALSE(sees && is_outside_view(entry, view));
+            outside += is_outside_view(entry, view) ? 1 : 0;
+            only_flat += sees && is_outside_view(entry, relief) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(visible, 50);
+    EXPECT_GT(outside, 50);
+    EXPECT_GT(only_flat, 0) << "the boxes of the relief would not do";
+}
+
 TEST(ProjectedError, NothingInTheBoxIsSeenHigherThanItsHighestTangent) {
     int reached = 0, crossing = 0, behind = 0;
     for (const View& view : test_support::some_views(rough(), 60))

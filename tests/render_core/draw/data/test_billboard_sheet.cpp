@@ -80,8 +80,36 @@ TEST(BillboardSheet, LinesHaveTheDepthsOfTheirEnds) {
     ASSERT_EQ(room.drawn().size(), 8u) << "with its rim";
     for (const QuadVertex& vertex : room.drawn()) {
         const bool is_near = std::abs(vertex.y - near.at.y) < std::abs(vertex.y - far.at.y);
-        EXPECT_NEAR(vertex.distance_m, (is_near ? 200 : 900) * BillboardSheet::kNearer, 0.01);
+        EXPECT_NEAR(vertex.distance_m, (is_near ? 200 : 900) * (1 - terrain::DrawnSight::kTail), 0.01);
     }
+}
+
+TEST(BillboardSheet, SeenFromFarAwaySignsStandHardlyBeforeTheirPlaces) {
+    test_support::BillboardRoom room;
+    const double usual_m = room.sheet.seen_distance_m(20'000);
+    EXPECT_NEAR(usual_m, 20'000, 1e-6);
+    // A thousand times as far, and as narrow: what is seen is as wide.
+    const glm::dvec3 place = room.view.eye + room.view.forward * 20'000.0;
+    room.view.eye = place - room.view.forward * 20e6;
+    room.view.focal_px *= 1000;
+    room.begin();
+    EXPECT_NEAR(room.sheet.seen_distance_m(20e6), usual_m, 1);
+    room.sheet.stem(room.sheet.spot(place), {10, 10}, 2, {1, 2, 3});
+    const double before_m = 20e6 - static_cast<double>(room.links.vertices()[0].distance_m);
+    EXPECT_GT(before_m, 50);
+    EXPECT_LT(before_m, 200) << "not the hundred kilometres that are the same share of its distance";
+}
+
+TEST(BillboardSheet, ALinkHasAMarkOnTheGround) {
+    test_support::BillboardRoom room;
+    const auto top = room.sheet.spot(room.view.eye + room.view.forward * 5000.0);
+    const auto ground = room.sheet.spot(room.view.eye + room.view.forward * 5000.0 + room.view.down * 700.0);
+    room.sheet.link(ground, top, {200, 100, 50});
+    const Rect bounds = room.bounds();
+    EXPECT_NEAR(static_cast<double>(bounds.y), 300, 3);
+    EXPECT_NEAR(static_cast<double>(bounds.bottom()), static_cast<double>(ground.at.y), 3);
+    EXPECT_GT(bounds.width, 6) << "its mark";
+    EXPECT_EQ(room.drawn().size(), BillboardSheet::kLinkVertices);
 }
 
 }  // namespace

@@ -97,6 +97,48 @@ TEST(MapSymbols, TheRingIsDrawnAtItsRadius) {
     }
 }
 
+SymbologyInput oblique_input(double above_ground_m, double turn_deg = 0, bool flat = false) {
+    SymbologyInput input = map_input(40, 0);
+    input.map.is_oblique = true;
+    input.map.is_flat = flat;
+    input.map.look_down_rad = radians(30);
+    input.map.turn_rad = radians(turn_deg);
+    input.map.above_ground_m = above_ground_m;
+    return input;
+}
+
+TEST(MapSymbols, TheOrthographicViewSaysSo) {
+    EXPECT_EQ(Drawn(map_input(40, 0)).text().find("ORTHO"), std::string::npos);
+    const std::string text = Drawn(oblique_input(1000)).text();
+    EXPECT_NE(text.find("ORTHO"), std::string::npos) << text;
+    EXPECT_EQ(text.find("FLAT"), std::string::npos) << text;
+    const std::string turned = Drawn(oblique_input(1000, -35, true)).text();
+    EXPECT_NE(turned.find("FLAT"), std::string::npos) << turned;
+    EXPECT_NE(turned.find("-035"), std::string::npos) << turned;
+    SymbologyInput map = map_input(40, 0);
+    map.map.is_flat = true;
+    EXPECT_NE(Drawn(map).text().find("FLAT"), std::string::npos) << "a flat map too";
+}
+
+TEST(MapSymbols, ObliquelyTheRingLiesLevelRoundTheOwnShipsPlaceOnTheGround) {
+    for (const double above_m : {0.0, 3000.0}) {
+        const Drawn drawn(oblique_input(above_m));
+        ASSERT_NE(drawn.text().find("5NM"), std::string::npos) << drawn.text();
+        test_support::Picture picture(1024, 768, {0, 0, 0});
+        test_support::rasterize(drawn.batch(), picture);
+        const double px_per_m = 384 / 20'000.0, radius_px = 5 * 1852 * px_per_m;
+        const double down_px = above_m * std::cos(radians(30)) * px_per_m;
+        for (const double angle_deg : {20.0, 80.0, 170.0, 200.0, 275.0}) {
+            const double x = 512 + radius_px * std::sin(radians(angle_deg));
+            const double y = 384 + down_px - 0.5 * radius_px * std::cos(radians(angle_deg));
+            EXPECT_GT(picture.at(static_cast<int>(x), static_cast<int>(y)).red, 100) << angle_deg << " " << above_m;
+        }
+        const auto half_way = picture.at(512, static_cast<int>(384 + 0.6 * down_px));
+        EXPECT_EQ(half_way.red > 100, above_m > 0) << "a line leads down to it";
+    }
+    EXPECT_NE(Drawn(oblique_input(std::nan(""))).text().find("NM"), std::string::npos) << "without a height round the own ship";
+}
+
 /// Where the symbol's nose is: the middle of its colour lies ahead of the own ship, for wings and nose outweigh the tail.
 Point nose_of(const QuadBatch& batch, design::Color color) {
     double x = 0, y = 0, count = 0;
