@@ -77,6 +77,10 @@ void read_own_ship(ConfigSection section, OwnShipSettings& own_ship) {
     own_ship.acceleration_mps2 = section.number("acceleration_mps2", 0.01, 100.0, own_ship.acceleration_mps2);
 }
 
+void read_clock(ConfigSection section, base::Duration& utc_timeout) {
+    read_duration(section, "timeout_s", 0.1, kMaxSeconds, utc_timeout);
+}
+
 /// Each key names a signal, its value is [stale, lost] in seconds.
 void read_freshness(ConfigSection section, BusSettings& settings) {
     for (std::size_t i = 0; i < section.key_count(); ++i) {
@@ -135,6 +139,7 @@ base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view 
     read_phase(root.section("phase"), settings.phase);
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
+    read_clock(root.section("clock"), settings.utc_timeout);
     read_freshness(root.section("freshness"), settings);
     if (!reader.finish()) return base::fail(reader.error());
     return settings;

@@ -69,6 +69,7 @@ struct BusSettings {
     PhaseMessageSettings phase;
     NodeSettings node;
     OwnShipSettings own_ship;
+    base::Duration utc_timeout = base::Duration::seconds(10);  ///< without 1200 for so long, UTC is lost
     std::array<base::FreshnessLimits, flight::kSignalCount> limits{};
 
     BusSettings();  ///< every limit at its default (see default_limits)

@@ -146,7 +146,12 @@ void MessageDecoder::finish_clock(const TypedValue& value, DecodedMessage& messa
         good = value.count == 4 && parts[0] >= 1 && parts[0] <= 31 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 0 &&
                parts[2] <= 99 && parts[3] >= 0 && parts[3] <= 99;
     }
-    if (!good) ++counts_.out_of_range;
+    if (status_invalid(message.header.service_code)) {
+        ++counts_.stated_invalid;
+        good = false;
+    } else if (!good) {
+        ++counts_.out_of_range;
+    }
     message.healthy = good;
     for (std::size_t i = 0; good && i < 4; ++i) message.clock[i] = static_cast<std::uint8_t>(parts[i]);
 }

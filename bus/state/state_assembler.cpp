@@ -18,7 +18,8 @@ int demerits(const flight::OwnShipEstimate& estimate) {
 
 }  // namespace
 
-StateAssembler::StateAssembler(const BusSettings& settings) : settings_(settings), decoder_(settings) {
+StateAssembler::StateAssembler(const BusSettings& settings)
+    : settings_(settings), decoder_(settings), clock_(settings.utc_timeout) {
     TEDAVIS_CHECK(identifier_table().size() <= kMaxFits);
     for (OwnShipFilter& filter : filters_) filter = OwnShipFilter(settings.own_ship);
     phase_status_.limits = {settings.phase.timeout, settings.phase.timeout};
@@ -42,7 +43,7 @@ void StateAssembler::take(const CanFrame& frame) {
         case MessageKind::phase: take_phase(message, frame.time, phase_status_); break;
         case MessageKind::phase_request: take_phase(message, frame.time, phase_request_); break;
         case MessageKind::utc:
-        case MessageKind::date: take_clock(message); break;
+        case MessageKind::date: take_clock(message, frame.time); break;
         case MessageKind::alien:
         case MessageKind::repeated:
         case MessageKind::half:
@@ -120,17 +121,13 @@ void StateAssembler::take_phase(const DecodedMessage& message, base::Time receiv
     phase.confidence = message.confidence;
 }
 
-void StateAssembler::take_clock(const DecodedMessage& message) {
+void StateAssembler::take_clock(const DecodedMessage& message, base::Time received) {
     if (!message.healthy) return;
     const auto& part = message.clock;
-    if (message.kind == MessageKind::utc) {
-        clock_.utc = {part[0], part[1], part[2]};
-        clock_.utc_received = true;
-    } else {
-        clock_.date = {part[0], part[1], part[3]};
-        clock_.century = part[2];
-        clock_.date_received = true;
-    }
+    if (message.kind == MessageKind::utc)
+        clock_.take_time({part[0], part[1], part[2]}, received);
+    else
+        clock_.take_date(100 * part[2] + part[3], part[1], part[0], received);
 }
 
 flight::OwnShipEstimate StateAssembler::own_ship(base::Time now) const {
@@ -151,9 +148,9 @@ BusSnapshot StateAssembler::snapshot(base::Time now) const {
         result.state.limits[i] = settings_.limits[i];
     }
     result.state.own_ship = own_ship(now);
+    result.state.utc = clock_.estimate(now);
     result.phase_status = phase_status_;
     result.phase_request = phase_request_;
-    result.clock = clock_;
     result.decoder = decoder_.counts();
     result.counters = {frames_, result.decoder.decoded, result.decoder.alien, errors_, dropped_};
     return result;

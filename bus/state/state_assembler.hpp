@@ -15,6 +15,7 @@
 #include "bus/canaerospace/message_decoder.hpp"
 #include "bus/state/own_ship_filter.hpp"
 #include "bus/state/source_time_fit.hpp"
+#include "bus/state/utc_clock.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 
 namespace tedavis::bus {
@@ -25,15 +26,6 @@ struct PhaseMessage {
     base::FreshnessLimits limits;   ///< both at the bus file's timeout
     std::uint8_t origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
     std::uint8_t confidence = 255;  ///< percent, 255 not stated
-};
-
-/// UTC as the bus states it, for reports; never used as a time base.
-struct BusClock {
-    std::array<std::uint8_t, 3> utc{};   ///< h, m, s
-    std::array<std::uint8_t, 3> date{};  ///< day, month 1..12, year of century
-    std::uint8_t century = 0;            ///< first two digits of the year
-    bool utc_received = false;
-    bool date_received = false;
 };
 
 struct BusCounters {
@@ -48,7 +40,6 @@ struct BusSnapshot {
     flight::AircraftState state;
     PhaseMessage phase_status;   ///< message 1830
     PhaseMessage phase_request;  ///< message 1831
-    BusClock clock;
     BusCounters counters;
     DecoderCounts decoder;
 };
@@ -74,7 +65,7 @@ private:
     void filter_signal(const DecodedMessage& message, base::Time at, OwnShipFilter& filter);
     void filter_invalid(const DecodedMessage& message);
     void take_phase(const DecodedMessage& message, base::Time received, PhaseMessage& phase);
-    void take_clock(const DecodedMessage& message);
+    void take_clock(const DecodedMessage& message, base::Time received);
     [[nodiscard]] flight::OwnShipEstimate own_ship(base::Time now) const;
 
     BusSettings settings_;
@@ -84,7 +75,7 @@ private:
     std::array<OwnShipFilter, kMaxRedundancyChannels> filters_;
     PhaseMessage phase_status_;
     PhaseMessage phase_request_;
-    BusClock clock_;
+    UtcClock clock_;
     std::uint64_t frames_ = 0;
     std::uint64_t errors_ = 0;
     std::uint64_t dropped_ = 0;

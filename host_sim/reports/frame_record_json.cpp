@@ -78,6 +78,10 @@ Json bands_json(const design::BandWidening& bands) {
             {"terrain_assumed", bands.terrain_assumed}};
 }
 
+Json utc_json(const flight::FlightTime& time) {
+    return {{"time_s", time.is_date ? Json(static_cast<double>(time.utc.ns) / 1e9) : Json()}, {"confirmed", time.is_confirmed}};
+}
+
 Json flags_json(const display::FrameRecord& record) {
     Json json = Json::array();
     for (const display::Name& flag : record.flags) json.push_back(text(flag.view()));
@@ -97,6 +101,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     Json json;
     json["frame"] = record.frame;
     json["time_s"] = static_cast<double>((record.time - origin).ns) / 1e9;  // a quotient: 7.5, not 7.500000000000001
+    json["utc"] = utc_json(record.flight_time);
     json["hash"] = hash_text(result.hash);
     json["phase"] = flight::scenario_name(record.phase.phase);
     json["sub_phase"] = flight::sub_phase_name(record.phase.phase);

@@ -39,9 +39,15 @@ bool parse_utc(std::string_view text, Time& time) noexcept {
     if (!has_form(text)) return false;
     const int year = number_at(text, 0, 4), month = number_at(text, 5, 2), day = number_at(text, 8, 2);
     const int hour = number_at(text, 11, 2), minute = number_at(text, 14, 2), second = number_at(text, 17, 2);
+    std::int64_t days = 0;
+    if (hour > 23 || minute > 59 || second > 59 || !days_to_date(year, month, day, days)) return false;
+    time = Time{} + Duration::seconds(days * 86400 + hour * 3600 + minute * 60 + second);
+    return true;
+}
+
+bool days_to_date(int year, int month, int day, std::int64_t& days) noexcept {
     if (year < kFirstYear || year > kLastYear || month < 1 || month > 12 || day < 1 || day > days_of(year, month)) return false;
-    if (hour > 23 || minute > 59 || second > 59) return false;
-    time = Time{} + Duration::seconds(days_since_epoch(year, month, day) * 86400 + hour * 3600 + minute * 60 + second);
+    days = days_since_epoch(year, month, day);
     return true;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "render_core/base/utc_time.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
 #include "render_core/draw/data/diagrams.hpp"
@@ -144,13 +143,12 @@ ElementState DataElements::state_of(const ElementReport& report) const {
     if (!shows(report.element->technique, *report.layer)) return ElementState::wrong_layer;
     if (is_glyph_technique(report.element->technique) && report.slot == GlyphElements::kSlots) return ElementState::no_room;
     const scene::LayerEntry& entry = *report.layer->entry;
-    const bool is_valid = time_ns_ >= entry.valid_from_ns && time_ns_ <= entry.valid_until_ns;
-    return has_date_ && !is_valid ? ElementState::out_of_date : ElementState::shown;
+    const bool is_valid = time_.utc.ns >= entry.valid_from_ns && time_.utc.ns <= entry.valid_until_ns;
+    return time_.is_date && !is_valid ? ElementState::out_of_date : ElementState::shown;
 }
 
 void DataElements::plan(const ElementFrame& frame) {
-    time_ns_ = frame.now.ns;
-    has_date_ = base::can_be_utc(frame.now);
+    time_ = frame.time;
     shown_ = 0;
     if (scene_ == nullptr) return;
     if (has_changed_) begin_reports();
@@ -190,12 +188,26 @@ void DataElements::plan_glyphs(const ElementFrame& frame) {
     glyphs_.begin_plan();
     for (ElementReport& report : reports_)
         if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots)
-            report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_ns_, has_date_, &sheet_});
+            report.count =
+                glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, &sheet_});
 }
 
 /// A full list has counted the refusal itself.
 void DataElements::begin_report(const design::DataElement& element, const scene::Layer* layer) {
     static_cast<void>(reports_.try_push_back({ElementState::no_such_layer, &element, layer, {}}));
+}
+
+draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame& frame) const {
+    return {*reports_[report].element,
+            static_cast<std::uint8_t>(report),
+            *reports_[report].layer,
+            frame.ground,
+            frame.missing,
+            time_.utc.ns,
+            time_.is_date,
+            frame.view.eye,
+            0,
+            time_.is_confirmed};
 }
 
 /// What stands is built whether it is valid now or not: it may become so.
@@ -206,8 +218,7 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
         if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
         if (is_glyph_technique(report.element->technique)) continue;
         if (moves(report.element->technique, *report.layer) != moving) continue;
-        const draw::ElementInput input{
-            *report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground, frame.missing, time_ns_, has_date_};
+        const draw::ElementInput input = input_of(n, frame);
         if (!is_billboard(report.element->technique)) report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
     }
@@ -219,9 +230,7 @@ void DataElements::build_billboards(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
-        const draw::ElementInput input{
-            *report.element, static_cast<std::uint8_t>(n), *report.layer, frame.ground, frame.missing, time_ns_, has_date_,
-            frame.view.eye};
+        const draw::ElementInput input = input_of(n, frame);
         report.count = build_billboard(sheet_, input);
     }
 }
@@ -250,7 +259,7 @@ std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const
     if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
     const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
     const draw::DepthRange& range = depth.ranges[n];
-    const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_ns_, has_date_}, range);
+    const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_.utc.ns, time_.is_date}, range);
     return draws + glyphs_.draw(gl, frame, range) + link_drawer_.draw_within(gl, frame.view.width, frame.view.height, depth, n);
 }
 

@@ -18,6 +18,7 @@
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/draw/data/tube_solids.hpp"
 #include "render_core/draw/quad_drawer.hpp"
+#include "render_core/flight/flight_time.hpp"
 
 namespace tedavis::display {
 
@@ -47,7 +48,7 @@ struct ElementFrame {
     draw::Ground& ground;
     const terrain::View& view;  ///< of the eye
     design::Color missing;
-    base::Time now;
+    flight::FlightTime time;
     double text_px = 16;                   ///< of the display's ordinary text
     terrain::DrawnSight* sight = nullptr;  ///< over the drawn terrain, for signs; null: nothing stands in the way
 };
@@ -84,6 +85,7 @@ private:
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
+    [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
@@ -102,8 +104,8 @@ private:
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;
     std::uint32_t shown_ = 0;  ///< a bit a report: the group of what it draws
-    std::int64_t time_ns_ = 0;
-    bool has_date_ = false, has_changed_ = false;
+    flight::FlightTime time_;  ///< of the planned frame
+    bool has_changed_ = false;
     bool is_uploaded_ = false, moving_is_uploaded_ = false;
 };
 

@@ -186,7 +186,7 @@ bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEn
     return unit != field_text(attribute.unit);
 }
 
-draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, base::Time now, bool has_date,
+draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, const flight::FlightTime& time,
                            const design::DataStyle& style) noexcept {
     draw::DataLegend legend;
     const scene::AttributeEntry& entry = *attribute.entry;
@@ -202,22 +202,22 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
             if (!legend.class_names.try_push_back(name)) break;
         }
     append_upper(legend.source, short_name(field_text(layer.entry->source)));
-    legend.data_time_ns = data_time_of(layer, has_date ? now.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0]);
+    legend.data_time_ns = data_time_of(layer, time.is_date ? time.utc.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0]);
     legend.has_time = legend.data_time_ns != scene::kNoTime;
-    legend.has_age = legend.has_time && has_date;
+    legend.has_age = legend.has_time && time.is_confirmed;
     if (!legend.has_age) return legend;
-    legend.age = base::Duration{now.ns - legend.data_time_ns};
+    legend.age = base::Duration{time.utc.ns - legend.data_time_ns};
     legend.is_stale = legend.age > base::Duration::from_seconds(style.stale_after_s);
     return legend;
 }
 
-void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design, base::Time now,
-                       draw::DataLegends& legends) noexcept {
+void add_ground_legend(const SpatialData& data, GroundDataState state, const design::DesignSettings& design,
+                       const flight::FlightTime& time, draw::DataLegends& legends) noexcept {
     const scene::GridSlice* const slice = data.ground();
-    if (plan.ground != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
+    if (state != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
     const design::GroundData& ground = design.data.ground;
     const Color plain = design.terrain.style.plain, color = sample_color(ground, plain);
-    draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), now, plan.has_date, design.data);
+    draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), time, design.data);
     legend.scale = ground.scale;
     add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));

@@ -9,10 +9,10 @@
 
 namespace tedavis::display {
 
-/// Title, unit, class names, data time, age and source of an attribute: what an entry says whatever the technique. `has_date`:
-/// `now` is one, so that there is an age. Scale, uncertainty and signs are left to the caller.
-[[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, base::Time now,
-                                         bool has_date, const design::DataStyle& style) noexcept;
+/// Title, unit, class names, data time, age and source of an attribute: what an entry says whatever the technique. The age is
+/// known while the time is confirmed. Scale, uncertainty and signs are left to the caller.
+[[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
+                                         const flight::FlightTime& time, const design::DataStyle& style) noexcept;
 
 /// A level 0..1 in the attribute's unit: "±2 M/S", "±20 %"; of the full scale where the source has classes of its own: "50 %",
 /// and "UNSURE" for 1.
@@ -24,7 +24,7 @@ namespace tedavis::display {
 [[nodiscard]] bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept;
 
 /// The colours on the ground, where they are shown.
-void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design, base::Time now,
-                       draw::DataLegends& legends) noexcept;
+void add_ground_legend(const SpatialData& data, GroundDataState state, const design::DesignSettings& design,
+                       const flight::FlightTime& time, draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

@@ -131,7 +131,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     begin_record(now);
     plan_view();
     plan_terrain();
-    plan_data(now);
+    plan_data();
 }
 
 void Display::decide(base::Time now) {
@@ -183,7 +183,9 @@ void Display::begin_record(base::Time now) {
     record_.view.transition = is_far ? transition_.map_share() : 1 - transition_.map_share();
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
     record_.scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
-    record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, now);
+    record_.flight_time = flight::flight_time(state_.utc, now);
+    if (state_.utc.state == base::SignalState::lost) flag("utc.lost", record_);
+    record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, record_.flight_time.utc);
     for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }
 
@@ -249,24 +251,24 @@ void Display::widen_bands() {
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
 }
 
-void Display::plan_elements(base::Time now) {
+void Display::plan_elements() {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
     TerrainGround ground(terrain_, eye_.view);
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
-    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, now, text_px(), &sight});
+    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, record_.flight_time, text_px(), &sight});
 }
 
 double Display::text_px() const {
     return static_cast<double>(draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi).text_px);
 }
 
-void Display::plan_data(base::Time now) {
-    plan_elements(now);
-    data_plan_ = data_.plan(settings_.design.data, now);
-    if (data_plan_.ground == GroundDataState::not_asked_for) return;
-    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
-    if (!data_plan_.has_date) flag("ground_data.no_date", record_);
+void Display::plan_data() {
+    plan_elements();
+    ground_data_ = data_.plan(settings_.design.data, record_.flight_time);
+    if (ground_data_ == GroundDataState::not_asked_for) return;
+    if (ground_data_ != GroundDataState::shown) flag("ground_data.missing", record_);
+    if (!record_.flight_time.is_date) flag("ground_data.no_date", record_);
     const scene::GridSlice* const slice = data_.ground();
     if (slice != nullptr && is_in_another_unit(settings_.design.data.ground.scale.palette, *slice->attribute()->entry))
         flag("ground_data.unit", record_);
@@ -291,7 +293,7 @@ void Display::draw(base::Surface& surface) {
     draw_scene(surface);
     if (!free_view_active_) draw_symbology();
     note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-                  terrain_.drape(), data_plan_.ground, &settings_.design.data},
+                  terrain_.drape(), ground_data_, &settings_.design.data},
                  record_);
     note_elements(elements_.reports(), record_);
     note_drawn(terrain_result_, settings_.device.budget, record_);
@@ -369,8 +371,8 @@ void Display::draw_symbology() {
                                                 : draw::SymbolGround::perspective;
     symbology.map = make_map_input(context(), state_);
     if (decisions_.show_terrain) {
-        add_ground_legend(data_, data_plan_, settings_.design, record_.time, symbology.data_legends);
-        add_element_legends(elements_.reports(), settings_.design, record_.time, symbology.data_legends);
+        add_ground_legend(data_, ground_data_, settings_.design, record_.flight_time, symbology.data_legends);
+        add_element_legends(elements_.reports(), settings_.design, record_.flight_time, symbology.data_legends);
     }
     const draw::Layout layout =
         draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi, draw::legend_need(symbology));

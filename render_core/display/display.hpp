@@ -98,8 +98,8 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
-    void plan_data(base::Time now);
-    void plan_elements(base::Time now);
+    void plan_data();
+    void plan_elements();
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
@@ -121,7 +121,7 @@ private:
     DisplayMemory memory_;
     TerrainScene terrain_;
     SpatialData data_;
-    SpatialDataPlan data_plan_;
+    GroundDataState ground_data_ = GroundDataState::not_asked_for;
     DataElements elements_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;

@@ -48,7 +48,7 @@ void note_sun(const EffectInput& input, FrameRecord& record) {
     note(record, "moving_sun", input.decisions.show_terrain ? state : EffectState::skipped,
          runs                                      ? "asked for by the design"
          : input.light == LightSource::sun_too_low ? "the sun stands below 3 degrees"
-                                                   : "the time of the source is no date; name sun_utc in the design",
+                                                   : "the time of the flight is no date; name sun_utc in the design",
          runs ? "" : "fixed_light");
 }
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "render_core/base/utc_time.hpp"
 #include "render_core/design/grey_of.hpp"
 
 namespace tedavis::display {
@@ -13,7 +12,7 @@ using design::ElementUncertainty;
 
 struct LegendFrame {
     const design::DesignSettings& design;
-    base::Time now;
+    const flight::FlightTime& time;
 };
 
 Color middle_color(const design::DataScale& scale) {
@@ -58,7 +57,7 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     if (!encoding.is_used()) return;
     const scene::Attribute* const attribute = report.layer->find(encoding.attribute.view());
     if (attribute == nullptr) return;
-    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.now, base::can_be_utc(frame.now), frame.design.data);
+    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design.data);
     legend.scale = encoding.scale;
     add_fading(*report.element, *attribute->entry, frame.design.terrain.style.plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
@@ -69,7 +68,7 @@ void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& fram
     if (!is_glyph_uncertainty(report.element->uncertainty) || report.slot == GlyphElements::kSlots) return;
     const scene::Attribute* const attribute = draw::glyph_attribute(*report.element, *report.layer);
     if (attribute == nullptr) return;
-    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.now, base::can_be_utc(frame.now), frame.design.data);
+    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design.data);
     legend.title.append(" \xC2\xB1");
     legend.class_names.clear();
     legend.scale = uncertainty_scale(*report.element);
@@ -82,9 +81,9 @@ void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& fram
 
 }  // namespace
 
-void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, base::Time now,
+void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, const flight::FlightTime& time,
                          draw::DataLegends& legends) noexcept {
-    const LegendFrame frame{design, now};
+    const LegendFrame frame{design, time};
     for (const ElementReport& report : reports) {
         if (report.state != ElementState::shown || report.count.drawn + report.count.aggregated == 0) continue;
         if (report.element->technique != design::DataTechnique::uncertainty_only)

@@ -8,7 +8,7 @@
 
 namespace tedavis::display {
 
-void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, base::Time now,
+void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, const flight::FlightTime& time,
                          draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

@@ -66,6 +66,7 @@ struct DataRecord {
 struct FrameRecord {
     std::uint64_t frame = 0;
     base::Time time;
+    flight::FlightTime flight_time;  ///< by which data are valid and have an age
     flight::PhaseStatus phase;
     flight::OwnShipEstimate own_ship;
     double altitude_msl_m = 0;

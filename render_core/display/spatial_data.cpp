@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_core/base/utc_time.hpp"
 #include "render_core/scene/data_time.hpp"
 
 namespace tedavis::display {
@@ -80,27 +79,24 @@ GroundDataState SpatialData::choose(const design::GroundData& ground) {
     return fits ? GroundDataState::shown : GroundDataState::too_large;
 }
 
-SpatialDataPlan SpatialData::plan(const design::DataStyle& design, base::Time now) {
-    SpatialDataPlan plan;
-    plan.ground = choose(design.ground);
-    if (plan.ground != GroundDataState::shown) {
+GroundDataState SpatialData::plan(const design::DataStyle& design, const flight::FlightTime& time) {
+    const GroundDataState state = choose(design.ground);
+    if (state != GroundDataState::shown) {
         show(false);
-        return plan;
+        return state;
     }
     const scene::Layer& layer = *slice_.layer();
-    plan.has_date = base::can_be_utc(now);
-    const std::int64_t time_ns = plan.has_date ? scene::start_of_data_step(now.ns) : scene::own_time_ns(layer);
+    const std::int64_t time_ns = time.is_date ? scene::start_of_data_step(time.utc.ns) : scene::own_time_ns(layer);
     if (time_ns < layer.entry->valid_from_ns || time_ns > layer.entry->valid_until_ns) {
-        plan.ground = GroundDataState::out_of_date;
         show(false);
-        return plan;
+        return GroundDataState::out_of_date;
     }
     const double height_m = slice_height_m(design.ground, layer);
     if (slice_.show(height_m, time_ns)) has_changed_ = true;
     show(true);
-    if (plan.has_date)
+    if (time.is_date)
         slice_.prepare(height_m, time_ns + scene::kDataStep_ns, std::max(1u, kPostsAhead / std::max(1u, slice_.columns())));
-    return plan;
+    return state;
 }
 
 void SpatialData::show(bool shown) {

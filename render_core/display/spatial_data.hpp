@@ -2,13 +2,14 @@
 ///
 ///   start(...) · plan(design, time) each frame, without GL · take_change() before drawing
 ///
-/// Time      data follow the source's time where it is a date; where it is none (a log with stamps from zero) they stand at their
-///           own first time, and the plan says so. Slices are of whole minutes, so that the same moment shows the same picture.
+/// Time      data follow the flight's time where it is a date; where it is none (a board whose bus states no UTC) they stand at
+///           their own first time. Slices are of whole minutes, so that the same moment shows the same picture.
 /// Memory    the arenas given to start(). Thread  the display's. Failure  start() gives one sentence.
 #pragma once
 
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/flight/flight_time.hpp"
 #include "render_core/gl/gl_error.hpp"
 #include "render_core/scene/grid_slice.hpp"
 
@@ -26,11 +27,6 @@ enum class GroundDataState : std::uint8_t {
 };
 /// For records: "the scene has no such layer".
 [[nodiscard]] const char* reason_of(GroundDataState state) noexcept;
-
-struct SpatialDataPlan {
-    GroundDataState ground = GroundDataState::not_asked_for;
-    bool has_date = true;  ///< the source's time is a date, by which data have an age
-};
 
 /// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
 [[nodiscard]] std::string_view scene_fault(std::string_view sentence) noexcept;
@@ -51,7 +47,8 @@ public:
     [[nodiscard]] bool take(const scene::Scene& scene);
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
 
-    [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, base::Time now);
+    /// What colours the ground from here on, or why nothing does.
+    [[nodiscard]] GroundDataState plan(const design::DataStyle& design, const flight::FlightTime& time);
     /// True once after the texels of the ground, or whether there are any, have changed.
     [[nodiscard]] bool take_change();
     /// What colours the ground; null for nothing.

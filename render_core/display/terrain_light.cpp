@@ -13,12 +13,12 @@ constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 }  // namespace
 
-TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place, base::Time now) noexcept {
+TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place, base::Time flight_time) noexcept {
     TerrainLight light;
     light.azimuth_rad = shade.lights[0].azimuth_rad;
     light.elevation_rad = shade.lights[0].elevation_rad;
     if (!shade.follows_sun) return light;
-    const base::Time utc = shade.sun_is_fixed ? shade.sun_utc : now;
+    const base::Time utc = shade.sun_is_fixed ? shade.sun_utc : flight_time;
     if (!base::can_be_utc(utc)) {
         light.source = LightSource::no_date;
         return light;

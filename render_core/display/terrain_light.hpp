@@ -1,6 +1,6 @@
 /// From where the lights of a style shine in a frame: fixed, or the first one as the sun.
 ///
-/// The sun of a date needs a date: the instant that the design names, else the time of the source where that can be UTC. Without
+/// The sun of a date needs a date: the instant that the design names, else the flight's time where that is one. Without
 /// one, and while the sun stands too low, the design's fixed light serves and the frame says why: terrain must stay readable at
 /// night. Pure functions; any thread.
 #pragma once
@@ -16,7 +16,7 @@ namespace tedavis::display {
 enum class LightSource : std::uint8_t {
     fixed,        ///< by the design
     sun,          ///< of date, time and place
-    no_date,      ///< the sun was asked for, but the source's time is no date
+    no_date,      ///< the sun was asked for, but the flight's time is no date
     sun_too_low,  ///< the sun was asked for, but it is night, or it grazes the ground so that nearly all lies in the shade
 };
 
@@ -29,7 +29,7 @@ struct TerrainLight {
 };
 
 [[nodiscard]] TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place,
-                                         base::Time now) noexcept;
+                                         base::Time flight_time) noexcept;
 
 /// Unit vector, ECEF, from `place` to where a light shines from.
 [[nodiscard]] glm::dvec3 towards_light(double azimuth_rad, double elevation_rad, const earth::Geodetic& place) noexcept;

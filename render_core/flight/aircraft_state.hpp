@@ -6,6 +6,7 @@
 
 #include "render_core/base/stamped.hpp"
 #include "render_core/earth/geodetic.hpp"
+#include "render_core/flight/flight_time.hpp"
 #include "render_core/flight/signal.hpp"
 
 namespace tedavis::flight {
@@ -26,6 +27,7 @@ struct AircraftState {
     std::array<base::Stamped<double>, kSignalCount> signals{};
     std::array<base::FreshnessLimits, kSignalCount> limits{};
     OwnShipEstimate own_ship;
+    UtcEstimate utc;
 
     [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const {
         return signals[static_cast<std::size_t>(signal)];

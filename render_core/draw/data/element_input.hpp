@@ -34,6 +34,7 @@ struct ElementInput {
     bool has_date = false;       ///< without, it stays where the data have it
     glm::dvec3 eye{0};           ///< ECEF; for what turns to it
     double metres_per_px_m = 0;  ///< of distance: a pixel is so wide there
+    bool has_age = true;         ///< false: the time of the frame goes on, but nobody confirms it
 };
 
 inline constexpr double kFloating_m = 5;  ///< over the ground: less needs no link

@@ -38,6 +38,7 @@ BillboardText height_text(double over_m, double climb_mps) {
 
 BillboardText age_text(const TrafficState& state) {
     BillboardText text;
+    if (std::isnan(state.age_s)) text = "AGE ?";
     if (!(state.age_s >= kShownAge_s)) return text;
     char digits[16];
     std::snprintf(digits, sizeof digits, "%d s", static_cast<int>(std::min(state.age_s, kRemoved_s)));

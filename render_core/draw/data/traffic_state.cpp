@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -64,13 +65,17 @@ TrafficState traffic_state(const ElementInput& input, std::uint32_t feature) {
         take_velocity(last, points[until], state);
     else if (until > 1)
         take_velocity(points[until - 2], last, state);
-    if (!is_timed) return state;
-    const double since_s = 1e-9 * static_cast<double>(input.time_ns - last.time_ns);
-    go_on(state, has_next ? since_s : std::min(since_s, kExtrapolated_s));
-    if (has_next) return state;
-    state.age_s = since_s;
-    state.is_stale = since_s > kExtrapolated_s;
-    state.is_known = since_s <= kRemoved_s;
+    if (is_timed) {
+        const double since_s = 1e-9 * static_cast<double>(input.time_ns - last.time_ns);
+        go_on(state, has_next ? since_s : std::min(since_s, kExtrapolated_s));
+        state.age_s = has_next ? 0 : since_s;
+        state.is_stale = state.age_s > kExtrapolated_s;
+        state.is_known = state.age_s <= kRemoved_s;
+    }
+    if (!input.has_age) {
+        state.age_s = std::numeric_limits<double>::quiet_NaN();
+        state.is_stale = true;
+    }
     return state;
 }
 

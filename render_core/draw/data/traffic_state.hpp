@@ -13,9 +13,9 @@ inline constexpr double kExtrapolated_s = 10, kRemoved_s = 60;
 struct TrafficState {
     scene::ScenePoint point{};           ///< height in the layer's datum
     double east = 0, north = 0, up = 0;  ///< m/s
-    double age_s = 0;                    ///< since the last report that is used; 0 between two
+    double age_s = 0;                    ///< since the last report that is used; 0 between two; NaN: nobody knows
     bool is_known = false;               ///< false: none yet, none for kRemoved_s, or no reports
-    bool is_stale = false;               ///< older than kExtrapolated_s
+    bool is_stale = false;               ///< older than kExtrapolated_s, or of unknown age
     bool has_velocity = false;           ///< two reports give one
 };
 

@@ -33,6 +33,7 @@ TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
     EXPECT_EQ(loaded.dialect.pair_window, defaults.dialect.pair_window);
     EXPECT_EQ(loaded.dialect.sender_timeout, defaults.dialect.sender_timeout);
     EXPECT_EQ(loaded.phase.timeout, defaults.phase.timeout);
+    EXPECT_EQ(loaded.utc_timeout, defaults.utc_timeout);
     EXPECT_EQ(loaded.node.node, defaults.node.node);
     EXPECT_EQ(loaded.own_ship.extrapolation_limit, defaults.own_ship.extrapolation_limit);
     EXPECT_EQ(loaded.own_ship.acceleration_mps2, defaults.own_ship.acceleration_mps2);

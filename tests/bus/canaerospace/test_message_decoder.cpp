@@ -231,6 +231,10 @@ TEST(MessageDecoder, ClocksInTheirDialects) {
     from_zero.dialect.month_from_zero = true;
     EXPECT_EQ(decode_one("4B6#090F00070C001357", from_zero).clock[1], 1);
     EXPECT_FALSE(decode_one("4B6#090F00070C0C1357", from_zero).healthy);
+    EXPECT_FALSE(decode_one("4B0#090F01060D2B1600").healthy) << "the sender says that it does not know";
+    BusSettings heedless;
+    heedless.dialect.service_code = ServiceCodeMeaning::ignored;
+    EXPECT_TRUE(decode_one("4B0#090F01060D2B1600", heedless).healthy);
 }
 
 TEST(MessageDecoder, IdentificationRequestsAreRecognised) {

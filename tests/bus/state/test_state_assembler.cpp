@@ -160,9 +160,34 @@ TEST(StateAssembler, CountersAndClock) {
     EXPECT_EQ(snapshot.counters.alien, 1u);
     EXPECT_EQ(snapshot.counters.errors, 1u);
     EXPECT_EQ(snapshot.counters.dropped, 12u);
-    EXPECT_TRUE(snapshot.clock.utc_received && snapshot.clock.date_received);
-    EXPECT_EQ(snapshot.clock.utc[1], 43);
-    EXPECT_EQ(snapshot.clock.century, 19);
+    EXPECT_EQ(snapshot.state.utc.state, SignalState::missing) << "1987 is no date of a flight";
+}
+
+/// The board's clock counts from its start, 1000 s before; UTC comes by the bus.
+TEST(StateAssembler, UtcComesFromTheBusAndIsLostWithIt) {
+    Bus bus;
+    const auto on_board = [](double seconds) { return base::Time{} + Duration::from_seconds(1000 + seconds); };
+    const auto send = [&](std::uint8_t second, double seconds, bool healthy = true) {
+        CanFrame frames[2];
+        ASSERT_EQ(bus.encoder.encode_utc(13, 5, second, on_board(seconds), {frames, 1}), 1u);
+        ASSERT_EQ(bus.encoder.encode_date(1, 6, 2026, on_board(seconds), {frames + 1, 1}), 1u);
+        if (!healthy) frames[0].data[2] = frames[1].data[2] = 1;
+        bus.assembler.feed({frames, 2});
+    };
+    const auto time_at = [&](double seconds) {
+        return flight::flight_time(bus.assembler.snapshot(on_board(seconds)).state.utc, on_board(seconds));
+    };
+    send(9, -1, false);
+    EXPECT_FALSE(time_at(0).is_date) << "the sender says that it does not know";
+    send(10, 0);
+    const base::Time sent{1'780'319'110'000'000'000};  // 2026-06-01T13:05:10Z by date(1)
+    EXPECT_EQ((time_at(0).utc - sent).ns, UtcClock::kTransport.ns);
+    EXPECT_TRUE(time_at(9).is_date && time_at(9).is_confirmed);
+    EXPECT_EQ((time_at(9).utc - time_at(0).utc).ns, Duration::seconds(9).ns);
+    EXPECT_TRUE(time_at(10.1).is_date);
+    EXPECT_FALSE(time_at(10.1).is_confirmed) << "not heard for longer than the bus file allows";
+    send(25, 15);
+    EXPECT_TRUE(time_at(15).is_confirmed);
 }
 
 TEST(StateAssembler, ForeignTrafficLeavesTheStateAlone) {

@@ -48,10 +48,17 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
     EXPECT_EQ(json["latency_ms"], 12);
 }
 
+TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
+    FrameResult result = test_support::frame_result(0, 3);
+    EXPECT_EQ(parsed(result)["utc"], Json({{"time_s", nullptr}, {"confirmed", false}}));
+    result.record.flight_time = {{1'780'315'200'500'000'000}, true, true};
+    EXPECT_EQ(parsed(result)["utc"], Json({{"time_s", 1780315200.5}, {"confirmed", true}}));
+}
+
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
-    for (const char* key : {"frame", "time_s", "hash", "phase", "sub_phase", "phase_source", "own_ship", "signals", "flags",
-                            "view", "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
+    for (const char* key : {"frame", "time_s", "utc", "hash", "phase", "sub_phase", "phase_source", "own_ship", "signals",
+                            "flags", "view", "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})

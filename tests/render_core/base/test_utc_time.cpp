@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <ctime>
 
@@ -33,6 +34,19 @@ TEST(UtcTime, WhatIsNoInstantIsRefusedAndChangesNothing) {
     }
     Time time{42};
     EXPECT_TRUE(parse_utc("2024-02-29T14:00:00Z", time)) << "control";
+}
+
+TEST(UtcTime, DatesThatTheCalendarHasNotAreRefused) {
+    std::int64_t days = 42;
+    EXPECT_TRUE(days_to_date(1970, 1, 2, days));
+    EXPECT_EQ(days, 1);
+    EXPECT_TRUE(days_to_date(2000, 2, 29, days));
+    EXPECT_EQ(days, 11016);
+    for (const auto& [year, month, day] :
+         {std::array{2100, 2, 29}, {1969, 12, 31}, {2200, 1, 1}, {2026, 0, 1}, {2026, 13, 1}, {2026, 4, 31}, {2026, 4, 0}}) {
+        EXPECT_FALSE(days_to_date(year, month, day, days)) << year << '-' << month << '-' << day;
+        EXPECT_EQ(days, 11016);
+    }
 }
 
 TEST(CanBeUtc, ACenturyOfIt) {

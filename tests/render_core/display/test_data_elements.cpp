@@ -63,7 +63,7 @@ protected:
     }
     void plan(base::Time now = kNow) {
         elements_.set(scene_.scene(), asked_);
-        elements_.plan({ground_, frame_.view, {255, 0, 255}, now});
+        elements_.plan({ground_, frame_.view, {255, 0, 255}, flight::time_of_source(now)});
     }
     [[nodiscard]] ElementState state(std::size_t n) const { return elements_.reports()[n].state; }
     /// Pixels that are not the background.
@@ -114,12 +114,12 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     EXPECT_EQ(state(0), ElementState::out_of_date);
     EXPECT_FALSE(elements_.has_anything());
     EXPECT_EQ(drawn_pixels(), 0u);
-    elements_.plan({ground_, frame_.view, {}, kNow});
+    elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNow)});
     EXPECT_EQ(state(0), ElementState::shown);
     EXPECT_GT(drawn_pixels(), 50u);
-    elements_.plan({ground_, frame_.view, {}, {kNow.ns + kHour_ns + 1}});
+    elements_.plan({ground_, frame_.view, {}, flight::time_of_source({kNow.ns + kHour_ns + 1})});
     EXPECT_EQ(state(0), ElementState::out_of_date);
-    elements_.plan({ground_, frame_.view, {}, kNoDate});
+    elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate)});
     EXPECT_EQ(state(0), ElementState::shown) << "a time that is no date makes nothing invalid";
 }
 
@@ -176,7 +176,7 @@ TEST_F(DataElementsTest, AnotherSceneLeavesNothingOfTheOneBefore) {
     elements_.set(other.scene(), asked_);
     EXPECT_EQ(elements_.reports().size(), 0u) << "before the next plan nothing points to the old one";
     EXPECT_FALSE(elements_.has_anything());
-    elements_.plan({ground_, frame_.view, {}, kNow});
+    elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNow)});
     EXPECT_EQ(state(0), ElementState::no_such_layer);
     EXPECT_EQ(drawn_pixels(), 0u);
 }

@@ -17,7 +17,7 @@ constexpr std::int64_t kDate_ns = 1'700'000'000'000'000'000 / kHour_ns * kHour_n
 
 draw::DataLegend entry_of(const host_sim::LayerDraft& layer, std::int64_t now_ns, bool has_date = true) {
     const LoadedScene loaded(layer);
-    return legend_of(loaded.layer(), loaded.attribute(), base::Time{now_ns}, has_date, {});
+    return legend_of(loaded.layer(), loaded.attribute(), {base::Time{now_ns}, has_date, has_date}, {});
 }
 
 TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
@@ -39,6 +39,10 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + 2 * kHour_ns)).view(), "23:00Z STALE 60 MIN");
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns - 40 * kMinute_ns)).view(), "22:00Z IN 40 MIN") << "a forecast";
     EXPECT_EQ(draw::time_and_age(entry_of(layer, 5, false)).view(), "22:00Z AGE ?") << "a source without a date";
+    const test_support::LoadedScene loaded(layer);
+    const flight::FlightTime unconfirmed{{kDate_ns + kHour_ns + 12 * kMinute_ns}, true, false};
+    EXPECT_EQ(draw::time_and_age(legend_of(loaded.layer(), loaded.attribute(), unconfirmed, {})).view(), "23:00Z AGE ?")
+        << "UTC that was lost goes on, but tells no age";
 }
 
 TEST(DataLegends, TitlesSayNothingTwice) {
@@ -133,8 +137,8 @@ protected:
     }
     draw::DataLegends legends() {
         draw::DataLegends found;
-        const SpatialDataPlan plan = data_.plan(design_.data, {12});
-        add_ground_legend(data_, plan, design_, {12}, found);
+        const flight::FlightTime no_date{{12}, false, false};
+        add_ground_legend(data_, data_.plan(design_.data, no_date), design_, no_date, found);
         return found;
     }
 

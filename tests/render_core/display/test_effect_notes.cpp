@@ -70,7 +70,7 @@ TEST_F(EffectNotes, TheSunIsReplacedByTheFixedLightWithAReason) {
     EXPECT_EQ(line_of(noted(), "moving_sun"), "run : asked for by the design");
     input_.light = LightSource::no_date;
     EXPECT_EQ(line_of(noted(), "moving_sun"),
-              "replaced fixed_light: the time of the source is no date; name sun_utc in the design");
+              "replaced fixed_light: the time of the flight is no date; name sun_utc in the design");
     input_.light = LightSource::sun_too_low;
     EXPECT_EQ(line_of(noted(), "moving_sun"), "replaced fixed_light: the sun stands below 3 degrees");
 }

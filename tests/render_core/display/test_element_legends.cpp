@@ -28,7 +28,7 @@ protected:
         ElementReports all;
         for (const ElementReport& one : reports) EXPECT_TRUE(all.try_push_back(one));
         draw::DataLegends legends;
-        add_element_legends(all, design_, {0}, legends);
+        add_element_legends(all, design_, {}, legends);
         return legends;
     }
 

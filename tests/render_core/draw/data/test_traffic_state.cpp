@@ -85,6 +85,19 @@ TEST(TrafficState, WithoutADateItStandsAtItsLastReport) {
     EXPECT_EQ(state.age_s, 0);
 }
 
+TEST(TrafficState, WithoutAConfirmedTimeItsAgeIsUnknownAndItIsStale) {
+    ElementOfTest test(reports());
+    test.has_date = true;
+    for (const double second : {7.5, 15.0}) {
+        test.time_ns = kStart_ns + static_cast<std::int64_t>(second * 1e9);
+        ElementInput input = test.input();
+        input.has_age = false;
+        EXPECT_TRUE(std::isnan(traffic_state(input, 0).age_s)) << second;
+        EXPECT_TRUE(traffic_state(input, 0).is_stale) << second;
+        EXPECT_EQ(gone_m(traffic_state(input, 0)), gone_m(traffic_state(test.input(), 0))) << second;
+    }
+}
+
 TEST(TrafficState, ReportsWithoutTimesOrHeightsOrTwiceDoNoHarm) {
     host_sim::LayerDraft layer = reports();
     for (scene::ScenePoint& point : layer.points) point.time_ns = scene::kNoTime;
