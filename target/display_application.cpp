@@ -92,7 +92,7 @@ void DisplayApplication::take_new_scene() {
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
     const LiveFlight::Instant instant = flight_.at(now, display_);
-    display_.update(instant.aircraft, instant.phase, now);
+    display_.update(instant.aircraft, instant.phase, now, &flight_.way());
     display_.draw(*surface_);
     return surface_->present();
 }

@@ -88,6 +88,7 @@ void LiveFlight::step_phase(base::Time time, display::Display& display) {
         inputs.switch_fault = panel.fault;
     }
     monitor_.step(aircraft, inputs, time);
+    way_.step(aircraft, time);
 }
 
 LiveFlight::Instant LiveFlight::at(base::Time now, display::Display& display) {

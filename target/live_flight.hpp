@@ -17,6 +17,7 @@
 #include "bus/switches/switch_to_phase.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/display/phase_monitor.hpp"
+#include "render_core/flight/flown_way.hpp"
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 
@@ -37,6 +38,9 @@ public:
     };
     /// All that was received up to `now`; `now` never goes back. `display` gives the height above the terrain.
     [[nodiscard]] Instant at(base::Time now, display::Display& display);
+
+    /// Flown up to the last at().
+    [[nodiscard]] const flight::FlownWay& way() const { return way_; }
 
     [[nodiscard]] bus::SourceHealth bus_health() const { return can_.health(); }
     [[nodiscard]] const bus::SourceStatistics& bus_statistics() const { return can_.statistics(); }
@@ -60,6 +64,7 @@ private:
     bus::GpiodSource panel_;
     std::optional<bus::SwitchToPhase> switches_;
     display::PhaseMonitor monitor_;
+    flight::FlownWay way_;
     base::Time next_step_;
     bus::SourceHealth reported_health_ = bus::SourceHealth::idle;
     bool bus_reported_ = false;

@@ -218,6 +218,7 @@ void FlightPlayer::step_phase(base::Time time) {
     inputs.switches = switches.statement;
     inputs.switch_fault = switches.fault;
     progress_.monitor.step(aircraft, inputs, time);
+    progress_.way.step(aircraft, time);
 }
 
 void FlightPlayer::run_step() {

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] base::Time last() const { return last_; }
     /// Clamped to first() .. last().
     [[nodiscard]] PlayedInstant at(base::Time time);
+    /// Flown up to the instant that was asked for last.
+    [[nodiscard]] const flight::FlownWay& way() const { return progress_.way; }
 
     /// The phase switches' lines and patterns, and the edges played, in order of time.
     [[nodiscard]] const bus::SwitchConfig& switch_config() const { return switch_config_; }

@@ -13,6 +13,7 @@
 #include "bus/state/state_assembler.hpp"
 #include "bus/switches/switch_to_phase.hpp"
 #include "render_core/display/phase_monitor.hpp"
+#include "render_core/flight/flown_way.hpp"
 
 namespace tedavis::host_sim {
 
@@ -22,6 +23,7 @@ struct FlightProgress {
     std::optional<bus::SwitchToPhase> switches;  ///< there from the start on; optional because it has no default
     std::size_t next_edge = 0;
     display::PhaseMonitor monitor;
+    flight::FlownWay way;
     std::int64_t next_step = 0;   ///< of the phase's grid
     std::uint64_t steps_run = 0;  ///< fewer than next_step where the recording pauses
     base::Time reached;

@@ -21,7 +21,7 @@ void FrameApproach::approach(base::Time time) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
         const base::Time instant_time = is_on_grid ? grid : std::max(grid + off_grid, player_.first());
         const PlayedInstant instant = player_.at(instant_time);
-        display_.approach(instant.aircraft, instant.phase, instant_time);
+        display_.approach(instant.aircraft, instant.phase, instant_time, &player_.way());
     }
 }
 

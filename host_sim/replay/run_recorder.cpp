@@ -63,7 +63,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
 void RunRecorder::draw_watched(base::Time time) {
     HeapTrap trap;
     const base::Time start = platform::monotonic_now();
-    session_.display().update(instant_.aircraft, instant_.phase, time);
+    session_.display().update(instant_.aircraft, instant_.phase, time, &player_.way());
     const base::Time planned = platform::monotonic_now();
     session_.draw();
     const base::Time drawn = platform::monotonic_now();

@@ -8,6 +8,7 @@ namespace {
 using base::ConfigSection;
 
 constexpr double kLargestValue = 1e12;
+constexpr std::string_view kOwnDataNames[] = {"trail", "wind"};  // from the second of OwnData on
 
 void read_name(ConfigSection& section, std::string_view key, DataName& name) {
     name = section.text(key, "");
@@ -53,8 +54,10 @@ void read_uncertainty(ConfigSection section, DataElement& element) {
 
 void read_layer(ConfigSection& section, DataElement& element) {
     read_name(section, "layer", element.layer);
-    if (section.has("layer") == section.has("role"))
-        return fault_of(section, "layer", "or 'role' says what is shown; give one of them");
+    const bool has_layer = section.has("layer"), has_role = section.has("role"), has_own = section.has("own");
+    if (int{has_layer} + int{has_role} + int{has_own} != 1)
+        return fault_of(section, "layer", "or 'role' or 'own' says what is shown; give one of them");
+    if (has_own) element.own = static_cast<OwnData>(1 + section.choice("own", kOwnDataNames, 0));
     if (section.has("role"))
         element.role = static_cast<scene::LayerRole>(
             section.choice("role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
@@ -93,6 +96,20 @@ const std::array<std::string_view, kDataTechniques> kDataTechniqueNames{
     "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface", "uncertainty_only"};
 const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames{
     "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra"};
+
+DataName subject_of(const DataElement& element) noexcept {
+    if (element.own == OwnData::none)
+        return element.layer.view().empty() ? DataName(scene::name_of(element.role)) : element.layer;
+    DataName name("own ");
+    name.append(kOwnDataNames[static_cast<std::size_t>(element.own) - 1]);
+    return name;
+}
+
+bool asks_for_own(const DataElementList& elements) noexcept {
+    for (const DataElement& element : elements)
+        if (element.own != OwnData::none) return true;
+    return false;
+}
 
 void read_data_elements(ConfigSection& data, PaletteSource& palettes, DataElementList& elements) {
     const std::size_t count = data.table_count("element");

@@ -3,7 +3,8 @@
 ///
 ///     [[data.element]]
 ///     layer = "no_go"              a layer of the scene, or
-///     role = "obstacle"            all its layers of a role (scene::kLayerRoleNames)
+///     role = "obstacle"            all its layers of a role (scene::kLayerRoleNames), or
+///     own = "trail"                the own aircraft's flown way, by tube, space_time or ribbon; "wind": what it measures, by barbs
 ///     technique = "prism"          a name of kDataTechniqueNames
 ///     color = "#e05020"            without a scale
 ///     attribute = "intensity"      what the colour says, with
@@ -66,6 +67,9 @@ enum class ElementUncertainty : std::uint8_t {
 inline constexpr std::size_t kElementUncertainties = static_cast<std::size_t>(ElementUncertainty::count);
 extern const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames;
 
+/// What the own aircraft says instead of a scene.
+enum class OwnData : std::uint8_t { none, trail, wind };
+
 inline constexpr std::size_t kMaxDataElements = 12;
 inline constexpr std::size_t kMaxElementHeights = 8;
 inline constexpr std::size_t kMaxElementLevels = 4;
@@ -81,8 +85,9 @@ struct ColorEncoding {
 };
 
 struct DataElement {
-    DataName layer;  ///< empty: by role
+    DataName layer;  ///< empty: by role, or the own aircraft's
     scene::LayerRole role = scene::LayerRole::count;
+    OwnData own = OwnData::none;
     DataTechnique technique = DataTechnique::solid;
     Color color{255, 255, 255, 255};
     ColorEncoding by_color, by_second_color;
@@ -103,6 +108,11 @@ struct DataElement {
 static_assert(std::is_trivially_copyable_v<DataElement>);
 
 using DataElementList = base::FixedVector<DataElement, kMaxDataElements>;
+
+/// What is shown, as records name it: a layer, a role, or "own trail".
+[[nodiscard]] DataName subject_of(const DataElement& element) noexcept;
+
+[[nodiscard]] bool asks_for_own(const DataElementList& elements) noexcept;
 
 /// `data` is the section [data].
 void read_data_elements(base::ConfigSection& data, PaletteSource& palettes, DataElementList& elements);

@@ -158,6 +158,7 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
     shown.flight_path = section.boolean("flight_path", shown.flight_path);
     shown.baro_setting = section.boolean("baro_setting", shown.baro_setting);
     shown.ground_height = section.boolean("ground_height", shown.ground_height);
+    shown.air = section.boolean("air", shown.air);
     shown.phase = section.boolean("phase", shown.phase);
     shown.legend = section.boolean("legend", shown.legend);
     static constexpr std::string_view kUnits[] = {"ft", "m"};

@@ -100,6 +100,7 @@ struct SymbologySettings {
     bool flight_path = true;
     bool baro_setting = true;
     bool ground_height = true;
+    bool air = true;  ///< wind and temperature measured on board
     bool phase = true;
     bool legend = true;                         ///< what the colours of the terrain mean
     HeightUnit legend_unit = HeightUnit::feet;  ///< of the heights in the legend

@@ -10,6 +10,7 @@
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
+#include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -63,12 +64,24 @@ bool shows(DataTechnique technique, const scene::Layer& layer) {
     }
 }
 
+bool shows_own(const design::DataElement& element) {
+    if (element.own == design::OwnData::wind) return element.technique == DataTechnique::barbs;
+    return element.technique == DataTechnique::tube || element.technique == DataTechnique::space_time ||
+           element.technique == DataTechnique::ribbon;
+}
+
+bool shows(const design::DataElement& element, const scene::Layer& layer) {
+    return element.own == design::OwnData::none ? shows(element.technique, layer) : shows_own(element);
+}
+
 bool is_traffic(const scene::Layer& layer) {
     return layer.entry->role == scene::LayerRole::traffic && layer.entry->shape == scene::LayerShape::lines;
 }
 
 /// Of its solids; billboards are built every frame anyway.
-bool moves(DataTechnique technique, const scene::Layer& layer) {
+bool moves(const design::DataElement& element, const scene::Layer& layer) {
+    if (element.own != design::OwnData::none) return true;
+    const DataTechnique technique = element.technique;
     if (technique == DataTechnique::isosurface) return draw::isosurfaces_move(layer);
     return is_traffic(layer) || (technique == DataTechnique::prism && draw::prisms_move(layer));
 }
@@ -91,6 +104,7 @@ const char* reason_of(ElementState state) noexcept {
     switch (state) {
         case ElementState::shown: return "asked for by the design";
         case ElementState::no_such_layer: return "the scene has no such layer";
+        case ElementState::not_measured: return "the aircraft has stated nothing to show";
         case ElementState::wrong_layer: return "the technique does not show layers of this kind";
         case ElementState::no_room: return "the device has no room for one more";
         case ElementState::out_of_date: return "the data are not valid at this time";
@@ -111,7 +125,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
-    if (!sheet_.start(memory.billboards))
+    if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
     if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
     if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
@@ -128,8 +142,8 @@ bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertic
     return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room);
 }
 
-void DataElements::set(const scene::Scene& scene, const design::DataElementList& elements) {
-    scene_ = &scene;
+void DataElements::set(const scene::Scene* scene, const design::DataElementList& elements) {
+    scene_ = scene;
     elements_ = &elements;
     has_changed_ = true;
     // What they point to may be gone.
@@ -140,7 +154,9 @@ void DataElements::set(const scene::Scene& scene, const design::DataElementList&
 
 ElementState DataElements::state_of(const ElementReport& report) const {
     if (report.layer == nullptr) return ElementState::no_such_layer;
-    if (!shows(report.element->technique, *report.layer)) return ElementState::wrong_layer;
+    if (!shows(*report.element, *report.layer)) return ElementState::wrong_layer;
+    if (report.element->own != design::OwnData::none)
+        return report.layer->entry->feature_count > 0 ? ElementState::shown : ElementState::not_measured;
     if (is_glyph_technique(report.element->technique) && report.slot == GlyphElements::kSlots) return ElementState::no_room;
     const scene::LayerEntry& entry = *report.layer->entry;
     const bool is_valid = time_.utc.ns >= entry.valid_from_ns && time_.utc.ns <= entry.valid_until_ns;
@@ -150,8 +166,9 @@ ElementState DataElements::state_of(const ElementReport& report) const {
 void DataElements::plan(const ElementFrame& frame) {
     time_ = frame.time;
     shown_ = 0;
-    if (scene_ == nullptr) return;
+    if (elements_ == nullptr) return;
     if (has_changed_) begin_reports();
+    own_.take(frame.own, frame.time, frame.ground);
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         reports_[n].state = state_of(reports_[n]);
         if (reports_[n].state == ElementState::shown) shown_ |= 1u << n;
@@ -160,6 +177,7 @@ void DataElements::plan(const ElementFrame& frame) {
     build(moving_.batch(), true, frame);
     build_billboards(frame);
     plan_glyphs(frame);
+    plan_own_winds(frame);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
 }
@@ -172,15 +190,38 @@ void DataElements::rest() {
 void DataElements::begin_reports() {
     reports_.clear();
     glyphs_.clear();
-    std::size_t slots = 0;
     for (const design::DataElement& element : *elements_) {
-        const std::size_t before = reports_.size();
+        if (element.own == design::OwnData::none)
+            begin_scene_reports(element);
+        else
+            begin_report(element, element.own == design::OwnData::trail ? &own_.trail() : &own_.winds());
+    }
+}
+
+void DataElements::begin_scene_reports(const design::DataElement& element) {
+    const std::size_t before = reports_.size();
+    if (scene_ != nullptr)
         for (const scene::Layer& layer : scene_->layers())
             if (element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name) {
                 begin_report(element, &layer);
-                if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slots++;
+                const std::size_t slot = glyphs_.size();
+                if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slot;
             }
-        if (reports_.size() == before && !element.layer.view().empty()) begin_report(element, nullptr);
+    if (reports_.size() == before && !element.layer.view().empty()) begin_report(element, nullptr);
+}
+
+/// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.
+void DataElements::plan_own_winds(const ElementFrame& frame) {
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        ElementReport& report = reports_[n];
+        if (report.state != ElementState::shown || report.element->own != design::OwnData::wind) continue;
+        const base::Span<const scene::SelectedGlyph> glyphs = own_.wind_glyphs(frame.view.eye);
+        report.count = {};
+        for (std::size_t glyph = glyphs.size(); glyph-- > 0;) {
+            const draw::ElementCount one = draw::add_wind_barbs(sheet_, input_of(n, frame), glyphs.subspan(glyph, 1));
+            report.count.drawn += one.drawn;
+            report.count.hidden += one.hidden;
+        }
     }
 }
 
@@ -215,9 +256,9 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
     batch.clear();
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
-        if (report.layer == nullptr || !shows(report.element->technique, *report.layer)) continue;
+        if (report.layer == nullptr || !shows(*report.element, *report.layer)) continue;
         if (is_glyph_technique(report.element->technique)) continue;
-        if (moves(report.element->technique, *report.layer) != moving) continue;
+        if (moves(*report.element, *report.layer) != moving) continue;
         const draw::ElementInput input = input_of(n, frame);
         if (!is_billboard(report.element->technique)) report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));

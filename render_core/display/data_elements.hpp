@@ -2,7 +2,7 @@
 ///
 ///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
 ///
-/// What a layer says once is built by set() and stands; what moves is built by every plan().
+/// What a layer says once is built by set() and stands; what moves, the own flight among it, is built by every plan().
 /// Memory    the budget lines scene_solids, scene_glyphs and scene_billboards (CPU), and the lines of their vertices (GPU).
 /// Thread  the display's. Failure  start() gives one
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
@@ -11,6 +11,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/data_style.hpp"
 #include "render_core/display/glyph_elements.hpp"
+#include "render_core/display/own_flight.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/isosurface_solids.hpp"
@@ -25,10 +26,11 @@ namespace tedavis::display {
 enum class ElementState : std::uint8_t {
     shown,
     no_such_layer,
-    wrong_layer,  ///< the technique does not show layers of this kind
-    no_room,      ///< the device has none for one more
-    out_of_date,  ///< the layer is not valid at this time
-    no_terrain,   ///< which is what data are shown over
+    not_measured,  ///< of the own aircraft: nothing to show yet, or not stated any more
+    wrong_layer,   ///< the technique does not show layers of this kind
+    no_room,       ///< the device has none for one more
+    out_of_date,   ///< the layer is not valid at this time
+    no_terrain,    ///< which is what data are shown over
 };
 /// For records: "the scene has no such layer".
 [[nodiscard]] const char* reason_of(ElementState state) noexcept;
@@ -51,6 +53,7 @@ struct ElementFrame {
     flight::FlightTime time;
     double text_px = 16;                   ///< of the display's ordinary text
     terrain::DrawnSight* sight = nullptr;  ///< over the drawn terrain, for signs; null: nothing stands in the way
+    OwnFlightFrame own{};
 };
 
 class DataElements {
@@ -58,14 +61,15 @@ public:
     struct Memory {
         base::Arena &solids, &glyphs, &billboards;
     };
-    /// Only for displays that have a scene. `typeface`: the drawer that lends it; must outlive this.
+    /// Only for displays that have a scene, or whose design asks for the own flight. `typeface`: the drawer that lends it; must
+    /// outlive this.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory,
                                     const draw::QuadDrawer& typeface);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
-    /// What is shown from the next plan() on. Scene and design must stay. A role of which the scene has no layer asks for
-    /// nothing.
-    void set(const scene::Scene& scene, const design::DataElementList& elements);
+    /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. A role of which the scene has no
+    /// layer asks for nothing.
+    void set(const scene::Scene* scene, const design::DataElementList& elements);
     void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
     /// Instead of plan() in a frame that shows none of it.
     void rest();
@@ -85,6 +89,8 @@ private:
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
+    void begin_scene_reports(const design::DataElement& element);
+    void plan_own_winds(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame);
@@ -100,6 +106,7 @@ private:
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;
     draw::IsosurfaceSolids isosurfaces_;
+    OwnFlight own_;
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;

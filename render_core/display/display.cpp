@@ -37,8 +37,9 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 gl::GlError Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
-    if ((!data_.has_scene() && !settings_.expects_scene) || !terrain_.is_started()) return {};
-    if (data_.has_scene()) elements_.set(data_.scene(), settings_.design.data.elements);
+    const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(settings_.design.data.elements);
+    if (!has_data || !terrain_.is_started()) return {};
+    set_elements();
     return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_);
 }
 
@@ -75,9 +76,11 @@ design::DesignSettings Display::possible_design(const design::DesignSettings& de
 
 void Display::keep_design(const design::DesignSettings& possible) {
     settings_.design = possible;
-    if (elements_.is_started() && data_.has_scene()) elements_.set(data_.scene(), settings_.design.data.elements);
+    if (elements_.is_started()) set_elements();
     band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
 }
+
+void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements); }
 
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design);
@@ -89,13 +92,8 @@ bool Display::set_design(const design::DesignSettings& design) {
 
 bool Display::take_scene(const scene::Scene& scene) {
     if ((!elements_.is_started() && terrain_.is_started()) || !data_.take(scene)) return false;
-    if (elements_.is_started()) elements_.set(data_.scene(), settings_.design.data.elements);
+    if (elements_.is_started()) set_elements();
     return true;
-}
-
-void Display::set_free_view(const terrain::View& view) {
-    free_view_ = view;
-    free_view_active_ = true;
 }
 
 base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
@@ -115,7 +113,8 @@ TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
     return inside || own_ship.state == base::SignalState::missing ? TerrainSource::ready : TerrainSource::outside;
 }
 
-void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                     const flight::FlownWay* way) {
     state_ = state;
     conditions_ = {};
     conditions_.terrain = terrain_source(state.own_ship);
@@ -131,7 +130,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     begin_record(now);
     plan_view();
     plan_terrain();
-    plan_data();
+    plan_data(way);
 }
 
 void Display::decide(base::Time now) {
@@ -144,9 +143,10 @@ void Display::decide(base::Time now) {
     decisions_ = decide_display(state_, now, conditions_, settings_.design);
 }
 
-void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                       const flight::FlownWay* way) {
     const std::uint64_t frame = frame_;
-    update(state, phase, now);
+    update(state, phase, now, way);
     frame_ = frame;
 }
 
@@ -251,20 +251,26 @@ void Display::widen_bands() {
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
 }
 
-void Display::plan_elements() {
+void Display::plan_elements(const flight::FlownWay* way) {
     if (!elements_.is_started()) return;
     if (!decisions_.show_terrain) return elements_.rest();
     TerrainGround ground(terrain_, eye_.view);
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
-    elements_.plan({ground, eye_.view, settings_.design.terrain.unknown, record_.flight_time, text_px(), &sight});
+    elements_.plan({ground,
+                    eye_.view,
+                    settings_.design.terrain.unknown,
+                    record_.flight_time,
+                    text_px(),
+                    &sight,
+                    {way, &state_, record_.time}});
 }
 
 double Display::text_px() const {
     return static_cast<double>(draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi).text_px);
 }
 
-void Display::plan_data() {
-    plan_elements();
+void Display::plan_data(const flight::FlownWay* way) {
+    plan_elements(way);
     ground_data_ = data_.plan(settings_.design.data, record_.flight_time);
     if (ground_data_ == GroundDataState::not_asked_for) return;
     if (ground_data_ != GroundDataState::shown) flag("ground_data.missing", record_);
@@ -357,7 +363,7 @@ void Display::draw_elements_over_picture() {
 }
 
 void Display::draw_symbology() {
-    draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design,
+    draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design, record_.time,
                                                                 settings_.width_px, settings_.height_px, aircraft_msl_m_);
     const design::TerrainSettings& terrain = settings_.design.terrain;
     if (terrain_.is_started() && terrain.palette.kind == design::PaletteKind::hypsometric) {

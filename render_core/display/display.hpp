@@ -51,10 +51,12 @@ public:
         return DisplayMemory::bytes_needed(device.budget);
     }
 
-    /// Plans the frame for `now`. Pure planning: no GL.
-    void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Plans the frame for `now`. Pure planning: no GL. `way`: null where nobody keeps it.
+    void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                const flight::FlownWay* way = nullptr);
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
-    void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                  const flight::FlownWay* way = nullptr);
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
@@ -71,7 +73,10 @@ public:
     /// revision, or the display was started without a scene and expected none.
     [[nodiscard]] bool take_scene(const scene::Scene& scene);
     /// Replaces the own ship's eye with another one until cleared: the simulator's free camera.
-    void set_free_view(const terrain::View& view);
+    void set_free_view(const terrain::View& view) {
+        free_view_ = view;
+        free_view_active_ = true;
+    }
     void clear_free_view() { free_view_active_ = false; }
 
     /// Height above the terrain below a position; missing outside the database or over voids.
@@ -98,8 +103,8 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
-    void plan_data();
-    void plan_elements();
+    void plan_data(const flight::FlownWay* way);
+    void plan_elements(const flight::FlownWay* way);
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
@@ -107,6 +112,7 @@ private:
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
     void keep_design(const design::DesignSettings& possible);
+    void set_elements();
     void draw_scene(const base::Surface& surface);
     void draw_terrain();
     void draw_elements_over_picture();

@@ -24,6 +24,8 @@ enum class Element : std::uint8_t {
     flight_path,
     position,  ///< of the own ship on the map
     map_up,    ///< what the map is turned to, by the source: true_track, the view's heading in its place, or count_ for north
+    wind,      ///< measured on board
+    outside_temperature,
     count_
 };
 inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::count_);

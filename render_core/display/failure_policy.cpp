@@ -42,9 +42,9 @@ constexpr SignalRule kRules[] = {
     {Signal::baro_setting, SignalGroup::baro_setting, kNoConsequence, kFlag, kFailed, kFailed},
     {Signal::vertical_speed, SignalGroup::vertical_speed, kFailed, kFlag, kFailed, kFailed},
     {Signal::radio_height, SignalGroup::ground_height, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::wind_speed, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::wind_direction, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::outside_temperature, SignalGroup::not_shown, 0, 0, 0, 0},
+    {Signal::wind_speed, SignalGroup::wind_speed, kNoConsequence, kFlag, kFailed, kFailed},
+    {Signal::wind_direction, SignalGroup::wind_direction, kNoConsequence, kFlag, kFailed, kFailed},
+    {Signal::outside_temperature, SignalGroup::outside_temperature, kNoConsequence, kFlag, kFailed, kFailed},
     {Signal::true_altitude, SignalGroup::geometric_height, kNoConsequence, kUncertain, kUncertain, kUncertain},
     {Signal::height_above_terrain, SignalGroup::ground_height, kNoConsequence, kFlag, kFailed, kFailed},
 };
@@ -84,9 +84,13 @@ constexpr SourceChain kBaroSetting{SignalGroup::baro_setting, 1, 1, {Signal::bar
 constexpr SourceChain kGroundHeight{SignalGroup::ground_height, 2, 2, {Signal::radio_height, Signal::height_above_terrain}};
 constexpr SourceChain kHorizontalAccuracy{SignalGroup::horizontal_accuracy, 1, 1, {Signal::horizontal_accuracy}};
 constexpr SourceChain kVerticalAccuracy{SignalGroup::vertical_accuracy, 1, 1, {Signal::vertical_accuracy}};
-constexpr const SourceChain* kChains[] = {&kLatitude,     &kLongitude,          &kGeometricHeight, &kPitch,         &kRoll,
-                                          &kHeading,      &kAltitude,           &kAirspeed,        &kVerticalSpeed, &kBaroSetting,
-                                          &kGroundHeight, &kHorizontalAccuracy, &kVerticalAccuracy};
+constexpr SourceChain kWindSpeed{SignalGroup::wind_speed, 1, 1, {Signal::wind_speed}};
+constexpr SourceChain kWindDirection{SignalGroup::wind_direction, 1, 1, {Signal::wind_direction}};
+constexpr SourceChain kTemperature{SignalGroup::outside_temperature, 1, 1, {Signal::outside_temperature}};
+constexpr const SourceChain* kChains[] = {
+    &kLatitude,         &kLongitude, &kGeometricHeight, &kPitch,       &kRoll,         &kHeading,
+    &kAltitude,         &kAirspeed,  &kVerticalSpeed,   &kBaroSetting, &kGroundHeight, &kHorizontalAccuracy,
+    &kVerticalAccuracy, &kWindSpeed, &kWindDirection,   &kTemperature};
 
 constexpr double kSlowestFlightPath_mps = 10;  // below, the direction of motion on the ground is noise
 
@@ -107,6 +111,8 @@ public:
         decide_element(Element::vertical_speed, kVerticalSpeed);
         decide_element(Element::baro_setting, kBaroSetting);
         decide_element(Element::ground_height, kGroundHeight);
+        decide_wind();
+        decide_element(Element::outside_temperature, kTemperature);
         check_own_ship();
         check_accuracy(Signal::horizontal_accuracy, design_.degradation.horizontal_accuracy_m);
         check_accuracy(Signal::vertical_accuracy, design_.degradation.vertical_accuracy_m);
@@ -183,6 +189,12 @@ private:
         // The recovery picture is of the attitude, which the map does not show.
         out_.unusual_attitude = !conditions_.is_map && (pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad ||
                                                         std::fabs(roll_rad) > limits.roll_rad);
+    }
+
+    /// As good as the worse of its two signals: a speed without a direction is no wind.
+    void decide_wind() {
+        const ElementDecision speed = decision(kWindSpeed), direction = decision(kWindDirection);
+        out_[Element::wind] = speed.show < direction.show ? direction : speed;
     }
 
     void decide_heading() {

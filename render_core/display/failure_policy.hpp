@@ -51,6 +51,9 @@ enum class SignalGroup : std::uint8_t {
     ground_height,
     horizontal_accuracy,
     vertical_accuracy,
+    wind_speed,
+    wind_direction,
+    outside_temperature,
     not_shown,
 };
 

@@ -21,8 +21,7 @@ void note_effect(const ElementReport& report, FrameRecord& record) {
     EffectRecord effect;
     effect.name = effect_name(report);
     effect.state = report.state == ElementState::shown ? EffectState::run : EffectState::skipped;
-    effect.reason.append(report.element->layer.view().empty() ? scene::name_of(report.element->role)
-                                                              : report.element->layer.view());
+    effect.reason.append(subject_of(*report.element).view());
     effect.reason.append(": ");
     effect.reason.append(reason_of(report.state));
     static_cast<void>(record.effects.try_push_back(effect));
@@ -67,7 +66,7 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
 
 void note_elements(const ElementReports& reports, FrameRecord& record) {
     for (const ElementReport& report : reports) {
-        if (report.state != ElementState::shown) flag("data.missing", record);
+        if (report.state != ElementState::shown && report.state != ElementState::not_measured) flag("data.missing", record);
         note_effect(report, record);
         note_aspects(report, record);
         if (report.layer == nullptr) continue;

@@ -43,6 +43,8 @@ public:
     /// One more. False where no slot is left or the layer has nothing that glyphs show. Element and layer must stay.
     [[nodiscard]] bool add(const design::DataElement& element, const scene::Layer& layer);
 
+    [[nodiscard]] std::size_t size() const { return used_; }
+
     /// Of the n-th element that was added; to be called for all of them in their order, after begin_plan().
     void begin_plan();
     [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);

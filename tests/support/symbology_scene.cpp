@@ -46,7 +46,7 @@ draw::SymbologyInput scene_input(const flight::AircraftState& state, std::uint32
                                  const display::DisplayConditions& conditions) {
     const design::DesignSettings design = design::default_design_settings();
     const display::DisplayDecisions decisions = display::decide_display(state, kSceneNow, conditions, design);
-    return draw::make_symbology_input(state, decisions, conditions.phase, design, width, height, 1380);
+    return draw::make_symbology_input(state, decisions, conditions.phase, design, kSceneNow, width, height, 1380);
 }
 
 std::string text_of(const draw::QuadBatch& batch) {

@@ -100,6 +100,7 @@ TEST_F(LiveFlightTest, TheRecordedFlightArrivesAsItWasFlown) {
     EXPECT_NEAR(base::degrees(instant.aircraft[Signal::true_heading].value_or(0)), 20.2955, 0.01);
     EXPECT_EQ(instant.phase.phase, flight::kApproachDescent);
     EXPECT_EQ(instant.phase.source, flight::PhaseSource::can);
+    EXPECT_EQ(flight->way().size(), 2u) << "three seconds of it";
     EXPECT_EQ(instant.aircraft.utc.state, SignalState::valid);
     EXPECT_NEAR((now + instant.aircraft.utc.ahead - base::Time{1'780'322'560'000'000'000}).to_seconds(), 0, 0.1)
         << "the board's clock counts from its start, the log's messages say 14:02:37 to :40";

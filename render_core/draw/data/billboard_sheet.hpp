@@ -8,6 +8,7 @@
 /// Thread  one. Memory  from an arena, once. Failure  claim() refuses what has no room; the batch counts what it refuses.
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "render_core/base/fixed_vector.hpp"

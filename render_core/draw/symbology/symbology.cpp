@@ -17,6 +17,7 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     if (input.shown.heading) build_heading(painter, input);
     if (input.shown.baro_setting) build_baro_setting(painter, input);
     if (input.shown.ground_height) build_ground_height(painter, input);
+    if (input.shown.air) build_air(painter, input);
     if (input.shown.phase) build_phase(painter, input);
     if (input.shown.legend) build_legend(painter, input);
     build_notices(painter, input);  // no design can switch these off

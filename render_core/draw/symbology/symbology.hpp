@@ -26,6 +26,10 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input);
 void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);
+/// Wind and temperature that the own aircraft measures, in the upper right corner of the attitude's box: the arrow points where
+/// the wind blows, up is ahead, or the map's up. What is stale is amber and shows its age.
+void build_air(const Painter& painter, const SymbologyInput& input);
+[[nodiscard]] Rect air_box(const Layout& layout) noexcept;
 void build_phase(const Painter& painter, const SymbologyInput& input);
 /// For make_layout(): what the legends of this frame would take.
 [[nodiscard]] LegendNeed legend_need(const SymbologyInput& input) noexcept;

@@ -1,5 +1,7 @@
 #include "render_core/draw/symbology/symbology_input.hpp"
 
+#include <algorithm>
+
 #include "render_core/earth/geodetic.hpp"
 
 namespace tedavis::draw {
@@ -28,6 +30,15 @@ LegendInput make_legend_input(const display::DisplayDecisions& decisions, const 
     return legend;
 }
 
+void take_air(const flight::AircraftState& state, base::Time now, SymbologyInput& input) {
+    const auto age = [&](Signal signal) { return now - state[signal].source_time(); };
+    input.wind_speed_mps = state[Signal::wind_speed].value_or(0);
+    input.wind_from_rad = state[Signal::wind_direction].value_or(0);
+    input.wind_age = std::max(age(Signal::wind_speed), age(Signal::wind_direction));
+    input.outside_temperature_k = state[Signal::outside_temperature].value_or(0);
+    input.temperature_age = age(Signal::outside_temperature);
+}
+
 double true_direction_rad(const flight::AircraftState& state, Signal source) {
     if (source == Signal::count_) return 0;
     const double direction = state[source].value_or(0);
@@ -46,8 +57,8 @@ double map_up_rad(const flight::AircraftState& state, const display::DisplayDeci
 }
 
 SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
-                                    const flight::PhaseStatus& phase, const design::DesignSettings& design, std::uint32_t width,
-                                    std::uint32_t height, double gnss_msl_m) noexcept {
+                                    const flight::PhaseStatus& phase, const design::DesignSettings& design, base::Time now,
+                                    std::uint32_t width, std::uint32_t height, double gnss_msl_m) noexcept {
     SymbologyInput input;
     input.decisions = decisions;
     input.shown = design.symbology;
@@ -68,6 +79,7 @@ SymbologyInput make_symbology_input(const flight::AircraftState& state, const di
     input.vertical_speed_mps = shown_value(state, decisions, Element::vertical_speed);
     input.baro_setting_pa = shown_value(state, decisions, Element::baro_setting);
     input.ground_height_m = shown_value(state, decisions, Element::ground_height);
+    take_air(state, now, input);
     input.velocity_north_mps = state.own_ship.velocity_north_mps;
     input.velocity_east_mps = state.own_ship.velocity_east_mps;
     input.velocity_up_mps = state.own_ship.velocity_up_mps;

@@ -63,6 +63,8 @@ struct SymbologyInput {
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
     double ground_height_m = 0;
+    double wind_speed_mps = 0, wind_from_rad = 0, outside_temperature_k = 0;
+    base::Duration wind_age, temperature_age;  ///< of the older of the wind's two signals
     LegendInput legend;
     DataLegends data_legends;
     SymbolGround over = SymbolGround::perspective;
@@ -80,6 +82,7 @@ static_assert(std::is_trivially_copyable_v<SymbologyInput>);
 /// `gnss_msl_m`: the ellipsoid height with the geoid's undulation taken off, for use where the decision shows it.
 [[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
                                                   const flight::PhaseStatus& phase, const design::DesignSettings& design,
-                                                  std::uint32_t width, std::uint32_t height, double gnss_msl_m) noexcept;
+                                                  base::Time now, std::uint32_t width, std::uint32_t height,
+                                                  double gnss_msl_m) noexcept;
 
 }  // namespace tedavis::draw

@@ -61,8 +61,13 @@ struct Played {
     FlightPlayer player;
 
     explicit Played(const PlayerFiles& files, const IndexPolicy& policy = dense()) : player(files, display, &console, policy) {}
+    /// The state with its way: the newest points by their times and places.
     [[nodiscard]] std::string text(double seconds) {
-        return text_of(player.at(player.first() + Duration::from_seconds(seconds)));
+        std::string text = text_of(player.at(player.first() + Duration::from_seconds(seconds)));
+        const flight::FlownWay& way = player.way();
+        for (std::size_t n = 0; n < way.size(); ++n)
+            text += std::to_string(way[n].at.ns) + (way[n].begins ? " begins " : " ") + std::to_string(way[n].latitude_rad);
+        return text;
     }
 };
 

@@ -112,6 +112,22 @@ TEST(DataElement, LinksAreForWhatFloats) {
     }
 }
 
+TEST(DataElement, TheOwnFlightIsAskedForInsteadOfALayer) {
+    const Read own = read("[[data.element]]\nown = \"trail\"\n[[data.element]]\nown = \"wind\"\n");
+    EXPECT_EQ(own.fault, "");
+    ASSERT_EQ(own.elements.size(), 2u);
+    EXPECT_EQ(own.elements[0].own, OwnData::trail);
+    EXPECT_EQ(own.elements[1].own, OwnData::wind);
+    EXPECT_EQ(subject_of(own.elements[1]).view(), "own wind");
+    EXPECT_TRUE(asks_for_own(own.elements));
+    const Read others = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nrole = \"place\"\n");
+    EXPECT_EQ(subject_of(others.elements[0]).view(), "a");
+    EXPECT_EQ(subject_of(others.elements[1]).view(), "place");
+    EXPECT_FALSE(asks_for_own(others.elements));
+    EXPECT_NE(read("[[data.element]]\nown = \"trail\"\nlayer = \"a\"\n").fault.find("give one"), std::string::npos);
+    EXPECT_NE(read("[[data.element]]\nown = \"none\"\n").fault, "");
+}
+
 TEST(DataElement, OrderIsKept) {
     const Read two = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nlayer = \"b\"\n");
     ASSERT_EQ(two.elements.size(), 2u);

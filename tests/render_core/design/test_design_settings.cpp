@@ -78,6 +78,7 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     EXPECT_EQ(file.widening.position_accuracy_m, built_in.widening.position_accuracy_m);
     EXPECT_EQ(file.widening.terrain_accuracy_m, built_in.widening.terrain_accuracy_m);
     EXPECT_EQ(file.terrain.palette.name, built_in.terrain.palette.name);
+    EXPECT_EQ(file.symbology.air, built_in.symbology.air);
     EXPECT_EQ(file.symbology.legend, built_in.symbology.legend);
     EXPECT_EQ(file.symbology.legend_unit, built_in.symbology.legend_unit);
 }

@@ -62,7 +62,7 @@ protected:
         return asked_.back();
     }
     void plan(base::Time now = kNow) {
-        elements_.set(scene_.scene(), asked_);
+        elements_.set(&scene_.scene(), asked_);
         elements_.plan({ground_, frame_.view, {255, 0, 255}, flight::time_of_source(now)});
     }
     [[nodiscard]] ElementState state(std::size_t n) const { return elements_.reports()[n].state; }
@@ -123,6 +123,79 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     EXPECT_EQ(state(0), ElementState::shown) << "a time that is no date makes nothing invalid";
 }
 
+/// Eastward across the view for a minute, then at `now`.
+struct OwnShip {
+    OwnShip() {
+        for (int n = 0; n <= 30; ++n) {
+            take(n);
+            way.step(aircraft, now);
+        }
+    }
+    void take(int n) {
+        now = base::Time{} + base::Duration::seconds(100 + 2 * n);
+        aircraft.own_ship.position = {base::radians(46.75), base::radians(9.8 + 0.0015 * n), {2600}};
+        aircraft.own_ship.state = base::SignalState::valid;
+        aircraft.own_ship.height_is_geometric = true;
+        aircraft[flight::Signal::wind_speed] = {20, now};
+        aircraft[flight::Signal::wind_direction] = {1, now};
+    }
+    flight::FlownWay way;
+    flight::AircraftState aircraft;
+    base::Time now;
+};
+
+TEST_F(DataElementsTest, TheOwnFlightIsShownWithAndWithoutAScene) {
+    OwnShip ship;
+    for (const bool has_scene : {true, false}) {
+        asked_.clear();
+        ask_for("", DataTechnique::tube).own = design::OwnData::trail;
+        asked_[0].size_m = 100;
+        ask_for("", DataTechnique::barbs).own = design::OwnData::wind;
+        elements_.set(has_scene ? &scene_.scene() : nullptr, asked_);
+        const auto plan_own = [&](const OwnFlightFrame& own) {
+            elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, own});
+        };
+        plan_own({});
+        EXPECT_EQ(state(0), ElementState::not_measured);
+        EXPECT_EQ(state(1), ElementState::not_measured);
+        EXPECT_EQ(drawn_pixels(), 0u);
+        plan_own({&ship.way, &ship.aircraft, ship.now});
+        EXPECT_EQ(state(0), ElementState::shown);
+        EXPECT_EQ(state(1), ElementState::shown);
+        EXPECT_EQ(elements_.reports()[0].count.all(), 32u);
+        EXPECT_GT(elements_.reports()[0].count.drawn, 1u);
+        EXPECT_EQ(elements_.reports()[1].count.all(), 4u);
+        EXPECT_GT(drawn_pixels(), 20u);
+        asked_[1].technique = DataTechnique::arrows;
+        asked_[0].technique = DataTechnique::prism;
+        elements_.set(has_scene ? &scene_.scene() : nullptr, asked_);
+        plan_own({&ship.way, &ship.aircraft, ship.now});
+        EXPECT_EQ(state(0), ElementState::wrong_layer);
+        EXPECT_EQ(state(1), ElementState::wrong_layer);
+    }
+}
+
+TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
+    OwnShip ship;
+    ask_for("", DataTechnique::tube).own = design::OwnData::trail;
+    const auto pixels = [&] {
+        elements_.set(nullptr, asked_);
+        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, {&ship.way, &ship.aircraft, ship.now}});
+        return drawn_pixels();
+    };
+    asked_[0].size_m = 60;
+    const std::size_t whole = pixels();
+    ship.way = {};
+    for (int n = 0; n <= 30; ++n) {
+        ship.take(n);
+        if (n > 8 && n < 24) ship.aircraft.own_ship.state = base::SignalState::stale;
+        ship.way.step(ship.aircraft, ship.now);
+    }
+    EXPECT_GT(whole, 30u);
+    EXPECT_LT(static_cast<double>(pixels()), 0.7 * static_cast<double>(whole));
+    EXPECT_EQ(elements_.reports()[0].layer->entry->feature_count, 2u);
+}
+
 TEST_F(DataElementsTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {
     ask_for("zoo", DataTechnique::prism);
     ask_for("masts", DataTechnique::prism);
@@ -173,7 +246,7 @@ TEST_F(DataElementsTest, AnotherSceneLeavesNothingOfTheOneBefore) {
     host_sim::SceneDraft draft = scene_draft();
     draft.layers.erase(draft.layers.begin() + 2);
     const test_support::LoadedScene other(draft);
-    elements_.set(other.scene(), asked_);
+    elements_.set(&other.scene(), asked_);
     EXPECT_EQ(elements_.reports().size(), 0u) << "before the next plan nothing points to the old one";
     EXPECT_FALSE(elements_.has_anything());
     elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNow)});

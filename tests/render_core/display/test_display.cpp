@@ -37,6 +37,26 @@ TEST(Display, TheSameStateGivesTheSameBits) {
     EXPECT_NE(a, hills_picture(second.display, aircraft_over_hills(2001))) << "control";
 }
 
+TEST(Display, TheFlightsTimeIsTheBusesAndItsLossIsFlagged) {
+    OverHills over;
+    display::Display& display = over.display.display();
+    flight::AircraftState state = aircraft_over_hills(2000);
+    const auto flagged = [&] {
+        display.update(state, {}, kHillsNow);
+        return test_support::has_flag(over.display, "utc.lost");
+    };
+    EXPECT_FALSE(flagged()) << "a bus that has never stated it has not lost it";
+    const base::Time date{1'780'315'200'000'000'000};
+    state.utc = {date - kHillsNow, SignalState::valid};
+    EXPECT_FALSE(flagged());
+    EXPECT_EQ(display.record().flight_time.utc, date);
+    EXPECT_TRUE(display.record().flight_time.is_confirmed);
+    state.utc.state = SignalState::lost;
+    EXPECT_TRUE(flagged());
+    EXPECT_TRUE(display.record().flight_time.is_date);
+    EXPECT_FALSE(display.record().flight_time.is_confirmed);
+}
+
 /// Pixels whose colour differs from that of the same picture without warning colours.
 std::size_t coloured_pixels(const flight::AircraftState& state, bool widened, design::BandWidening* record = nullptr) {
     design::DesignSettings design = test_support::shipped_design("default");

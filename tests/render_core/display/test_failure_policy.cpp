@@ -57,6 +57,22 @@ TEST(FailurePolicy, TheMapTurnsToTheTrackThenToTheHeadingThenToNorth) {
     EXPECT_FALSE(has_flag(decide_display(state, kPolicyNow, good_conditions(), track_up), "map.heading_up")) << "no map, no flag";
 }
 
+TEST(FailurePolicy, AWindIsAsGoodAsTheWorseOfItsSignals) {
+    const std::pair<SignalState, ElementShow> kShows[] = {{SignalState::missing, ElementShow::absent},
+                                                          {SignalState::stale, ElementShow::flagged},
+                                                          {SignalState::lost, ElementShow::failed},
+                                                          {SignalState::invalid, ElementShow::failed}};
+    for (const auto& [bad, show] : kShows) {
+        for (const Signal signal : {Signal::wind_speed, Signal::wind_direction}) {
+            AircraftState state = everything_valid();
+            put_signal(state, signal, bad);
+            EXPECT_EQ(decide_on(state)[Element::wind].show, show) << to_string(signal) << " " << to_string(bad);
+            EXPECT_EQ(decide_on(state)[Element::outside_temperature].show, ElementShow::normal);
+        }
+    }
+    EXPECT_EQ(decide_on(everything_valid())[Element::wind].show, ElementShow::normal);
+}
+
 TEST(FailurePolicy, TheMapFlagsItsPositionInPlace) {
     AircraftState state = everything_valid();
     EXPECT_EQ(decide_on(state, map_conditions())[Element::position].show, ElementShow::normal);

@@ -35,7 +35,8 @@ struct Row {
 };
 
 constexpr const char* kElementNames[] = {"attitude",       "heading",      "airspeed",      "altitude",
-                                         "vertical_speed", "baro_setting", "ground_height", "flight_path"};
+                                         "vertical_speed", "baro_setting", "ground_height", "flight_path",
+                                         "position",       "map_up",       "wind",          "outside_temperature"};
 
 std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells;

@@ -72,6 +72,7 @@ TEST(BillboardSheet, TheBestCandidatesAreKeptInOrder) {
     for (std::size_t n = 0; n < ranked.size(); ++n) EXPECT_EQ(ranked[n].feature, expected[n]);
 }
 
+/// The eye of a map stands ten thousand kilometres up, its near plane 9 km over the sea.
 TEST(BillboardSheet, LinesHaveTheDepthsOfTheirEnds) {
     BillboardRoom room;
     const BillboardSheet::Spot near = room.sheet.spot(room.view.eye + room.view.forward * 200.0 + room.view.down * 20.0);

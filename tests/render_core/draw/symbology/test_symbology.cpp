@@ -333,7 +333,7 @@ TEST(Symbology, NothingIsRefusedOverManyStatesAndHostileValues) {
 
 TEST(Symbology, ADesignSwitchesPiecesOffButNeverTheNotices) {
     SymbologyInput input = scene_input(scene_state(10, 0, 0), 640, 480);
-    input.shown = {false, false, false, false, false, false, false, false, false, false, false, design::HeightUnit::feet};
+    input.shown = {false, false, false, false, false, false, false, false, false, false, false, false, design::HeightUnit::feet};
     BatchStore store;
     build_symbology(store.batch, input, make_layout(640, 480, 96));
     EXPECT_EQ(text_of(store.batch), "GENERATEDFLIGHT\xB7NOTFORNAVIGATION");

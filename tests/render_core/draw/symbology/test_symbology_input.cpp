@@ -42,7 +42,7 @@ TEST(SymbologyInput, ValuesComeFromTheSignalsThatWereDecided) {
         DisplayDecisions decisions;
         decisions[Element::altitude].source = altitude;
         decisions[Element::airspeed].source = airspeed;
-        return make_symbology_input(state, decisions, {}, design::default_design_settings(), 640, 480, 1002);
+        return make_symbology_input(state, decisions, {}, design::default_design_settings(), kSceneNow, 640, 480, 1002);
     };
     EXPECT_EQ(input_for(Signal::baro_altitude, Signal::indicated_airspeed).altitude_m, 1000);
     EXPECT_EQ(input_for(Signal::ellipsoid_height, Signal::indicated_airspeed).altitude_m, 1002)

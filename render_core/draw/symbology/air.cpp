@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using display::Element;
+using display::ElementShow;
+
+// In texts.
+constexpr float kWidth = 4.6f;
+constexpr float kRow = 1.3f;
+constexpr float kText = 0.85f;
+constexpr float kMargin = 0.1f;
+
+constexpr double kCalm_kt = 0.5;
+constexpr double kMost_kt = 399;
+
+void append_age(ElementShow show, base::Duration age, ShortText& text) {
+    if (show != ElementShow::flagged) return;
+    text.append(" ");
+    text.append(whole_number(limited(age.to_seconds(), 0, 999)).view());
+    text.append("S");
+}
+
+/// "265/12KT", "CALM"; from where it blows, true.
+ShortText wind_text(const SymbologyInput& input) {
+    const double knots = limited(input.wind_speed_mps / base::kMpsPerKnot, 0, kMost_kt);
+    if (knots < kCalm_kt) return "CALM";
+    const double degrees = std::round(base::degrees(limited(input.wind_from_rad, 0, 2 * base::kPi)));
+    ShortText text = whole_number(degrees < 0.5 ? 360 : degrees, 3);
+    text.append("/");
+    text.append(whole_number(knots).view());
+    text.append("KT");
+    return text;
+}
+
+/// "OAT -5°C".
+ShortText temperature_text(const SymbologyInput& input) {
+    constexpr double kZeroCelsius_k = 273.15;
+    ShortText text("OAT ");
+    text.append(whole_number(limited(input.outside_temperature_k - kZeroCelsius_k, -99, 99)).view());
+    text.append(
+        "\xC2\xB0"
+        "C");
+    return text;
+}
+
+/// The way that the wind blows, on a picture whose upper side is `up_rad`.
+void build_arrow(const Painter& painter, Point center, double toward_rad, double up_rad, design::Color color) {
+    const float t = painter.text_px();
+    const auto sine = static_cast<float>(std::sin(toward_rad - up_rad)),
+               cosine = static_cast<float>(std::cos(toward_rad - up_rad));
+    const auto at = [&](float along, float across) {
+        return Point{center.x + t * (along * sine + across * cosine), center.y - t * (along * cosine - across * sine)};
+    };
+    painter.line(at(-0.4f, 0), at(0.15f, 0), color);
+    painter.batch().triangle(at(0.58f, 0), at(0, 0.28f), at(0, -0.28f), color);
+}
+
+void build_wind(const Painter& painter, const Rect& row, const SymbologyInput& input) {
+    const ElementShow show = input.decisions[Element::wind].show;
+    if (show == ElementShow::absent) return;
+    if (show == ElementShow::failed) return painter.crossed_out(row, "WIND");
+    ShortText text = wind_text(input);
+    append_age(show, input.wind_age, text);
+    painter.batch().box(row, kReadoutGround);
+    const float side = row.height;
+    const bool is_calm = input.wind_speed_mps < kCalm_kt * base::kMpsPerKnot;
+    const bool has_up = input.over != SymbolGround::moving && input.decisions.view_heading != flight::Signal::count_;
+    const double up_rad = input.over == SymbolGround::map ? input.map.up_rad : input.view_heading_rad;
+    if (!is_calm && has_up)
+        build_arrow(painter, {row.x + 0.5f * side, row.center().y}, limited(input.wind_from_rad, 0, 2 * base::kPi) + base::kPi,
+                    up_rad, label_color(show));
+    painter.fitted_text(text.view(), {row.x + side, row.y, row.width - side, row.height}, TextAnchor::left, kText,
+                        label_color(show), TextRim::none);
+}
+
+void build_temperature(const Painter& painter, const Rect& row, const SymbologyInput& input) {
+    const ElementShow show = input.decisions[Element::outside_temperature].show;
+    if (show == ElementShow::absent) return;
+    if (show == ElementShow::failed) return painter.crossed_out(row, "OAT");
+    ShortText text = temperature_text(input);
+    append_age(show, input.temperature_age, text);
+    painter.batch().box(row, kReadoutGround);
+    painter.fitted_text(text.view(), row, TextAnchor::center, kText, label_color(show), TextRim::none);
+}
+
+}  // namespace
+
+Rect air_box(const Layout& layout) noexcept {
+    const float t = layout.text_px;
+    return {layout.attitude.right() - (kWidth + kMargin) * t, layout.attitude.y + kMargin * t, kWidth * t, 2 * kRow * t};
+}
+
+void build_air(const Painter& painter, const SymbologyInput& input) {
+    const Rect box = air_box(painter.layout());
+    build_wind(painter, {box.x, box.y, box.width, 0.5f * box.height}, input);
+    build_temperature(painter, {box.x, box.center().y, box.width, 0.5f * box.height}, input);
+}
+
+}  // namespace tedavis::draw
