@@ -81,6 +81,7 @@ Json describe(const scene::Attribute& attribute) {
                  {"missing", summary.missing},
                  {"interpolated", summary.interpolated},
                  {"uncertainty", uncertainty}};
+    if (entry.member_count > 0) json["members"] = entry.member_count;
     if (entry.class_count > 0) json["classes"] = Json::array();
     for (std::uint32_t n = 0; n < entry.class_count; ++n) json["classes"].push_back(std::string(attribute.class_name(n)));
     return json;
@@ -145,6 +146,7 @@ void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
         text << entry.class_count << " classes";
     else
         text << entry.minimum << " .. " << with_unit(double{entry.maximum}, entry.unit);
+    if (entry.member_count > 0) text << ", " << int{entry.member_count} << " members";
     if (summary.missing > 0) text << ", " << summary.missing << " missing";
     if (summary.interpolated > 0) text << ", " << summary.interpolated << " interpolated";
     if (summary.has_levels())

@@ -21,6 +21,7 @@ design::SymbologySettings without_instruments(design::SymbologySettings shown) {
 void set_detail(design::DataStyle& data, double detail) {
     for (design::DataElement& element : data.elements) element.detail = detail;
     data.ground = design::at_detail(data.ground, detail);
+    data.adjacent = design::at_detail(data.adjacent, detail);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/scenario/generated_attribute.hpp"
+#include "host_sim/scenario/gust_ensemble.hpp"
 #include "host_sim/scenario/planned_flight.hpp"
 #include "host_sim/scenario/radar_frames.hpp"
 #include "host_sim/scenario/storm_cells.hpp"
@@ -15,7 +16,7 @@ namespace tedavis::host_sim {
 namespace {
 
 /// One generator each, far apart whatever the seed.
-enum class RandomStream : std::uint64_t { wind = 1, storm = 2 };
+enum class RandomStream : std::uint64_t { wind = 1, storm = 2, gust = 3 };
 SeededRandom random_of(std::uint64_t seed, RandomStream stream) {
     constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15u;  // an odd number without a pattern
     return SeededRandom(seed + static_cast<std::uint64_t>(stream) * kApart);
@@ -30,6 +31,9 @@ std::vector<LayerDraft> generated_layers(const Scenario& scenario, const Scenari
     layers.push_back(make_wind_layer(scenario, flight.air(), for_wind));
     layers.push_back(make_storm_layer(cells, plane, scenario.start));
     layers.push_back(make_radar_layer(scenario, cells, flight.end()));
+    if (scenario.weather->gust.members == 0) return layers;
+    SeededRandom for_gust = random_of(seed, RandomStream::gust);
+    layers.push_back(make_gust_layer(scenario, flight.air(), for_gust));
     return layers;
 }
 

@@ -2,6 +2,7 @@
 
 #include "host_sim/scenario/storm_cells.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -14,6 +15,14 @@ WindSettings read_wind(ConfigSection& section) {
     wind.variation_mps = section.number("wind_variation_mps", 0, 20);
     wind.sigma_mps = section.number("wind_sigma_mps", 0, 20);
     return wind;
+}
+
+GustSettings read_gust(ConfigSection& section) {
+    GustSettings gust;
+    gust.members = static_cast<int>(section.integer("gust_members", 0, scene::kMaxMembers, 0));
+    if (gust.members == 1) section.fault("gust_members", "must be 0, or 2 to 16: one member alone is no ensemble");
+    if (gust.members > 0) gust.spread_mps = section.number("gust_spread_mps", 0, 20);
+    return gust;
 }
 
 StormSettings read_storm(ConfigSection& section) {
@@ -44,6 +53,7 @@ WeatherSettings read_weather(ConfigSection section) {
     weather.wind = read_wind(section);
     weather.storm = read_storm(section);
     weather.radar_range_m = section.number("radar_range_m", 1'000, 400'000);
+    weather.gust = read_gust(section);
     return weather;
 }
 

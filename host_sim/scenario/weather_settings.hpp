@@ -11,6 +11,8 @@
 ///     storm_speed_mps, storm_speed_spread_mps, storm_toward_deg, storm_toward_spread_deg
 ///     storm_base_m, storm_top_m        above mean sea level, give or take 200 m and 1000 m
 ///     radar_range_m                    of the radar, which stands at the strip
+///     gust_members                     of the ensemble of gusts; 0, and what is left out: no such layer
+///     gust_spread_mps                  standard deviation of its members at the strip at the start
 ///
 /// SI and radians inside. Every value is checked where it is read.
 #pragma once
@@ -21,6 +23,11 @@ namespace tedavis::host_sim {
 
 struct WindSettings {
     double variation_mps = 0, sigma_mps = 0;
+};
+
+struct GustSettings {
+    int members = 0;
+    double spread_mps = 0;
 };
 
 struct StormSettings {
@@ -38,6 +45,7 @@ struct WeatherSettings {
     WindSettings wind;
     StormSettings storm;
     double radar_range_m = 0;
+    GustSettings gust;
 };
 
 /// Faults are the reader's.

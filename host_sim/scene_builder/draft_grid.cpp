@@ -24,7 +24,7 @@ DraftGrid::DraftGrid(const LayerDraft& draft) : draft_(draft), entries_(draft.at
         entries_[n].uncertainty_full = static_cast<float>(from.uncertainty_full);
         entries_[n].uncertainty_growth_per_hour = static_cast<float>(from.uncertainty_growth_per_hour);
         entries_[n].uncertainty_all = from.uncertainty_all;
-        attributes_.push_back({&entries_[n], view(from.values), view(from.uncertainties), view(from.states), {}});
+        attributes_.push_back({&entries_[n], view(from.values), view(from.uncertainties), view(from.states), {}, {}});
     }
     layer_.entry = &entry_;
     layer_.levels_m = view(draft.levels_m);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "host_sim/scene_builder/bound_attribute.hpp"
+#include "host_sim/scene_builder/ensemble.hpp"
 #include "host_sim/scene_builder/grid_axes.hpp"
 #include "host_sim/scene_builder/grid_preparation.hpp"
 #include "host_sim/scene_builder/grid_window.hpp"
@@ -27,26 +28,6 @@ bool are_alike(const GridPlaces& a, const GridPlaces& b) {
            std::abs(a.north_deg - b.north_deg) < tolerance_deg && std::abs(a.step_lon_deg - b.step_lon_deg) < tolerance_deg;
 }
 
-/// Mean and standard deviation of an ensemble's members (of the sample: divided by n - 1).
-struct Members {
-    std::vector<float> mean, spread;
-};
-Members join(const std::vector<std::vector<float>>& members) {
-    Members joined;
-    const std::size_t posts = members.front().size();
-    joined.mean.resize(posts);
-    joined.spread.resize(posts);
-    for (std::size_t n = 0; n < posts; ++n) {
-        double sum = 0, squares = 0;
-        for (const std::vector<float>& member : members) sum += double{member[n]};
-        const auto count = static_cast<double>(members.size()), mean = sum / count;
-        for (const std::vector<float>& member : members) squares += (double{member[n]} - mean) * (double{member[n]} - mean);
-        joined.mean[n] = static_cast<float>(mean);
-        joined.spread[n] = static_cast<float>(std::sqrt(squares / std::max(count - 1, 1.0)));
-    }
-    return joined;
-}
-
 class GridLayerMaker {
 public:
     GridLayerMaker(const LayerRecipe& recipe, const std::string& folder)
@@ -66,6 +47,7 @@ public:
         axes_ = sort_planes(source.planes(), choice_, file_);
         start_layer();
         order_levels();
+        if (recipe_.keep_members > 0) choose_members();
         for (const AttributeRecipe& attribute : recipe_.attributes) add(attribute);
         return std::move(layer_);
     }
@@ -143,31 +125,63 @@ private:
     /// Planes of a variable as the layer orders them, uncertainties not yet known.
     struct Planes {
         std::vector<std::vector<float>> mean, spread;
+        std::vector<Members> kept;  ///< of each plane; empty: none is kept
     };
-    Planes read_planes(const std::string& file, const std::string& variable, bool may_blend) {
+    /// `take`: called with the members of each plane, in the layer's order.
+    template <class Take>
+    void for_each_plane(const std::string& file, const std::string& variable, bool may_blend, const Take& take) {
         const GridSource source(file, variable, recipe_.crs, may_blend);
         const GridAxes axes = sort_planes(source.planes(), choice_, file);
         require_alike(source.places(), axes, variable);
-        Planes planes;
         for (std::size_t time = 0; time < axes.time_count(); ++time)
             for (const std::size_t level : order_) {
-                std::vector<std::vector<float>> members;
+                Members members;
                 for (const GridPlane& plane : axes.members[time * axes.level_count() + level])
                     members.push_back(cut(source.read(plane), places_, window_));
-                Members joined = join(members);
-                planes.mean.push_back(std::move(joined.mean));
-                planes.spread.push_back(std::move(joined.spread));
+                take(members);
             }
+    }
+    Planes read_planes(const std::string& file, const std::string& variable, bool may_blend, bool keeps_members) {
+        Planes planes;
+        for_each_plane(file, variable, may_blend, [&](const Members& members) {
+            EnsembleMean joined = mean_of(members);
+            planes.mean.push_back(std::move(joined.mean));
+            planes.spread.push_back(std::move(joined.spread));
+            if (kept_.empty() || !keeps_members) return;
+            require_members(members.size(), variable);
+            planes.kept.emplace_back();
+            for (const std::size_t n : kept_) planes.kept.back().push_back(members[n]);
+        });
         return planes;
+    }
+
+    /// By the first attribute, so that a member is the same in all.
+    void choose_members() {
+        const AttributeRecipe& first = recipe_.attributes.front();
+        std::vector<double> sums;
+        for_each_plane(file_, first.variable, is_blendable(first), [&](const Members& members) {
+            if (members_ == 0) members_ = members.size();
+            require_members(members.size(), first.variable);
+            add_to_sums(members, sums);
+        });
+        kept_ = evenly_by_rank(sums, recipe_.keep_members);
+    }
+    void require_members(std::size_t count, const std::string& variable) const {
+        if (count != members_ || count < 2)
+            throw UserError(recipe_.name + ": '" + variable + "' has " + std::to_string(count) +
+                            " members at a time and level where " + std::to_string(std::max<std::size_t>(members_, 2)) +
+                            " are needed; leave out 'keep_members'");
     }
 
     void add(const AttributeRecipe& recipe) {
         AttributeDraft attribute = bind_attribute(recipe);
-        const Planes stated = read_planes(file_, recipe.variable, is_blendable(recipe));
+        const Planes stated = read_planes(file_, recipe.variable, is_blendable(recipe), is_blendable(recipe));
         const UncertaintyRecipe& unsure = recipe.uncertainty;
         Planes levels;
         if (!unsure.variable.empty())
-            levels = read_planes(unsure.source.empty() ? file_ : source_path(folder_, unsure.source), unsure.variable, true);
+            levels =
+                read_planes(unsure.source.empty() ? file_ : source_path(folder_, unsure.source), unsure.variable, true, false);
+        if (is_blendable(recipe)) attribute.members.resize(kept_.size());
         for (std::size_t n = 0; n < stated.mean.size(); ++n) {
             PreparedPlane plane;
             plane.columns = static_cast<int>(window_.columns.size());
@@ -179,12 +193,29 @@ private:
                     bound_uncertainty(recipe, unsure.is_spread ? double{stated.spread[n][post]} : of_variable));
                 plane.states.push_back(std::isnan(plane.values.back()) ? ValueState::missing : ValueState::valid);
             }
+            const PreparedPlane bound = plane;
             prepare(plane, is_blendable(recipe));
+            for (std::size_t member = 0; member < attribute.members.size(); ++member)
+                add_member(recipe, stated.kept[n][member], bound, plane, attribute.members[member]);
             attribute.values.insert(attribute.values.end(), plane.values.begin(), plane.values.end());
             attribute.uncertainties.insert(attribute.uncertainties.end(), plane.uncertainties.begin(), plane.uncertainties.end());
             attribute.states.insert(attribute.states.end(), plane.states.begin(), plane.states.end());
         }
         layer_.attributes.push_back(std::move(attribute));
+    }
+    /// A member's plane, prepared as the mean's is: from `bound` to `mean`. Where it is not of the mean's state it is missing, so
+    /// that it can share the mean's states.
+    void add_member(const AttributeRecipe& recipe, const std::vector<float>& stated, const PreparedPlane& bound,
+                    const PreparedPlane& mean, std::vector<float>& values) const {
+        constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+        PreparedPlane plane = bound;
+        for (std::size_t post = 0; post < stated.size(); ++post) {
+            plane.values[post] = bound.states[post] == ValueState::missing ? kMissing : bound_value(recipe, double{stated[post]});
+            if (std::isnan(plane.values[post])) plane.states[post] = ValueState::missing;
+        }
+        prepare(plane, true);
+        for (std::size_t post = 0; post < stated.size(); ++post)
+            values.push_back(plane.states[post] == mean.states[post] ? plane.values[post] : kMissing);
     }
     void prepare(PreparedPlane& plane, bool may_blend) const {
         if (!may_blend) return;
@@ -199,6 +230,8 @@ private:
     GridWindow window_;
     GridAxes axes_;
     std::vector<std::size_t> order_;  ///< levels of the file by height
+    std::vector<std::size_t> kept_;   ///< members that the scene keeps
+    std::size_t members_ = 0;         ///< that there are; known where some are kept
     LayerDraft layer_;
 };
 

@@ -18,6 +18,7 @@ struct AttributeDraft {
     std::vector<float> values;                      ///< NaN where missing
     std::vector<scene::Uncertainty> uncertainties;  ///< empty: all have uncertainty_all
     std::vector<scene::ValueState> states;          ///< empty: none is interpolated
+    std::vector<std::vector<float>> members;        ///< of an ensemble, as many values each; NaN where missing
     scene::Uncertainty uncertainty_all;
     scene::UncertaintyKind uncertainty_kind = scene::UncertaintyKind::none;
     scene::UncertaintyScope uncertainty_scope = scene::UncertaintyScope::value;

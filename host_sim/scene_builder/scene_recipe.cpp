@@ -157,6 +157,10 @@ LayerRecipe read_layer(ConfigSection section) {
     layer.wind_layer = text(section, "wind_layer");
     layer.wind_time_ns = instant(section, "wind_time");
     layer.members = std::string(kMembers[section.choice("members", Texts(kMembers.data(), kMembers.size()), 0)]);
+    layer.keep_members = static_cast<std::size_t>(section.integer("keep_members", 0, scene::kMaxMembers, 0));
+    if (layer.keep_members == 1) section.fault("keep_members", "must be 0, or 2 to 16: one member alone is no ensemble");
+    if (layer.keep_members > 0 && layer.members == "none")
+        section.fault("keep_members", "needs members = \"bands\", which says where members come from");
     layer.prepare = read_preparation(section.section("prepare"));
     for (std::size_t n = 0; n < section.table_count("attribute"); ++n)
         layer.attributes.push_back(read_attribute(section.table_at("attribute", n)));

@@ -74,6 +74,7 @@ struct LayerRecipe {
     std::string wind_layer;         ///< of lines: the grid that derived wind is taken from
     std::optional<std::int64_t> wind_time_ns;  ///< at this time; else at the points' own
     std::string members;                       ///< "bands": bands of one time are members of an ensemble
+    std::size_t keep_members = 0;              ///< so many of them stay beside their mean: 0, or 2 .. kMaxMembers
     PreparationRecipe prepare;
     std::vector<AttributeRecipe> attributes;
 };

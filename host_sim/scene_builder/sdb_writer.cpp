@@ -131,16 +131,27 @@ private:
         entry.uncertainties = part(attribute.uncertainties);
         entry.states = part(attribute.states);
         entry.classes = names_part(attribute.classes);
+        entry.members = part(joined(attribute.members));
+        entry.member_count = static_cast<std::uint8_t>(attribute.members.size());
         attributes_.push_back(entry);
+    }
+    static std::vector<float> joined(const std::vector<std::vector<float>>& members) {
+        std::vector<float> all;
+        for (const std::vector<float>& member : members) all.insert(all.end(), member.begin(), member.end());
+        return all;
     }
     static void set_limits(const AttributeDraft& attribute, AttributeEntry& entry) {
         bool any = false;
-        for (const float value : attribute.values) {
-            if (std::isnan(value)) continue;
-            entry.minimum = any ? std::min(entry.minimum, value) : value;
-            entry.maximum = any ? std::max(entry.maximum, value) : value;
-            any = true;
-        }
+        const auto include = [&](const std::vector<float>& values) {
+            for (const float value : values) {
+                if (std::isnan(value)) continue;
+                entry.minimum = any ? std::min(entry.minimum, value) : value;
+                entry.maximum = any ? std::max(entry.maximum, value) : value;
+                any = true;
+            }
+        };
+        include(attribute.values);
+        for (const std::vector<float>& member : attribute.members) include(member);
     }
 
     void write_tables() {

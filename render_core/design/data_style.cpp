@@ -56,6 +56,9 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
     ground.opacity = section.number("opacity", 0, 1, ground.opacity);
     ground.shown_from = section.number("shown_from", -1e12, 1e12, ground.shown_from);
     if (section.has("height_m")) ground.height_m = section.number("height_m", -1000, 100'000);
+    ground.members = static_cast<GroundMembers>(section.choice(
+        "members", {kGroundMembersNames.data(), kGroundMembersNames.size()}, static_cast<std::size_t>(ground.members)));
+    ground.member_s = section.number("member_seconds", 0.5, 60, ground.member_s);
     read_uncertainty(section.section("uncertainty"), ground.uncertainty);
     read_overlay(section.section("overlay"), ground.overlay);
 }
@@ -64,12 +67,14 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
 
 const std::array<std::string_view, kIntrinsicUncertainties> kIntrinsicUncertaintyNames{
     "none", "transparency", "saturation", "noise", "strokes", "bivariate", "bump", "blur"};
+const std::array<std::string_view, kGroundMembers> kGroundMembersNames{"mean", "animated"};
 const std::array<std::string_view, kUncertaintyOverlays> kUncertaintyOverlayNames{"none", "fog", "grid", "contour", "halo"};
 
 void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& style) {
     if (!data.present()) return;
     style.stale_after_s = 60 * data.number("stale_after_min", 1, 100'000, style.stale_after_s / 60);
     read_ground(data.section("ground"), palettes, style.ground);
+    read_adjacent_view(data.section("adjacent"), palettes, style.adjacent);
     read_data_elements(data, palettes, style.elements);
 }
 
@@ -94,11 +99,14 @@ double detail_of(const GroundOverlay& overlay) noexcept {
     return 0;
 }
 
+double detail_of_members(std::uint32_t members) noexcept { return detail_of_gradations(std::max(members, 1u)); }
+
 GroundData at_detail(const GroundData& ground, double detail) noexcept {
     GroundData reduced = ground;
     if (!ground.is_shown) return reduced;
     const std::size_t most = gradations_of_detail(detail);
     const auto levels = static_cast<std::uint32_t>(most);
+    reduced.most_members = std::min(reduced.most_members, levels);
     if (detail_of(ground.scale) > detail) reduce_classes(reduced.scale, std::max<std::size_t>(most, 2));
     if (most < 2) {
         reduced.uncertainty.strength = reduced.overlay.strength = 0;
@@ -106,6 +114,18 @@ GroundData at_detail(const GroundData& ground, double detail) noexcept {
     }
     if (detail_of(ground.uncertainty) > detail) reduced.uncertainty.levels = levels;
     if (detail_of(ground.overlay) > detail) reduced.overlay.levels = levels;
+    return reduced;
+}
+
+AdjacentView at_detail(const AdjacentView& view, double detail) noexcept {
+    AdjacentView reduced = view;
+    const double kept = detail > 0 ? std::fmin(detail, 1) : 0;
+    if (view.is_shown && detail_of(view.scale) > kept)
+        reduce_classes(reduced.scale, std::max<std::size_t>(gradations_of_detail(kept), 2));
+    if (view.shows == AdjacentShows::members)
+        reduced.most_members = std::min(view.most_members, static_cast<std::uint32_t>(gradations_of_detail(kept)));
+    else
+        reduced.cells = std::max(kLeastCells, static_cast<std::uint32_t>(kept * static_cast<double>(view.cells)));
     return reduced;
 }
 

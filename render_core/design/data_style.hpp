@@ -1,5 +1,5 @@
 /// How spatial data and their uncertainty are shown: colours on the ground, read from the section [data.ground] of a design, and
-/// elements over it (data_element.hpp).
+/// elements over it (data_element.hpp), and views beside it (adjacent_view.hpp).
 ///
 /// Values are in the unit of the scene's attribute; an attribute in SI has SI values.
 #pragma once
@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "render_core/base/config_reader.hpp"
+#include "render_core/design/adjacent_view.hpp"
 #include "render_core/design/data_element.hpp"
 #include "render_core/design/data_scale.hpp"
 
@@ -56,6 +57,14 @@ struct GroundOverlay {
     Color color{196, 204, 212};  ///< lines are a dark shade of it over light ground, and contour and halo have a dark rim
 };
 
+/// Of a field that is the mean of an ensemble.
+enum class GroundMembers : std::uint8_t {
+    mean,
+    animated,  ///< one member after the other, and never the mean
+};
+inline constexpr std::size_t kGroundMembers = 2;
+extern const std::array<std::string_view, kGroundMembers> kGroundMembersNames;
+
 /// Colour on the ground by a field of the scene.
 struct GroundData {
     bool is_shown = false;
@@ -65,6 +74,9 @@ struct GroundData {
     double shown_from = -1e12;  ///< lower values have no colour: radar without echo, calm
     /// Of the slice, in the layer's datum; only fields with several levels ask for it. NaN: the lowest level.
     double height_m = std::numeric_limits<double>::quiet_NaN();
+    GroundMembers members = GroundMembers::mean;
+    double member_s = 2;                              ///< how long one is shown
+    std::uint32_t most_members = scene::kMaxMembers;  ///< of more, so many evenly spaced ones
     GroundUncertainty uncertainty;
     GroundOverlay overlay;
 };
@@ -72,6 +84,7 @@ struct GroundData {
 struct DataStyle {
     double stale_after_s = 1800;  ///< data older than this are said to be stale
     GroundData ground;
+    AdjacentView adjacent;
     DataElementList elements;
 };
 static_assert(std::is_trivially_copyable_v<DataStyle>);
@@ -85,9 +98,14 @@ void read_data_style(base::ConfigSection data, PaletteSource& palettes, DataStyl
 [[nodiscard]] double detail_of(const DataScale& scale) noexcept;
 [[nodiscard]] double detail_of(const GroundUncertainty& uncertainty) noexcept;
 [[nodiscard]] double detail_of(const GroundOverlay& overlay) noexcept;
+/// Of so many members one after the other or side by side, 1 .. scene::kMaxMembers.
+[[nodiscard]] double detail_of_members(std::uint32_t members) noexcept;
 /// The same look with no more than `detail` 0..1 in any of them: fewer classes (every second limit, and so on; equal steps where
-/// there were none) and gradations; below two gradations a strength of 0, which needs no other programs. 1 changes nothing.
+/// there were none), gradations and members; below two gradations a strength of 0, which needs no other programs, and one member.
+/// 1 changes nothing.
 [[nodiscard]] GroundData at_detail(const GroundData& ground, double detail) noexcept;
+/// Fewer classes likewise; of one map fewer cells, of several fewer members.
+[[nodiscard]] AdjacentView at_detail(const AdjacentView& view, double detail) noexcept;
 
 /// True when two styles need the same shader programs.
 [[nodiscard]] bool same_programs(const DataStyle& a, const DataStyle& b) noexcept;

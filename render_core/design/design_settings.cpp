@@ -194,7 +194,10 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     read_sky(root.section("sky"), design.sky);
     read_warning(root.section("warning"), design);
     read_limits(root.section("degradation"), root.section("unusual_attitude"), design);
-    read_symbology(root.section("symbology"), design.symbology);
+    ConfigSection symbology = root.section("symbology");
+    read_symbology(symbology, design.symbology);
+    if (design.data.ground.members == GroundMembers::animated && !design.symbology.legend)
+        fault_of(symbology, "legend", "must stay where members are animated: it names the one that is shown");
     if (!reader.finish()) return base::fail(reader.error());
     return design;
 }

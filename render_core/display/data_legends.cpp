@@ -211,19 +211,44 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
     return legend;
 }
 
-void add_ground_legend(const SpatialData& data, GroundDataState state, const design::DesignSettings& design,
+draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
+                                       const flight::FlightTime& time, const design::DataStyle& style) noexcept {
+    draw::DataLegend legend = legend_of(layer, attribute, time, style);
+    legend.title.append(" \xC2\xB1");
+    legend.class_names.clear();
+    const double full = static_cast<double>(attribute.entry->uncertainty_full);
+    legend.factor = full > 0 ? full : 1;
+    if (!(full > 0)) legend.unit.clear();
+    return legend;
+}
+
+base::FixedString<15> member_text(std::uint32_t member, std::uint32_t count) noexcept {
+    char text[24];
+    std::snprintf(text, sizeof text, "MEMBER %u/%u", member + 1, count);
+    return text;
+}
+
+void add_legend(const draw::DataLegend& entry, draw::DataLegends& legends) noexcept {
+    for (const draw::DataLegend& known : legends)
+        if (known.title == entry.title && known.part == entry.part && known.scale.palette.name == entry.scale.palette.name &&
+            known.scale.breaks.size() == entry.scale.breaks.size())
+            return;
+    static_cast<void>(legends.try_push_back(entry));
+}
+
+void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design,
                        const flight::FlightTime& time, draw::DataLegends& legends) noexcept {
     const scene::GridSlice* const slice = data.ground();
-    if (state != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
+    if (plan.ground != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
     const design::GroundData& ground = design.data.ground;
     const Color plain = design.terrain.style.plain, color = sample_color(ground, plain);
     draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), time, design.data);
     legend.scale = ground.scale;
+    if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
     add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
     static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));
-    // A full list has counted the refusal itself.
-    static_cast<void>(legends.try_push_back(legend));
+    add_legend(legend, legends);
 }
 
 }  // namespace tedavis::display

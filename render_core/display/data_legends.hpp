@@ -20,11 +20,21 @@ namespace tedavis::display {
 /// What counts as the least sure.
 [[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept;
 
+/// Of the uncertainty itself as a value 0..1, in its unit: "GUST ±".
+[[nodiscard]] draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
+                                                     const flight::FlightTime& time, const design::DataStyle& style) noexcept;
+
+/// "MEMBER 3/9": the legend's part of an ensemble.
+[[nodiscard]] base::FixedString<15> member_text(std::uint32_t member, std::uint32_t count) noexcept;
+
+/// Unless there is one already that says the same. A full list counts the refusal itself.
+void add_legend(const draw::DataLegend& entry, draw::DataLegends& legends) noexcept;
+
 /// True where a palette states a unit, and it is another one than the attribute's.
 [[nodiscard]] bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept;
 
 /// The colours on the ground, where they are shown.
-void add_ground_legend(const SpatialData& data, GroundDataState state, const design::DesignSettings& design,
+void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, const design::DesignSettings& design,
                        const flight::FlightTime& time, draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

@@ -6,8 +6,8 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_notes.hpp"
-#include "render_core/display/element_legends.hpp"
 #include "render_core/display/frame_notes.hpp"
+#include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -271,9 +271,9 @@ double Display::text_px() const {
 
 void Display::plan_data(const flight::FlownWay* way) {
     plan_elements(way);
-    ground_data_ = data_.plan(settings_.design.data, record_.flight_time);
-    if (ground_data_ == GroundDataState::not_asked_for) return;
-    if (ground_data_ != GroundDataState::shown) flag("ground_data.missing", record_);
+    data_plan_ = data_.plan(settings_.design.data, record_.flight_time);
+    if (data_plan_.ground == GroundDataState::not_asked_for) return;
+    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
     if (!record_.flight_time.is_date) flag("ground_data.no_date", record_);
     const scene::GridSlice* const slice = data_.ground();
     if (slice != nullptr && is_in_another_unit(settings_.design.data.ground.scale.palette, *slice->attribute()->entry))
@@ -288,6 +288,7 @@ void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
     terrain_result_ = {};
+    maps_beside_ = GroundDataState::not_asked_for;
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
     const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
@@ -299,7 +300,7 @@ void Display::draw(base::Surface& surface) {
     draw_scene(surface);
     if (!free_view_active_) draw_symbology();
     note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-                  terrain_.drape(), ground_data_, &settings_.design.data},
+                  terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_, drawn_maps_},
                  record_);
     note_elements(elements_.reports(), record_);
     note_drawn(terrain_result_, settings_.device.budget, record_);
@@ -376,13 +377,13 @@ void Display::draw_symbology() {
                      : conditions_.is_map       ? draw::SymbolGround::map
                                                 : draw::SymbolGround::perspective;
     symbology.map = make_map_input(context(), state_);
-    if (decisions_.show_terrain) {
-        add_ground_legend(data_, ground_data_, settings_.design, record_.flight_time, symbology.data_legends);
-        add_element_legends(elements_.reports(), settings_.design, record_.flight_time, symbology.data_legends);
-    }
+    if (decisions_.show_terrain)
+        maps_beside_ = add_symbology_data(
+            {data_, data_plan_, elements_.reports(), settings_.design, state_.own_ship.position, record_.flight_time}, symbology);
     const draw::Layout layout =
         draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi, draw::legend_need(symbology));
-    if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0) flag("legend.cut", record_);
+    flag_symbology_data(symbology, layout, maps_beside_, record_);
+    drawn_maps_ = maps_drawn(symbology, layout);
     draw::build_symbology(quad_drawer_.batch(), symbology, layout);
     quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }

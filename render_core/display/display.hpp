@@ -127,7 +127,9 @@ private:
     DisplayMemory memory_;
     TerrainScene terrain_;
     SpatialData data_;
-    GroundDataState ground_data_ = GroundDataState::not_asked_for;
+    SpatialDataPlan data_plan_;
+    GroundDataState maps_beside_ = GroundDataState::not_asked_for;
+    std::uint32_t drawn_maps_ = 0;  ///< where they are shown
     DataElements elements_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;

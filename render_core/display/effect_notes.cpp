@@ -62,6 +62,11 @@ void note_drape(const EffectInput& input, FrameRecord& record) {
                                                     : "removed by the failure policy");
 }
 
+void add_technique(std::string_view name, Name& technique) {
+    if (!technique.empty()) technique.append("+");
+    technique.append(name);
+}
+
 void note_ground_data(const EffectInput& input, FrameRecord& record) {
     if (input.ground_data == GroundDataState::not_asked_for) return;
     const bool shown = input.ground_data == GroundDataState::shown, runs = shown && input.decisions.show_terrain;
@@ -71,15 +76,38 @@ void note_ground_data(const EffectInput& input, FrameRecord& record) {
     const design::GroundData& ground = input.data->ground;
     record.data_aspect = {Name(ground.scale.breaks.empty() ? "ground_color" : "ground_color_classes"), detail_of(ground.scale),
                           1};
-    Name technique;
+    const bool has_members = ground.members == design::GroundMembers::animated;
+    Name technique(has_members ? "animated_members" : "");
     if (ground.uncertainty.technique != design::IntrinsicUncertainty::none)
-        technique.append(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(ground.uncertainty.technique)]);
-    if (ground.overlay.technique != design::UncertaintyOverlay::none) {
-        if (!technique.empty()) technique.append("+");
-        technique.append(design::kUncertaintyOverlayNames[static_cast<std::size_t>(ground.overlay.technique)]);
-    }
-    if (!technique.empty())
-        record.uncertainty_aspect = {technique, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay)), 1};
+        add_technique(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(ground.uncertainty.technique)], technique);
+    if (ground.overlay.technique != design::UncertaintyOverlay::none)
+        add_technique(design::kUncertaintyOverlayNames[static_cast<std::size_t>(ground.overlay.technique)], technique);
+    if (technique.empty()) return;
+    const double of_members = has_members ? design::detail_of_members(input.members) : 0;
+    record.uncertainty_aspect = {technique,
+                                 std::fmax(of_members, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay))), 1};
+}
+
+std::string_view reason_of_maps(const EffectInput& input) {
+    if (!input.decisions.show_terrain || input.decisions.unusual_attitude) return "removed by the failure policy";
+    if (input.adjacent == GroundDataState::not_asked_for) return "a free view has no symbology";
+    if (input.adjacent == GroundDataState::shown && input.adjacent_maps == 0)
+        return "there is no room beside the symbology and the legends";
+    return reason_of(input.adjacent);
+}
+
+void note_adjacent(const EffectInput& input, FrameRecord& record) {
+    if (input.data == nullptr || !input.data->adjacent.is_shown) return;
+    const bool runs = input.adjacent == GroundDataState::shown && input.adjacent_maps > 0;
+    note(record, "adjacent", run_or_skipped(runs), reason_of_maps(input));
+    const design::AdjacentShows shows = input.data->adjacent.shows;
+    if (!runs || shows == design::AdjacentShows::value) return;
+    const bool has_members = shows == design::AdjacentShows::members;
+    AspectRecord& aspect = record.uncertainty_aspect;
+    add_technique(has_members ? "adjacent_members" : "adjacent_map", aspect.technique);
+    aspect.detail = std::fmax(
+        aspect.detail, has_members ? design::detail_of_members(input.adjacent_maps) : detail_of(input.data->adjacent.scale));
+    aspect.weight = 1;
 }
 
 void state_terrain_aspect(const EffectInput& input, AspectRecord& aspect) {
@@ -102,6 +130,7 @@ void note_effects(const EffectInput& input, FrameRecord& record) {
     note_sun(input, record);
     note_drape(input, record);
     note_ground_data(input, record);
+    note_adjacent(input, record);
     state_terrain_aspect(input, record.terrain_aspect);
 }
 

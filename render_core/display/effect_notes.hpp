@@ -20,6 +20,9 @@ struct EffectInput {
     DrapeState drape = DrapeState::not_asked_for;
     GroundDataState ground_data = GroundDataState::not_asked_for;
     const design::DataStyle* data = nullptr;  ///< null: none is asked for
+    std::uint32_t members = 0;                ///< of the ground's ensemble, that are shown one after the other
+    GroundDataState adjacent = GroundDataState::not_asked_for;
+    std::uint32_t adjacent_maps = 0;  ///< that are drawn; 0 where they have no room
 };
 
 /// Appends to the record's effects and states its aspects.

@@ -39,19 +39,6 @@ void add_fading(const design::DataElement& element, const scene::AttributeEntry&
     static_cast<void>(legend.uncertainty.try_push_back(sample_of("UNKNOWN", faded)));
 }
 
-bool is_there(const draw::DataLegends& legends, const draw::DataLegend& entry) {
-    for (const draw::DataLegend& known : legends)
-        if (known.title == entry.title && known.scale.palette.name == entry.scale.palette.name &&
-            known.scale.breaks.size() == entry.scale.breaks.size())
-            return true;
-    return false;
-}
-
-/// A full list has counted the refusal itself.
-void add(const draw::DataLegend& entry, draw::DataLegends& legends) {
-    if (!is_there(legends, entry)) static_cast<void>(legends.try_push_back(entry));
-}
-
 void add_colors(const ElementReport& report, const design::ColorEncoding& encoding, const LegendFrame& frame,
                 draw::DataLegends& legends) {
     if (!encoding.is_used()) return;
@@ -61,22 +48,17 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     legend.scale = encoding.scale;
     add_fading(*report.element, *attribute->entry, frame.design.terrain.style.plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
-    add(legend, legends);
+    add_legend(legend, legends);
 }
 
 void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& frame, draw::DataLegends& legends) {
     if (!is_glyph_uncertainty(report.element->uncertainty) || report.slot == GlyphElements::kSlots) return;
     const scene::Attribute* const attribute = draw::glyph_attribute(*report.element, *report.layer);
     if (attribute == nullptr) return;
-    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design.data);
-    legend.title.append(" \xC2\xB1");
-    legend.class_names.clear();
+    draw::DataLegend legend = uncertainty_legend_of(*report.layer, *attribute, frame.time, frame.design.data);
     legend.scale = uncertainty_scale(*report.element);
-    const double full = static_cast<double>(attribute->entry->uncertainty_full);
-    legend.factor = full > 0 ? full : 1;
-    if (!(full > 0)) legend.unit.clear();
     static_cast<void>(legend.signs.try_push_back(sample_of("UNKNOWN", draw::GlyphStyle().unknown)));
-    add(legend, legends);
+    add_legend(legend, legends);
 }
 
 }  // namespace

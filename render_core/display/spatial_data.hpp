@@ -22,11 +22,22 @@ enum class GroundDataState : std::uint8_t {
     no_such_layer,
     no_such_attribute,
     too_large,    ///< the layer is no grid, or has more posts than the device has room for
+    no_members,   ///< the attribute is no ensemble whose members the scene holds
     out_of_date,  ///< the data's validity has ended, or has not begun
     shown,
 };
+/// Whether a layer's data hold at a time.
+[[nodiscard]] bool is_valid_at(const scene::Layer& layer, std::int64_t time_ns) noexcept;
+/// The height that a design asks for, else the lowest level.
+[[nodiscard]] double height_or_lowest_m(double height_m, const scene::Layer& layer) noexcept;
 /// For records: "the scene has no such layer".
 [[nodiscard]] const char* reason_of(GroundDataState state) noexcept;
+
+struct SpatialDataPlan {
+    GroundDataState ground = GroundDataState::not_asked_for;
+    std::uint32_t member = scene::kMean;  ///< of the ensemble, that colours the ground
+    std::uint32_t members = 0;            ///< that do so one after the other
+};
 
 /// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
 [[nodiscard]] std::string_view scene_fault(std::string_view sentence) noexcept;
@@ -48,7 +59,7 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
 
     /// What colours the ground from here on, or why nothing does.
-    [[nodiscard]] GroundDataState plan(const design::DataStyle& design, const flight::FlightTime& time);
+    [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, const flight::FlightTime& time);
     /// True once after the texels of the ground, or whether there are any, have changed.
     [[nodiscard]] bool take_change();
     /// What colours the ground; null for nothing.
@@ -56,6 +67,9 @@ public:
 
 private:
     [[nodiscard]] GroundDataState choose(const design::GroundData& ground);
+    [[nodiscard]] scene::SliceMoment moment_at(const flight::FlightTime& time, const design::GroundData& ground) const;
+    [[nodiscard]] std::uint32_t members_shown(const design::GroundData& ground) const;
+    void prepare_next(const flight::FlightTime& time, const design::GroundData& ground);
     void show(bool shown);
 
     base::Arena rooms_[2];

@@ -59,17 +59,17 @@ SliceRange GridSlice::range() const {
     return {double{attribute_->entry->minimum}, double{attribute_->entry->maximum}};
 }
 
-void GridSlice::Sheet::begin(double height, std::int64_t time) {
-    height_m = height;
-    time_ns = time;
+void GridSlice::Sheet::begin(const SliceMoment& other) {
+    moment = other;
     rows = 0;
     is_begun = true;
 }
 
 void GridSlice::make(Sheet& sheet, std::uint32_t most_rows) const {
-    const GridField field(*layer_, *attribute_);
-    const AxisPlace level = field.level_at(sheet.height_m), time = field.time_at(sheet.time_ns);
-    const base::Duration age = field.age(sheet.time_ns);
+    const Attribute shown = sheet.moment.member == kMean ? *attribute_ : attribute_->member(sheet.moment.member);
+    const GridField field(*layer_, shown);
+    const AxisPlace level = field.level_at(sheet.moment.height_m), time = field.time_at(sheet.moment.time_ns);
+    const base::Duration age = field.age(sheet.moment.time_ns);
     const std::uint32_t across = columns(), end = sheet.rows + std::min(most_rows, rows() - sheet.rows);
     for (; sheet.rows < end; ++sheet.rows)
         for (std::uint32_t i = 0; i < across; ++i)
@@ -77,17 +77,17 @@ void GridSlice::make(Sheet& sheet, std::uint32_t most_rows) const {
                 texel_of(field.at_post(i, sheet.rows, level, time, age), range());
 }
 
-bool GridSlice::show(double height_m, std::int64_t time_ns) {
-    if (layer_ == nullptr || shown_.is_of(height_m, time_ns)) return false;
-    if (!next_.is_of(height_m, time_ns)) next_.begin(height_m, time_ns);
+bool GridSlice::show(const SliceMoment& moment) {
+    if (layer_ == nullptr || shown_.is_of(moment)) return false;
+    if (!next_.is_of(moment)) next_.begin(moment);
     make(next_, rows());
     std::swap(shown_, next_);
     return true;
 }
 
-void GridSlice::prepare(double height_m, std::int64_t time_ns, std::uint32_t rows) {
+void GridSlice::prepare(const SliceMoment& moment, std::uint32_t rows) {
     if (layer_ == nullptr) return;
-    if (!next_.is_of(height_m, time_ns)) next_.begin(height_m, time_ns);
+    if (!next_.is_of(moment)) next_.begin(moment);
     make(next_, rows);
 }
 

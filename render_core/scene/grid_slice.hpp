@@ -1,5 +1,5 @@
-/// A grid field at one height and one time as texels, for colour on the ground: made a few rows at a time, so that a change of
-/// time or of height stalls no frame.
+/// A grid field, or one member of its ensemble, at one height and one time as texels, for colour on the ground: made a few rows
+/// at a time, so that a change of time or of height stalls no frame.
 ///
 /// A texel is a post: its value in 16 bits between the attribute's limits (a 65,535th of them is less than any step of a colour
 /// scale shows), its uncertainty (Uncertainty::code) and its state.
@@ -27,6 +27,20 @@ struct SliceRange {
 [[nodiscard]] SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept;
 [[nodiscard]] double value_of(const SliceTexel& texel, const SliceRange& range) noexcept;
 
+/// In place of a member's number.
+inline constexpr std::uint32_t kMean = UINT32_MAX;
+
+/// What of a field is shown.
+struct SliceMoment {
+    double height_m = 0;
+    std::int64_t time_ns = 0;
+    std::uint32_t member = kMean;  ///< below the attribute's member_count()
+
+    friend bool operator==(const SliceMoment& a, const SliceMoment& b) {
+        return a.height_m == b.height_m && a.time_ns == b.time_ns && a.member == b.member;
+    }
+};
+
 class GridSlice {
 public:
     /// Room for grids of `most_posts` in one slice.
@@ -37,10 +51,10 @@ public:
     /// outlive the slice, or forget() be called.
     [[nodiscard]] bool set_field(const Layer& layer, const Attribute& attribute);
     void forget();
-    /// The slice at a height and a time; after set_field(). True when the texels are others than before.
-    [[nodiscard]] bool show(double height_m, std::int64_t time_ns);
+    /// The slice of a moment; after set_field(). True when the texels are others than before.
+    [[nodiscard]] bool show(const SliceMoment& moment);
     /// Goes on with at most `rows` rows of the slice that show() will ask for next.
-    void prepare(double height_m, std::int64_t time_ns, std::uint32_t rows);
+    void prepare(const SliceMoment& moment, std::uint32_t rows);
 
     [[nodiscard]] bool has_texels() const { return shown_.is_whole(rows()); }
     [[nodiscard]] std::uint32_t columns() const { return layer_ == nullptr ? 0 : layer_->entry->grid.columns; }
@@ -54,16 +68,13 @@ public:
 private:
     struct Sheet {
         base::Span<SliceTexel> texels;
-        double height_m = 0;
-        std::int64_t time_ns = 0;
+        SliceMoment moment;
         std::uint32_t rows = 0;  ///< that are made
         bool is_begun = false;
 
         [[nodiscard]] bool is_whole(std::uint32_t all) const { return is_begun && rows == all; }
-        [[nodiscard]] bool is_of(double height, std::int64_t time) const {
-            return is_begun && height_m == height && time_ns == time;
-        }
-        void begin(double height, std::int64_t time);
+        [[nodiscard]] bool is_of(const SliceMoment& other) const { return is_begun && moment == other; }
+        void begin(const SliceMoment& other);
     };
     void make(Sheet& sheet, std::uint32_t most_rows) const;
 

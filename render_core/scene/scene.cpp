@@ -39,6 +39,13 @@ base::FaultText describe(const SdbFailure& failure) noexcept {
     return base::fault_text(to_string(failure.error), failure.offset, remedy(failure.error));
 }
 
+Attribute Attribute::member(std::uint32_t number) const {
+    Attribute one = *this;
+    one.values = {members.data() + values.size() * number, values.size()};
+    one.members = {};
+    return one;
+}
+
 ValueState Attribute::state(std::size_t n) const {
     if (values[n] != values[n]) return ValueState::missing;
     return states.empty() ? ValueState::valid : states[n];

@@ -35,7 +35,12 @@ struct Attribute {
     base::Span<const Uncertainty> uncertainties;  ///< empty: all alike
     base::Span<const ValueState> states;          ///< empty: valid where there is a value
     base::Span<const char> classes;
+    base::Span<const float> members;
 
+    [[nodiscard]] std::uint32_t member_count() const { return entry->member_count; }
+    /// One course of an ensemble, 0 .. member_count() - 1: its values with the states and uncertainties of the mean, which are
+    /// the ensemble's.
+    [[nodiscard]] Attribute member(std::uint32_t number) const;
     [[nodiscard]] ValueState state(std::size_t n) const;
     /// As stated, without age. Unknown where the value is missing.
     [[nodiscard]] Uncertainty uncertainty(std::size_t n) const;

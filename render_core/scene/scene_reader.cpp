@@ -128,10 +128,12 @@ SdbFailure SceneReader::read_attribute(const AttributeEntry& entry, Attribute& a
         read_part(entry.uncertainties, entry.value_count, true, attribute.uncertainties),
         read_part(entry.states, entry.value_count, true, attribute.states),
         read_part(entry.classes, std::uint64_t{entry.class_count} * kNameBytes, true, attribute.classes),
+        read_part(entry.members, entry.value_count * entry.member_count, false, attribute.members),
     };
     for (const SdbFailure& failure : failures)
         if (failure.error != SdbError::none) return failure;
     if (!values_hold(attribute.values, entry)) return damaged(entry.values.offset);
+    if (!values_hold(attribute.members, entry)) return damaged(entry.members.offset);
     if (!states_hold(attribute.states)) return damaged(entry.states.offset);
     return names_hold(attribute.classes) ? SdbFailure{} : damaged(entry.classes.offset);
 }

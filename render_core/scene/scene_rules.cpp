@@ -70,8 +70,11 @@ bool entry_holds(const AttributeEntry& e, const LayerEntry& layer) {
     const bool classes = is_classed ? e.class_count >= 1 && e.class_count <= kMaxClasses : e.class_count == 0;
     const bool limits = within(e.minimum, -kLargestValue, e.maximum) && within(e.maximum, e.minimum, kLargestValue) &&
                         within(e.uncertainty_full, 0, kLargestValue) && within(e.uncertainty_growth_per_hour, 0, kLargestValue);
+    // A mean of classes is none.
+    const bool members = e.member_count == 0 ||
+                         (!is_classed && e.member_count >= 2 && e.member_count <= kMaxMembers && layer.shape == LayerShape::grid);
     const std::uint64_t values = e.of == AttributeOf::feature ? layer.feature_count : layer.point_count;
-    return texts && kinds && classes && limits && e.value_count == values;
+    return texts && kinds && classes && limits && members && e.value_count == values;
 }
 
 bool points_hold(base::Span<const ScenePoint> points) {

@@ -20,10 +20,11 @@
 namespace tedavis::scene {
 
 inline constexpr char kSdbMagic[8] = {'T', 'E', 'D', 'A', 'S', 'D', 'B', '\n'};
-inline constexpr std::uint32_t kSdbVersion = 1;
+inline constexpr std::uint32_t kSdbVersion = 2;
 inline constexpr std::uint32_t kMaxLayers = 32;
 inline constexpr std::uint32_t kMaxAttributes = 96;
 inline constexpr std::uint32_t kMaxClasses = 16;
+inline constexpr std::uint32_t kMaxMembers = 16;  ///< of an ensemble, beside its mean
 inline constexpr std::int64_t kNoTime = INT64_MIN;
 
 /// What features are made of.
@@ -155,7 +156,7 @@ struct AttributeEntry {
     UncertaintyKind uncertainty_kind;
     UncertaintyScope uncertainty_scope;
     std::uint32_t class_count;          ///< nominal and ordinal: values are 0..class_count-1
-    float minimum, maximum;             ///< of values that are not missing; both 0 where there are none
+    float minimum, maximum;             ///< of values and members that are not missing; both 0 where there are none
     float uncertainty_full;             ///< in the unit (percent: a part of 100): what counts as 1
     float uncertainty_growth_per_hour;  ///< of the level, by the data's age
     std::uint64_t value_count;
@@ -163,9 +164,11 @@ struct AttributeEntry {
     ScenePart uncertainties;  ///< Uncertainty; none: all are `uncertainty_all`
     ScenePart states;         ///< ValueState; none: valid where a value is
     ScenePart classes;        ///< char[kNameBytes] x class_count
+    ScenePart members;        ///< float x value_count x member_count, one member after the other; NaN where missing
     Uncertainty uncertainty_all;
-    std::uint8_t reserved[7];
+    std::uint8_t member_count;  ///< possible courses of what the values are the mean of; 0, or 2 .. kMaxMembers
+    std::uint8_t reserved[6];
 };
-static_assert(std::is_trivially_copyable_v<AttributeEntry> && sizeof(AttributeEntry) == 192);
+static_assert(std::is_trivially_copyable_v<AttributeEntry> && sizeof(AttributeEntry) == 216);
 
 }  // namespace tedavis::scene

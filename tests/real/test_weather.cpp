@@ -3,7 +3,9 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "host_sim/scene_builder/grid_layer.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
@@ -95,6 +97,43 @@ TEST(Weather, EcmwfEnsembleAsMeanAndSpread) {
     EXPECT_NEAR(double{gust.values[post]}, mean, 1e-4);
     EXPECT_NEAR(gust.uncertainties[post].level(), std::fmin(spread / 10, 1), 1.5 / 254);
     EXPECT_GT(spread, 0.3);
+}
+
+/// Of 51 members nine stay: by sums over the file's own bands, whose members come in one order at each time.
+TEST(Weather, EcmwfEnsembleKeepsMembersFromTheLeastToTheGreatest) {
+    LayerRecipe recipe;
+    recipe.name = "gust";
+    recipe.source = "ens_storm.grib";
+    recipe.members = "bands";
+    recipe.levels = {0};
+    recipe.attributes = {attribute("gust", "")};
+    recipe.keep_members = 9;
+    const LayerDraft layer = make_grid_layer(recipe, kFolder);
+    const AttributeDraft& gust = layer.attributes[0];
+    ASSERT_EQ(gust.members.size(), 9u);
+
+    const host_sim::GdalDataset file(GDALDataset::Open((kFolder + "/" + recipe.source).c_str(), GDAL_OF_RASTER));
+    ASSERT_NE(file, nullptr);
+    std::vector<std::vector<float>> all(51);  // time by time
+    for (const std::int64_t time_ns : layer.times_ns) {
+        std::size_t member = 0;
+        for (int b = 1; b <= file->GetRasterCount(); ++b) {
+            GDALRasterBand& band = *file->GetRasterBand(b);
+            if (std::string(band.GetMetadataItem("GRIB_VALID_TIME")) != std::to_string(time_ns / 1'000'000'000) ||
+                std::string(band.GetMetadataItem("GRIB_SHORT_NAME")) != "0-SFC")
+                continue;
+            std::vector<float> values(48 * 31);
+            ASSERT_EQ(band.RasterIO(GF_Read, 0, 0, 48, 31, values.data(), 48, 31, GDT_Float32, 0, 0), CE_None);
+            ASSERT_LT(member, all.size());
+            all[member].insert(all[member].end(), values.begin(), values.end());
+            ++member;
+        }
+        EXPECT_EQ(member, 51u);
+    }
+    const auto sum = [](const std::vector<float>& member) { return std::accumulate(member.begin(), member.end(), 0.0); };
+    std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return sum(a) < sum(b); });
+    for (std::size_t n = 0; n < 9; ++n)
+        EXPECT_EQ(gust.members[n], all[static_cast<std::size_t>(std::lround(static_cast<double>(n) * 50 / 8))]) << n;
 }
 
 TEST(Weather, OperaRadarWithItsQuality) {

@@ -102,7 +102,7 @@ struct GroundDrawing {
     }
     void show(const LoadedScene& loaded) {
         EXPECT_TRUE(slice.set_field(loaded.layer(), loaded.attribute()));
-        EXPECT_TRUE(slice.show(0, 0));
+        EXPECT_TRUE(slice.show({0, 0}));
         EXPECT_TRUE(drawing.set_ground_data(&slice));
         picture = drawing.draw(input, 0.1);
     }

@@ -38,6 +38,18 @@ inline host_sim::LayerDraft small_grid() {
     return layer;
 }
 
+/// The same of an ensemble: n members, (m - (n - 1) / 2) * 10 apart from their mean, which is the value.
+inline host_sim::LayerDraft small_ensemble(int members = 3) {
+    host_sim::LayerDraft layer = small_grid();
+    host_sim::AttributeDraft& temperature = layer.attributes[0];
+    for (int m = 0; m < members; ++m) {
+        std::vector<float> values = temperature.values;
+        for (float& value : values) value += 10 * (static_cast<float>(m) - static_cast<float>(members - 1) / 2);
+        temperature.members.push_back(values);
+    }
+    return layer;
+}
+
 /// Three masts, with a height and a kind.
 inline host_sim::LayerDraft small_points() {
     host_sim::LayerDraft layer;

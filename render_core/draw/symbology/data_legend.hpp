@@ -42,6 +42,7 @@ inline constexpr std::size_t kMaxLegendSamples = 6;
 
 struct DataLegend {
     base::FixedString<31> title;
+    base::FixedString<15> part;  ///< what of it is shown: "MEMBER 3/9"; empty: all
     base::FixedString<15> unit;  ///< as written; empty: a plain number or a class
     design::DataScale scale;
     double factor = 1;  ///< written number of one of the scale's
@@ -67,7 +68,7 @@ enum class LegendDetail : std::uint8_t {
     without_signs,     ///< and
     uncertainty_line,  ///< what the uncertainty looks like in one line
     scale_and_time,    ///< and
-    scale,             ///< title, unit and scale; a stale one's title is amber
+    scale,             ///< title, part in its row, unit and scale; a stale one's title is amber
 };
 inline constexpr std::size_t kLegendDetails = 7;
 

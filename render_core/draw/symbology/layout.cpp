@@ -31,10 +31,26 @@ float text_size(float width, float height, double dpi) {
     return std::min({std::max(ordinary, legible), width / kTextsAcrossWidth, height / kTextsAcrossHeight});
 }
 
+/// The foot of the legends' column, as large as what the legends need at least lets it be.
+void add_adjacent(Layout& layout, const LegendNeed& need) {
+    const float t = layout.text_px, gap = kGap * t;
+    const float foot = layout.baro_setting.bottom(), width = layout.legend.width / t;
+    const float for_data = need.data.entries > 0 ? need.data.shortest * t + gap : 0;
+    const float room = foot - layout.legend.y - need.terrain_least * t - for_data - gap;
+    for (std::uint32_t across = maps_across(need.adjacent, width); across <= kMostMapsAcross; ++across) {
+        const float height = adjacent_height(need.adjacent.maps, across, width) * t;
+        if (height > room) continue;
+        layout.adjacent = {layout.legend.x, foot - height, layout.legend.width, height};
+        layout.legend.height = std::min(layout.legend.height, layout.adjacent.y - gap - layout.legend.y);
+        return;
+    }
+}
+
 /// Parts the legend's column between terrain above and data below; what does not fit gets room from the attitude.
 void add_data_legends(Layout& layout, const LegendNeed& need) {
     const float t = layout.text_px, gap = kGap * t;
-    const Rect column{layout.legend.x, layout.legend.y, layout.legend.width, layout.baro_setting.bottom() - layout.legend.y};
+    const float foot = layout.adjacent.empty() ? layout.baro_setting.bottom() : layout.adjacent.y - gap;
+    const Rect column{layout.legend.x, layout.legend.y, layout.legend.width, foot - layout.legend.y};
     const float above = need.terrain_most > 0 ? gap : 0, room = column.height - above, whole = need.data.whole * t;
     const bool is_wide = layout.screen.width >= kTextsForSecondColumn * t;
     // With a second column there is no need for the terrain's to give way.
@@ -45,7 +61,7 @@ void add_data_legends(Layout& layout, const LegendNeed& need) {
     layout.data_legends[0] = {column.x, column.y + terrain + above, column.width, data};
     if (data >= whole) return;
     if (is_wide) {
-        layout.data_legends[1] = {column.right() + gap, column.y, column.width, column.height};
+        layout.data_legends[1] = {column.right() + gap, column.y, column.width, layout.baro_setting.bottom() - column.y};
         const float right = layout.attitude.right();
         layout.attitude.x = layout.data_legends[1].right() + gap;
         layout.attitude.width = right - layout.attitude.x;
@@ -81,6 +97,7 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const 
 
     layout.ground_height = {margin, bottom_row, kAirspeedWidth * t, kBottomRow * t};
     layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};
+    if (need.adjacent.maps > 0) add_adjacent(layout, need);
     if (need.data.entries > 0) add_data_legends(layout, need);
     const float half = std::min(w / 2 - layout.attitude.x, layout.attitude.right() - w / 2);
     layout.heading = {w / 2 - half, bottom_row, 2 * half, kBottomRow * t};

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "render_core/draw/rect.hpp"
+#include "render_core/draw/symbology/adjacent_plan.hpp"
 
 namespace tedavis::draw {
 
@@ -23,6 +24,7 @@ struct DataLegendNeed {
 struct LegendNeed {
     float terrain_most = 0, terrain_least = 0;  ///< 0: there is none
     DataLegendNeed data;
+    AdjacentNeed adjacent;
 };
 
 inline constexpr std::size_t kDataLegendAreas = 2;
@@ -45,6 +47,9 @@ struct Layout {
     /// Legends of data: the foot of the column of the legend, down to the last row; then, where these are too many for it, a
     /// column beside it, or on screens that are too narrow a row below the attitude. Empty where there is no need.
     std::array<Rect, kDataLegendAreas> data_legends{};
+    /// Maps beside the picture: below all legends in their column. Empty where there is no need, or no room beside the shortest
+    /// legends and the least of the terrain's.
+    Rect adjacent;
 };
 static_assert(std::is_trivially_copyable_v<Layout>);
 

@@ -237,8 +237,10 @@ private:
 }  // namespace
 
 LegendNeed legend_need(const SymbologyInput& input) noexcept {
-    if (!input.shown.legend || input.decisions.unusual_attitude) return {};
     LegendNeed need;
+    if (input.decisions.unusual_attitude) return need;
+    need.adjacent = adjacent_need(input.adjacent);
+    if (!input.shown.legend) return need;
     if (input.legend.ground) {
         need.terrain_most = LegendBuilder::height(input.legend, kTallestBar);
         need.terrain_least = LegendBuilder::height(input.legend, kShortestBar);

@@ -44,6 +44,9 @@ float scale_height(const DataLegend& legend, LegendDetail detail) {
     return 2 * kEnds + (classes < 2 ? kContinuous : std::min(kClass * classes, kMostUpright));
 }
 
+/// The shortest entries are all of one height, for rows of them.
+bool has_part_row(const DataLegend& legend, LegendDetail detail) { return !legend.part.empty() && detail < LegendDetail::scale; }
+
 /// Rows under the scale.
 struct Rows {
     bool time = false, age = false, line = false, source = false;
@@ -129,6 +132,7 @@ public:
     void build(std::size_t cut) {
         painter_.batch().box(box_, kTapeGround);
         build_title(cut);
+        if (has_part_row(legend_, detail_)) build_centred(legend_.part.view(), false);
         if (named_classes(legend_, detail_) > 0)
             build_names();
         else if (detail_ == LegendDetail::whole)
@@ -154,7 +158,12 @@ private:
             at.width -= 1.2f * t_;
             painter_.plate({at.right(), at.y, 1.2f * t_, at.height}, more.view(), kText, kCautionColor);
         }
-        base::FixedString<47> text(legend_.title.view());
+        base::FixedString<63> text;
+        if (!legend_.part.empty() && !has_part_row(legend_, detail_)) {
+            text.append(legend_.part.view());
+            text.append(" ");
+        }
+        text.append(legend_.title.view());
         if (!legend_.unit.empty()) text.append(" ");
         text.append(legend_.unit.view());
         painter_.plate(at, text.view(), 0.75f, legend_.is_stale ? kCautionColor : kScaleColor);
@@ -318,8 +327,8 @@ private:
 }  // namespace
 
 float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept {
-    return kTitle + scale_height(legend, detail) + kRow * static_cast<float>(rows_of(legend, detail).count()) + kPad +
-           kLegendEntryGap;
+    return kTitle + (has_part_row(legend, detail) ? kRow : 0) + scale_height(legend, detail) +
+           kRow * static_cast<float>(rows_of(legend, detail).count()) + kPad + kLegendEntryGap;
 }
 
 void build_legend_entry(const Painter& painter, const DataLegend& legend, LegendDetail detail, const Rect& box, std::size_t cut) {

@@ -20,6 +20,7 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     if (input.shown.air) build_air(painter, input);
     if (input.shown.phase) build_phase(painter, input);
     if (input.shown.legend) build_legend(painter, input);
+    if (!input.decisions.unusual_attitude) build_adjacent_maps(painter, input);
     build_notices(painter, input);  // no design can switch these off
 }
 

@@ -12,7 +12,7 @@
 namespace tedavis::draw {
 
 /// Upper bounds over all inputs, tested; what a batch needs so that nothing is refused.
-inline constexpr std::size_t kSymbologyVertices = 12288;
+inline constexpr std::size_t kSymbologyVertices = 14592;
 inline constexpr std::size_t kSymbologyIndices = kSymbologyVertices * 3 / 2;
 
 /// Everything that the design shows, in the order in which it covers. Clears the batch first.

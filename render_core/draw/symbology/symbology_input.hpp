@@ -7,6 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/display_decisions.hpp"
+#include "render_core/draw/symbology/adjacent_maps.hpp"
 #include "render_core/draw/symbology/data_legend.hpp"
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/flight/aircraft_state.hpp"
@@ -67,6 +68,7 @@ struct SymbologyInput {
     base::Duration wind_age, temperature_age;  ///< of the older of the wind's two signals
     LegendInput legend;
     DataLegends data_legends;
+    AdjacentInput adjacent;
     SymbolGround over = SymbolGround::perspective;
     MapInput map;
     double velocity_north_mps = 0, velocity_east_mps = 0, velocity_up_mps = 0;

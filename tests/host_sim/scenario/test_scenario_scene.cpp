@@ -58,11 +58,12 @@ const AttributeDraft& attribute_of(const LayerDraft& layer, const std::string& n
 TEST(ScenarioScene, HoldsTheSceneFileWithTheWeatherInPlaceOfItsOwn) {
     const MadeScene scene = made(shipped(), 1);
     const std::vector<std::string> names = names_of(scene.draft);
-    EXPECT_THAT(names, IsSupersetOf({"wind", "storm", "radar", "flight", "no_go", "obstacles", "places", "traffic"}));
+    EXPECT_THAT(names, IsSupersetOf({"wind", "storm", "radar", "gusts", "flight", "no_go", "obstacles", "places", "traffic"}));
     for (const std::string& name : names) EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
     EXPECT_EQ(scene.draft.origin, kGeneratedOrigin);
     EXPECT_EQ(scene.draft.name, "default");
-    for (const char* name : {"wind", "storm", "radar", "flight"}) EXPECT_EQ(layer_of(scene.draft, name).source, kGeneratedOrigin);
+    for (const char* name : {"wind", "storm", "radar", "gusts", "flight"})
+        EXPECT_EQ(layer_of(scene.draft, name).source, kGeneratedOrigin);
     EXPECT_EQ(layer_of(scene.draft, "wind").times_ns.size(), 3u);
     EXPECT_EQ(layer_of(scene.draft, "storm").feature_count(), 3u);
 }
@@ -164,7 +165,9 @@ TEST(ScenarioScene, NeedsNeitherSceneFileNorWeather) {
     scenario.weather = shipped().weather;
     scenario.weather->storm.cells = 0;
     const SceneDraft calm = made(scenario, 1).draft;
-    EXPECT_THAT(names_of(calm), ElementsAre("flight", "wind", "storm", "radar"));
+    EXPECT_THAT(names_of(calm), ElementsAre("flight", "wind", "storm", "radar", "gusts"));
+    scenario.weather->gust.members = 0;
+    EXPECT_THAT(names_of(made(scenario, 1).draft), ElementsAre("flight", "wind", "storm", "radar"));
     EXPECT_FALSE(sdb_bytes(calm).empty());
 }
 

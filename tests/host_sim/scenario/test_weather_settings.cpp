@@ -48,6 +48,20 @@ TEST(WeatherSettings, AreReadInSiUnits) {
     EXPECT_EQ(weather.radar_range_m, 17000);
 }
 
+TEST(WeatherSettings, GustsMayBeLeftOutButAreAnEnsemble) {
+    const auto read = [](const std::string& more) {
+        base::ConfigReader reader(kWeather + more, "w.toml");
+        return read_weather(reader.root()).gust;
+    };
+    EXPECT_EQ(read("").members, 0);
+    EXPECT_EQ(read("gust_members = 16\ngust_spread_mps = 1.5\n").members, 16);
+    EXPECT_EQ(read("gust_members = 16\ngust_spread_mps = 1.5\n").spread_mps, 1.5);
+    const std::string last = "radar_range_m = 17000";
+    EXPECT_NE(fault_of(last, last + "\ngust_members = 1").find("one member alone"), std::string::npos);
+    EXPECT_NE(fault_of(last, last + "\ngust_members = 17").find("gust_members"), std::string::npos);
+    EXPECT_NE(fault_of(last, last + "\ngust_members = 3").find("gust_spread_mps"), std::string::npos) << "is then needed";
+}
+
 TEST(WeatherSettings, NameTheLineOfAFault) {
     EXPECT_EQ(fault_of("storm_cells = 3", "storm_cells = 3"), "");
     EXPECT_EQ(fault_of("storm_cells = 3", "storm_cells = -1").rfind("w.toml:4: ", 0), 0u);

@@ -98,6 +98,60 @@ TEST_F(GridLayerOfFiles, MembersBecomeMeanAndSpread) {
     EXPECT_NEAR(layer.attributes[0].uncertainties[0].level(), 5000 / std::sqrt(2) / 10000, 1.0 / 254) << "divided by n - 1";
 }
 
+TEST_F(GridLayerOfFiles, KeptMembersAreThoseOfTheFileByTheRankOfTheirMean) {
+    RasterFile raster;
+    raster.bands = 5;
+    raster.more = [](int band) { return 5000.0 * (band - 1); };
+    raster.no_data = -1;
+    raster.value = [](int i, int j) { return i == 4 && j == 4 ? -1.0 : 40.0 + i; };
+    write(raster);
+    recipe_.attributes[0].variable = "";
+    recipe_.attributes[0].factor = -2;  // so that ranks are of what the file states, whatever becomes of it
+    recipe_.members = "bands";
+    EXPECT_TRUE(make().attributes[0].members.empty()) << "none is kept that is not asked for";
+    recipe_.keep_members = 3;
+    const AttributeDraft value = make().attributes[0];
+    ASSERT_EQ(value.members.size(), 3u);
+    for (std::size_t post = 0; post < 300; ++post)
+        for (std::size_t n = 0; n < 3; ++n) {
+            const float member = value.members[n][post];
+            if (post == 84)
+                EXPECT_TRUE(std::isnan(member));
+            else
+                EXPECT_EQ(member, -2 * (40 + static_cast<float>(post % 20) + 10000 * static_cast<float>(n)));
+        }
+    recipe_.keep_members = 16;
+    EXPECT_EQ(make().attributes[0].members.size(), 5u) << "all there are";
+}
+
+/// Filling gaps and smoothing are linear: the mean of prepared members is the prepared mean, and they share its states.
+TEST_F(GridLayerOfFiles, KeptMembersArePreparedAsTheirMeanIs) {
+    RasterFile raster;
+    raster.bands = 4;
+    raster.more = [](int band) { return 5000.0 * (band - 1); };
+    raster.no_data = -1;
+    raster.value = [](int i, int j) { return i == 4 && j == 4 ? -1.0 : 50.0 + 3 * i + (i * j) % 7; };
+    write(raster);
+    recipe_.attributes[0].variable = "";
+    recipe_.members = "bands";
+    recipe_.keep_members = 4;
+    recipe_.prepare.fill_cells = 1;
+    recipe_.prepare.smooth_cells = 1.5;
+    const AttributeDraft value = make().attributes[0];
+    for (std::size_t post = 0; post < 300; ++post) {
+        double sum = 0;
+        for (const std::vector<float>& member : value.members) sum += static_cast<double>(member[post]);
+        EXPECT_NEAR(sum / 4, static_cast<double>(value.values[post]), 0.01) << post;
+    }
+    EXPECT_EQ(value.states[84], scene::ValueState::interpolated);
+    // Negative control: what the recipe takes from a member alone is missing there, and never filled in as if it were known.
+    recipe_.attributes[0].most = 12'000;
+    const AttributeDraft cut = make().attributes[0];
+    EXPECT_FALSE(std::isnan(cut.values[0]));
+    EXPECT_TRUE(std::isnan(cut.members[3][0])) << "more than 15000";
+    EXPECT_FALSE(std::isnan(cut.members[0][0]));
+}
+
 TEST_F(GridLayerOfFiles, MissingOnesStayMissingUnlessGapsAreFilled) {
     RasterFile raster;
     raster.no_data = -1;

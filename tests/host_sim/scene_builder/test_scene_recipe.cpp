@@ -60,6 +60,18 @@ void expect_fault(const std::string& text, const std::string& words) {
     expect_user_error([&text] { (void)parse_scene(text, "s.toml"); }, words);
 }
 
+TEST(SceneRecipe, MembersAreKeptOfAnEnsembleOnly) {
+    const auto layer = [](const std::string& keys) {
+        return "name = 's'\n[[layer]]\nname = 'a'\nsource = 'a.tif'\n" + keys + "[[layer.attribute]]\nname = 'v'\n";
+    };
+    const SceneRecipe scene = parse_scene(layer("members = 'bands'\nkeep_members = 9\n"), "s.toml");
+    EXPECT_EQ(scene.layers[0].keep_members, 9u);
+    EXPECT_EQ(parse_scene(layer("members = 'bands'\n"), "s.toml").layers[0].keep_members, 0u);
+    expect_fault(layer("keep_members = 9\n"), "needs members = \"bands\"");
+    expect_fault(layer("members = 'bands'\nkeep_members = 1\n"), "one member alone is no ensemble");
+    expect_fault(layer("members = 'bands'\nkeep_members = 17\n"), "keep_members");
+}
+
 TEST(SceneRecipe, EveryKeyIsRead) {
     const SceneRecipe scene = parse_scene(kWhole, "s.toml");
     EXPECT_EQ(scene.name, "davos");

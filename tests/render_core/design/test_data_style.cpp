@@ -153,6 +153,37 @@ TEST(DataStyle, LessDetailHasFewerClassesAndGradationsAndNoOtherPrograms) {
     EXPECT_EQ(at_detail(ground, std::nan("")).uncertainty.strength, 0);
 }
 
+TEST(DataStyle, MembersAreAskedForAndFewerOfThemAreLessDetail) {
+    const std::string start = "[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'\n";
+    EXPECT_EQ(read(start).style.ground.members, GroundMembers::mean);
+    const GroundData ground = read(start + "members = 'animated'\nmember_seconds = 3\n").style.ground;
+    EXPECT_EQ(ground.members, GroundMembers::animated);
+    EXPECT_EQ(ground.member_s, 3);
+    EXPECT_NE(read(start + "members = 'all'\n").fault, "");
+    EXPECT_NE(read(start + "members = 'animated'\nmember_seconds = 0\n").fault, "");
+    for (std::uint32_t members = 1; members <= 16; members *= 2) {
+        EXPECT_NEAR(detail_of_members(members), std::log2(members) / 4, 1e-12);
+        EXPECT_EQ(at_detail(ground, detail_of_members(members)).most_members, members);
+    }
+    EXPECT_EQ(at_detail(ground, 0).most_members, 1u);
+}
+
+TEST(DataStyle, MapsBesideThePictureHaveFewerCellsOrMembersInLessDetail) {
+    const std::string start = "[data.adjacent]\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'\n";
+    AdjacentView view = read(start).style.adjacent;
+    EXPECT_TRUE(view.is_shown);
+    EXPECT_EQ(at_detail(view, 1).cells, kMostCells);
+    EXPECT_EQ(at_detail(view, 0.5).cells, 12u);
+    EXPECT_EQ(at_detail(view, 0).cells, kLeastCells);
+    EXPECT_EQ(at_detail(view, 0.5).scale.breaks.size(), 3u);
+    EXPECT_EQ(at_detail(view, 0.5).most_members, 16u);
+    view.shows = AdjacentShows::members;
+    EXPECT_EQ(at_detail(view, 0.5).most_members, 4u);
+    EXPECT_EQ(at_detail(view, 0.5).cells, kMostCells);
+    EXPECT_EQ(at_detail(view, std::nan("")).most_members, 1u);
+    EXPECT_EQ(at_detail(AdjacentView{}, 0.2).scale.breaks.size(), 0u);
+}
+
 TEST(DataStyle, FaultsAreSaid) {
     const std::string start = "[data.ground]\nlayer = 'a'\nattribute = 'b'\n";
     EXPECT_NE(read("[data.ground]\nlayer = 'a'\npalette = 'grey'").fault, "");
@@ -174,7 +205,7 @@ TEST(DataStyle, ManyClassesAreAlmostThePalette) {
         EXPECT_NEAR(scale_color(fine.style.ground.scale, value).red, 2.55 * value, 255 / 32.0 + 0.6) << "half a class";
 }
 
-TEST(DataStyle, WhatIsNotShownHasNothingToReduce) { EXPECT_TRUE(at_detail({}, 0.25).scale.breaks.empty()); }
+TEST(DataStyle, WhatIsNotShownHasNothingToReduce) { EXPECT_TRUE(at_detail(GroundData{}, 0.25).scale.breaks.empty()); }
 
 TEST(DataStyle, ProgramsDifferByTechnique) {
     DataStyle none, shown;

@@ -149,6 +149,9 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
         {"name = 'x'\n[warning]\nprofile = 'radar'\n", "d.toml:3: 'profile' must be one of: egpws, garmin, custom"},
         {"name = 'x'\n[warning]\nprofile = 'custom'\n", "d.toml:3: 'profile' 'custom' needs"},
         {"name = 'x'\n[terrain]\npalette = 7\n", "d.toml:3: "},
+        {"name = 'x'\n[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'slopes'\nmembers = 'animated'\n[symbology]\nlegend "
+         "= false\n",
+         "d.toml:8: 'legend' must stay where members are animated: it names the one that is shown"},
         {"name = 'x'\n[symbology]\nlegend_unit = 'yd'\n", "d.toml:3: 'legend_unit' must be one of: ft, m"},
         {"name = 'x'\n[warning]\nprofile = 'custom'\n[[warning.band]]\nlower_ft = 0\ncolor = '#000000'\nstrength = 1\n"
          "[[warning.band]]\nlower_ft = 10\ncolor = '#000000'\nstrength = 1\n",

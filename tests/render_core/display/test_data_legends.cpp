@@ -208,5 +208,33 @@ TEST_F(GroundLegendOf, ShowsTheOverlayBesideTheTechnique) {
     }
 }
 
+TEST(DataLegends, UncertaintyAsAValueIsInItsUnit) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.title = "Air";
+    const LoadedScene loaded(layer);
+    draw::DataLegend entry = uncertainty_legend_of(loaded.layer(), loaded.attribute(), {}, false, {});
+    EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE \xC2\xB1");
+    EXPECT_EQ(entry.factor, 4) << "a level of 1 is 4 K";
+    EXPECT_EQ(entry.unit.view(), "K");
+    layer.attributes[0].uncertainty_full = 0;
+    const LoadedScene unsaid(layer);
+    entry = uncertainty_legend_of(unsaid.layer(), unsaid.attribute(), {}, false, {});
+    EXPECT_EQ(entry.factor, 1);
+    EXPECT_EQ(entry.unit.view(), "");
+}
+
+TEST(DataLegends, WhatSaysTheSameIsThereOnce) {
+    draw::DataLegends legends;
+    draw::DataLegend entry = entry_of(test_support::small_grid(), 0, false);
+    add_legend(entry, legends);
+    add_legend(entry, legends);
+    EXPECT_EQ(legends.size(), 1u);
+    entry.part = member_text(2, 9);
+    EXPECT_EQ(entry.part.view(), "MEMBER 3/9");
+    add_legend(entry, legends);
+    EXPECT_EQ(legends.size(), 2u) << "a member is not the mean";
+    EXPECT_EQ(member_text(15, 16).view(), "MEMBER 16/16");
+}
+
 }  // namespace
 }  // namespace tedavis::display

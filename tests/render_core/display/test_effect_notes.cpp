@@ -87,5 +87,44 @@ TEST_F(EffectNotes, AnImageThatIsNotToBeHadLeavesThePlainColour) {
     }
 }
 
+TEST_F(EffectNotes, MembersOneAfterTheOtherAreAnUncertaintysTechnique) {
+    design::DataStyle data;
+    data.ground.is_shown = true;
+    data.ground.members = design::GroundMembers::animated;
+    input_.data = &data;
+    input_.ground_data = GroundDataState::shown;
+    input_.members = 4;
+    EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "animated_members");
+    EXPECT_NEAR(noted().uncertainty_aspect.detail, 0.5, 1e-9) << "4 of 16";
+    data.ground.overlay.technique = design::UncertaintyOverlay::contour;
+    EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "animated_members+contour");
+    input_.ground_data = GroundDataState::no_members;
+    EXPECT_EQ(line_of(noted(), "ground_data"), "skipped : the attribute has no members in the scene");
+    EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "");
+}
+
+TEST_F(EffectNotes, MapsBesideThePictureRunWhereTheyHaveDataAndRoom) {
+    design::DataStyle data;
+    input_.data = &data;
+    EXPECT_EQ(line_of(noted(), "adjacent"), "") << "not asked for";
+    data.adjacent.is_shown = true;
+    data.adjacent.shows = design::AdjacentShows::members;
+    input_.adjacent = GroundDataState::shown;
+    input_.adjacent_maps = 4;
+    EXPECT_EQ(line_of(noted(), "adjacent"), "run : asked for by the design");
+    EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "adjacent_members");
+    EXPECT_NEAR(noted().uncertainty_aspect.detail, 0.5, 1e-9);
+    data.adjacent.shows = design::AdjacentShows::value;
+    EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "") << "values say nothing of it";
+    input_.adjacent_maps = 0;
+    EXPECT_NE(line_of(noted(), "adjacent").find("skipped : there is no room"), std::string::npos);
+    input_.adjacent = GroundDataState::out_of_date;
+    EXPECT_NE(line_of(noted(), "adjacent").find("not valid at this time"), std::string::npos);
+    input_.adjacent = GroundDataState::not_asked_for;
+    EXPECT_NE(line_of(noted(), "adjacent").find("free view"), std::string::npos);
+    decisions_.show_terrain = false;
+    EXPECT_NE(line_of(noted(), "adjacent").find("failure policy"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tedavis::display

@@ -39,7 +39,7 @@ protected:
         EXPECT_NE(slice, nullptr);
         return slice == nullptr ? kNone : *slice;
     }
-    GroundDataState plan(std::int64_t time_ns) { return data_.plan(style_, flight::time_of_source({time_ns})); }
+    SpatialDataPlan plan(std::int64_t time_ns) { return data_.plan(style_, flight::time_of_source({time_ns})); }
 
     std::vector<std::uint8_t> memory_ = std::vector<std::uint8_t>(1 << 17);
     base::Arena scene_memory_{memory_.data(), 1 << 16}, slice_memory_{memory_.data() + (1 << 16), 1 << 12};
@@ -50,11 +50,11 @@ protected:
 
 TEST_F(SpatialDataOf, TheGroundFollowsTheSourcesTime) {
     start(dated_scene());
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::shown);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
     EXPECT_TRUE(data_.take_change());
     EXPECT_FALSE(data_.take_change()) << "once";
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
-    EXPECT_EQ(plan(kDate_ns + 59'000'000'000), GroundDataState::shown);
+    EXPECT_EQ(plan(kDate_ns + 59'000'000'000).ground, GroundDataState::shown);
     EXPECT_FALSE(data_.take_change()) << "the same minute";
     static_cast<void>(plan(kDate_ns + kHour_ns / 2));
     EXPECT_TRUE(data_.take_change());
@@ -64,7 +64,7 @@ TEST_F(SpatialDataOf, TheGroundFollowsTheSourcesTime) {
 TEST_F(SpatialDataOf, WithoutAHeightItIsTheLowestLevel) {
     start(dated_scene());
     style_.ground.height_m = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::shown);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
     style_.ground.height_m = 3000;
     static_cast<void>(plan(kDate_ns));
@@ -88,9 +88,9 @@ TEST_F(SpatialDataOf, ANewerSceneIsTakenOverWholeAndAnOlderOneNever) {
     EXPECT_TRUE(data_.take(loaded(2, "other")));
     EXPECT_TRUE(data_.take_change()) << "what was shown is gone";
     EXPECT_EQ(data_.ground(), nullptr);
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::no_such_layer);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_layer);
     EXPECT_TRUE(data_.take(loaded(7, "air")));
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::shown);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
     EXPECT_EQ(data_.scene().header().revision, 7u);
 }
 
@@ -117,42 +117,89 @@ TEST_F(SpatialDataOf, TheSameMomentHasTheSameTexelsFromWhereverItIsReached) {
 TEST_F(SpatialDataOf, DataHaveAnAgeAndAnEnd) {
     start(dated_scene());
     const auto first_uncertainty = [this](std::int64_t time_ns) {
-        EXPECT_EQ(plan(time_ns), GroundDataState::shown);
+        EXPECT_EQ(plan(time_ns).ground, GroundDataState::shown);
         return int{shown().texels()[1].uncertainty};
     };
     const int within = first_uncertainty(kDate_ns + kHour_ns / 2);
     EXPECT_NEAR(first_uncertainty(kDate_ns + 2 * kHour_ns) - first_uncertainty(kDate_ns + kHour_ns), 254 / 10, 2);
     EXPECT_LE(within, first_uncertainty(kDate_ns + kHour_ns)) << "within its times it has no age";
-    EXPECT_EQ(plan(kDate_ns + 3 * kHour_ns + 60'000'000'000), GroundDataState::out_of_date);
+    EXPECT_EQ(plan(kDate_ns + 3 * kHour_ns + 60'000'000'000).ground, GroundDataState::out_of_date);
     EXPECT_EQ(data_.ground(), nullptr) << "what is no longer valid is taken away";
     EXPECT_TRUE(data_.take_change());
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::shown);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown);
     EXPECT_TRUE(data_.take_change()) << "and comes back";
 }
 
 TEST_F(SpatialDataOf, ASourceWithoutADateShowsTheirFirstTime) {
     start(dated_scene());
-    EXPECT_EQ(plan(12'000'000'000), GroundDataState::shown);
+    EXPECT_EQ(plan(12'000'000'000).ground, GroundDataState::shown);
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 260, 0.01);
+}
+
+host_sim::SceneDraft dated_ensemble(int members) {
+    host_sim::SceneDraft scene = dated_scene();
+    scene.layers[0].attributes[0].members = test_support::small_ensemble(members).attributes[0].members;
+    return scene;
+}
+
+TEST_F(SpatialDataOf, MembersComeOneAfterTheOtherByTheFlightsTime) {
+    start(dated_ensemble(3));
+    style_.ground.members = design::GroundMembers::animated;
+    style_.ground.member_s = 2;
+    const std::int64_t first_ns = kDate_ns / 6'000'000'000 * 6'000'000'000;  // a whole number of rounds
+    std::vector<double> seen;
+    for (int frame = 0; frame < 3 * 20; ++frame) {
+        const SpatialDataPlan now = plan(first_ns + frame * 100'000'000LL);
+        ASSERT_EQ(now.ground, GroundDataState::shown);
+        EXPECT_EQ(now.member, static_cast<std::uint32_t>(frame / 20));
+        EXPECT_EQ(now.members, 3u);
+        EXPECT_EQ(data_.take_change(), frame % 20 == 0) << "no frame makes it anew but where another's turn begins";
+        const double value = scene::value_of(shown().texels()[0], shown().range());
+        EXPECT_NEAR(value, 260 - 10 + 10 * (frame / 20), 0.01) << "and never the mean";
+        seen.push_back(value);
+    }
+    for (int frame = 59; frame >= 0; frame -= 7) {
+        static_cast<void>(plan(first_ns + frame * 100'000'000LL));
+        EXPECT_EQ(scene::value_of(shown().texels()[0], shown().range()), seen[static_cast<std::size_t>(frame)]);
+    }
+    EXPECT_EQ(plan(first_ns + 6'000'000'000).member, 0u) << "and round again";
+}
+
+TEST_F(SpatialDataOf, FewerMembersAreEvenlySpacedAndAFieldWithoutAnyIsNotShown) {
+    start(dated_ensemble(5));
+    style_.ground.members = design::GroundMembers::animated;
+    style_.ground.member_s = 1;
+    style_.ground.most_members = 3;
+    std::vector<std::uint32_t> members;
+    for (int second = 0; second < 3; ++second) members.push_back(plan(second * 1'000'000'000LL).member);
+    EXPECT_EQ(members, (std::vector<std::uint32_t>{0, 2, 4})) << "without a date too";
+    style_.ground.members = design::GroundMembers::mean;
+    EXPECT_EQ(plan(0).member, scene::kMean);
+    scene_memory_.reset();
+    slice_memory_.reset();
+    start(dated_scene());
+    style_.ground.members = design::GroundMembers::animated;
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_members);
+    EXPECT_EQ(data_.ground(), nullptr) << "the mean stands for no member";
 }
 
 TEST_F(SpatialDataOf, WhatCannotBeShownIsSaid) {
     style_.ground.is_shown = true;
-    EXPECT_EQ(plan(0), GroundDataState::no_terrain);
+    EXPECT_EQ(plan(0).ground, GroundDataState::no_terrain);
     style_.ground.is_shown = false;
     EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
-    EXPECT_EQ(plan(0), GroundDataState::not_asked_for);
+    EXPECT_EQ(plan(0).ground, GroundDataState::not_asked_for);
     style_.ground.is_shown = true;
-    EXPECT_EQ(plan(0), GroundDataState::no_scene);
+    EXPECT_EQ(plan(0).ground, GroundDataState::no_scene);
     scene_memory_.reset();
     slice_memory_.reset();
     start(dated_scene());
     style_.ground.layer = "nothing";
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::no_such_layer);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_layer);
     style_.ground.layer = "masts";
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::no_such_attribute);
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_such_attribute);
     style_.ground.attribute = "kind";
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::too_large) << "no grid";
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::too_large) << "no grid";
     for (const GroundDataState state : {GroundDataState::no_scene, GroundDataState::no_such_layer, GroundDataState::too_large,
                                         GroundDataState::out_of_date, GroundDataState::shown})
         EXPECT_GT(std::string(reason_of(state)).size(), 10u);
@@ -160,7 +207,7 @@ TEST_F(SpatialDataOf, WhatCannotBeShownIsSaid) {
 
 TEST_F(SpatialDataOf, AGridThatIsTooLargeForTheDeviceIsRefused) {
     start(dated_scene(), 3);
-    EXPECT_EQ(plan(kDate_ns), GroundDataState::too_large) << "four columns";
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::too_large) << "four columns";
 }
 
 TEST_F(SpatialDataOf, AFaultySceneIsNamed) {

@@ -32,7 +32,7 @@ protected:
 };
 
 TEST_F(SliceOfAGrid, TexelsAreTheFieldAtThePosts) {
-    ASSERT_TRUE(slice_.show(2000, kMinute_ns * 30));
+    ASSERT_TRUE(slice_.show({2000, kMinute_ns * 30}));
     const GridField field(layer(), attribute());
     ASSERT_EQ(slice_.texels().size(), 12u);
     const double step = (slice_.range().highest - slice_.range().lowest) / 65535;
@@ -61,29 +61,29 @@ std::vector<int> values_of(const GridSlice& slice) {
 
 TEST_F(SliceOfAGrid, WhatIsMadeAheadIsWhatAJumpMakes) {
     EXPECT_FALSE(slice_.has_texels());
-    ASSERT_TRUE(slice_.show(1500, 0));
+    ASSERT_TRUE(slice_.show({1500, 0}));
     const std::vector<int> first = values_of(slice_);
-    slice_.prepare(1500, kMinute_ns, 1);
-    slice_.prepare(1500, kMinute_ns, 1);
+    slice_.prepare({1500, kMinute_ns}, 1);
+    slice_.prepare({1500, kMinute_ns}, 1);
     EXPECT_EQ(values_of(slice_), first) << "nothing half done is seen";
-    ASSERT_TRUE(slice_.show(1500, kMinute_ns)) << "what is left is made at once";
+    ASSERT_TRUE(slice_.show({1500, kMinute_ns})) << "what is left is made at once";
     const std::vector<int> ahead = values_of(slice_);
     slice_.forget();
     EXPECT_FALSE(slice_.has_texels());
     ASSERT_TRUE(slice_.set_field(layer(), attribute()));
-    ASSERT_TRUE(slice_.show(1500, kMinute_ns));
+    ASSERT_TRUE(slice_.show({1500, kMinute_ns}));
     EXPECT_EQ(values_of(slice_), ahead);
     EXPECT_NE(ahead, first);
 }
 
 TEST_F(SliceOfAGrid, TheSameMomentIsNotMadeAgain) {
-    ASSERT_TRUE(slice_.show(1500, 0));
-    EXPECT_FALSE(slice_.show(1500, 0));
-    EXPECT_TRUE(slice_.show(1600, 0));
-    slice_.prepare(1600, kMinute_ns, 100);
-    slice_.prepare(1600, 2 * kMinute_ns, 100);
-    EXPECT_TRUE(slice_.show(1600, kMinute_ns)) << "another one was made ahead";
-    EXPECT_TRUE(slice_.show(1600, 0)) << "a time that runs back";
+    ASSERT_TRUE(slice_.show({1500, 0}));
+    EXPECT_FALSE(slice_.show({1500, 0}));
+    EXPECT_TRUE(slice_.show({1600, 0}));
+    slice_.prepare({1600, kMinute_ns}, 100);
+    slice_.prepare({1600, 2 * kMinute_ns}, 100);
+    EXPECT_TRUE(slice_.show({1600, kMinute_ns})) << "another one was made ahead";
+    EXPECT_TRUE(slice_.show({1600, 0})) << "a time that runs back";
 }
 
 TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
@@ -92,8 +92,8 @@ TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
     base::Arena arena(memory.data(), memory.size());
     ASSERT_TRUE(small.start(11, arena));
     EXPECT_FALSE(small.set_field(layer(), attribute()));
-    EXPECT_FALSE(small.show(0, 0));
-    small.prepare(0, 0, 10);
+    EXPECT_FALSE(small.show({0, 0}));
+    small.prepare({0, 0}, 10);
     EXPECT_EQ(small.columns(), 0u);
     EXPECT_FALSE(small.start(1000, arena));
     EXPECT_FALSE(slice_.set_field(scene_.layers()[1], scene_.layers()[1].attributes[0])) << "no grid";
@@ -108,6 +108,34 @@ TEST(SliceTexel, GoesThereAndBack) {
     EXPECT_EQ(value_of(texel_of({5, {}, ValueState::valid}, {7, 7}), {7, 7}), 7) << "a constant field";
     EXPECT_EQ(texel_of({5, {}, ValueState::missing}, range).state, 0);
     EXPECT_EQ(texel_of({std::nan(""), {}, ValueState::valid}, range).state, 0) << "what is no number is missing";
+}
+
+TEST(SliceOfAnEnsemble, AMembersTexelsAreItsOwnWithTheEnsemblesStates) {
+    host_sim::SceneDraft draft;
+    draft.layers = {test_support::small_ensemble()};
+    std::vector<std::uint8_t> memory(1 << 16);
+    test_support::FlakyBytes source(host_sim::sdb_bytes(draft));
+    base::Arena arena(memory.data(), memory.size());
+    const Scene scene = Scene::load(source, arena).value();
+    GridSlice slice;
+    ASSERT_TRUE(slice.start(100, arena));
+    const Layer& layer = scene.layers()[0];
+    ASSERT_TRUE(slice.set_field(layer, layer.attributes[0]));
+    ASSERT_TRUE(slice.show({1000, 0}));
+    const std::vector<SliceTexel> mean(slice.texels().begin(), slice.texels().end());
+    for (std::uint32_t member = 0; member < 3; ++member) {
+        slice.prepare({1000, 0, member}, 1);
+        ASSERT_TRUE(slice.show({1000, 0, member}));
+        EXPECT_FALSE(slice.show({1000, 0, member}));
+        for (std::size_t n = 0; n < 12; ++n) {
+            const SliceTexel& texel = slice.texels()[n];
+            EXPECT_EQ(texel.state, mean[n].state);
+            EXPECT_EQ(texel.uncertainty, mean[n].uncertainty);
+            if (texel.state == 0) continue;
+            EXPECT_NEAR(value_of(texel, slice.range()), value_of(mean[n], slice.range()) + 10.0 * member - 10, 0.01);
+        }
+    }
+    EXPECT_TRUE(slice.show({1000, 0})) << "the mean is another";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/flaky_bytes.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
 
 namespace tedavis::scene {
@@ -105,6 +106,24 @@ TEST(Scene, EveryFaultHasASentenceThatSaysWhatToDo) {
         EXPECT_NE(text.view().find("; "), std::string_view::npos) << text.view();
         EXPECT_LT(text.size(), 190u);
     }
+}
+
+TEST(Scene, AMemberIsItsOwnValuesWithWhatTheEnsembleHas) {
+    const test_support::LoadedScene loaded(test_support::small_ensemble(5));
+    const Attribute& mean = loaded.attribute();
+    ASSERT_EQ(mean.member_count(), 5u);
+    EXPECT_EQ(mean.entry->minimum, 260 - 20) << "limits are of the members too";
+    EXPECT_EQ(mean.entry->maximum, 307 + 20);
+    for (std::uint32_t n = 0; n < 5; ++n) {
+        const Attribute member = mean.member(n);
+        for (std::size_t post = 0; post < 48; ++post) {
+            EXPECT_EQ(member.state(post), mean.state(post));
+            EXPECT_EQ(member.uncertainty(post), mean.uncertainty(post));
+            if (post == 5) continue;
+            EXPECT_EQ(member.values[post], mean.values[post] + 10 * static_cast<float>(n) - 20);
+        }
+    }
+    EXPECT_EQ(test_support::LoadedScene(test_support::small_grid()).attribute().member_count(), 0u);
 }
 
 }  // namespace

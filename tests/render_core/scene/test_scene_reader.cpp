@@ -156,5 +156,37 @@ TEST(SceneReader, NothingOutOfRangeIsTaken) {
     EXPECT_EQ(read(untouched).error, SdbError::none);
 }
 
+Bytes ensemble() {
+    host_sim::SceneDraft draft = test_support::small_scene();
+    draft.layers[0] = test_support::small_ensemble();
+    return host_sim::sdb_bytes(draft);
+}
+
+TEST(SceneReader, MembersAreVerifiedAsValuesAre) {
+    const Forgery forgeries[] = {
+        {"one member", [](Bytes& b) { attribute_of(b, 0).member_count = 1; }},
+        {"one too many", [](Bytes& b) { attribute_of(b, 0).member_count = 4; }},
+        {"more than ever", [](Bytes& b) { attribute_of(b, 0).member_count = 17; }},
+        {"members without a count", [](Bytes& b) { attribute_of(b, 0).member_count = 0; }},
+        {"a count without members", [](Bytes& b) { attribute_of(b, 0).members = {}; }},
+        {"of classes", [](Bytes& b) { attribute_of(b, 1).member_count = 2; }},
+        {"infinite", [](Bytes& b) { at<float>(b, attribute_of(b, 0).members, 0) = INFINITY; }},
+        {"beyond the limits", [](Bytes& b) { at<float>(b, attribute_of(b, 0).members, 143) = 400; }},
+        {"flipped",
+         [](Bytes& b) {
+             b[attribute_of(b, 0).members.offset] = static_cast<std::uint8_t>(b[attribute_of(b, 0).members.offset] ^ 1u);
+         }},
+    };
+    for (const Forgery& forgery : forgeries) {
+        Bytes bytes = ensemble();
+        forgery.change(bytes);
+        if (forgery.what != std::string("flipped")) seal(bytes);
+        EXPECT_EQ(read(bytes).error, SdbError::damaged) << forgery.what;
+    }
+    Bytes untouched = ensemble();
+    seal(untouched);
+    EXPECT_EQ(read(untouched).error, SdbError::none);
+}
+
 }  // namespace
 }  // namespace tedavis::scene

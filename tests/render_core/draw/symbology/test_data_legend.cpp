@@ -116,6 +116,16 @@ TEST(DataLegend, TheLastAreLeftOutAndCountedWhereThereIsNoRoom) {
     EXPECT_EQ(text_in(three, none), "");
 }
 
+TEST(DataLegend, ThePartIsNamedHoweverShortTheEntryIs) {
+    DataLegend member = wind();
+    member.part = "MEMBER 3/9";
+    const Layout roomy = area_of(20), short_of_room = area_of(3);
+    EXPECT_EQ(text_in(list_of({member}), roomy).rfind("WINDM/SMEMBER3/9", 0), 0u) << text_in(list_of({member}), roomy);
+    EXPECT_EQ(text_in(list_of({member}), short_of_room).rfind("MEMBER3/9WINDM/S", 0), 0u);
+    EXPECT_EQ(text_in(list_of({wind()}), roomy).find("MEMBER"), std::string::npos);
+    EXPECT_EQ(data_legend_height(member, LegendDetail::scale), data_legend_height(wind(), LegendDetail::scale));
+}
+
 TEST(DataLegend, AllSymbologyWithAllLegendsFitsTheBatch) {
     SymbologyInput input = test_support::scene_input(test_support::scene_state(30, 2, 0), 1920, 1080);
     input.legend.highest = 2000;

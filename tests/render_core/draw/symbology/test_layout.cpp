@@ -16,13 +16,20 @@ struct Screen {
 constexpr Screen kScreens[] = {{320, 240},  {240, 320},   {640, 480},   {480, 640},   {800, 480},   {1024, 768},
                                {768, 1024}, {1080, 1920}, {1920, 1080}, {2560, 1080}, {1080, 2560}, {3840, 2160}};
 
-/// Without terrain's legend, with an ordinary one, with the highest; one to four legends of data.
+/// Without terrain's legend, with an ordinary one, with the highest; one to four legends of data; each without maps beside the
+/// picture, with one and with nine.
 std::vector<LegendNeed> legend_needs() {
     std::vector<LegendNeed> needs(1);
     for (const auto& [most, least] : {std::pair{0.0f, 0.0f}, {12.6f, 7.6f}, {24.8f, 19.9f}})
         for (std::size_t entries = 1; entries <= 4; ++entries) {
             const auto count = static_cast<float>(entries);
-            needs.push_back({most, least, {entries, 13 * count - 0.3f, 2.9f * count - 0.3f}});
+            needs.push_back({most, least, {entries, 13 * count - 0.3f, 2.9f * count - 0.3f}, {}});
+        }
+    const std::vector<LegendNeed> without = needs;
+    for (const AdjacentNeed maps : {AdjacentNeed{1, 5}, {9, 2.5f}})
+        for (LegendNeed need : without) {
+            need.adjacent = maps;
+            needs.push_back(need);
         }
     return needs;
 }
@@ -38,6 +45,7 @@ std::vector<std::pair<std::string, Rect>> boxes_of(const Layout& layout, const L
     }
     for (const Rect& area : layout.data_legends)
         if (!area.empty()) boxes.emplace_back("data legends", area);
+    if (!layout.adjacent.empty()) boxes.emplace_back("adjacent", layout.adjacent);
     return boxes;
 }
 
@@ -58,10 +66,37 @@ TEST(Layout, NoBoxOverlapsAnotherOrLeavesTheScreen) {
             }
 }
 
+TEST(Layout, MapsBesideThePictureGiveWayToLegendsAndNothingElseDoes) {
+    for (const Screen& screen : kScreens)
+        for (const AdjacentNeed maps : {AdjacentNeed{1, 5}, {4, 2.5f}, {9, 2.5f}, {16, 1.5f}}) {
+            const Layout layout = make_layout(screen.width, screen.height, 96, {3.6f, 3.6f, {1, 13, 2.9f}, maps}),
+                         bare = make_layout(screen.width, screen.height, 96);
+            ASSERT_FALSE(layout.adjacent.empty()) << screen.width << "x" << screen.height << " " << maps.maps;
+            EXPECT_GE(layout.data_legends[0].height, 2.89f * layout.text_px);
+            for (const LayoutBox& entry : kLayoutBoxes) {
+                if (entry.box == &Layout::legend || entry.box == &Layout::attitude || entry.box == &Layout::heading) continue;
+                EXPECT_EQ((bare.*entry.box).width, (layout.*entry.box).width) << entry.name;
+                EXPECT_EQ((bare.*entry.box).height, (layout.*entry.box).height) << entry.name;
+            }
+            EXPECT_TRUE(make_layout(screen.width, screen.height, 96, {24.8f, 19.9f, {4, 52, 11.3f}, maps}).adjacent.empty() ||
+                        layout.screen.height > 30 * layout.text_px)
+                << "no room";
+        }
+}
+
+TEST(Layout, MapsBecomeSmallerBeforeTheyGo) {
+    const AdjacentNeed nine{9, 2.5f};
+    const Layout roomy = make_layout(640, 480, 96, {3.6f, 3.6f, {1, 13, 2.9f}, nine}),
+                 tight = make_layout(640, 480, 96, {12.6f, 7.6f, {3, 39, 8.4f}, nine});
+    ASSERT_FALSE(tight.adjacent.empty());
+    EXPECT_LT(tight.adjacent.height, roomy.adjacent.height);
+    EXPECT_LT(plan_adjacent(tight.adjacent, 9, 16).side_px, plan_adjacent(roomy.adjacent, 9, 16).side_px);
+}
+
 TEST(Layout, WithoutLegendsOfDataNothingMakesRoomForThem) {
     for (const Screen& screen : kScreens) {
         const Layout bare = make_layout(screen.width, screen.height, 96),
-                     terrain = make_layout(screen.width, screen.height, 96, {20, 15, {}});
+                     terrain = make_layout(screen.width, screen.height, 96, {20, 15, {}, {}});
         for (const LayoutBox& entry : kLayoutBoxes) {
             EXPECT_EQ((bare.*entry.box).width, (terrain.*entry.box).width) << entry.name;
             EXPECT_EQ((bare.*entry.box).height, (terrain.*entry.box).height) << entry.name;
