@@ -37,9 +37,9 @@ struct View {
     std::uint32_t width = 1, height = 1;
     double near_m = 1;
     double far_m = 400000;
+    NearGround ground;  ///< holds for this pose, and for no wider picture (near_ground.hpp)
     /// Not NaN: the surface is drawn at this height above MSL, wherever it is.
     double flat_msl_m = std::numeric_limits<double>::quiet_NaN();
-    NearGround ground;  ///< holds for this pose, and for no wider picture (near_ground.hpp)
 
     [[nodiscard]] bool is_flat() const { return flat_msl_m == flat_msl_m; }
     [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }

@@ -127,7 +127,7 @@ struct WallPicture {
         earth::Geodetic eye = state.own_ship.position;
         eye.height.m = wall().database.undulation(eye.latitude_rad, eye.longitude_rad).m + 1000 + kEyeAbove_m;
         const glm::dmat3 axes = earth::north_east_down(eye.latitude_rad, eye.longitude_rad);
-        view = {earth::to_ecef(eye), axes[2], axes[1], -axes[0], 480, kWidth, kHeight, 100, 100000, view.flat_msl_m, {}};
+        view = {earth::to_ecef(eye), axes[2], axes[1], -axes[0], 480, kWidth, kHeight, 100, 100000, {}};
         display.display().set_free_view(view);
     }
     /// Red of the middle row.

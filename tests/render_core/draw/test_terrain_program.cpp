@@ -18,7 +18,7 @@ using test_support::GlSession;
 TerrainVariant full_variant() {
     TerrainVariant variant;
     variant.bands = 2;
-    variant.baked = variant.lifted = variant.coast = true;
+    variant.baked = variant.lifted = variant.flat = variant.coast = true;
     variant.output = TerrainOutput::color_and_distance;
     for (bool& map : variant.maps) map = true;
     return variant;
