@@ -125,7 +125,8 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
 
 /// Eastward across the view for a minute, then at `now`.
 struct OwnShip {
-    OwnShip() {
+    /// With figures of merit of so many metres; 0: it states none.
+    explicit OwnShip(double accuracy = 0) : accuracy_m(accuracy) {
         for (int n = 0; n <= 30; ++n) {
             take(n);
             way.step(aircraft, now);
@@ -138,7 +139,10 @@ struct OwnShip {
         aircraft.own_ship.height_is_geometric = true;
         aircraft[flight::Signal::wind_speed] = {20, now};
         aircraft[flight::Signal::wind_direction] = {1, now};
+        if (!(accuracy_m > 0)) return;
+        aircraft[flight::Signal::horizontal_accuracy] = aircraft[flight::Signal::vertical_accuracy] = {accuracy_m, now};
     }
+    double accuracy_m;
     flight::FlownWay way;
     flight::AircraftState aircraft;
     base::Time now;
@@ -173,6 +177,25 @@ TEST_F(DataElementsTest, TheOwnFlightIsShownWithAndWithoutAScene) {
         EXPECT_EQ(state(0), ElementState::wrong_layer);
         EXPECT_EQ(state(1), ElementState::wrong_layer);
     }
+}
+
+TEST_F(DataElementsTest, TheTrailIsAsWideAsItsPlaceIsUnsure) {
+    design::DataElement& trail = ask_for("", DataTechnique::tube);
+    trail.own = design::OwnData::trail;
+    trail.size_m = 20;
+    const auto pixels = [&](design::ElementUncertainty uncertainty, double accuracy_m) {
+        const OwnShip ship(accuracy_m);
+        asked_[0].uncertainty = uncertainty;
+        elements_.set(nullptr, asked_);
+        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, {&ship.way, &ship.aircraft, ship.now}});
+        return drawn_pixels();
+    };
+    const std::size_t sure = pixels(design::ElementUncertainty::widening, 1),
+                      unsure = pixels(design::ElementUncertainty::widening, 300),
+                      unstated = pixels(design::ElementUncertainty::widening, 0);
+    EXPECT_GT(unsure, 3 * sure);
+    EXPECT_GT(unstated, sure) << "unknown must not look certain";
+    EXPECT_LE(pixels(design::ElementUncertainty::none, 300), sure) << "control";
 }
 
 TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
