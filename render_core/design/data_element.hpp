@@ -4,7 +4,7 @@
 ///     [[data.element]]
 ///     layer = "no_go"              a layer of the scene, or
 ///     role = "obstacle"            all its layers of a role (scene::kLayerRoleNames), or
-///     own = "trail"                the own aircraft's flown way, by tube, space_time or ribbon; "wind": what it measures, by barbs
+///     own = "trail"                the own aircraft's flown way; "wind": what it measures
 ///     technique = "prism"          a name of kDataTechniqueNames
 ///     color = "#e05020"            without a scale
 ///     attribute = "intensity"      what the colour says, with
