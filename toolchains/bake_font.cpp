@@ -26,7 +26,7 @@ constexpr int kTexelsPerEm = 32;
 constexpr int kOversampling = 16;
 constexpr int kSpreadTexels = 4;
 constexpr int kWidth = 512;
-constexpr int kHeight = 256;
+constexpr int kHeight = 512;
 
 struct Mask {
     int left = 0, top = 0, width = 0, height = 0;  // samples; left and top relative to the pen on the baseline, y down
@@ -85,36 +85,63 @@ void draw(const Mask& mask, const Placed& placed, std::vector<unsigned char>& at
 std::vector<unsigned> code_points() {
     std::vector<unsigned> all;
     for (unsigned c = 0x20; c < 0x7f; ++c) all.push_back(c);
-    for (unsigned c : {0xb0u, 0xb1u, 0xb5u, 0xb7u, 0xd7u, 0x2013u, 0x2190u, 0x2191u, 0x2192u, 0x2193u, 0x2212u}) all.push_back(c);
+    for (unsigned c = 0xa0; c < 0x180; ++c)  // Latin-1 and Latin Extended-A
+        if (c != 0xad) all.push_back(c);
+    for (unsigned c : {0x2013u, 0x2190u, 0x2191u, 0x2192u, 0x2193u, 0x2212u}) all.push_back(c);
     return all;
 }
 
-bool bake(const stbtt_fontinfo& font, std::vector<Placed>& placed, std::vector<unsigned char>& atlas) {
-    const float to_em = stbtt_ScaleForMappingEmToPixels(&font, 1.0f);
+struct Baked {
+    Placed placed;
+    Mask mask;
+};
+
+Baked baked(const stbtt_fontinfo& font, unsigned code_point, int glyph) {
+    Baked one;
+    Placed& placed = one.placed;
+    placed.code_point = code_point;
+    int advance = 0, bearing = 0;
+    stbtt_GetGlyphHMetrics(&font, glyph, &advance, &bearing);
+    placed.advance_em = advance * static_cast<double>(stbtt_ScaleForMappingEmToPixels(&font, 1.0f));
+    one.mask = rasterized(font, glyph);
+    if (one.mask.width == 0) return one;
+    placed.left = floor_div(one.mask.left, kOversampling) - kSpreadTexels;
+    placed.top = floor_div(one.mask.top, kOversampling) - kSpreadTexels;
+    placed.width = floor_div(one.mask.left + one.mask.width - 1, kOversampling) + kSpreadTexels + 1 - placed.left;
+    placed.height = floor_div(one.mask.top + one.mask.height - 1, kOversampling) + kSpreadTexels + 1 - placed.top;
+    return one;
+}
+
+/// On shelves, the highest first.
+bool place(std::vector<Baked>& glyphs) {
+    std::vector<Baked*> by_height;
+    for (Baked& one : glyphs) by_height.push_back(&one);
+    std::stable_sort(by_height.begin(), by_height.end(),
+                     [](const Baked* a, const Baked* b) { return a->placed.height > b->placed.height; });
     int u = 0, v = 0, shelf = 0;
-    for (unsigned code_point : code_points()) {
-        const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(code_point));
-        if (glyph == 0) continue;
-        Placed one;
-        one.code_point = code_point;
-        int advance = 0, bearing = 0;
-        stbtt_GetGlyphHMetrics(&font, glyph, &advance, &bearing);
-        one.advance_em = advance * static_cast<double>(to_em);
-        const Mask mask = rasterized(font, glyph);
-        if (mask.width > 0) {
-            one.left = floor_div(mask.left, kOversampling) - kSpreadTexels;
-            one.top = floor_div(mask.top, kOversampling) - kSpreadTexels;
-            one.width = floor_div(mask.left + mask.width - 1, kOversampling) + kSpreadTexels + 1 - one.left;
-            one.height = floor_div(mask.top + mask.height - 1, kOversampling) + kSpreadTexels + 1 - one.top;
-            if (u + one.width > kWidth) u = 0, v += shelf, shelf = 0;
-            if (v + one.height > kHeight) return false;
-            one.u = u;
-            one.v = v;
-            draw(mask, one, atlas);
-            u += one.width;
-            shelf = std::max(shelf, one.height);
-        }
-        placed.push_back(one);
+    for (Baked* one : by_height) {
+        Placed& placed = one->placed;
+        if (placed.width == 0) continue;
+        if (u + placed.width > kWidth) u = 0, v += shelf, shelf = 0;
+        if (v + placed.height > kHeight) return false;
+        placed.u = u;
+        placed.v = v;
+        u += placed.width;
+        shelf = std::max(shelf, placed.height);
+    }
+    std::printf("%d of %d rows\n", v + shelf, kHeight);
+    return true;
+}
+
+bool bake(const stbtt_fontinfo& font, std::vector<Placed>& placed, std::vector<unsigned char>& atlas) {
+    std::vector<Baked> glyphs;
+    for (unsigned code_point : code_points())
+        if (const int glyph = stbtt_FindGlyphIndex(&font, static_cast<int>(code_point)); glyph != 0)
+            glyphs.push_back(baked(font, code_point, glyph));
+    if (!place(glyphs)) return false;
+    for (const Baked& one : glyphs) {
+        draw(one.mask, one.placed, atlas);
+        placed.push_back(one.placed);
     }
     return true;
 }

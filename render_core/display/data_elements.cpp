@@ -113,6 +113,8 @@ const char* reason_of(ElementState state) noexcept {
     return "unknown";
 }
 
+bool is_sign_technique(DataTechnique technique) noexcept { return is_billboard(technique) || technique == DataTechnique::barbs; }
+
 gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
@@ -175,9 +177,8 @@ void DataElements::plan(const ElementFrame& frame) {
     }
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
-    build_billboards(frame);
-    plan_glyphs(frame);
-    plan_own_winds(frame);
+    glyphs_.begin_plan();
+    plan_glyphs(frame, nullptr);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
 }
@@ -225,12 +226,13 @@ void DataElements::plan_own_winds(const ElementFrame& frame) {
     }
 }
 
-void DataElements::plan_glyphs(const ElementFrame& frame) {
-    glyphs_.begin_plan();
+/// With a sheet those that stand on it, else the others.
+void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
     for (ElementReport& report : reports_)
-        if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots)
+        if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
+            is_sign_technique(report.element->technique) == (sheet != nullptr))
             report.count =
-                glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, &sheet_});
+                glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet});
 }
 
 /// A full list has counted the refusal itself.
@@ -266,14 +268,16 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
 }
 
 /// Only what is valid now: what is not shown must take no room from what is.
-void DataElements::build_billboards(const ElementFrame& frame) {
-    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, frame.text_px, frame.sight});
+void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
+    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology});
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
         const draw::ElementInput input = input_of(n, frame);
         report.count = build_billboard(sheet_, input);
     }
+    plan_glyphs(frame, &sheet_);
+    plan_own_winds(frame);
 }
 
 draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {

@@ -43,6 +43,9 @@ struct ElementReport {
     draw::ElementCount count;
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
 };
+/// Whether an element stands over the picture as signs, which take what room the symbology leaves.
+[[nodiscard]] bool is_sign_technique(design::DataTechnique technique) noexcept;
+
 inline constexpr std::size_t kMaxElementGroups = 32;
 using ElementReports = base::FixedVector<ElementReport, kMaxElementGroups>;  ///< in the design's order, then the scene's
 
@@ -51,9 +54,14 @@ struct ElementFrame {
     const terrain::View& view;  ///< of the eye
     design::Color missing;
     flight::FlightTime time;
-    double text_px = 16;                   ///< of the display's ordinary text
-    terrain::DrawnSight* sight = nullptr;  ///< over the drawn terrain, for signs; null: nothing stands in the way
     OwnFlightFrame own{};
+};
+
+/// What signs need besides.
+struct SignFrame {
+    double text_px = 16;                         ///< of the display's ordinary text
+    terrain::DrawnSight* sight = nullptr;        ///< over the drawn terrain; null: nothing stands in the way
+    const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
 };
 
 class DataElements {
@@ -71,7 +79,10 @@ public:
     /// layer asks for nothing.
     void set(const scene::Scene* scene, const design::DataElementList& elements);
     void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
-    /// Instead of plan() in a frame that shows none of it.
+    /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
+    /// left.
+    void plan_signs(const ElementFrame& frame, const SignFrame& signs);
+    /// Instead of them in a frame that shows none of it.
     void rest();
     [[nodiscard]] const ElementReports& reports() const { return reports_; }
     [[nodiscard]] bool has_anything() const { return shown_ != 0; }
@@ -93,10 +104,8 @@ private:
     void plan_own_winds(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
-    void plan_glyphs(const ElementFrame& frame);
+    void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
-
-    void build_billboards(const ElementFrame& frame);
 
     GlyphElements glyphs_;
     draw::SolidDrawer drawer_;

@@ -7,7 +7,7 @@
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
-#include "render_core/display/symbology_data.hpp"
+#include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -130,7 +130,8 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     begin_record(now);
     plan_view();
     plan_terrain();
-    plan_data(way);
+    plan_data();
+    plan_elements(way);
 }
 
 void Display::decide(base::Time now) {
@@ -251,26 +252,36 @@ void Display::widen_bands() {
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
 }
 
+/// Symbology first, then the signs in the room that it leaves.
 void Display::plan_elements(const flight::FlownWay* way) {
-    if (!elements_.is_started()) return;
-    if (!decisions_.show_terrain) return elements_.rest();
+    const bool are_shown = elements_.is_started() && decisions_.show_terrain;
     TerrainGround ground(terrain_, eye_.view);
+    const ElementFrame frame{
+        ground, eye_.view, settings_.design.terrain.unknown, record_.flight_time, {way, &state_, record_.time}};
+    if (are_shown)
+        elements_.plan(frame);
+    else
+        elements_.rest();
+    put_symbology();
+    if (!are_shown) return;
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
-    elements_.plan({ground,
-                    eye_.view,
-                    settings_.design.terrain.unknown,
-                    record_.flight_time,
-                    text_px(),
-                    &sight,
-                    {way, &state_, record_.time}});
+    elements_.plan_signs(frame, {text_px(context(), settings_.width_px, settings_.height_px), &sight,
+                                 free_view_active_ ? nullptr : &quad_drawer_.batch()});
 }
 
-double Display::text_px() const {
-    return static_cast<double>(draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi).text_px);
+void Display::put_symbology() {
+    maps_beside_ = {};
+    if (free_view_active_) return;
+    const draw::SymbolGround over = transition_.is_under_way() ? draw::SymbolGround::moving
+                                    : conditions_.is_map       ? draw::SymbolGround::map
+                                                               : draw::SymbolGround::perspective;
+    const DrawContext frame = context();
+    maps_beside_ = plan_symbology(
+        {frame, state_, settings_.width_px, settings_.height_px, over, data_, data_plan_, elements_.reports()},
+        quad_drawer_.batch(), record_);
 }
 
-void Display::plan_data(const flight::FlownWay* way) {
-    plan_elements(way);
+void Display::plan_data() {
     data_plan_ = data_.plan(settings_.design.data, record_.flight_time);
     if (data_plan_.ground == GroundDataState::not_asked_for) return;
     if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
@@ -288,7 +299,6 @@ void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
     terrain_result_ = {};
-    maps_beside_ = GroundDataState::not_asked_for;
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
     const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
@@ -296,11 +306,12 @@ void Display::draw(base::Surface& surface) {
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
+        put_symbology();
     }
     draw_scene(surface);
-    if (!free_view_active_) draw_symbology();
+    if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
     note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-                  terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_, drawn_maps_},
+                  terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_.state, maps_beside_.drawn},
                  record_);
     note_elements(elements_.reports(), record_);
     note_drawn(terrain_result_, settings_.device.budget, record_);
@@ -361,31 +372,6 @@ void Display::draw_elements_over_picture() {
         gl_->Disable(GL_DEPTH_TEST);
     }
     elements_.draw_signs(gl_, settings_.width_px, settings_.height_px);
-}
-
-void Display::draw_symbology() {
-    draw::SymbologyInput symbology = draw::make_symbology_input(state_, decisions_, record_.phase, settings_.design, record_.time,
-                                                                settings_.width_px, settings_.height_px, aircraft_msl_m_);
-    const design::TerrainSettings& terrain = settings_.design.terrain;
-    if (terrain_.is_started() && terrain.palette.kind == design::PaletteKind::hypsometric) {
-        symbology.legend.lowest = static_cast<double>(terrain_.database().header().min_height_m);
-        symbology.legend.highest = static_cast<double>(terrain_.database().header().max_height_m);
-    }
-    symbology.legend.bands_lowered_m = record_.bands.lowered_m;
-    symbology.legend.accuracy_assumed = record_.bands.position_assumed || record_.bands.terrain_assumed;
-    symbology.over = transition_.is_under_way() ? draw::SymbolGround::moving
-                     : conditions_.is_map       ? draw::SymbolGround::map
-                                                : draw::SymbolGround::perspective;
-    symbology.map = make_map_input(context(), state_);
-    if (decisions_.show_terrain)
-        maps_beside_ = add_symbology_data(
-            {data_, data_plan_, elements_.reports(), settings_.design, state_.own_ship.position, record_.flight_time}, symbology);
-    const draw::Layout layout =
-        draw::make_layout(settings_.width_px, settings_.height_px, settings_.design.view.dpi, draw::legend_need(symbology));
-    flag_symbology_data(symbology, layout, maps_beside_, record_);
-    drawn_maps_ = maps_drawn(symbology, layout);
-    draw::build_symbology(quad_drawer_.batch(), symbology, layout);
-    quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
 }
 
 DrawContext Display::context() const {

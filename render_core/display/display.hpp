@@ -17,6 +17,7 @@
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/spatial_data.hpp"
+#include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/display/view_transition.hpp"
 #include "render_core/draw/picture_pass.hpp"
@@ -103,7 +104,7 @@ private:
     void plan_view();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
-    void plan_data(const flight::FlownWay* way);
+    void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void widen_bands();
     void begin_record(base::Time now);
@@ -117,10 +118,9 @@ private:
     void draw_terrain();
     void draw_elements_over_picture();
     [[nodiscard]] DrawContext context() const;
-    [[nodiscard]] double text_px() const;
     [[nodiscard]] draw::PictureInput picture_input() const;
     [[nodiscard]] draw::TerrainOutput output() const;
-    void draw_symbology();
+    void put_symbology();
 
     DisplaySettings settings_;
     gl::Gl gl_;
@@ -128,8 +128,7 @@ private:
     TerrainScene terrain_;
     SpatialData data_;
     SpatialDataPlan data_plan_;
-    GroundDataState maps_beside_ = GroundDataState::not_asked_for;
-    std::uint32_t drawn_maps_ = 0;  ///< where they are shown
+    MapsBeside maps_beside_;
     DataElements elements_;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_drawer_;

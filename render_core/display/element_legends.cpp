@@ -67,7 +67,10 @@ void add_element_legends(const ElementReports& reports, const design::DesignSett
                          draw::DataLegends& legends) noexcept {
     const LegendFrame frame{design, time};
     for (const ElementReport& report : reports) {
-        if (report.state != ElementState::shown || report.count.drawn + report.count.aggregated == 0) continue;
+        if (report.state != ElementState::shown) continue;
+        // Signs find their room when the legends have theirs.
+        const bool is_planned = !is_sign_technique(report.element->technique);
+        if (is_planned && report.count.drawn + report.count.aggregated == 0) continue;
         if (report.element->technique != design::DataTechnique::uncertainty_only)
             add_colors(report, report.element->by_color, frame, legends);
         add_colors(report, report.element->by_second_color, frame, legends);

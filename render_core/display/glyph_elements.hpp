@@ -45,7 +45,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return used_; }
 
-    /// Of the n-th element that was added; to be called for all of them in their order, after begin_plan().
+    /// Of the n-th element that was added; to be called for all of them, once each, after begin_plan().
     void begin_plan();
     [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);
 

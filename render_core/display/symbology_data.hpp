@@ -8,6 +8,12 @@
 
 namespace tedavis::display {
 
+/// Maps beside the picture.
+struct MapsBeside {
+    GroundDataState state = GroundDataState::not_asked_for;
+    std::uint32_t drawn = 0;  ///< how many, where they are shown
+};
+
 /// References to the display's own.
 struct SymbologyData {
     const SpatialData& data;

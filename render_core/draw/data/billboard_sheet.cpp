@@ -9,6 +9,7 @@ namespace {
 
 /// Depths of lines are interpolated in the picture; far outside of it floats do not hold their places.
 constexpr float kFarthest_px = 32'000;
+constexpr float kCell = 0.5f;  // of the text's size: how finely the symbology's room is known
 
 bool comes_first(const BillboardCandidate& a, const BillboardCandidate& b) {
     return a.rank < b.rank || (a.rank == b.rank && a.feature < b.feature);
@@ -31,6 +32,8 @@ void BillboardSheet::begin(const Frame& frame) {
     view_ = frame.view;
     text_px_ = static_cast<float>(frame.text_px);
     box_count_ = 0;
+    symbology_.clear(view_.width, view_.height, kCell * text_px_);
+    if (frame.symbology != nullptr) symbology_.take(*frame.symbology);
 }
 
 BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
@@ -86,7 +89,7 @@ bool BillboardSheet::is_free(const Rect& box) const {
     if (!picture.contains(box) || box_count_ == boxes_.size()) return false;
     for (std::size_t n = 0; n < box_count_; ++n)
         if (boxes_[n].overlaps(box)) return false;
-    return true;
+    return symbology_.is_free(box);
 }
 
 bool BillboardSheet::claim(const Rect& box, const glm::dvec3& place) {

@@ -1,7 +1,8 @@
-/// Where the billboards of a frame stand: they face the eye, have sizes in pixels, and never cover each other: who comes first
-/// has the room. A sign is drawn whole or not at all: over the picture where the eye sees its place, lifted by kStem (as high as
-/// icons stand on their stems), over the drawn terrain; else it is hidden. Stems and links have the depths of their ends, and
-/// terrain hides them pixel by pixel, but says nothing wrong by that.
+/// Where the billboards of a frame stand: they face the eye, have sizes in pixels, and cover neither each other nor the
+/// symbology, which has its room before them: who comes first has the room that is left. A sign is drawn whole or not at all:
+/// over the picture where the eye sees its place, lifted by kStem (as high as icons stand on their stems), over the drawn
+/// terrain; else it is hidden. Stems and links have the depths of their ends, and terrain hides them pixel by pixel, but says
+/// nothing wrong by that.
 ///
 ///   start(arena) · begin(...) each frame · spot(place), claim(box, place), signs(), line()
 ///
@@ -14,6 +15,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/quad_batch.hpp"
+#include "render_core/draw/screen_cover.hpp"
 #include "render_core/terrain/drawn_sight.hpp"
 
 namespace tedavis::draw {
@@ -35,6 +37,7 @@ public:
         const terrain::View& view;
         double text_px = 16;                   ///< of the display's ordinary text
         terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
+        const QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     };
     /// Empties the batches. What the frame refers to must stay until the last sign is drawn.
     void begin(const Frame& frame);
@@ -61,7 +64,7 @@ public:
     static constexpr std::size_t kStemVertices = 4 * 2, kLinkVertices = 4 * 4;
     /// Whether the batches take so many vertices, so that nothing is drawn by half.
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
-    /// Whether a box lies within the picture and covers none that is taken.
+    /// Whether a box lies within the picture, clear of the symbology, and covers none that is taken.
     [[nodiscard]] bool is_free(const Rect& box) const;
     /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
     [[nodiscard]] bool claim(const Rect& box, const glm::dvec3& place);
@@ -80,6 +83,7 @@ private:
 
     QuadBatch *signs_ = nullptr, *links_ = nullptr;
     terrain::DrawnSight* sight_ = nullptr;
+    ScreenCover symbology_;
     terrain::View view_{};
     float text_px_ = 16;
     base::Span<Rect> boxes_;

@@ -16,7 +16,8 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
-constexpr float kStem = BillboardSheet::kStem;
+/// Stems are longer where a line of the symbology, the horizon above all, leaves no room.
+constexpr float kStem = BillboardSheet::kStem, kStems[] = {kStem, kStem + 2.5f, kStem + 5};
 constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 constexpr float kHalo_px = 1.5f, kLink_px = 1.5f;
@@ -94,9 +95,7 @@ public:
         spot_ = sheet_.spot(place.place);
         if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
         const BillboardLook look = billboard_look(input_, feature_);
-        const float text_px = sheet_.text_px();
         half_px_ = 0.5f * icon_px();
-        middle_ = {spot_.at.x, spot_.at.y - kStem * text_px - half_px_};
         const BillboardText name = with_name ? billboard_name(input_, feature_, look) : BillboardText(look.is_unsure ? "?" : "");
         const float side = find_side(name.view());
         if (std::isnan(side) || !sheet_.claim(box(name.view(), side), place.place)) return false;
@@ -118,10 +117,16 @@ private:
         return std::clamp(static_cast<float>(size_m * sheet_.view().focal_px / spot_.distance_m), least, greatest);
     }
 
-    /// Box of the icon with a name on the side: 1 right, -1 left, 0 without one.
+    /// Of so many texts.
+    void set_stem(float stem) {
+        has_long_stem_ = stem > kStem;
+        middle_ = {spot_.at.x, spot_.at.y - stem * sheet_.text_px() - half_px_};
+    }
+
+    /// Box of the icon, with the stem where it is short, and with a name on the side: 1 right, -1 left, 0 without one.
     [[nodiscard]] Rect box(std::string_view name, float side) const {
         const float gap = kGap * sheet_.text_px(), half = half_px_ + gap;
-        Rect result{middle_.x - half, middle_.y - half, 2 * half, spot_.at.y - middle_.y + half};
+        Rect result{middle_.x - half, middle_.y - half, 2 * half, has_long_stem_ ? 2 * half : spot_.at.y - middle_.y + half};
         if (side == 0) return result;
         const float width = text_width_px(name, kNameSize * sheet_.text_px()) + gap;
         result.width += width;
@@ -130,11 +135,13 @@ private:
     }
 
     /// NaN where there is no room.
-    [[nodiscard]] float find_side(std::string_view name) const {
-        if (!name.empty())
+    [[nodiscard]] float find_side(std::string_view name) {
+        for (const float stem : kStems)
             for (const float side : {1.0f, -1.0f})
-                if (sheet_.is_free(box(name, side))) return side;
-        return sheet_.is_free(box(name, 0)) ? 0 : std::numeric_limits<float>::quiet_NaN();
+                if (set_stem(stem); !name.empty() && sheet_.is_free(box(name, side))) return side;
+        for (const float stem : kStems)
+            if (set_stem(stem); sheet_.is_free(box(name, 0))) return 0;
+        return std::numeric_limits<float>::quiet_NaN();
     }
 
     void add_link(const scene::ScenePoint& anchor, const Placed& place, const BillboardLook& look) const {
@@ -163,6 +170,7 @@ private:
     BillboardSheet::Spot spot_;
     Point middle_;
     float half_px_ = 0;
+    bool has_long_stem_ = false;
 };
 
 }  // namespace

@@ -52,6 +52,8 @@ TEST_F(ElementLegends, WhatIsNotThereHasNone) {
     ElementReport hidden = report();
     hidden.count = {0, 0, 12};
     EXPECT_TRUE(legends({hidden}).empty());
+    element_.technique = design::DataTechnique::billboard;
+    EXPECT_EQ(legends({hidden}).size(), 1u) << "signs find their room after the legends";
     element_.by_color.attribute = "";
     EXPECT_TRUE(legends({report()}).empty()) << "a plain colour";
 }

@@ -78,7 +78,9 @@ public:
 
     draw::ElementCount plan(bool over_ridge) {
         terrain::DrawnSight sight(ridge().lattice(), {selection_.chunks.data(), selection_.chunks.size()}, meshes_, frame_.view);
-        elements_.plan({ground_, frame_.view, {}, kNow, 14, over_ridge ? &sight : nullptr});
+        const ElementFrame frame{ground_, frame_.view, {}, kNow};
+        elements_.plan(frame);
+        elements_.plan_signs(frame, {14, over_ridge ? &sight : nullptr});
         return elements_.reports()[0].count;
     }
     /// `depth`: of a surface over the whole picture, 0 before everything, 1 behind it. Top row first.

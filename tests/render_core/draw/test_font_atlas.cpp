@@ -31,6 +31,26 @@ TEST(FontAtlas, HoldsAsciiAndTheSignsOfTheDisplay) {
     EXPECT_EQ(glyph_of(0x4E2D).code_point, static_cast<std::uint32_t>('?'));
 }
 
+/// Whether a name is drawn as it is written; and its letters, each other than every other one.
+TEST(FontAtlas, HoldsTheLettersOfWesternNames) {
+    for (std::uint32_t c = 0xA0; c < 0x100; ++c) {
+        if (c == 0xAD) continue;
+        EXPECT_EQ(glyph_of(c).code_point, c) << "but for the soft hyphen";
+    }
+    for (std::uint32_t c : {0x152u, 0x153u, 0x160u, 0x161u, 0x178u}) EXPECT_EQ(glyph_of(c).code_point, c);
+    for (const std::string name :
+         {"Z\xC3\xBCrich", "Scuol/Schuls", "Saint-Moritz \xC3\xA9", "Gro\xC3\x9F-\xC3\x98sterbr\xC3\xB8"}) {
+        std::string_view rest = name;
+        while (!rest.empty()) {
+            const std::uint32_t c = take_code_point(rest);
+            EXPECT_EQ(glyph_of(c).code_point, c) << name;
+        }
+    }
+    EXPECT_GT(glyph_of(0xC9).height, glyph_of('E').height) << "with an accent";
+    EXPECT_EQ(glyph_of(0xC9).advance_em, glyph_of('E').advance_em);
+    EXPECT_EQ(glyph_of(0x11B).code_point, static_cast<std::uint32_t>('?')) << "the typeface has none";
+}
+
 TEST(FontAtlas, DigitsAreOfOneWidthSoThatReadoutsStandStill) {
     for (char digit = '1'; digit <= '9'; ++digit) EXPECT_EQ(glyph_of(digit).advance_em, glyph_of('0').advance_em);
 }

@@ -113,5 +113,19 @@ TEST(BillboardSheet, ALinkHasAMarkOnTheGround) {
     EXPECT_EQ(room.drawn().size(), BillboardSheet::kLinkVertices);
 }
 
+TEST(BillboardSheet, WhatTheSymbologyCoversIsNotFree) {
+    BillboardRoom room, symbology;
+    ASSERT_TRUE(symbology.batch.box({200, 200, 100, 50}, {}));
+    ASSERT_TRUE(symbology.batch.line({400, 500}, {600, 300}, 3, {}));
+    const glm::dvec3 place = room.view.eye + room.view.forward * 1000.0;
+    room.sheet.begin({room.batch, room.links, room.view, 16, nullptr, &symbology.batch});
+    EXPECT_FALSE(room.sheet.claim({290, 240, 50, 20}, place));
+    EXPECT_FALSE(room.sheet.claim({480, 390, 40, 20}, place)) << "a line runs through";
+    EXPECT_TRUE(room.sheet.claim({420, 320, 40, 20}, place)) << "within its bounds, but clear of it";
+    EXPECT_TRUE(room.sheet.claim({320, 260, 50, 20}, place));
+    room.begin();
+    EXPECT_TRUE(room.sheet.claim({290, 240, 50, 20}, place)) << "without symbology";
+}
+
 }  // namespace
 }  // namespace tedavis::draw

@@ -1,0 +1,34 @@
+/// Which parts of the picture a batch of quads reaches, in cells: for what must neither cover it nor lie under it.
+///
+/// A cell that a triangle touches is taken, smoothed edges included. Cells have the size that is asked for, or what kMostCells of
+/// them across the picture take. Thread  one. Memory  its own 2 KiB. Bounded by the batch and the cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render_core/draw/quad_batch.hpp"
+
+namespace tedavis::draw {
+
+class ScreenCover {
+public:
+    static constexpr int kMostCells = 128;
+
+    /// Nothing is taken.
+    void clear(std::uint32_t width, std::uint32_t height, float cell_px);
+    void take(const QuadBatch& batch);
+    [[nodiscard]] bool is_free(const Rect& box) const;
+
+private:
+    using Row = std::array<std::uint64_t, 2>;  ///< a bit a cell
+
+    [[nodiscard]] int cell_of(float px) const;
+    [[nodiscard]] static Row span(int first, int last);
+    void take_triangle(const Point (&corner)[3]);
+
+    float cell_px_ = 1;
+    std::array<Row, kMostCells> rows_{};
+};
+
+}  // namespace tedavis::draw
