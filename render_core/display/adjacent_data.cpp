@@ -55,7 +55,7 @@ AdjacentData plan_adjacent_data(const SpatialData& data, const design::AdjacentV
     maps.latitude_rad = place.latitude_rad;
     maps.longitude_rad = place.longitude_rad;
     maps.sign = sign;
-    maps.title = legend_of(*maps.layer, *maps.attribute, time, {}).title;
+    maps.title = attribute_title(*maps.attribute->entry);
     planned.maps = maps;
     return planned;
 }

@@ -222,6 +222,12 @@ draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::A
     return legend;
 }
 
+base::FixedString<31> attribute_title(const scene::AttributeEntry& attribute) noexcept {
+    base::FixedString<31> title;
+    append_upper(title, title_of(attribute));
+    return title;
+}
+
 base::FixedString<15> member_text(std::uint32_t member, std::uint32_t count) noexcept {
     char text[24];
     std::snprintf(text, sizeof text, "MEMBER %u/%u", member + 1, count);

@@ -20,6 +20,9 @@ namespace tedavis::display {
 /// What counts as the least sure.
 [[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept;
 
+/// "GUST": the shortest that names what is shown.
+[[nodiscard]] base::FixedString<31> attribute_title(const scene::AttributeEntry& attribute) noexcept;
+
 /// Of the uncertainty itself as a value 0..1, in its unit: "GUST ±".
 [[nodiscard]] draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
                                                      const flight::FlightTime& time, const design::DataStyle& style) noexcept;

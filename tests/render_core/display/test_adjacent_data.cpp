@@ -51,7 +51,7 @@ TEST_F(AdjacentDataOf, AreTheFieldRoundTheOwnShipAtTheFlightsTime) {
     EXPECT_EQ(planned.maps.time_ns, kDate_ns + 60'000'000'000) << "whole minutes, as on the ground";
     EXPECT_EQ(planned.maps.height_m, 1000) << "the lowest level";
     EXPECT_EQ(planned.maps.latitude_rad, base::radians(46.9));
-    EXPECT_EQ(planned.maps.title.view(), "AIR TEMPERATURE");
+    EXPECT_EQ(planned.maps.title.view(), "TEMPERATURE");
     view_.height_m = 3000;
     EXPECT_EQ(plan(kDate_ns).maps.height_m, 3000);
     view_.layer = "";
