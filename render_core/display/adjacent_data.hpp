@@ -16,7 +16,8 @@ struct AdjacentData {
 
 /// `place`: of the own ship; `sign`: the colour of what is missing or unknown.
 [[nodiscard]] AdjacentData plan_adjacent_data(const SpatialData& data, const design::AdjacentView& view,
-                                              const earth::Geodetic& place, const flight::FlightTime& time, design::Color sign) noexcept;
+                                              const earth::Geodetic& place, const flight::FlightTime& time,
+                                              design::Color sign) noexcept;
 
 /// The scale of the maps, where they are shown and no other legend says the same.
 void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DataStyle& style,

@@ -276,9 +276,9 @@ void Display::put_symbology() {
                                     : conditions_.is_map       ? draw::SymbolGround::map
                                                                : draw::SymbolGround::perspective;
     const DrawContext frame = context();
-    maps_beside_ = plan_symbology(
-        {frame, state_, settings_.width_px, settings_.height_px, over, data_, data_plan_, elements_.reports()},
-        quad_drawer_.batch(), record_);
+    maps_beside_ =
+        plan_symbology({frame, state_, settings_.width_px, settings_.height_px, over, data_, data_plan_, elements_.reports()},
+                       quad_drawer_.batch(), record_);
 }
 
 void Display::plan_data() {
@@ -310,9 +310,10 @@ void Display::draw(base::Surface& surface) {
     }
     draw_scene(surface);
     if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
-    note_effects({decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-                  terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_.state, maps_beside_.drawn},
-                 record_);
+    note_effects(
+        {decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
+         terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_.state, maps_beside_.drawn},
+        record_);
     note_elements(elements_.reports(), record_);
     note_drawn(terrain_result_, settings_.device.budget, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;

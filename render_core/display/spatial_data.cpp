@@ -116,8 +116,8 @@ scene::SliceMoment SpatialData::moment_at(const flight::FlightTime& time, const 
     moment.time_ns = time.is_date ? scene::start_of_data_step(time.utc.ns) : scene::own_time_ns(layer);
     if (ground.members == design::GroundMembers::mean) return moment;
     const std::uint32_t shown = members_shown(ground);
-    moment.member = scene::spaced_member(scene::member_turn(time.utc.ns, step_ns(ground), shown), shown,
-                                         slice_.attribute()->member_count());
+    moment.member =
+        scene::spaced_member(scene::member_turn(time.utc.ns, step_ns(ground), shown), shown, slice_.attribute()->member_count());
     return moment;
 }
 

@@ -45,7 +45,8 @@ TEST(Billboards, StandOverTheirPlaces) {
     EXPECT_NEAR(bounds.bottom(), spot.at.y, 4) << "the foot of its stem";
     EXPECT_LT(bounds.y, spot.at.y - 20);
     EXPECT_GT(room.glyph_vertices(), 0u);
-    for (const QuadVertex& vertex : room.links.vertices()) EXPECT_NEAR(vertex.distance_m, 4000 * (1 - terrain::DrawnSight::kTail), 3);
+    for (const QuadVertex& vertex : room.links.vertices())
+        EXPECT_NEAR(vertex.distance_m, 4000 * (1 - terrain::DrawnSight::kTail), 3);
     EXPECT_EQ(room.links.vertices().size(), 8u);
 }
 
