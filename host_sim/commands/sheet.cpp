@@ -110,7 +110,7 @@ void build_scene(SheetJob& job, const std::string& folder, Console& console) {
 /// A view of its own is of the sheet's own terrain.
 AircraftPose pose_of(const SheetJob& job, const SheetOptions& options, const SheetPlan::Picture& planned) {
     AircraftPose pose = options.pose ? job.pose : job.plan.pose_of(planned);
-    pose.time = job.time;
+    if (options.time || pose.time.ns == kPosedTime.ns) pose.time = job.time;
     return pose;
 }
 

@@ -99,7 +99,9 @@ void read_views(ConfigSection root, SheetPlan& plan) {
     for (std::size_t i = 0; i < count && i < kMostViews; ++i) {
         ConfigSection section = root.table_at("view", i);
         const std::string name(section.text("name"));
-        if (name.empty() || !plan.views.emplace(name, read_pose(section)).second)
+        AircraftPose pose = read_pose(section);
+        if (section.has("time")) pose.time = read_time(section);
+        if (name.empty() || !plan.views.emplace(name, pose).second)
             section.fault("name", "must be there, and of this view alone");
     }
 }

@@ -34,8 +34,8 @@ struct SheetPlan {
     PictureSize size;                ///< of each picture, unless --size says another
     bool symbology = false;          ///< PictureOptions::symbology
     AircraftPose pose;
-    std::map<std::string, AircraftPose> views;
-    std::string groups_of;  ///< path of the sheet whose groups are shown instead of own ones; empty: own ones
+    std::map<std::string, AircraftPose> views;  ///< with times of their own, or kPosedTime: the sheet's
+    std::string groups_of;                      ///< path of the sheet whose groups are shown instead of own ones; empty: own ones
     std::vector<Group> groups;
 
     [[nodiscard]] std::size_t picture_count() const;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSlab_m = 4;  // from a runway's surface down
 constexpr design::Color kPaint{245, 245, 245};
-constexpr float kRaised_px = 2;  // the ground is drawn a pixel or so above or below the true one
+constexpr float kRaised_px = 2.5f;  // the ground is drawn a pixel or so above or below the true one
 
 SolidLook look_on_ground(const ElementInput& input) {
     SolidLook look = look_of(input);
@@ -254,8 +254,19 @@ private:
             mesh_.set_color(color_, unsure_);
             has_begun_ = true;
         }
-        mesh_.quad(from.at(-1), from.at(1), to.at(1), to.at(-1));
+        const Edges a = edges(from), b = edges(to);
+        mesh_.triangle(a.left, a.right, b.right);
+        mesh_.triangle(a.left, b.right, b.left);
         return true;
+    }
+
+    struct Edges {
+        std::uint16_t left = 0, right = 0;
+    };
+    /// Normals lean outwards: what raises the strip also widens it, so that it is never too narrow to be seen.
+    [[nodiscard]] Edges edges(const Section& at) {
+        const glm::dvec3 left = at.at(-1), right = at.at(1), up = earth::up_at(left), out = glm::normalize(right - left);
+        return {mesh_.vertex(left, glm::normalize(up - out)), mesh_.vertex(right, glm::normalize(up + out))};
     }
 
     SolidBatch& batch_;

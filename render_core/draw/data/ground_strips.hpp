@@ -5,7 +5,8 @@
 /// points. Widths: attribute "width"; else the element's size_m; else the role's.
 ///
 /// A runway goes from its first point to its last one, its thresholds, and is a closed slab that reaches into the ground, with
-/// threshold stripes and a broken centre line of white. Roads and rivers (any other line) face upwards only.
+/// threshold stripes and a broken centre line of white. Roads and rivers (any other line) face upwards only, and look a few
+/// pixels wide where they are narrower.
 ///
 /// Pure but for the ground that is asked. Bounded.
 #pragma once

@@ -87,10 +87,13 @@ TEST(SheetPlan, OnePictureBecomesAPairOfLittleAndAllDetail) {
 
 TEST(SheetPlan, PicturesHaveViewsByName) {
     const std::string seen = picture("A", "a") + "view = 'near'\n";
-    const SheetPlan plan =
-        parse_sheet_plan(kHead + view("near", 4) + view("far", 5) + kGroup + seen + picture("B", "b"), "d.toml");
+    const SheetPlan plan = parse_sheet_plan(
+        kHead + view("near", 4) + "time = '1970-01-01T00:01:00Z'\n" + view("far", 5) + kGroup + seen + picture("B", "b"),
+        "d.toml");
     EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[0]).heading_deg, 4);
+    EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[0]).time.ns, 60'000'000'000);
     EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[1]).heading_deg, 40) << "the sheet's own";
+    EXPECT_EQ(plan.pose_of(plan.groups[0].pictures[1]).time.ns, kPosedTime.ns);
     const auto refused = [](const std::string& text, const std::string& words) {
         test_support::expect_user_error([&] { (void)parse_sheet_plan(text, "d.toml"); }, words);
     };

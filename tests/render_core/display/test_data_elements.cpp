@@ -157,7 +157,9 @@ TEST_F(DataElementsTest, TheOwnFlightIsShownWithAndWithoutAScene) {
         ask_for("", DataTechnique::barbs).own = design::OwnData::wind;
         elements_.set(has_scene ? &scene_.scene() : nullptr, asked_);
         const auto plan_own = [&](const OwnFlightFrame& own) {
-            elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, own});
+            const ElementFrame frame{ground_, frame_.view, {}, flight::time_of_source(kNoDate), own};
+            elements_.plan(frame);
+            elements_.plan_signs(frame, {});
         };
         plan_own({});
         EXPECT_EQ(state(0), ElementState::not_measured);
@@ -187,7 +189,7 @@ TEST_F(DataElementsTest, TheTrailIsAsWideAsItsPlaceIsUnsure) {
         const OwnShip ship(accuracy_m);
         asked_[0].uncertainty = uncertainty;
         elements_.set(nullptr, asked_);
-        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, {&ship.way, &ship.aircraft, ship.now}});
+        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), {&ship.way, &ship.aircraft, ship.now}});
         return drawn_pixels();
     };
     const std::size_t sure = pixels(design::ElementUncertainty::widening, 1),
@@ -203,7 +205,7 @@ TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
     ask_for("", DataTechnique::tube).own = design::OwnData::trail;
     const auto pixels = [&] {
         elements_.set(nullptr, asked_);
-        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), 16, {&ship.way, &ship.aircraft, ship.now}});
+        elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate), {&ship.way, &ship.aircraft, ship.now}});
         return drawn_pixels();
     };
     asked_[0].size_m = 60;

@@ -212,13 +212,13 @@ TEST(DataLegends, UncertaintyAsAValueIsInItsUnit) {
     host_sim::LayerDraft layer = test_support::small_grid();
     layer.title = "Air";
     const LoadedScene loaded(layer);
-    draw::DataLegend entry = uncertainty_legend_of(loaded.layer(), loaded.attribute(), {}, false, {});
+    draw::DataLegend entry = uncertainty_legend_of(loaded.layer(), loaded.attribute(), {}, {});
     EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE \xC2\xB1");
     EXPECT_EQ(entry.factor, 4) << "a level of 1 is 4 K";
     EXPECT_EQ(entry.unit.view(), "K");
     layer.attributes[0].uncertainty_full = 0;
     const LoadedScene unsaid(layer);
-    entry = uncertainty_legend_of(unsaid.layer(), unsaid.attribute(), {}, false, {});
+    entry = uncertainty_legend_of(unsaid.layer(), unsaid.attribute(), {}, {});
     EXPECT_EQ(entry.factor, 1);
     EXPECT_EQ(entry.unit.view(), "");
 }

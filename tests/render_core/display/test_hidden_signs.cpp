@@ -66,7 +66,7 @@ public:
         element.technique = design::DataTechnique::billboard;
         element.color = {255, 200, 0};
         EXPECT_TRUE(asked_.try_push_back(element));
-        elements_.set(scene_.scene(), asked_);
+        elements_.set(&scene_.scene(), asked_);
     }
     ~Signs() {
         session_.gl.retire();

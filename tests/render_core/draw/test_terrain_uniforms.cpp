@@ -17,6 +17,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
 #include "tests/support/drawn_pixels.hpp"
+#include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_views.hpp"
@@ -295,6 +296,8 @@ TEST_F(TerrainUniformValues, LiftsLieWhereTheVerticesAre) {
             << v.i << ", " << v.j;
     }
     // From the eye's whole metres to the middle of the Earth.
+    const terrain::View view = test_support::free_view(eye, earth::body_axes(0.8, 0.2, 0, 0, 0), 64, 48, 1);
+    set_view_uniforms(at_.gl, program_, view, {1, 1000});
     const auto centre = read<3>("earth_centre");
     for (int a = 0; a < 3; ++a) EXPECT_EQ(double{centre[static_cast<std::size_t>(a)]}, -std::round(eye[a]));
 }
