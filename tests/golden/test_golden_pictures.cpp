@@ -49,7 +49,7 @@ std::vector<SheetPlan::Picture> pictures() {
 
 std::string default_terrain(const test_support::TemporaryFolder& folder) {
     host_sim::TerrainBuildOptions build;
-    build.rasters = {root() + "/configs/data/" + plan().terrain};
+    build.rasters = {plan().terrain};
     build.output = folder.file("golden.tdb");
     build.accuracy_m = 16;
     build.drape = folder.file("generated_image.tif");
