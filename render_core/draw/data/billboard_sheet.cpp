@@ -84,16 +84,18 @@ bool BillboardSheet::has_room(std::size_t sign_vertices, std::size_t link_vertic
     return left(*signs_) >= sign_vertices && left(*links_) >= link_vertices;
 }
 
-bool BillboardSheet::is_free(const Rect& box) const {
+bool BillboardSheet::is_free(const Rect& box) const { return is_clear_of_signs(box) && symbology_.is_free(box); }
+
+bool BillboardSheet::is_clear_of_signs(const Rect& box) const {
     const Rect picture{0, 0, static_cast<float>(view_.width), static_cast<float>(view_.height)};
     if (!picture.contains(box) || box_count_ == boxes_.size()) return false;
     for (std::size_t n = 0; n < box_count_; ++n)
         if (boxes_[n].overlaps(box)) return false;
-    return symbology_.is_free(box);
+    return true;
 }
 
-bool BillboardSheet::claim(const Rect& box, const glm::dvec3& place) {
-    if (!is_free(box) || !is_seen(place)) return false;
+bool BillboardSheet::claim_under_symbology(const Rect& box, const glm::dvec3& place) {
+    if (!is_clear_of_signs(box) || !is_seen(place)) return false;
     boxes_[box_count_++] = box;
     return true;
 }

@@ -60,7 +60,7 @@ public:
         look_ = billboard_look(input_, feature_);
         if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
         write();
-        if (!sheet_.claim(box(), place_.place)) return false;
+        if (!sheet_.claim_under_symbology(box(), place_.place)) return false;
         draw_lines();
         draw_sign();
         return true;

@@ -16,6 +16,7 @@ inline constexpr double kVelocityLine_s = 30, kShownAge_s = 5, kShownClimb_mps =
 inline constexpr double kFarthestTraffic_m = 60'000;
 
 /// The nearest first: what would cover a nearer one, and what terrain stands before, is hidden, and counted.
+/// The symbology hides none of them: it is drawn over them.
 [[nodiscard]] ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input);
 
 }  // namespace tedavis::draw

@@ -121,6 +121,8 @@ TEST(BillboardSheet, WhatTheSymbologyCoversIsNotFree) {
     room.sheet.begin({room.batch, room.links, room.view, 16, nullptr, &symbology.batch});
     EXPECT_FALSE(room.sheet.claim({290, 240, 50, 20}, place));
     EXPECT_FALSE(room.sheet.claim({480, 390, 40, 20}, place)) << "a line runs through";
+    EXPECT_TRUE(room.sheet.claim_under_symbology({480, 390, 40, 20}, place)) << "which hides nobody else's aircraft";
+    EXPECT_FALSE(room.sheet.claim_under_symbology({490, 390, 40, 20}, place)) << "but signs keep clear of each other";
     EXPECT_TRUE(room.sheet.claim({420, 320, 40, 20}, place)) << "within its bounds, but clear of it";
     EXPECT_TRUE(room.sheet.claim({320, 260, 50, 20}, place));
     room.begin();
