@@ -74,7 +74,8 @@ TEST(GustEnsemble, IsTheSameForEqualSeedsAndEvenWithoutSpread) {
     EXPECT_NE(gusts(3).members, gusts(4).members);
     Scenario sure = shipped();
     sure.weather->gust.spread_mps = 0;
-    for (const float value : gusts(3, sure).members[4]) EXPECT_FLOAT_EQ(value, 9);
+    const AttributeDraft even = gusts(3, sure);
+    for (const float value : even.members[4]) EXPECT_FLOAT_EQ(value, 9);
 }
 
 }  // namespace
