@@ -10,7 +10,7 @@
 #include "tests/support/budget_flight.hpp"
 #include "tests/support/fractal_posts.hpp"
 
-namespace tedavis {
+namespace tedavis::test_budget_flight {
 namespace {
 
 constexpr int kLegs = 24;
@@ -60,4 +60,4 @@ TEST(BudgetFlight, OverTwelveGigabytesStaysWithinTheSmallestDevice) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_budget_flight

@@ -8,7 +8,7 @@
 
 #include "platform/threads/thread_reader.hpp"
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_async_reader_contract {
 namespace {
 
 using base::ReadState;
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(Readers, AsyncReaderContract, testing::Bool(),
                          [](const auto& reader) { return std::string(reader.param ? "thread" : "synchronous"); });
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_async_reader_contract

@@ -15,7 +15,7 @@
 #include "platform/files/file_byte_source.hpp"
 #include "platform/files/memory_byte_source.hpp"
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_byte_source_contract {
 namespace {
 
 constexpr std::size_t kSize = 100'003;
@@ -109,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(Media, ByteSourceContract, testing::Values("file", "mem
                          [](const auto& medium) { return std::string(medium.param); });
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_byte_source_contract

@@ -13,7 +13,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/virtual_screen.hpp"
 
-namespace tedavis {
+namespace tedavis::test_surface_contract {
 namespace {
 
 using test_support::GlSession;
@@ -236,4 +236,4 @@ TEST(SurfaceBackends, TakeTurnsInOneProcessWithTheirObjectsAlive) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_surface_contract

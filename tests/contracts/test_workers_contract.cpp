@@ -7,7 +7,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_workers_contract {
 namespace {
 
 class WorkersContract : public testing::TestWithParam<std::uint32_t> {  // 0: SerialWorkers
@@ -66,4 +66,4 @@ TEST_P(WorkersContract, ResultsAreThoseOfTheSerialRunBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Numbers, WorkersContract, testing::Values(0u, 1u, 2u, 3u, 8u));
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_workers_contract

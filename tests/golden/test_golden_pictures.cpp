@@ -22,7 +22,7 @@
 #include "tests/support/command_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_golden_pictures {
 namespace {
 
 using host_sim::PictureOptions;
@@ -121,4 +121,4 @@ TEST(GoldenPictures, NoTechniqueMatchesThePictureOfAnother) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_golden_pictures

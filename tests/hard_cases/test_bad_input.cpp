@@ -13,7 +13,7 @@
 #include "tests/support/running_program.hpp"
 #include "tests/support/virtual_screen.hpp"
 
-namespace tedavis::tests {
+namespace tedavis::tests::test_bad_input {
 namespace {
 
 using test_support::ProgramResult;
@@ -377,4 +377,4 @@ TEST(BadUsage, OptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests
+}  // namespace tedavis::tests::test_bad_input

@@ -15,7 +15,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis::tests {
+namespace tedavis::tests::test_bad_values {
 namespace {
 
 using ::testing::HasSubstr;
@@ -225,4 +225,4 @@ TEST(BadValues, InChunkEntriesOfTerrainDatabases) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests
+}  // namespace tedavis::tests::test_bad_values

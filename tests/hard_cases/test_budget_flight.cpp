@@ -11,7 +11,7 @@
 #include "tests/support/fractal_posts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_budget_flight {
 namespace {
 
 constexpr int kLegs = 8;
@@ -32,4 +32,4 @@ TEST(BudgetFlight, OverHalfAGigabyteStaysWithinTheSmallestDevice) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_budget_flight

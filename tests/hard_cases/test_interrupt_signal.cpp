@@ -12,7 +12,7 @@
 #include "tests/support/running_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::tests {
+namespace tedavis::tests::test_interrupt_signal {
 namespace {
 
 using test_support::ProgramResult;
@@ -147,4 +147,4 @@ TEST_F(InterruptSignal, ProgressIsDrawnOnATerminalOnly) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests
+}  // namespace tedavis::tests::test_interrupt_signal

@@ -10,7 +10,7 @@
 #include "tests/support/default_flight.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_phase_disagreement {
 namespace {
 
 /// Seconds of the flight.
@@ -87,4 +87,4 @@ TEST(PhaseDisagreement, is_lit_when_the_panel_is_left_at_cruise_through_the_appr
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_phase_disagreement

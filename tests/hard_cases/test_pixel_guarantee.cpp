@@ -7,7 +7,7 @@
 #include "tests/support/pose_proof.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis {
+namespace tedavis::test_pixel_guarantee {
 namespace {
 
 using test_support::GdalTerrain;
@@ -47,4 +47,4 @@ TEST(PixelGuarantee, ALieAboutTheErrorIsFound) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_pixel_guarantee

@@ -7,7 +7,7 @@
 #include "tests/support/skyline.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_skyline {
 namespace {
 
 using test_support::SkylinePicture;
@@ -70,4 +70,4 @@ TEST(Skyline, OfTheDefaultFlightIsThatOfARayCast) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_skyline

@@ -8,7 +8,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/picture_proof.hpp"
 
-namespace tedavis {
+namespace tedavis::test_skyline_bound {
 namespace {
 
 using test_support::GdalTerrain;
@@ -98,4 +98,4 @@ TEST(SkylineBound, AMissingTriangleIsSeen) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_skyline_bound

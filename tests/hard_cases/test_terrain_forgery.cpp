@@ -4,7 +4,7 @@
 
 #include "tests/support/terrain_forgery.hpp"
 
-namespace tedavis {
+namespace tedavis::test_terrain_forgery {
 namespace {
 
 TEST(TerrainForgery, OfAMetreIsFoundInTheDefaultTerrain) {
@@ -12,4 +12,4 @@ TEST(TerrainForgery, OfAMetreIsFoundInTheDefaultTerrain) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_terrain_forgery

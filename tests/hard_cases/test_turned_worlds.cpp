@@ -12,7 +12,7 @@
 #include "tests/support/turned_world.hpp"
 #include "tests/support/watched_surface.hpp"
 
-namespace tedavis {
+namespace tedavis::test_turned_worlds {
 namespace {
 
 using test_support::HeadlessDisplay;
@@ -193,4 +193,4 @@ INSTANTIATE_TEST_SUITE_P(Flights, TurnedWorlds, ::testing::ValuesIn(kJourneys),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_turned_worlds

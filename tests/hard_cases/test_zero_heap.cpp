@@ -8,7 +8,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_zero_heap {
 namespace {
 
 using host_sim::HeapTrap;
@@ -55,4 +55,4 @@ TEST(ZeroHeap, OverTheWholeDefaultFlightOnTheLastBackendAndTheSmallestDevice) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_zero_heap

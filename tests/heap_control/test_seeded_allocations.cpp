@@ -12,7 +12,7 @@
 #include "target/live_flight.hpp"
 #endif
 
-namespace tedavis {
+namespace tedavis::test_seeded_allocations {
 namespace {
 
 using host_sim::HeapTrap;
@@ -108,4 +108,4 @@ TEST_F(Flying, AnAllocationInTheBoardProgramIsCaught) {
 #endif
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_seeded_allocations

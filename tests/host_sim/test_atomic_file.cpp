@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_atomic_file {
 namespace {
 
 TEST(AtomicFile, AppearsOnCommitOnly) {
@@ -86,4 +86,4 @@ TEST(AtomicFile, MakesFoldersWithTheirParents) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_atomic_file

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_console {
 namespace {
 
 TEST(Console, ChoosesTextOrJson) {
@@ -58,4 +58,4 @@ TEST(Console, SurvivesATotalOfZero) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_console

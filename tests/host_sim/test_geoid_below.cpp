@@ -5,7 +5,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/built_database.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_geoid_below {
 namespace {
 
 TEST(GeoidBelow, DatabaseAndGridAgreeWhereBothAre) {
@@ -19,4 +19,4 @@ TEST(GeoidBelow, DatabaseAndGridAgreeWhereBothAre) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_geoid_below

@@ -9,7 +9,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_geoid_egm96 {
 namespace {
 
 const GeoidEgm96& grid() {
@@ -61,4 +61,4 @@ TEST(GeoidEgm96, RefusesWhatIsNoGrid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_geoid_egm96

@@ -6,7 +6,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_input_file {
 namespace {
 
 void write_gzip(const std::string& path, const std::string& content) {
@@ -81,4 +81,4 @@ TEST(InputFile, AnOutputMayNotReplaceAnInput) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_input_file

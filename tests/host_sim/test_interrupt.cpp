@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_interrupt {
 namespace {
 
 TEST(Interrupt, TheFirstSignalOnlySetsTheFlag) {
@@ -42,4 +42,4 @@ TEST(Interrupt, TheHandlerBeforeComesBack) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_interrupt

@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_new_folder {
 namespace {
 
 TEST(NewFolder, GoesAgainWithTheParentsItMade) {
@@ -49,4 +49,4 @@ TEST(NewFolder, RefusesAPlaceThatIsAFile) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_new_folder

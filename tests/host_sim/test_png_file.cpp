@@ -6,7 +6,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_png_file {
 namespace {
 
 RgbaPicture pattern(std::uint32_t width, std::uint32_t height) {
@@ -63,4 +63,4 @@ TEST(PngFile, ShrinksByMeansOfWholeBlocks) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_png_file

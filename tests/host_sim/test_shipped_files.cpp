@@ -6,7 +6,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_shipped_files {
 namespace {
 
 /// Sets TEDAVIS_ROOT for one test.
@@ -54,4 +54,4 @@ TEST(ShippedFiles, NamesInAFileAreShippedOnesOrStartFromItsFolder) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_shipped_files

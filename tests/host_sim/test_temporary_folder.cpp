@@ -9,7 +9,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_temporary_folder {
 namespace {
 
 /// Sets TMPDIR for one test.
@@ -45,4 +45,4 @@ TEST(TemporaryFolder, SaysWhereNoneCanBeMade) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_temporary_folder

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_time_left {
 namespace {
 
 TEST(TimeLeft, IsTheRestAtThePaceSoFar) {
@@ -26,4 +26,4 @@ TEST(TimeLeft, SaysNothingWhereItCannotBeTold) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_time_left

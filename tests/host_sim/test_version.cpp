@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_version {
 namespace {
 
 TEST(Version, HasThreeNumbers) {
@@ -14,4 +14,4 @@ TEST(Version, HasThreeNumbers) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_version

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace tedavis::tests::layering {
+namespace tedavis::tests::layering::test_include_rule {
 namespace {
 
 using ::testing::ElementsAre;
@@ -126,4 +126,4 @@ TEST(IncludeRule, HoldsOverTheTree) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::layering
+}  // namespace tedavis::tests::layering::test_include_rule

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tedavis::tests::layering {
+namespace tedavis::tests::layering::test_source_file {
 namespace {
 
 TEST(SourceFile, FindsIncludesWithTheirLines) {
@@ -54,4 +54,4 @@ TEST(SourceFile, TheTreeHoldsItsOwnSources) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::layering
+}  // namespace tedavis::tests::layering::test_source_file

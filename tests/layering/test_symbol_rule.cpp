@@ -10,7 +10,7 @@
 
 #include "tests/layering/source_file.hpp"
 
-namespace tedavis::tests::layering {
+namespace tedavis::tests::layering::test_symbol_rule {
 namespace {
 
 using ::testing::ElementsAre;
@@ -80,4 +80,4 @@ TEST(SymbolRule, HoldsOverTheCompiledCore) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::layering
+}  // namespace tedavis::tests::layering::test_symbol_rule

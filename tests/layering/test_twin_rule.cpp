@@ -8,7 +8,7 @@
 
 #include "tests/layering/source_file.hpp"
 
-namespace tedavis::tests::layering {
+namespace tedavis::tests::layering::test_twin_rule {
 namespace {
 
 using ::testing::ElementsAre;
@@ -42,4 +42,4 @@ TEST(TwinRule, HoldsOverTheTree) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::layering
+}  // namespace tedavis::tests::layering::test_twin_rule

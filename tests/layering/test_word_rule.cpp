@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace tedavis::tests::layering {
+namespace tedavis::tests::layering::test_word_rule {
 namespace {
 
 using ::testing::ElementsAre;
@@ -55,4 +55,4 @@ TEST(WordRule, HoldsOverTheTree) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::layering
+}  // namespace tedavis::tests::layering::test_word_rule

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_current_surface {
 namespace {
 
 class Plain final : public base::Surface {
@@ -47,4 +47,4 @@ TEST(CurrentSurface, EachThreadHasItsOwn) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_current_surface

@@ -6,7 +6,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_surface_factory {
 namespace {
 
 TEST(SurfaceFactory, MakesEveryBackendOfTheBuild) {
@@ -31,4 +31,4 @@ TEST(SurfaceFactory, RefusesInOneSentence) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_surface_factory

@@ -7,7 +7,7 @@
 #include "tests/poses/grounds.hpp"
 #include "tests/support/picture_proof.hpp"
 
-namespace tedavis {
+namespace tedavis::test_picture_proof {
 namespace {
 
 using test_support::GdalTerrain;
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(Terrains, PictureProofOf, ::testing::ValuesIn(grounds()
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_picture_proof

@@ -9,7 +9,7 @@
 #include "tests/support/pose_proof.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis {
+namespace tedavis::test_pose_proof {
 namespace {
 
 using test_support::GdalTerrain;
@@ -51,4 +51,4 @@ INSTANTIATE_TEST_SUITE_P(Terrains, PoseProofOf, ::testing::ValuesIn(grounds()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_pose_proof

@@ -5,7 +5,7 @@
 #include "tests/poses/grounds.hpp"
 #include "tests/support/terrain_forgery.hpp"
 
-namespace tedavis {
+namespace tedavis::test_terrain_forgery {
 namespace {
 
 class TerrainForgeryOf : public ::testing::TestWithParam<Ground> {};
@@ -16,4 +16,4 @@ INSTANTIATE_TEST_SUITE_P(Terrains, TerrainForgeryOf, ::testing::ValuesIn(grounds
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_terrain_forgery

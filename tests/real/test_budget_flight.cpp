@@ -9,7 +9,7 @@
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_budget_flight {
 namespace {
 
 using test_support::BudgetFlight;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(Terrains, BudgetFlightOverMountains,
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_budget_flight

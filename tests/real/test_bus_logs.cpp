@@ -12,7 +12,7 @@
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_bus_logs {
 namespace {
 
 std::string read_log(const char* name) {
@@ -80,4 +80,4 @@ TEST(BusLogs, GliderLogWithItsTypeMended) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_bus_logs

@@ -19,7 +19,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_converted_flights {
 namespace {
 
 using flight::Signal;
@@ -201,4 +201,4 @@ TEST_F(ConvertedFlight, ARecordingWithoutPositionsIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_converted_flights

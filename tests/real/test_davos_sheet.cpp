@@ -6,7 +6,7 @@
 #include "tests/support/command_run.hpp"
 #include "tests/support/davos_files.hpp"
 
-namespace tedavis {
+namespace tedavis::test_davos_sheet {
 namespace {
 
 TEST(DavosSheet, EveryPictureShowsItsData) {
@@ -26,4 +26,4 @@ TEST(DavosSheet, EveryPictureShowsItsData) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_davos_sheet

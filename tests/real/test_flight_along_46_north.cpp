@@ -10,7 +10,7 @@
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/watched_surface.hpp"
 
-namespace tedavis {
+namespace tedavis::test_flight_along_46_north {
 namespace {
 
 using test_support::GdalTerrain;
@@ -57,4 +57,4 @@ TEST(FlightAlong46North, EveryPitchIsWithoutAHoleAndWithinTau) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_flight_along_46_north

@@ -10,7 +10,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis {
+namespace tedavis::test_height_formats {
 namespace {
 
 using host_sim::load_rasters;
@@ -136,4 +136,4 @@ TEST(HeightFormats, WeatherIsNotTerrain) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_height_formats

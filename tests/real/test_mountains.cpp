@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis {
+namespace tedavis::test_mountains {
 namespace {
 
 using test_support::SkylinePicture;
@@ -135,4 +135,4 @@ TEST(Mountains, OfAFlightOverDavosLieWhereGeodesyPutsThem) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_mountains

@@ -14,7 +14,7 @@
 #include "render_core/scene/scene.hpp"
 #include "tests/support/davos_files.hpp"
 
-namespace tedavis {
+namespace tedavis::test_scene {
 namespace {
 
 using scene::Attribute;
@@ -165,4 +165,4 @@ TEST_F(DavosScene, WeatherHasItsTimesLevelsAndQuality) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_scene

@@ -11,7 +11,7 @@
 #include "tests/support/damaged_terrain.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_terrain_proof {
 namespace {
 
 using namespace terrain;
@@ -76,4 +76,4 @@ INSTANTIATE_TEST_SUITE_P(Terrains, RealTerrain,
                          });
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_terrain_proof

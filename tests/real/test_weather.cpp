@@ -10,7 +10,7 @@
 #include "host_sim/scene_builder/grid_layer.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
 
-namespace tedavis {
+namespace tedavis::test_weather {
 namespace {
 
 using host_sim::AttributeDraft;
@@ -166,4 +166,4 @@ TEST(Weather, OperaRadarWithItsQuality) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_weather

@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-namespace tedavis::target {
+namespace tedavis::target::test_board_clocks {
 namespace {
 
 TEST(BoardClocks, AreTheMachinesOwn) {
@@ -45,4 +45,4 @@ TEST(BoardClocks, ASignalEndsTheSleep) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_board_clocks

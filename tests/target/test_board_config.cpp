@@ -8,7 +8,7 @@
 #include "bus/canaerospace/identifier_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_board_config {
 namespace {
 
 using ::testing::HasSubstr;
@@ -176,4 +176,4 @@ TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_board_config

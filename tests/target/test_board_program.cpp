@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_board_program {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(BoardProgram, TheSelfTestHoldsHere) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_board_program

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::target {
+namespace tedavis::target::test_command_line {
 namespace {
 
 base::Result<CommandLine, BoardError> parse(const std::vector<const char*>& arguments) {
@@ -57,4 +57,4 @@ TEST(CommandLine, TheHelpNamesEveryOption) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_command_line

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/fake_board.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_display_application {
 namespace {
 
 using ::testing::HasSubstr;
@@ -178,4 +178,4 @@ TEST_F(DisplayApplicationTest, WithoutTerrainItRuns) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_display_application

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::target {
+namespace tedavis::target::test_event_log {
 namespace {
 
 TEST(EventLog, WritesOneLineAnEvent) {
@@ -32,4 +32,4 @@ TEST(EventLog, GoesToStderrByItself) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_event_log

@@ -5,7 +5,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_file_text {
 namespace {
 
 using ::testing::HasSubstr;
@@ -32,4 +32,4 @@ TEST(FileText, RefusesWhatIsNoConfiguration) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_file_text

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::target {
+namespace tedavis::target::test_frame_pacer {
 namespace {
 
 using base::Duration;
@@ -58,4 +58,4 @@ TEST(FramePacer, AnHourOfSilenceIsOneStep) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_frame_pacer

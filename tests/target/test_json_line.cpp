@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace tedavis::target {
+namespace tedavis::target::test_json_line {
 namespace {
 
 TEST(JsonLine, IsReadBackAsItWasWritten) {
@@ -36,4 +36,4 @@ TEST(JsonLine, SaysWhenItIsFull) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_json_line

@@ -8,7 +8,7 @@
 #include "bus/canaerospace/message_encoder.hpp"
 #include "tests/target/fake_board.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_live_flight {
 namespace {
 
 using base::SignalState;
@@ -228,4 +228,4 @@ TEST_F(LiveFlightTest, AProgramThatWasHaltedGoesOnAtOnce) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_live_flight

@@ -8,7 +8,7 @@
 #include "tests/support/device_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_palette_files {
 namespace {
 
 using ::testing::HasSubstr;
@@ -57,4 +57,4 @@ TEST(PaletteFiles, TheBoardFileSaysInWhichFolder) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_palette_files

@@ -8,7 +8,7 @@
 #include "tests/target/captured_output.hpp"
 #include "tests/target/fake_board.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_run_report {
 namespace {
 
 using ::testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(RunReport, TheVersionIsTheProjects) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_run_report

@@ -11,7 +11,7 @@
 #include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_scene_watch {
 namespace {
 
 bool comes_true(const std::function<bool()>& condition) {
@@ -91,4 +91,4 @@ TEST_F(SceneWatchTest, StoppingTwiceAndWithoutAStartIsFine) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_scene_watch

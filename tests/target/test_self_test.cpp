@@ -9,7 +9,7 @@
 
 #include "tests/target/captured_output.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_self_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(SelfTest, TheWholeReportFitsOneLineOfJson) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_self_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::target {
+namespace tedavis::target::test_stop_signal {
 namespace {
 
 TEST(StopSignal, TakesTheFirstSignalOfEitherKind) {
@@ -39,4 +39,4 @@ TEST(StopSignalDeathTest, TheSecondSignalEndsTheProgram) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_stop_signal

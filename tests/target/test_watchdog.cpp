@@ -11,7 +11,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_watchdog {
 namespace {
 
 /// The service manager's end.
@@ -78,4 +78,4 @@ TEST(Watchdog, AManagerThatDoesNotReadHoldsNobody) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_watchdog

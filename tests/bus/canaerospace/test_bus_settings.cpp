@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_bus_settings {
 namespace {
 
 std::string shipped(const char* name) {
@@ -78,4 +78,4 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_bus_settings

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_data_type {
 namespace {
 
 /// Lengths as the standard's table of types lists them.
@@ -98,4 +98,4 @@ TEST(DataType, HalvesOfADouble) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_data_type

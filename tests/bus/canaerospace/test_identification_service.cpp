@@ -4,7 +4,7 @@
 
 #include "tests/bus/golden_frames.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_identification_service {
 namespace {
 
 constexpr NodeSettings kNode{true, 30, 2, 7};
@@ -40,4 +40,4 @@ TEST(IdentificationService, KeepsSilentOtherwise) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_identification_service

@@ -11,7 +11,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_identifier_table {
 namespace {
 
 TEST(IdentifierTable, EachIdentifierOnceAndFound) {
@@ -121,4 +121,4 @@ TEST(IdentifierTable, ShippedDbcAgrees) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_identifier_table

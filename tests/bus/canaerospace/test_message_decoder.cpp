@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/bus/golden_frames.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_message_decoder {
 namespace {
 
 using base::radians;
@@ -275,4 +275,4 @@ TEST(MessageDecoder, RandomFramesNeverGiveWildValues) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_message_decoder

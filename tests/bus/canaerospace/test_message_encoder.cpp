@@ -9,7 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/bus/golden_frames.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_message_encoder {
 namespace {
 
 using base::radians;
@@ -146,4 +146,4 @@ TEST(MessageEncoder, DatesCountMonthsAsTheDialectDoes) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_message_encoder

@@ -4,7 +4,7 @@
 
 #include "tests/bus/golden_frames.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_message_header {
 namespace {
 
 TEST(MessageHeader, RedundancyChannelsAreMultiplesOf65536) {
@@ -50,4 +50,4 @@ TEST(MessageHeader, FourBytes) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_message_header

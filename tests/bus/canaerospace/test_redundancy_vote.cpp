@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_redundancy_vote {
 namespace {
 
 using base::Duration;
@@ -37,4 +37,4 @@ TEST(RedundancyVote, TheFirstAmongEqualsEvenIfOlder) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_redundancy_vote

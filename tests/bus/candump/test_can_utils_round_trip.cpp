@@ -12,7 +12,7 @@
 #include "bus/candump/candump_log_source.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_can_utils_round_trip {
 namespace {
 
 constexpr std::uint32_t kIds[] = {0x000, 0x001, 0x123, 0x7FF};
@@ -114,4 +114,4 @@ TEST(CanUtilsRoundTrip, AChangedByteIsSeen) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_can_utils_round_trip

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_candump_line {
 namespace {
 
 struct Parsed {
@@ -248,4 +248,4 @@ TEST(CandumpLine, RandomTextIsHarmless) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_candump_line

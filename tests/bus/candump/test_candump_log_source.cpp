@@ -8,7 +8,7 @@
 
 #include "tests/bus/text_bytes.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_candump_log_source {
 namespace {
 
 constexpr base::Time kForever{std::numeric_limits<std::int64_t>::max()};
@@ -185,4 +185,4 @@ TEST(CandumpLogSource, AFailingMediumIsReported) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_candump_log_source

@@ -13,7 +13,7 @@
 
 #include "bus/candump/candump_log_source.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_candump_log_writer {
 namespace {
 
 class StringSink final : public TextSink {
@@ -125,4 +125,4 @@ TEST(CandumpLogWriter, CanUtilsReadsWhatWeWriteAndWeReadWhatItWrites) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_candump_log_writer

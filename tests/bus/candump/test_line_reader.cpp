@@ -7,7 +7,7 @@
 
 #include "tests/bus/text_bytes.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_line_reader {
 namespace {
 
 std::vector<std::string> read_all(LineReader& reader) {
@@ -90,4 +90,4 @@ TEST(LineReader, AFailingMediumIsSaid) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_line_reader

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_fd_length {
 namespace {
 
 TEST(FdLength, AreTheSixteenOfTheStandard) {
@@ -13,4 +13,4 @@ TEST(FdLength, AreTheSixteenOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_fd_length

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <random>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_kernel_frame {
 namespace {
 
 template <class Record>
@@ -126,4 +126,4 @@ TEST(KernelFrame, ControllerEvents) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_kernel_frame

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <linux/can.h>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_raw_can_socket {
 namespace {
 
 TEST(RawCanSocket, SaysWhyItCannotBeOpened) {
@@ -42,4 +42,4 @@ TEST(RawCanSocket, FiltersEndAtTheKernelsLimit) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_raw_can_socket

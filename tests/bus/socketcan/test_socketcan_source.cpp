@@ -10,7 +10,7 @@
 
 #include "bus/canaerospace/identification_service.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_socketcan_source {
 namespace {
 
 std::int64_t monotonic_ns = 0;
@@ -173,4 +173,4 @@ TEST_F(SocketCanSourceTest, AFullQueueRefusesInsteadOfBlocking) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_socketcan_source

@@ -11,7 +11,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/geodetic.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_axis_filter {
 namespace {
 
 using base::Duration;
@@ -142,4 +142,4 @@ TEST(AxisFilter, AnyMeasurementsGiveFiniteContinuousEstimates) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_axis_filter

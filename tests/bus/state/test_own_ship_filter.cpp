@@ -7,7 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_own_ship_filter {
 namespace {
 
 using base::Duration;
@@ -126,4 +126,4 @@ TEST(OwnShipFilter, ThePoleIsAPlace) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_own_ship_filter

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_source_time_fit {
 namespace {
 
 constexpr std::int64_t kEpoch = 1'700'000'000'000'000'000;
@@ -142,4 +142,4 @@ TEST(SourceTimeFit, AnyStampsGiveAnswersNearTheirStamp) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_source_time_fit

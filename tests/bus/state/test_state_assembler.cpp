@@ -13,7 +13,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bus/golden_frames.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_state_assembler {
 namespace {
 
 using base::Duration;
@@ -355,4 +355,4 @@ TEST(StateAssembler, TheSecondGpsTakesOver) {
 TEST(StateAssembler, FitsItsMemory) { EXPECT_LE(sizeof(StateAssembler), 128u * 1024u); }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_state_assembler

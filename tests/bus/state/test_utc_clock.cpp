@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ctime>
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_utc_clock {
 namespace {
 
 using base::Duration;
@@ -200,4 +200,4 @@ TEST(UtcClock, DatesOfReceiversWithoutAFixAreIgnored) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_utc_clock

@@ -6,7 +6,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_gpio_lines {
 namespace {
 
 TEST(GpioLines, errors_name_the_line_as_the_log_does) {
@@ -26,4 +26,4 @@ TEST(GpioLines, libgpiod_is_there_exactly_when_it_was_built_in) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_gpio_lines

@@ -15,7 +15,7 @@
 #include "bus/switches/switch_to_phase.hpp"
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_gpiod_source {
 namespace {
 
 /// What a GPIO chip does: levels change, the kernel keeps at most 16 edges a line and drops the newest (as the old
@@ -304,4 +304,4 @@ TEST_F(GpiodSourceTest, a_recording_of_live_switches_replays_to_the_same_phases)
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_gpiod_source

@@ -90,7 +90,7 @@ int gpiod_line_event_read_multiple(gpiod_line* line, gpiod_line_event* events, u
 
 }  // extern "C"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_gpiod_v1_lines {
 namespace {
 
 class GpiodV1Lines : public testing::Test {
@@ -199,6 +199,6 @@ TEST_F(GpiodV1Lines, a_line_that_fails_or_was_never_taken_is_a_failure) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_gpiod_v1_lines
 
 #endif

@@ -161,7 +161,7 @@ unsigned long gpiod_edge_event_get_line_seqno(gpiod_edge_event* event) { return 
 
 }  // extern "C"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_gpiod_v2_lines {
 namespace {
 
 class GpiodV2Lines : public testing::Test {
@@ -280,6 +280,6 @@ TEST_F(GpiodV2Lines, a_line_that_fails_or_was_never_taken_is_a_failure) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_gpiod_v2_lines
 
 #endif

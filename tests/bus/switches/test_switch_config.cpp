@@ -7,7 +7,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_switch_config {
 namespace {
 
 std::string sentence_of(const std::string& text) {
@@ -125,4 +125,4 @@ TEST(SwitchConfig, one_wrong_line_never_turns_a_shipped_pattern_into_another) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_switch_config

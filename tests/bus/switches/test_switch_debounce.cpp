@@ -7,7 +7,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_switch_debounce {
 namespace {
 
 constexpr base::Duration kStable = base::Duration::milliseconds(30);
@@ -108,4 +108,4 @@ TEST(SwitchDebounce, random_bounces_follow_the_rule_at_every_instant) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_switch_debounce

@@ -8,7 +8,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_switch_log {
 namespace {
 
 SwitchLogLine parse(const std::string& line) { return parse_switch_log_line(line, three_lines()); }
@@ -130,4 +130,4 @@ TEST(SwitchLog, every_fault_has_its_own_words) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_switch_log

@@ -9,7 +9,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_switch_log_source {
 namespace {
 
 constexpr base::Time kEnd{std::numeric_limits<std::int64_t>::max()};
@@ -102,4 +102,4 @@ TEST(SwitchLogSource, an_empty_text_has_ended) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_switch_log_source

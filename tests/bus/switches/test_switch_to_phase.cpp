@@ -9,7 +9,7 @@
 
 #include "tests/bus/switches/switch_fixtures.hpp"
 
-namespace tedavis::bus {
+namespace tedavis::bus::test_switch_to_phase {
 namespace {
 
 using flight::Scenario;
@@ -174,4 +174,4 @@ TEST(SwitchToPhase, a_saved_state_goes_on_as_if_nothing_had_happened) {
 }
 
 }  // namespace
-}  // namespace tedavis::bus
+}  // namespace tedavis::bus::test_switch_to_phase

@@ -12,7 +12,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_check {
 namespace {
 
 using test_support::CommandRun;
@@ -152,4 +152,4 @@ TEST(CheckCommand, LooksAtEveryFileAndIsTwoWhenOneIsUnsound) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_check

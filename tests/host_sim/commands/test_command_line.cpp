@@ -11,7 +11,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_command_line {
 namespace {
 
 using ::testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(CommandLine, PassesOptionsOn) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_command_line

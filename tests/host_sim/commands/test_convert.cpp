@@ -12,7 +12,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_convert {
 namespace {
 
 using flight::Signal;
@@ -126,4 +126,4 @@ TEST_F(ConvertCommand, LeavesNothingWhereItRefuses) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_convert

@@ -6,7 +6,7 @@
 #include "tests/support/command_run.hpp"
 #include "tests/support/run_folders.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_diff {
 namespace {
 
 using test_support::CommandRun;
@@ -61,4 +61,4 @@ TEST_F(DiffCommand, ARunThatEndsFirstDiffers) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_diff

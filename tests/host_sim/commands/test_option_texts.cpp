@@ -4,7 +4,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_option_texts {
 namespace {
 
 using test_support::expect_user_error;
@@ -41,4 +41,4 @@ TEST(OptionTexts, InstantsAreUtc) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_option_texts

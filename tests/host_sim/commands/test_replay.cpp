@@ -15,7 +15,7 @@
 #include "tests/support/frame_lines.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_replay {
 namespace {
 
 using test_support::frame_lines;
@@ -266,4 +266,4 @@ TEST(Replay, WrongInputIsRefusedAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_replay

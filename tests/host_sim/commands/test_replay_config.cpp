@@ -11,7 +11,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/frame_lines.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_replay_config {
 namespace {
 
 using test_support::TemporaryFolder;
@@ -148,4 +148,4 @@ TEST(ReplayConfig, WhatTheFileSaysIsNotSaidTwice) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_replay_config

@@ -10,7 +10,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scenario {
 namespace {
 
 using test_support::CommandRun;
@@ -91,4 +91,4 @@ TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scenario

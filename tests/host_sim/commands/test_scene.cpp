@@ -8,7 +8,7 @@
 #include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scene {
 namespace {
 
 using test_support::CommandRun;
@@ -120,4 +120,4 @@ TEST_F(SceneCommand, FaultsAreSentences) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scene

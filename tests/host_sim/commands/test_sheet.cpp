@@ -11,7 +11,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_sheet {
 namespace {
 
 using test_support::CommandRun;
@@ -146,4 +146,4 @@ TEST(SheetCommand, DamagedTerrainLeavesTheSheetAndEndsWithTwo) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_sheet

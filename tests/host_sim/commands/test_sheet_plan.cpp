@@ -7,7 +7,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_sheet_plan {
 namespace {
 
 const std::string kHead =
@@ -159,4 +159,4 @@ TEST(SheetPlan, ADesignThatIsNotThereIsNamedWithItsPicture) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_sheet_plan

@@ -14,7 +14,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_shot {
 namespace {
 
 using nlohmann::json;
@@ -148,4 +148,4 @@ TEST(Shot, WrongInputIsRefusedAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_shot

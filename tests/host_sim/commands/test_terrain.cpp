@@ -11,7 +11,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_terrain {
 namespace {
 
 using test_support::CommandRun;
@@ -285,4 +285,4 @@ TEST_F(TerrainCommand, NotesOfTheRasterReachTheUser) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_terrain

@@ -12,7 +12,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_flight_log_writer {
 namespace {
 
 using flight::Signal;
@@ -138,4 +138,4 @@ TEST(FlightLogWriter, ReportsAStreamThatFails) {
 TEST(FlightLogWriter, WritesTheSameBytesAgain) { EXPECT_EQ(write(KnownFlight()).text, write(KnownFlight()).text); }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_flight_log_writer

@@ -6,7 +6,7 @@
 
 #include "bus/canaerospace/identifier_table.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_message_schedule {
 namespace {
 
 TEST(MessageSchedule, AgreesWithTheIdentifierTable) {
@@ -42,4 +42,4 @@ TEST(MessageSchedule, NoMillisecondCarriesMoreThanItCanHold) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_message_schedule

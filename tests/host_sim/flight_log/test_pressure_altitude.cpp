@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_pressure_altitude {
 namespace {
 
 // Tables of the ICAO standard atmosphere (Doc 7488): pressure and temperature by altitude.
@@ -33,4 +33,4 @@ TEST(PressureAltitude, GoesThereAndBack) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_pressure_altitude

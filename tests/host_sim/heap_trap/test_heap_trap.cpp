@@ -16,7 +16,7 @@
 #include "render_core/gl/readback.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis {
+namespace tedavis::test_heap_trap {
 namespace {
 
 using host_sim::HeapCounts;
@@ -137,4 +137,4 @@ TEST(HeapTrap, FramesOfTheGlLayerCostNoneOfOurs) {
 }
 
 }  // namespace
-}  // namespace tedavis
+}  // namespace tedavis::test_heap_trap

@@ -6,7 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_adsb_json_importer {
 namespace {
 
 const std::string kRow =
@@ -85,4 +85,4 @@ TEST(AdsbJsonImporter, RefusesWhatCannotBeFlown) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_adsb_json_importer

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <time.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_calendar_time {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
@@ -59,4 +59,4 @@ TEST(CalendarTime, RefusesWhatIsNoTime) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_calendar_time

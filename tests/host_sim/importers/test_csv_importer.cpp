@@ -6,7 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_csv_importer {
 namespace {
 
 TEST(CsvImporter, ReadsEveryDocumentedColumn) {
@@ -62,4 +62,4 @@ TEST(CsvImporter, NamesTheLineOfAFault) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_csv_importer

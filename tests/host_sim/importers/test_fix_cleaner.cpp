@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_fix_cleaner {
 namespace {
 
 /// North at 50 m/s, one fix a second, climbing at 3 m/s.
@@ -97,4 +97,4 @@ TEST(FixCleaner, SurvivesVeryShortFlights) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_fix_cleaner

@@ -6,7 +6,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_flight_importer {
 namespace {
 
 const char kIgc[] = "AXXX001\nHFDTE120420\nB0947004637500N00955250EA0123401300\n";
@@ -74,4 +74,4 @@ TEST(FlightImporter, ListsTheChoices) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_flight_importer

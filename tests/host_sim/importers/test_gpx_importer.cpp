@@ -6,7 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_gpx_importer {
 namespace {
 
 std::string gpx(const std::string& content) {
@@ -56,4 +56,4 @@ TEST(GpxImporter, RefusesWhatIsNoTrack) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_gpx_importer

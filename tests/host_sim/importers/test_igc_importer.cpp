@@ -6,7 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_igc_importer {
 namespace {
 
 using ::testing::Contains;
@@ -92,4 +92,4 @@ TEST(IgcImporter, RefusesWhatIsNoFlight) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_igc_importer

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_local_fit {
 namespace {
 
 const std::vector<double> kUneven = {0, 0.5, 1.7, 2.0, 3.1, 4.4, 5.0, 6.3, 9.0};
@@ -46,4 +46,4 @@ TEST(LocalFit, TakesOneAndTwoSamples) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_local_fit

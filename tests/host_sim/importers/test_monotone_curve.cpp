@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_monotone_curve {
 namespace {
 
 TEST(MonotoneCurve, PassesThroughItsSamplesAndNeverLeavesTheirRange) {
@@ -54,4 +54,4 @@ TEST(MonotoneCurve, HoldsOutsideAndSaysWhatItCovers) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_monotone_curve

@@ -9,7 +9,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_resampled_flight {
 namespace {
 
 using flight::Signal;
@@ -232,4 +232,4 @@ TEST(ResampledFlight, RefusesTooSparseFlights) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_resampled_flight

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_color_difference {
 namespace {
 
 struct Pair {
@@ -84,4 +84,4 @@ TEST(Lab, LightBeyondTheDisplayIsCut) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_color_difference

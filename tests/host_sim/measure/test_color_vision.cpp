@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_color_vision {
 namespace {
 
 double seen_difference(ColorVision vision, const LinearRgb& first, const LinearRgb& second) {
@@ -76,4 +76,4 @@ TEST(ColorVision, EachHasAName) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_color_vision

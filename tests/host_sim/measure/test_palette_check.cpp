@@ -9,7 +9,7 @@
 #include "host_sim/measure/color_vision.hpp"
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_palette_check {
 namespace {
 
 using design::Color;
@@ -167,4 +167,4 @@ TEST(PaletteCheck, TheSafePaletteKeepsTheWidestStepsInEveryVision) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_palette_check

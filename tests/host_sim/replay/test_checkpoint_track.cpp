@@ -7,7 +7,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_checkpoint_track {
 namespace {
 
 base::Time at(std::int64_t seconds) { return base::Time{} + base::Duration::seconds(seconds); }
@@ -98,4 +98,4 @@ TEST(CheckpointTrack, RefusesDamagedBytes) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_checkpoint_track

@@ -8,7 +8,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_display_session {
 namespace {
 
 using test_support::expect_user_error;
@@ -108,4 +108,4 @@ TEST(DisplaySession, ASurfaceThatCannotBeMadeIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_display_session

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_flight_index {
 namespace {
 
 const CheckpointSpacing kSpacing{100, 10, 8};
@@ -89,4 +89,4 @@ TEST(FlightIndex, OtherFilesAreNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_flight_index

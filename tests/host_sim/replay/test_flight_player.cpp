@@ -17,7 +17,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_flight_player {
 namespace {
 
 using base::Duration;
@@ -336,4 +336,4 @@ TEST(FlightPlayer, CtrlCWhileIndexingLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_flight_player

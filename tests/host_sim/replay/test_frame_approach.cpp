@@ -10,7 +10,7 @@
 #include "host_sim/replay/frame_instants.hpp"
 #include "tests/support/flown_circle.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_frame_approach {
 namespace {
 
 const test_support::FlownFiles& files() {
@@ -106,4 +106,4 @@ TEST(FrameApproach, AnInstantIsTheSameHoweverItIsReached) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_frame_approach

@@ -7,7 +7,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_frame_instants {
 namespace {
 
 const base::Time kFirst{1'700'000'000'123'456'789};
@@ -89,4 +89,4 @@ TEST(FrameInstants, ImpossibleTimesAreRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_frame_instants

@@ -4,7 +4,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_generated_flight {
 namespace {
 
 TEST(GeneratedFlight, HasAManifestBesideIt) {
@@ -17,4 +17,4 @@ TEST(GeneratedFlight, HasAManifestBesideIt) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_generated_flight

@@ -10,7 +10,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_index_key {
 namespace {
 
 using test_support::TemporaryFolder;
@@ -102,4 +102,4 @@ TEST(IndexKey, OnePostOfTheTerrainIsEnough) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_index_key

@@ -7,7 +7,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_load_design {
 namespace {
 
 TEST(LoadDesign, FindsShippedAndOwnFiles) {
@@ -69,4 +69,4 @@ TEST(LoadDesign, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_load_design

@@ -5,7 +5,7 @@
 #include "render_core/base/hash.hpp"
 #include "tests/support/flown_circle.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_posed_frame {
 namespace {
 
 TEST(PosedFrame, IsSettledAndHashed) {
@@ -34,4 +34,4 @@ TEST(PosedFrame, IsSettledAndHashed) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_posed_frame

@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_read_switch_log {
 namespace {
 
 TEST(ReadSwitchLog, GivesTheWholeText) {
@@ -27,4 +27,4 @@ TEST(ReadSwitchLog, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_read_switch_log

@@ -11,7 +11,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/frame_lines.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_run_recorder {
 namespace {
 
 struct Recording {
@@ -86,4 +86,4 @@ TEST(RunRecorder, AFolderThatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_run_recorder

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_base64 {
 namespace {
 
 // RFC 4648, section 10.
@@ -23,4 +23,4 @@ TEST(Base64, UsesAllBitsOfAllBytes) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_base64

@@ -4,7 +4,7 @@
 
 #include "tests/support/small_sheet.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_contact_sheet {
 namespace {
 
 std::vector<SheetBox> all_boxes(const ContactSheetLayout& layout) {
@@ -90,4 +90,4 @@ TEST(ContactSheet, AWordTooWideStaysInItsBox) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_contact_sheet

@@ -7,7 +7,7 @@
 
 #include "tests/support/frame_result.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_frame_record_json {
 namespace {
 
 using Json = nlohmann::json;
@@ -151,4 +151,4 @@ TEST(FrameRecordJson, HashesHaveSixteenDigits) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_frame_record_json

@@ -6,7 +6,7 @@
 #include "tests/support/frame_result.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_frame_record_writer {
 namespace {
 
 TEST(FrameRecordWriter, WritesALineAFrameThatAppearsOnCommit) {
@@ -33,4 +33,4 @@ TEST(FrameRecordWriter, LeavesNothingWithoutACommit) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_frame_record_writer

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <regex>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_line_chart {
 namespace {
 
 using ::testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(LineChart, EscapesAndRounds) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_line_chart

@@ -8,7 +8,7 @@
 #include "render_core/draw/font_atlas.hpp"
 #include "tests/support/batch_rasterizer.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_picture_text {
 namespace {
 
 constexpr std::uint32_t kWidth = 240, kHeight = 60;
@@ -89,4 +89,4 @@ TEST(PictureText, FitsWhereItIsTooWide) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_picture_text

@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/run_folders.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_run_difference {
 namespace {
 
 using test_support::write_run;
@@ -108,4 +108,4 @@ TEST_F(RunDifferenceTest, RefusesWhatIsNoRun) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_run_difference

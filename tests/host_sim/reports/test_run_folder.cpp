@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_run_folder {
 namespace {
 
 TEST(RunFolder, PicturesSortByNameAsByNumber) {
@@ -12,4 +12,4 @@ TEST(RunFolder, PicturesSortByNameAsByNumber) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_run_folder

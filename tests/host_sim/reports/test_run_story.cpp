@@ -6,7 +6,7 @@
 
 #include "tests/support/frame_result.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_run_story {
 namespace {
 
 using test_support::frame_result;
@@ -88,4 +88,4 @@ TEST(RunStory, PicturesAreFewAndSmallAndSpread) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_run_story

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_run_summary {
 namespace {
 
 using Json = nlohmann::json;
@@ -86,4 +86,4 @@ TEST(RunSummary, SurvivesNamesThatAreNoText) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_run_summary

@@ -8,7 +8,7 @@
 
 #include "tests/support/small_sheet.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_sheet_page {
 namespace {
 
 using ::testing::HasSubstr;
@@ -74,4 +74,4 @@ TEST(SheetPage, JsonHoldsWhatScriptsRelyOn) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_sheet_page

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_generated_attribute {
 namespace {
 
 TEST(GeneratedAttribute, HoldsValuesWithTheirStandardDeviations) {
@@ -23,4 +23,4 @@ TEST(GeneratedAttribute, StatesNoUncertaintyWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_generated_attribute

@@ -8,7 +8,7 @@
 #include "host_sim/input_file.hpp"
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_gust_ensemble {
 namespace {
 
 Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
@@ -79,4 +79,4 @@ TEST(GustEnsemble, IsTheSameForEqualSeedsAndEvenWithoutSpread) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_gust_ensemble

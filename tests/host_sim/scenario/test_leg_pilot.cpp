@@ -7,7 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_leg_pilot {
 namespace {
 
 Scenario calm_scenario() {
@@ -133,4 +133,4 @@ TEST(LegPilot, LandsOnTheStripAndStops) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_leg_pilot

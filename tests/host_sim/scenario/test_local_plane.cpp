@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_local_plane {
 namespace {
 
 /// GeographicLib's distance and azimuth from a place to another.
@@ -32,4 +32,4 @@ TEST(LocalPlane, GoesOnAcrossTheAntimeridian) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_local_plane

@@ -8,7 +8,7 @@
 #include "host_sim/input_file.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_planned_flight {
 namespace {
 
 class PlannedFlight : public ::testing::Test {
@@ -81,4 +81,4 @@ TEST_F(PlannedFlight, StatesHowSureHeightsAndSpeedsAre) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_planned_flight

@@ -6,7 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/flown_circle.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_posed_aircraft {
 namespace {
 
 using flight::Signal;
@@ -42,4 +42,4 @@ TEST(PosedAircraft, WithoutTerrainTheGroundIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_posed_aircraft

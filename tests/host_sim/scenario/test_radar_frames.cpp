@@ -7,7 +7,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/scenario/square_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_radar_frames {
 namespace {
 
 constexpr std::size_t kFrame = kRadarPosts * kRadarPosts;
@@ -97,4 +97,4 @@ TEST(RadarFrames, SeeNoEchoOfNoStorm) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_radar_frames

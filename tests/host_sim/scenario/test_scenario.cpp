@@ -9,7 +9,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scenario {
 namespace {
 
 std::string shipped() { return read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"); }
@@ -77,4 +77,4 @@ TEST(Scenario, NamesFileAndLineOfAFault) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scenario

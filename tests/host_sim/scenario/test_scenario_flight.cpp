@@ -14,7 +14,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scenario_flight {
 namespace {
 
 using flight::Signal;
@@ -187,4 +187,4 @@ TEST(ScenarioFlight, NamesALegThatCannotEnd) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scenario_flight

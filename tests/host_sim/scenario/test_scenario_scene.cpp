@@ -16,7 +16,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scenario_scene {
 namespace {
 
 using ::testing::Contains;
@@ -189,4 +189,4 @@ TEST(ScenarioScene, NamesTheFaultOfASceneFile) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scenario_scene

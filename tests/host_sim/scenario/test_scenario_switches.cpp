@@ -9,7 +9,7 @@
 #include "host_sim/input_file.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scenario_switches {
 namespace {
 
 Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
@@ -57,4 +57,4 @@ TEST(ScenarioSwitches, RefusesAPanelThatLacksAPhase) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scenario_switches

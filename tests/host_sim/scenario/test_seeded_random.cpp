@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_seeded_random {
 namespace {
 
 // The C++ standard states the 10000th number of a default-seeded mt19937_64 (5489): 9981545732273789042.
@@ -32,4 +32,4 @@ TEST(SeededRandom, StaysWithinItsSpread) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_seeded_random

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_seeded_waves {
 namespace {
 
 SeededWaves waves_of(std::uint64_t seed) {
@@ -40,4 +40,4 @@ TEST(SeededWaves, AreSmooth) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_seeded_waves

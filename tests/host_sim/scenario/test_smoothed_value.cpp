@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_smoothed_value {
 namespace {
 
 TEST(SmoothedValue, ReachesItsTargetWithoutOvershoot) {
@@ -37,4 +37,4 @@ TEST(SmoothedValue, KeepsItsRateWithinTheLimit) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_smoothed_value

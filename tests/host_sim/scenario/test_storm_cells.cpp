@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_storm_cells {
 namespace {
 
 StormSettings settings() {
@@ -109,4 +109,4 @@ TEST(StormCells, MayBeNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_storm_cells

@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_weather_settings {
 namespace {
 
 constexpr const char* kWeather = R"(reach_m = 18000
@@ -74,4 +74,4 @@ TEST(WeatherSettings, NameTheLineOfAFault) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_weather_settings

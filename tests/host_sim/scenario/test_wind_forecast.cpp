@@ -10,7 +10,7 @@
 #include "render_core/scene/grid_field.hpp"
 #include "render_core/scene/wind.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_wind_forecast {
 namespace {
 
 Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
@@ -104,4 +104,4 @@ TEST(WindForecast, HasTheTimesAndHeightsOfItsFlight) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_wind_forecast

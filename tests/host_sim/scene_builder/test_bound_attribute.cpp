@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_bound_attribute {
 namespace {
 
 TEST(BoundAttribute, SaysWhatItsRecipeSays) {
@@ -66,4 +66,4 @@ TEST(BoundAttribute, UncertaintiesBecomeLevels) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_bound_attribute

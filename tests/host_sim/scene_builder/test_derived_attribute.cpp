@@ -9,7 +9,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_derived_attribute {
 namespace {
 
 using scene::Uncertainty;
@@ -221,4 +221,4 @@ TEST(DerivedAttribute, WhatCannotBeDerivedIsSaid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_derived_attribute

@@ -5,7 +5,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_dof_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -90,4 +90,4 @@ TEST(Dof, UsualAttributesAreStated) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_dof_source

@@ -5,7 +5,7 @@
 #include "render_core/scene/grid_field.hpp"
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_draft_grid {
 namespace {
 
 TEST(DraftGrid, AnswersAsTheLayerInADatabaseDoes) {
@@ -32,4 +32,4 @@ TEST(DraftGrid, AnswersAsTheLayerInADatabaseDoes) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_draft_grid

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_ensemble {
 namespace {
 
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
@@ -41,4 +41,4 @@ TEST(Ensemble, KeepsMembersEvenlyByRank) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_ensemble

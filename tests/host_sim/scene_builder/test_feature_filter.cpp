@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_feature_filter {
 namespace {
 
 using scene::LayerRole;
@@ -67,4 +67,4 @@ TEST(FeatureFilter, TimesAreKeptWithTheirValues) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_feature_filter

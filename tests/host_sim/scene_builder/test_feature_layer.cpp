@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_feature_layer {
 namespace {
 
 using scene::AttributeOf;
@@ -250,4 +250,4 @@ TEST(FeatureLayer, EmptySetsAreEmptyLayers) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_feature_layer

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_feature_value {
 namespace {
 
 SourceFeature mast() {
@@ -102,4 +102,4 @@ TEST(FeatureValue, VariablesAreFieldsColumnsOrValuesOfPoints) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_feature_value

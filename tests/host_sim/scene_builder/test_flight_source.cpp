@@ -12,7 +12,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_flight_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -171,4 +171,4 @@ TEST(UsualAttributesOfFlights, AreTheValuesOfPoints) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_flight_source

@@ -4,7 +4,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_axes {
 namespace {
 
 using test_support::expect_user_error;
@@ -46,4 +46,4 @@ TEST(GridAxes, AMissingLevelIsSaid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_axes

@@ -9,7 +9,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_layer {
 namespace {
 
 using test_support::expect_user_error;
@@ -178,4 +178,4 @@ TEST_F(GridLayerOfFiles, WhatIsNotBoundIsSaid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_layer

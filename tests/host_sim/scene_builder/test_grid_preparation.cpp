@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_preparation {
 namespace {
 
 using scene::Uncertainty;
@@ -81,4 +81,4 @@ TEST(GridPreparation, SmoothingIsAGaussian) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_preparation

@@ -8,7 +8,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -107,4 +107,4 @@ TEST_F(GridSourceOfFiles, WhatIsNoRasterIsSaid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_source

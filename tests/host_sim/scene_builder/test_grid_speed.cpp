@@ -8,7 +8,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_speed {
 namespace {
 
 using scene::Uncertainty;
@@ -77,4 +77,4 @@ TEST(GridSpeed, OtherQuantitiesAndGridsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_speed

@@ -6,7 +6,7 @@
 
 #include "tests/support/raster_file.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_times {
 namespace {
 
 std::int64_t utc_ns(int year, int month, int day, int hour = 0) {
@@ -70,4 +70,4 @@ TEST(GridTimes, OfNetcdfGribAndRadarFiles) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_times

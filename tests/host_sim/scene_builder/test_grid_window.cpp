@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_grid_window {
 namespace {
 
 using Numbers = std::vector<int>;
@@ -57,4 +57,4 @@ TEST(GridWindow, CutsPlanes) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_grid_window

@@ -9,7 +9,7 @@
 #include "tests/support/model_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_model_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -63,4 +63,4 @@ TEST(ModelSource, RefusesWhatIsNoModelOrTooMuch) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_model_source

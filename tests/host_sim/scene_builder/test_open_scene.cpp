@@ -6,7 +6,7 @@
 #include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_open_scene {
 namespace {
 
 using test_support::expect_user_error;
@@ -54,4 +54,4 @@ TEST(OpenScene, FaultsAreSentences) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_open_scene

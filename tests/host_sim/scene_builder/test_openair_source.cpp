@@ -7,7 +7,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_openair_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -204,4 +204,4 @@ TEST(OpenAir, FloorAndCeilingAreItsUsualAttributes) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_openair_source

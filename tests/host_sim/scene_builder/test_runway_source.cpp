@@ -6,7 +6,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_runway_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -75,4 +75,4 @@ TEST_F(RunwayFiles, AreKnownByTheirColumns) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_runway_source

@@ -10,7 +10,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scene_build {
 namespace {
 
 using scene::Layer;
@@ -218,4 +218,4 @@ TEST_F(SceneFiles, AStoppedBuildLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scene_build

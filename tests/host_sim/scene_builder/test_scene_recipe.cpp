@@ -4,7 +4,7 @@
 
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_scene_recipe {
 namespace {
 
 using scene::LayerRole;
@@ -150,4 +150,4 @@ TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_scene_recipe

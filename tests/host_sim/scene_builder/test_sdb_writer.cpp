@@ -5,7 +5,7 @@
 #include "host_sim/user_error.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_sdb_writer {
 namespace {
 
 std::string sentence_of(const SceneDraft& draft) {
@@ -43,4 +43,4 @@ TEST(SdbWriter, WhatDoesNotFitIsSaidWithItsLayer) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_sdb_writer

@@ -6,7 +6,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_source_kind {
 namespace {
 
 using scene::LayerRole;
@@ -47,4 +47,4 @@ TEST(SourceKind, FlightsAreWhatTrajectoriesAndTrafficAsFor) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_source_kind

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_stated_number {
 namespace {
 
 constexpr std::int64_t kInstant_ns = 1'586'684'820'000'000'000;  // date -u -d '2020-04-12 09:47:00' +%s
@@ -25,4 +25,4 @@ TEST(StatedNumber, InstantsOfTablesAndOfGdal) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_stated_number

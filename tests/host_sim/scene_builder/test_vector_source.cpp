@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_vector_source {
 namespace {
 
 using scene::LayerShape;
@@ -132,4 +132,4 @@ TEST_F(VectorFiles, RowsOfATableNeedNoPlaces) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_vector_source

@@ -8,7 +8,7 @@
 #include "host_sim/terrain_builder/height_pyramid.hpp"
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_attribute_baker {
 namespace {
 
 using namespace terrain;
@@ -139,4 +139,4 @@ TEST(AttributeBaker, GoesRoundTheEarthAndOverThePoles) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_attribute_baker

@@ -4,7 +4,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_binary_terrain_header {
 namespace {
 
 /// Bytes as the format's description lays them out.
@@ -35,4 +35,4 @@ TEST(BinaryTerrainHeader, GivesScaleAndProjectionFile) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_binary_terrain_header

@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_border_lines {
 namespace {
 
 using test_support::BuildGround;
@@ -52,4 +52,4 @@ TEST(BorderLines, PiecesAgreeWhereTheyMeet) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_border_lines

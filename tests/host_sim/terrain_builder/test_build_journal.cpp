@@ -6,7 +6,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_build_journal {
 namespace {
 
 BuildRecord record_of(std::uint32_t stage, std::uint32_t next) {
@@ -89,4 +89,4 @@ TEST(BuildJournal, AnotherKeyOrAnotherFolderStartsEmpty) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_build_journal

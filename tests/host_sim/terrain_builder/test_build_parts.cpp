@@ -5,7 +5,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_build_parts {
 namespace {
 
 using namespace terrain;
@@ -51,4 +51,4 @@ TEST(BuildParts, AFolderIsTakenOverByAnEqualBuildOnly) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_build_parts

@@ -9,7 +9,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_build_plan {
 namespace {
 
 using namespace terrain;
@@ -233,4 +233,4 @@ TEST(BuildPlan, KnownHeightsMakeTheVertexGridFiner) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_build_plan

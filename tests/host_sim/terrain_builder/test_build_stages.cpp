@@ -8,7 +8,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_build_stages {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<BuildStage>& stages) {
@@ -76,4 +76,4 @@ TEST(BuildStages, VoidsAreFilledOnlyWhereThereAreAny) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_build_stages

@@ -7,7 +7,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_assembly {
 namespace {
 
 using namespace terrain;
@@ -130,4 +130,4 @@ TEST(ChunkAssembly, ANeighbourHoldsTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_assembly

@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_border {
 namespace {
 
 using namespace terrain;
@@ -64,4 +64,4 @@ TEST(ChunkBorder, APoleIsOnTheCoarsestGrid) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_border

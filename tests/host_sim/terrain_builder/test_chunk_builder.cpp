@@ -8,7 +8,7 @@
 #include "render_core/terrain/regular_chunk.hpp"
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_builder {
 namespace {
 
 using namespace terrain;
@@ -124,4 +124,4 @@ TEST(ChunkBuilder, PayloadsAreVerticesThenIndices) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_builder

@@ -7,7 +7,7 @@
 #include "tests/support/built_database.hpp"
 #include "tests/support/true_surface.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_proof {
 namespace {
 
 using namespace terrain;
@@ -146,4 +146,4 @@ TEST(ChunkProof, HoldsBesideVoids) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_proof

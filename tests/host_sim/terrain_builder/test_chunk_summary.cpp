@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_summary {
 namespace {
 
 using namespace terrain;
@@ -60,4 +60,4 @@ TEST(ChunkSummary, ParentsAddTheirChildrenUp) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_summary

@@ -8,7 +8,7 @@
 
 #include "tests/support/tin_check.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_tin {
 namespace {
 
 using terrain::PostClass;
@@ -157,4 +157,4 @@ TEST(ChunkTin, ALargeChunkOfManyPosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_tin

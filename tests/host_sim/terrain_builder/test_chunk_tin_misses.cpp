@@ -9,7 +9,7 @@
 #include "host_sim/terrain_builder/surface_error.hpp"
 #include "tests/support/tin_check.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_tin_misses {
 namespace {
 
 using terrain::PostClass;
@@ -112,4 +112,4 @@ TEST(ChunkTin, MissesAwayFromAllCandidatesAreMendedWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_tin_misses

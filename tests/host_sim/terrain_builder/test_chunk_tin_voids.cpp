@@ -7,7 +7,7 @@
 
 #include "tests/support/tin_check.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_chunk_tin_voids {
 namespace {
 
 using terrain::PostClass;
@@ -83,4 +83,4 @@ TEST(ChunkTin, OfTwoVoidsEquallyNearTheNorthernOneIsTaken) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_chunk_tin_voids

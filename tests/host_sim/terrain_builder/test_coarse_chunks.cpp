@@ -8,7 +8,7 @@
 #include "render_core/terrain/chunk_payload.hpp"
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_coarse_chunks {
 namespace {
 
 using namespace terrain;
@@ -120,4 +120,4 @@ TEST(CoarseChunks, AreMeasuredByAllUnitsBelow) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_coarse_chunks

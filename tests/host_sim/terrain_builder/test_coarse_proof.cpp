@@ -4,7 +4,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_coarse_proof {
 namespace {
 
 CoarseErrors errors_of(std::uint32_t i, double above, double below) {
@@ -58,4 +58,4 @@ TEST(CoarseProof, ADamagedFileIsNotBelieved) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_coarse_proof

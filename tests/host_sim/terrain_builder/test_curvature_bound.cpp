@@ -13,7 +13,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_curvature_bound {
 namespace {
 
 using terrain::Lattice;
@@ -165,4 +165,4 @@ TEST(CurvatureBound, RowsBesideAPoleCountTheirOwnSpacing) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_curvature_bound

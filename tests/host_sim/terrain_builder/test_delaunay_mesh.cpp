@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_delaunay_mesh {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -181,4 +181,4 @@ TEST(DelaunayMesh, ARectangleWithoutInnerPosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_delaunay_mesh

@@ -4,7 +4,7 @@
 
 #include "tests/support/built_database.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_directory_writer {
 namespace {
 
 using namespace terrain;
@@ -64,4 +64,4 @@ TEST(DirectoryWriter, EveryChunkStandsInItsPage) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_directory_writer

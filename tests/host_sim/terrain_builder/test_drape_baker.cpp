@@ -8,7 +8,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/image_file.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_drape_baker {
 namespace {
 
 using namespace terrain;
@@ -133,4 +133,4 @@ TEST(DrapeBaker, LevelsAreTheDatabases) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_drape_baker

@@ -11,7 +11,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/image_file.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_drape_sampler {
 namespace {
 
 using namespace terrain;
@@ -271,4 +271,4 @@ TEST_F(DrapeSamplerTest, AnImageOfSomewhereElseIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_drape_sampler

@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_entry_book {
 namespace {
 
 using namespace terrain;
@@ -71,4 +71,4 @@ TEST(EntryBook, FineEntriesHavePlacesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_entry_book

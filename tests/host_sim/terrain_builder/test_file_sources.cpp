@@ -5,7 +5,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_file_sources {
 namespace {
 
 class FileSources : public ::testing::Test {
@@ -58,4 +58,4 @@ TEST_F(FileSources, BoundsAreTheGroundsOnly) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_file_sources

@@ -6,7 +6,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_fine_unit {
 namespace {
 
 using namespace terrain;
@@ -60,4 +60,4 @@ TEST(FineUnit, ATerrainOfOneChunkIsRegular) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_fine_unit

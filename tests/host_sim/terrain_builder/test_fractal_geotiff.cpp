@@ -10,7 +10,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_fractal_geotiff {
 namespace {
 
 // Oracle: the reader of any raster.
@@ -74,4 +74,4 @@ TEST(FractalGeotiff, RefusesAPlaceThatCannotTakeIt) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_fractal_geotiff

@@ -9,7 +9,7 @@
 #include "render_core/base/hash.hpp"
 #include "tests/support/fractal_square.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_fractal_terrain {
 namespace {
 
 using test_support::fractal_square;
@@ -124,4 +124,4 @@ TEST(FractalTerrain, EveryRowAndColumnIsEquallyRough) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_fractal_terrain

@@ -12,7 +12,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_generated_image {
 namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
@@ -80,4 +80,4 @@ TEST(GeneratedImage, LiesOverItsRaster) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_generated_image

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_ground {
 namespace {
 
 TEST(LineGrid, NamesLinesAndTheirLevels) {
@@ -21,4 +21,4 @@ TEST(LineGrid, NamesLinesAndTheirLevels) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_ground

@@ -6,7 +6,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_height_pyramid {
 namespace {
 
 using terrain::PostClass;
@@ -126,4 +126,4 @@ TEST(HeightPyramid, BlocksInAnyOrderGiveTheSame) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_height_pyramid

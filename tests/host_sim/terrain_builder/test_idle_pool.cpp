@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_idle_pool {
 namespace {
 
 /// Tells when two have it at once.
@@ -62,4 +62,4 @@ TEST(IdlePool, GivesEachThingToOneThreadAtATime) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_idle_pool

@@ -10,7 +10,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_image_source {
 namespace {
 
 using test_support::expect_user_error;
@@ -145,4 +145,4 @@ TEST_F(ImageSourceTest, ADamagedFileIsSaidWhereItIsRead) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_image_source

@@ -7,7 +7,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_import_posts {
 namespace {
 
 using terrain::PostClass;
@@ -81,4 +81,4 @@ TEST(PostImport, ARowThatTheSourceHasAtThePoleBecomesOnePoint) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_import_posts

@@ -5,7 +5,7 @@
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_coverage {
 namespace {
 
 using namespace terrain;
@@ -94,4 +94,4 @@ TEST(InsetCoverage, RegionsHoldAllFineChunksAndKeepApart) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_coverage

@@ -6,7 +6,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_import {
 namespace {
 
 using namespace terrain;
@@ -156,4 +156,4 @@ TEST(InsetImport, VoidsAreFilledFromTheCoarsePosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_import

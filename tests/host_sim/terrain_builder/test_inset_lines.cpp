@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_lines {
 namespace {
 
 using namespace terrain;
@@ -80,4 +80,4 @@ TEST(InsetLines, RoughPostsStayAtFineLevels) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_lines

@@ -7,7 +7,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/lattice_windows.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_posts {
 namespace {
 
 using namespace terrain;
@@ -86,4 +86,4 @@ TEST(RegionBlocks, AreTheChunksOfTheRegion) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_posts

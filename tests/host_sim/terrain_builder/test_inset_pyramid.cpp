@@ -5,7 +5,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/lattice_windows.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_pyramid {
 namespace {
 
 using namespace terrain;
@@ -67,4 +67,4 @@ TEST(InsetPyramid, ElsewhereTheyAreInterpolatedAndCoarseLevelsAreTheTerrains) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_pyramid

@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_slopes {
 namespace {
 
 using namespace terrain;
@@ -34,4 +34,4 @@ TEST(InsetSlopes, AreTheSteepestOfFineAndCoarsePosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_slopes

@@ -12,7 +12,7 @@
 #include "tests/support/built_database.hpp"
 #include "tests/support/chunk_side.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_inset_stages {
 namespace {
 
 using namespace terrain;
@@ -250,4 +250,4 @@ TEST(InsetStages, ACheckFindsAMetreInTheInset) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_inset_stages

@@ -10,7 +10,7 @@
 
 #include "host_sim/terrain_builder/raster_options.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_mesh_difference {
 namespace {
 
 using terrain::ChunkVertex;
@@ -123,4 +123,4 @@ TEST_F(MeshDifferenceOf, NeighboursAreAskedForTogether) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_mesh_difference

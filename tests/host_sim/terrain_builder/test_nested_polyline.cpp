@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_nested_polyline {
 namespace {
 
 using terrain::PostClass;
@@ -150,4 +150,4 @@ TEST(NestedPolyline, PiecesOfALineAreIndependent) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_nested_polyline

@@ -10,7 +10,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_ordered_tasks {
 namespace {
 
 std::unique_ptr<base::Workers> workers(std::uint32_t count) {
@@ -91,4 +91,4 @@ TEST(OrderedTasks, NothingToDoIsDone) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_ordered_tasks

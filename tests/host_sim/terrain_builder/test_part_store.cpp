@@ -6,7 +6,7 @@
 
 #include "render_core/base/hash.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_part_store {
 namespace {
 
 TEST(PartStore, ChecksumsAreThoseOfTheDisplay) {
@@ -19,4 +19,4 @@ TEST(PartStore, ChecksumsAreThoseOfTheDisplay) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_part_store

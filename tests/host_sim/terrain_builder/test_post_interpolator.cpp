@@ -10,7 +10,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_post_interpolator {
 namespace {
 
 using test_support::RasterFile;
@@ -160,4 +160,4 @@ TEST_F(PostInterpolatorTest, KnowsGridsInGradsFromParis) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_post_interpolator

@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_post_places {
 namespace {
 
 using test_support::BuildGround;
@@ -72,4 +72,4 @@ TEST(PostPlaces, NormalsWithoutNeighboursAreUpright) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_post_places

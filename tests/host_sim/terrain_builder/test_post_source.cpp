@@ -12,7 +12,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_post_source {
 namespace {
 
 using terrain::PostClass;
@@ -184,4 +184,4 @@ TEST_F(PostSourceTest, DamageIsFoundWhereItIsRead) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_post_source

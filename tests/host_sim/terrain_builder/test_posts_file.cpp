@@ -5,7 +5,7 @@
 #include "tests/support/lattice_windows.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_posts_file {
 namespace {
 
 using terrain::PostClass;
@@ -66,4 +66,4 @@ TEST(PostsFile, IsThereAgainWhenItIsOpenedAgain) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_posts_file

@@ -11,7 +11,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_raster {
 namespace {
 
 using terrain::PostClass;
@@ -161,4 +161,4 @@ TEST_F(RasterTest, RefusesWhatCannotBeTerrain) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_raster

@@ -11,7 +11,7 @@
 #include "tests/support/height_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_raster_file {
 namespace {
 
 using test_support::expect_user_error;
@@ -326,4 +326,4 @@ TEST_F(RasterFormats, WhatCannotBeReadIsSaidInOneSentence) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_raster_file

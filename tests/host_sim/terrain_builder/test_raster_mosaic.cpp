@@ -10,7 +10,7 @@
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_raster_mosaic {
 namespace {
 
 using test_support::RasterFile;
@@ -228,4 +228,4 @@ TEST_F(RasterMosaicTest, BoundsCutWholeSteps) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_raster_mosaic

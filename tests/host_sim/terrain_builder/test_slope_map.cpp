@@ -7,7 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_slope_map {
 namespace {
 
 using terrain::PostRange;
@@ -70,4 +70,4 @@ TEST(SlopeMap, VoidsHaveNoSlopeAndTheFileIsReadAgain) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_slope_map

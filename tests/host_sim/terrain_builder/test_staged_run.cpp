@@ -6,7 +6,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_staged_run {
 namespace {
 
 /// Three stages that note which of their tasks were finished, in order.
@@ -113,4 +113,4 @@ TEST(StagedRun, AResultThatIsHalfKeptIsNotKept) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_staged_run

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_surface_error {
 namespace {
 
 using terrain::PostClass;
@@ -313,4 +313,4 @@ TEST(SurfaceError, TheLargestTrianglesStayExact) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_surface_error

@@ -4,7 +4,7 @@
 
 #include "tests/support/build_ground.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_surface_heights {
 namespace {
 
 TEST(SurfaceHeights, AreHeightsAndUndulation) {
@@ -30,4 +30,4 @@ TEST(SurfaceHeights, GoOnRoundTheEarth) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_surface_heights

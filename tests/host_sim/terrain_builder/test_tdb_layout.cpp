@@ -8,7 +8,7 @@
 #include "render_core/terrain/regular_chunk.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_tdb_layout {
 namespace {
 
 using namespace terrain;
@@ -62,4 +62,4 @@ TEST(ChunkOrder, NamesEveryChunkOnce) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_tdb_layout

@@ -13,7 +13,7 @@
 #include "tests/support/draped_database.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_terrain_build {
 namespace {
 
 using namespace terrain;
@@ -278,4 +278,4 @@ TEST(TerrainBuild, RefusesWhatHasNoHeights) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_terrain_build

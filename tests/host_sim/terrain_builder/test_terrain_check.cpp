@@ -15,7 +15,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_terrain_check {
 namespace {
 
 using terrain::ChunkEntry;
@@ -326,4 +326,4 @@ TEST(TerrainCheck, RefusesWhatIsNoDatabaseOfTheseRasters) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_terrain_check

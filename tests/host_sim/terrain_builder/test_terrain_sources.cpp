@@ -7,7 +7,7 @@
 #include "tests/support/build_ground.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_terrain_sources {
 namespace {
 
 using test_support::make_raster;
@@ -51,4 +51,4 @@ TEST(TerrainPlan, RefusesInsetsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_terrain_sources

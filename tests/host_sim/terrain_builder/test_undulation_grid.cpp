@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/post_grid.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_undulation_grid {
 namespace {
 
 using test_support::post_grid;
@@ -49,4 +49,4 @@ TEST(PostUndulation, ClosesRoundTheEarthAndHasOneValueAtAPole) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_undulation_grid

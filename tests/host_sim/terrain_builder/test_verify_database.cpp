@@ -7,7 +7,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_image.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_verify_database {
 namespace {
 
 using test_support::expect_user_error;
@@ -74,4 +74,4 @@ TEST(VerifyDatabase, LevelsAddUp) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_verify_database

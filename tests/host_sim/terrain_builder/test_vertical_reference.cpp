@@ -12,7 +12,7 @@
 #include "tests/support/height_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_vertical_reference {
 namespace {
 
 using test_support::expect_user_error;
@@ -113,4 +113,4 @@ TEST_F(DatumOfFiles, UsgsHeadersNameTheirSeaLevel) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_vertical_reference

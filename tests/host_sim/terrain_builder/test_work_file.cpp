@@ -5,7 +5,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_work_file {
 namespace {
 
 using test_support::expect_user_error;
@@ -51,4 +51,4 @@ TEST(WorkFile, SaysWhatFails) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_work_file

@@ -5,7 +5,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_camera_tour {
 namespace {
 
 using base::degrees;
@@ -77,4 +77,4 @@ TEST(CameraTour, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_camera_tour

@@ -10,7 +10,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_design_watch {
 namespace {
 
 const std::string kSound = "name = \"a\"\n[terrain]\ntau_px = 2\n";
@@ -98,4 +98,4 @@ TEST(DesignWatch, AnUnsoundDesignIsRefusedAtTheStart) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_design_watch

@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_free_camera {
 namespace {
 
 using base::Duration;
@@ -98,4 +98,4 @@ TEST(FreeCamera, ItsViewSeesWhatLiesAhead) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_free_camera

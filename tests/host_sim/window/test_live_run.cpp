@@ -13,7 +13,7 @@
 #include "tests/support/frame_lines.hpp"
 #include "tests/support/scripted_window.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_live_run {
 namespace {
 
 using base::Duration;
@@ -310,4 +310,4 @@ TEST(LiveRun, TellsKeysAndState) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_live_run

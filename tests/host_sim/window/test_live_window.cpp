@@ -13,7 +13,7 @@
 #include "tests/support/frame_lines.hpp"
 #include "tests/support/scripted_window.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_live_window {
 namespace {
 
 using platform::Key;
@@ -83,4 +83,4 @@ TEST(LiveWindow, WithoutAScreenIsOneSentenceAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_live_window

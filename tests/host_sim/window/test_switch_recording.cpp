@@ -6,7 +6,7 @@
 #include "bus/switches/switch_to_phase.hpp"
 #include "host_sim/input_file.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_switch_recording {
 namespace {
 
 const base::Time kNow{1'700'000'000'000'000'000};
@@ -63,4 +63,4 @@ TEST(SwitchRecording, TheLogReadsBack) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_switch_recording

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_transport {
 namespace {
 
 using base::Duration;
@@ -124,4 +124,4 @@ TEST(Transport, AFlightOfOneFrameStandsStill) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_transport

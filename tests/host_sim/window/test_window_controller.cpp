@@ -5,7 +5,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/scripted_window.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_window_controller {
 namespace {
 
 using base::Duration;
@@ -201,4 +201,4 @@ TEST(WindowController, ClosesAndHelps) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_window_controller

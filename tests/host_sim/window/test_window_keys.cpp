@@ -7,7 +7,7 @@
 
 #include "tests/support/scripted_window.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_window_keys {
 namespace {
 
 using platform::Key;
@@ -56,4 +56,4 @@ TEST(WindowKeys, HelpNamesThemAll) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_window_keys

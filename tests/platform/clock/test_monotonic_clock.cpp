@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_monotonic_clock {
 namespace {
 
 TEST(MonotonicClock, NeverStepsBack) {
@@ -24,4 +24,4 @@ TEST(MonotonicClock, IsTheClockOfTheStandardLibrary) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_monotonic_clock

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_egl_display {
 namespace {
 
 TEST(EglExtension, MatchesWholeWords) {
@@ -37,4 +37,4 @@ TEST(HeadlessConfig, HasEightBitsAColourAnd24OfDepthInBothLanes) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_egl_display

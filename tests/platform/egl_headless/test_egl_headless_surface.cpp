@@ -5,7 +5,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_egl_headless_surface {
 namespace {
 
 TEST(EglHeadlessSurface, NeedsNoDisplayVariable) {
@@ -30,4 +30,4 @@ TEST(EglHeadlessSurface, DestroyedWhileCurrentMakesRoomForTheNext) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_egl_headless_surface

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_file_byte_source {
 namespace {
 
 std::string write_file(const std::string& content) {
@@ -62,4 +62,4 @@ TEST(FileByteSource, MovesWithItsDescriptor) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_file_byte_source

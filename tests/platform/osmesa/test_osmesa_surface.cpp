@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_osmesa_surface {
 namespace {
 
 #if defined(TEDAVIS_HAVE_OSMESA)
@@ -50,4 +50,4 @@ TEST(OsmesaSurface, IsRefusedByABuildWithoutIt) {
 #endif
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_osmesa_surface

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_memory_reservation {
 namespace {
 
 TEST(MemoryReservation, IsOneZeroFilledArena) {
@@ -40,4 +40,4 @@ TEST(MemoryReservation, RefusesWhatTheMachineHasNot) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_memory_reservation

@@ -7,7 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_thread_reader {
 namespace {
 
 using base::ReadState;
@@ -92,4 +92,4 @@ TEST(ThreadReader, RefusesImpossibleNumbers) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_thread_reader

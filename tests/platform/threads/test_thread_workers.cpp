@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_thread_workers {
 namespace {
 
 std::atomic<int> started{0};
@@ -39,4 +39,4 @@ TEST(UsableProcessors, AreAtLeastOne) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_thread_workers

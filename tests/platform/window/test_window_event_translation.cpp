@@ -5,7 +5,7 @@
 #if defined(TEDAVIS_HAVE_SDL2)
 #include <SDL.h>
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_window_event_translation {
 namespace {
 
 WindowEvent translated(const SDL_Event& from) {
@@ -89,5 +89,5 @@ TEST(WindowEvents, ClosingIsOneAndTheRestIsIgnored) {
 }
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_window_event_translation
 #endif

@@ -14,7 +14,7 @@
 #include <SDL.h>
 #endif
 
-namespace tedavis::platform {
+namespace tedavis::platform::test_window_surface {
 namespace {
 
 constexpr SurfaceSettings kSettings{160, 120, ContextLane::es3};
@@ -89,4 +89,4 @@ TEST(Window, IsRefusedByABuildWithoutIt) {
 #endif
 
 }  // namespace
-}  // namespace tedavis::platform
+}  // namespace tedavis::platform::test_window_surface

@@ -7,7 +7,7 @@
 
 #include "render_core/base/fixed_vector.hpp"
 
-namespace tedavis::base {
+namespace tedavis::base::test_check {
 namespace {
 
 TEST(Check, a_true_condition_costs_nothing_and_is_evaluated_once) {
@@ -49,4 +49,4 @@ TEST(CheckDeathTest, null_restores_the_default) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_check

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::base {
+namespace tedavis::base::test_config_reader {
 namespace {
 
 using Loader = std::function<void(ConfigSection)>;
@@ -191,4 +191,4 @@ TEST(ConfigReader, a_sentence_too_long_is_cut_not_lost) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_config_reader

@@ -9,7 +9,7 @@
 #include "render_core/base/result.hpp"
 #include "render_core/base/span.hpp"
 
-namespace tedavis::base {
+namespace tedavis::base::test_containers {
 namespace {
 
 TEST(FixedVector, refuses_and_counts_when_full) {
@@ -95,4 +95,4 @@ TEST(ResultDeathTest, the_wrong_alternative_stops) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_containers

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tedavis::base {
+namespace tedavis::base::test_fault_text {
 namespace {
 
 TEST(FaultText, SaysWhatWhereAndWhatToDo) {
@@ -21,4 +21,4 @@ TEST(FaultText, IsTakenFromBehindItsBeginning) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_fault_text

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::base {
+namespace tedavis::base::test_hash {
 namespace {
 
 std::uint64_t fnv(const std::string& text) {
@@ -86,4 +86,4 @@ TEST(Crc32, finds_every_single_flipped_bit) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_hash

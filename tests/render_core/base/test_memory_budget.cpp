@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::base {
+namespace tedavis::base::test_memory_budget {
 namespace {
 
 BudgetLine line(const char* name, MemoryKind kind, std::uint64_t bytes) {
@@ -116,4 +116,4 @@ TEST(ArenaDeathTest, alignment_must_be_a_power_of_two) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_memory_budget

@@ -5,7 +5,7 @@
 #include "render_core/base/time.hpp"
 #include "render_core/base/units.hpp"
 
-namespace tedavis::base {
+namespace tedavis::base::test_stamped {
 namespace {
 
 constexpr FreshnessLimits kLimits{Duration::milliseconds(500), Duration::seconds(2)};
@@ -64,4 +64,4 @@ TEST(Units, factors_are_the_legal_definitions) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_stamped

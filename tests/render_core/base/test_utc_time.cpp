@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
-namespace tedavis::base {
+namespace tedavis::base::test_utc_time {
 namespace {
 
 TEST(UtcTime, AgreesWithTheLibraryOnEveryDay) {
@@ -57,4 +57,4 @@ TEST(CanBeUtc, ACenturyOfIt) {
 }
 
 }  // namespace
-}  // namespace tedavis::base
+}  // namespace tedavis::base::test_utc_time

@@ -7,7 +7,7 @@
 
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_adjacent_view {
 namespace {
 
 struct Read {
@@ -68,4 +68,4 @@ TEST(AdjacentView, FaultsNameWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_adjacent_view

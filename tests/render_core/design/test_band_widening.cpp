@@ -8,7 +8,7 @@
 
 #include "render_core/design/warning_bands.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_band_widening {
 namespace {
 
 BandWidening widening_of(const WideningSettings& settings, const HeightAccuracy& accuracy) {
@@ -80,4 +80,4 @@ TEST(BandWidening, TerrainAtALimitHasItsColourAsOftenAsAsked) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_band_widening

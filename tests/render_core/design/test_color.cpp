@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::design {
+namespace tedavis::design::test_color {
 namespace {
 
 TEST(Color, ReadsSixAndEightDigitsOfEitherCase) {
@@ -36,4 +36,4 @@ TEST(Color, LuminanceOfBlackWhiteAndMiddleGrey) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_color

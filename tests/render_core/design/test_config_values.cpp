@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::design {
+namespace tedavis::design::test_config_values {
 namespace {
 
 TEST(ConfigValues, AColourIsReadOrIsAFaultAtItsLine) {
@@ -24,4 +24,4 @@ TEST(ConfigValues, FaultsNameTheirKey) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_config_values

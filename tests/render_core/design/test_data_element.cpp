@@ -7,7 +7,7 @@
 #include "render_core/design/data_style.hpp"
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_data_element {
 namespace {
 
 struct Read {
@@ -149,4 +149,4 @@ TEST(DataElement, FaultsNameTheirKeyAndLine) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_data_element

@@ -8,7 +8,7 @@
 
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_data_scale {
 namespace {
 
 using test_support::scale_of;
@@ -35,4 +35,4 @@ TEST(DataScale, ClassesHaveTheColoursOfTheirMiddles) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_data_scale

@@ -7,7 +7,7 @@
 
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_data_style {
 namespace {
 
 using test_support::GreyPalettes;
@@ -225,4 +225,4 @@ TEST(DataStyle, ProgramsDifferByTechnique) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_data_style

@@ -9,7 +9,7 @@
 
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_design_settings {
 namespace {
 
 /// One palette of heights and one of slopes.
@@ -192,4 +192,4 @@ TEST(DesignSettings, TruncatedFilesNeverLoadAsWholeWithoutTheirName) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_design_settings

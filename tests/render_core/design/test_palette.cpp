@@ -7,7 +7,7 @@
 
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_palette {
 namespace {
 
 std::string with(const std::string& kind, const std::string& unit, const std::string& stops) {
@@ -130,4 +130,4 @@ TEST(Palette, NamesWithADotOrASlashArePaths) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_palette

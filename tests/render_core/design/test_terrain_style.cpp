@@ -6,7 +6,7 @@
 
 #include "render_core/base/config_reader.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_terrain_style {
 namespace {
 
 struct ReadStyle {
@@ -167,4 +167,4 @@ TEST(TerrainStyle, ParametersMayChangeWhileRunningTechniquesMayNot) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_terrain_style

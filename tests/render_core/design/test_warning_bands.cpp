@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::design {
+namespace tedavis::design::test_warning_bands {
 namespace {
 
 std::size_t band_at(const WarningBands& bands, double above_ft, bool gear_down = false) {
@@ -65,4 +65,4 @@ TEST(WarningBands, OrderCheckFindsEverySwap) {
 }
 
 }  // namespace
-}  // namespace tedavis::design
+}  // namespace tedavis::design::test_warning_bands

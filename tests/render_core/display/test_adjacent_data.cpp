@@ -9,7 +9,7 @@
 #include "tests/support/grey_palettes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_adjacent_data {
 namespace {
 
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
@@ -113,4 +113,4 @@ TEST_F(AdjacentDataOf, TheLegendSaysWhatTheColoursAndTheSignsMean) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_adjacent_data

@@ -9,7 +9,7 @@
 #include "tests/support/default_flight.hpp"
 #include "tests/support/drawn_pixels.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_coded_pictures {
 namespace {
 
 constexpr std::uint32_t kWidth = 400, kHeight = 300;
@@ -83,4 +83,4 @@ TEST(CodedPictures, AnotherLightIsSeen) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_coded_pictures

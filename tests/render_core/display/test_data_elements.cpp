@@ -14,7 +14,7 @@
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_data_elements {
 namespace {
 
 using design::DataTechnique;
@@ -296,4 +296,4 @@ TEST(ElementState, HasAReasonOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_data_elements

@@ -7,7 +7,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_data_legends {
 namespace {
 
 using test_support::LoadedScene;
@@ -237,4 +237,4 @@ TEST(DataLegends, WhatSaysTheSameIsThereOnce) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_data_legends

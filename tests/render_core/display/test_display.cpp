@@ -11,7 +11,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_display {
 namespace {
 
 using base::radians;
@@ -261,4 +261,4 @@ TEST(Display, HeightAboveTerrainIsFromTheSurfaceThatIsDrawn) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_display

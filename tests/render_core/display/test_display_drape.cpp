@@ -8,7 +8,7 @@
 #include "tests/support/draped_database.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_display_drape {
 namespace {
 
 using test_support::aircraft_over_hills;
@@ -90,4 +90,4 @@ TEST(Display, OtherStylesReadNoImage) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_display_drape

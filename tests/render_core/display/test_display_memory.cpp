@@ -9,7 +9,7 @@
 
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_display_memory {
 namespace {
 
 /// Budgets of a few kilobytes that are all different.
@@ -70,4 +70,4 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_display_memory

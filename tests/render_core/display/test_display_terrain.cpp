@@ -8,7 +8,7 @@
 #include "tests/support/damaged_terrain.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_display_terrain {
 namespace {
 
 using base::radians;
@@ -179,4 +179,4 @@ TEST(Display, TerrainThatWouldBeAWrongPictureIsTakenAwayUntilItHasArrived) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_display_terrain

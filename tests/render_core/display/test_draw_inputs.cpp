@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_draw_inputs {
 namespace {
 
 class DrawInputs : public ::testing::Test {
@@ -70,4 +70,4 @@ TEST_F(DrawInputs, BelowTheHorizonIsWhatIsKnownThere) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_draw_inputs

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tedavis::display {
+namespace tedavis::display::test_effect_notes {
 namespace {
 
 /// "name state, replaced_by: reason" of one effect; empty where the record has none of the name.
@@ -127,4 +127,4 @@ TEST_F(EffectNotes, MapsBesideThePictureRunWhereTheyHaveDataAndRoom) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_effect_notes

@@ -5,7 +5,7 @@
 #include "tests/support/grey_palettes.hpp"
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_element_legends {
 namespace {
 
 class ElementLegends : public ::testing::Test {
@@ -89,4 +89,4 @@ TEST_F(ElementLegends, BothSidesOfATubeAreExplained) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_element_legends

@@ -12,7 +12,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/eye_views.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_eye {
 namespace {
 
 using base::degrees;
@@ -281,4 +281,4 @@ TEST(Eye, ScaleIsOfTheShorterSide) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_eye

@@ -7,7 +7,7 @@
 
 #include "tests/support/policy_states.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_failure_policy {
 namespace {
 
 using base::SignalState;
@@ -300,4 +300,4 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_failure_policy

@@ -10,7 +10,7 @@
 #include "tests/support/device_files.hpp"
 #include "tests/support/policy_states.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_failure_table {
 namespace {
 
 using base::SignalState;
@@ -166,4 +166,4 @@ TEST(FailurePolicy, EveryCellOnTheMap) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_failure_table

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tedavis::display {
+namespace tedavis::display::test_frame_notes {
 namespace {
 
 bool has_flag(const FrameRecord& record, std::string_view name) {
@@ -130,4 +130,4 @@ TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_frame_notes

@@ -11,7 +11,7 @@
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_glyph_elements {
 namespace {
 
 using design::DataTechnique;
@@ -220,4 +220,4 @@ TEST(GlyphElements, ALineThatIsTooSmallIsNamed) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_glyph_elements

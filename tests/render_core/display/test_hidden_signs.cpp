@@ -15,7 +15,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/selection.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_hidden_signs {
 namespace {
 
 using test_support::WrittenTdb;
@@ -184,4 +184,4 @@ TEST(HiddenSigns, NothingCutsASignButItsStem) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_hidden_signs

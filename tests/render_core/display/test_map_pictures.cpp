@@ -7,7 +7,7 @@
 
 #include "tests/support/map_scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_map_pictures {
 namespace {
 
 using base::radians;
@@ -222,4 +222,4 @@ TEST(MapPictures, FromAboveThereAreNoSilhouettes) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_map_pictures

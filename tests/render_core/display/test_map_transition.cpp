@@ -7,7 +7,7 @@
 
 #include "tests/support/map_scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_map_transition {
 namespace {
 
 using base::Time;
@@ -119,4 +119,4 @@ TEST(MapPictures, JumpsInTimeAndLostTerrainLeaveTheWayOut) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_map_transition

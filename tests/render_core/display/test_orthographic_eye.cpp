@@ -8,7 +8,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/eye_views.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_orthographic_eye {
 namespace {
 
 using base::radians;
@@ -143,4 +143,4 @@ TEST(OrthographicEye, PlanesOfTheOrthographicViewEncloseWhatItShows) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_orthographic_eye

@@ -10,7 +10,7 @@
 #include "tests/support/map_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_orthographic_pictures {
 namespace {
 
 using base::radians;
@@ -222,4 +222,4 @@ TEST(OrthographicPictures, WhetherTheGroundIsFlatIsSettledAtTheStart) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_orthographic_pictures

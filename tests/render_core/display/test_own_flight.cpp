@@ -9,7 +9,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_own_flight {
 namespace {
 
 using base::Duration;
@@ -165,4 +165,4 @@ TEST(OwnFlight, TooSmallAnArenaIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_own_flight

@@ -4,7 +4,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_phase_monitor {
 namespace {
 
 using base::Duration;
@@ -68,4 +68,4 @@ TEST(PhaseMonitor, ACopyGoesOnAsTheOriginalWould) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_phase_monitor

@@ -8,7 +8,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_spatial_data {
 namespace {
 
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
@@ -222,4 +222,4 @@ TEST_F(SpatialDataOf, AFaultySceneIsNamed) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_spatial_data

@@ -16,7 +16,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/placed_aircraft.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_style_pictures {
 namespace {
 
 using base::radians;
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(Shipped, StylePictures, testing::ValuesIn(shipped_style
                          [](const auto& style) { return style.param; });
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_style_pictures

@@ -8,7 +8,7 @@
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_symbology_data {
 namespace {
 
 class SymbologyDataOf : public ::testing::Test {
@@ -61,4 +61,4 @@ TEST_F(SymbologyDataOf, WhatHasNoRoomNoDataOrAnotherUnitIsFlagged) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_symbology_data

@@ -7,7 +7,7 @@
 #include "render_core/draw/symbology/symbology.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_symbology_plan {
 namespace {
 
 constexpr std::uint32_t kWidth = 640, kHeight = 480;
@@ -60,4 +60,4 @@ TEST(SymbologyPlan, TextFollowsTheScreen) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_symbology_plan

@@ -15,7 +15,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/placed_aircraft.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_terrain_light {
 namespace {
 
 using base::degrees;
@@ -226,4 +226,4 @@ TEST(TerrainLight, TheRecordSaysWhoShines) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_terrain_light

@@ -18,7 +18,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_ray_caster.hpp"
 
-namespace tedavis::display {
+namespace tedavis::display::test_terrain_scene {
 namespace {
 
 using base::radians;
@@ -355,4 +355,4 @@ TEST(TerrainScene, TheTrueHeightIsThatOfThePosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_terrain_scene

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::display {
+namespace tedavis::display::test_view_transition {
 namespace {
 
 using base::Duration;
@@ -111,4 +111,4 @@ TEST(ViewTransition, ArriveLeavesOutTheRest) {
 }
 
 }  // namespace
-}  // namespace tedavis::display
+}  // namespace tedavis::display::test_view_transition

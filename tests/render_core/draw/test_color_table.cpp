@@ -10,7 +10,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_color_table {
 namespace {
 
 constexpr HeightSpan kSpan{200, 3400};
@@ -170,4 +170,4 @@ TEST(ColorTable, ATerrainAsFlatAsATableStillHasColours) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_color_table

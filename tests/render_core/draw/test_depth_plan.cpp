@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_depth_plan {
 namespace {
 
 constexpr double kGap = 0.3e-3 * 1.01;  ///< of the distance, which must be told
@@ -67,4 +67,4 @@ TEST(DepthPlan, RangesPartWhereTheNearerOneEnds) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_depth_plan

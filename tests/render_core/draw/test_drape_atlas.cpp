@@ -11,7 +11,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_drape_atlas {
 namespace {
 
 using terrain::DrapePage;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Lanes, DrapeAtlasTest, testing::Values("es2-small", "es
                          [](const auto& lane) { return std::string(lane.param).substr(0, 3); });
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_drape_atlas

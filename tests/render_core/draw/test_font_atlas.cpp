@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_font_atlas {
 namespace {
 
 TEST(FontAtlas, GlyphsAreSortedInsideTheAtlasAndDisjoint) {
@@ -111,4 +111,4 @@ TEST(TextWidth, AddsAdvancesAndScales) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_font_atlas

@@ -7,7 +7,7 @@
 
 #include "tests/support/ground_drawing.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_ground_map {
 namespace {
 
 using design::Color;
@@ -219,4 +219,4 @@ TEST(GridWindow, LeadsFromPlacesOfChunksToPostsOfTheGrid) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_ground_map

@@ -7,7 +7,7 @@
 
 #include "tests/support/ground_drawing.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_ground_uncertainty {
 namespace {
 
 using design::Color;
@@ -290,4 +290,4 @@ TEST_P(GroundUncertaintyOf, AnOverlayStandsBesideATechniqueInTheColours) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_ground_uncertainty

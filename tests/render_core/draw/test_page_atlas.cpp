@@ -12,7 +12,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_page_atlas {
 namespace {
 
 using design::BakedMap;
@@ -199,4 +199,4 @@ INSTANTIATE_TEST_SUITE_P(Lanes, PageAtlasTest, testing::Values("es2-small", "es3
                          [](const auto& lane) { return std::string(lane.param).substr(0, 3); });
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_page_atlas

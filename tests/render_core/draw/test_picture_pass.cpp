@@ -14,7 +14,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_picture_pass {
 namespace {
 
 using test_support::GlSession;
@@ -203,4 +203,4 @@ TEST(PicturePass, ADeviceWithoutRoomIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_picture_pass

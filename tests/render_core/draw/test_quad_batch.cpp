@@ -12,7 +12,7 @@
 #include "render_core/draw/font_atlas.hpp"
 #include "tests/support/batch_rasterizer.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_quad_batch {
 namespace {
 
 using test_support::Picture;
@@ -308,4 +308,4 @@ TEST(QuadBatch, DistancesHoldUntilTheNextFrame) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_quad_batch

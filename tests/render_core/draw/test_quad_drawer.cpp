@@ -13,7 +13,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_quad_drawer {
 namespace {
 
 using test_support::GlSession;
@@ -196,4 +196,4 @@ TEST(QuadDrawer, SignsBorrowWhatTheSymbologyHas) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_quad_drawer

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_screen_cover {
 namespace {
 
 constexpr std::uint32_t kWidth = 640, kHeight = 480;
@@ -95,4 +95,4 @@ TEST(ScreenCover, LargePicturesHaveLargerCells) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_screen_cover

@@ -8,7 +8,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_screen_grid {
 namespace {
 
 gl::ProgramSource adding_source() {
@@ -136,4 +136,4 @@ TEST(ScreenGrid, ADeviceWithoutRoomIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_screen_grid

@@ -12,7 +12,7 @@
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_sky_drawer {
 namespace {
 
 using base::radians;
@@ -137,4 +137,4 @@ TEST(SkyDrawer, OsMesaAndEglAgreeBitForBit) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_sky_drawer

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_bands {
 namespace {
 
 using design::WarningBands;
@@ -57,4 +57,4 @@ TEST(TerrainBands, TheGearMovesItsOwnLimitOnly) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_bands

@@ -11,7 +11,7 @@
 #include "tests/support/chunk_drawing.hpp"
 #include "tests/support/raster_ray_caster.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_drawer {
 namespace {
 
 using base::radians;
@@ -238,4 +238,4 @@ TEST(TerrainDrawer, TheLanesAndTheBackendsAgree) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_drawer

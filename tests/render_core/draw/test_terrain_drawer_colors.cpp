@@ -11,7 +11,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/chunk_drawing.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_drawer_colors {
 namespace {
 
 using design::Color;
@@ -291,4 +291,4 @@ TEST(TerrainDrawer, VoidsAreHatchedInTheirColourInEveryStyleAndNeverLookLikeSea)
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_drawer_colors

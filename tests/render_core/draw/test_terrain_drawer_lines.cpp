@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/chunk_drawing.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_drawer_lines {
 namespace {
 
 using test_support::ChunkDrawing;
@@ -61,4 +61,4 @@ TEST(TerrainDrawer, SuggestiveContoursLieWhereSlopesAwayFromTheEyeTurnBack) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_drawer_lines

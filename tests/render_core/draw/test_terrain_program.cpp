@@ -7,7 +7,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_program {
 namespace {
 
 using design::TerrainShade;
@@ -148,4 +148,4 @@ TEST(TerrainProgram, TheLongestListOfDefinesIsNotCut) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_program

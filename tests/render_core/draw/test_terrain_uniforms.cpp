@@ -22,7 +22,7 @@
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_terrain_uniforms {
 namespace {
 
 constexpr int kColumns = 257, kCellsAWave = 32;
@@ -351,4 +351,4 @@ TEST(TexelSize, IsTheGeodesicDistanceBetweenTexels) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_terrain_uniforms

@@ -9,7 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_view_frame {
 namespace {
 
 using base::radians;
@@ -90,4 +90,4 @@ TEST(HorizonDip, AgreesWithTheTriangle) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_view_frame

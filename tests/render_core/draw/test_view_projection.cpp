@@ -9,7 +9,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/free_view.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_view_projection {
 namespace {
 
 using base::radians;
@@ -61,4 +61,4 @@ TEST(ViewProjection, PlacesMayBeMeasuredBesideTheEye) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_view_projection

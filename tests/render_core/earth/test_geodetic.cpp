@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::earth {
+namespace tedavis::earth::test_geodetic {
 namespace {
 
 using base::kPi;
@@ -93,4 +93,4 @@ TEST(Geodetic, datums_convert_by_the_undulation_only) {
 }
 
 }  // namespace
-}  // namespace tedavis::earth
+}  // namespace tedavis::earth::test_geodetic

@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::earth {
+namespace tedavis::earth::test_sun_position {
 namespace {
 
 using base::degrees;
@@ -75,4 +75,4 @@ TEST(SunPosition, ThePolesSeeTheDeclination) {
 }
 
 }  // namespace
-}  // namespace tedavis::earth
+}  // namespace tedavis::earth::test_sun_position

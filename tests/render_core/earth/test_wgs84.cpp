@@ -13,7 +13,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::earth {
+namespace tedavis::earth::test_wgs84 {
 namespace {
 
 using base::degrees;
@@ -260,4 +260,4 @@ TEST(Wgs84, up_is_the_normal_of_the_ellipsoid_near_it) {
 }
 
 }  // namespace
-}  // namespace tedavis::earth
+}  // namespace tedavis::earth::test_wgs84

@@ -6,7 +6,7 @@
 
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::effects {
+namespace tedavis::effects::test_device {
 namespace {
 
 using test_support::shipped_device;
@@ -116,4 +116,4 @@ TEST(Device, CallExceptionsAreRead) {
 }
 
 }  // namespace
-}  // namespace tedavis::effects
+}  // namespace tedavis::effects::test_device

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_flight_phase {
 namespace {
 
 /// The list of the design document, written out once more: string -> code of message 1830.
@@ -87,4 +87,4 @@ TEST(PhaseSource, names_are_the_recorded_ones) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_flight_phase

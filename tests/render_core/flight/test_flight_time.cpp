@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_flight_time {
 namespace {
 
 using base::Duration;
@@ -42,4 +42,4 @@ TEST(FlightTime, AnOffsetThatGivesNoDateIsNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_flight_time

@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_flown_way {
 namespace {
 
 using base::Duration;
@@ -145,4 +145,4 @@ TEST(FlownWay, ACopyGoesOnBitForBit) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_flown_way

@@ -12,7 +12,7 @@
 
 #include "render_core/flight/phase_statement.hpp"
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_motion_phase_detector {
 namespace {
 
 constexpr std::int64_t kStart = 1'700'000'000'000'000'000;
@@ -386,4 +386,4 @@ TEST(MotionPhaseDetector, time_that_runs_back_starts_anew_and_a_saved_state_goes
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_motion_phase_detector

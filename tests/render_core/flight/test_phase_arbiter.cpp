@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_phase_arbiter {
 namespace {
 
 constexpr FlightPhase kCruise{Scenario::cruise, 0};
@@ -291,4 +291,4 @@ TEST(PhaseArbiter, time_that_runs_back_starts_anew_and_a_saved_state_goes_on) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_phase_arbiter

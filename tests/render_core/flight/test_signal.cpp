@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace tedavis::flight {
+namespace tedavis::flight::test_signal {
 namespace {
 
 TEST(Signal, every_signal_has_its_own_name_and_is_found_by_it) {
@@ -36,4 +36,4 @@ TEST(Signal, strangers_are_named_unknown) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight
+}  // namespace tedavis::flight::test_signal

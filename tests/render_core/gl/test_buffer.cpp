@@ -6,7 +6,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_buffer {
 namespace {
 
 class BufferTest : public testing::Test {
@@ -100,4 +100,4 @@ TEST(BufferOnSc2, KeepsItsBytesBecauseNothingCanBeDeleted) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_buffer

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_call_rules {
 namespace {
 
 CallState state_of(effects::CallClass calls) {
@@ -204,4 +204,4 @@ TEST_F(CallRules, OnlyRgba8IsReadBack) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_call_rules

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_call_table {
 namespace {
 
 /// What OpenGL SC 2.0.1 took out of OpenGL ES 2.0, from its specification's list of differences.
@@ -94,4 +94,4 @@ TEST(CallTable, StorageAndCompilationAreStartUpCalls) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_call_table

@@ -4,7 +4,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_capability_probe {
 namespace {
 
 TEST(ParseVersion, ReadsEmbeddedAndDesktopForms) {
@@ -93,4 +93,4 @@ TEST(ProbeDriver, RefusesASurfaceWithoutGl) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_capability_probe

@@ -4,7 +4,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_draw_triangles {
 namespace {
 
 TEST(DrawTriangles, TakesTheCallOfTheDeviceWithTheSamePicture) {
@@ -38,4 +38,4 @@ TEST(DrawTriangles, NothingIsDrawnForNoIndices) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_draw_triangles

@@ -8,7 +8,7 @@
 #include "platform/surface_factory.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_gl {
 namespace {
 
 using test_support::GlSession;
@@ -178,4 +178,4 @@ TEST_F(OpenRefuses, ADriverThatLacksAnAllowedCall) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_gl

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_gl_error {
 namespace {
 
 TEST(MakeError, JoinsItsParts) { EXPECT_EQ(make_error("a ", "b", " c", ".").sentence.view(), "a b c."); }
@@ -25,4 +25,4 @@ TEST(Digits, AgreeWithTheStandardLibrary) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_gl_error

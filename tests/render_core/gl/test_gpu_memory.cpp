@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_gpu_memory {
 namespace {
 
 base::BudgetLine line_of(std::uint64_t bytes) {
@@ -48,4 +48,4 @@ TEST(GpuMemory, SentenceNamesTheLineAndTheNumbers) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_gpu_memory

@@ -7,7 +7,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_program {
 namespace {
 
 using test_support::GlSession;
@@ -116,4 +116,4 @@ TEST(ProgramBinary, NeedsTheEs3CallList) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_program

@@ -6,7 +6,7 @@
 
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_readback {
 namespace {
 
 TEST(ReadPixels, GivesTheSameBytesThroughBothCalls) {
@@ -34,4 +34,4 @@ TEST(ReadPixels, RefusesMemoryOfAnotherSize) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_readback

@@ -7,7 +7,7 @@
 #include "render_core/gl/readback.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_render_target {
 namespace {
 
 constexpr TextureSettings kSize{TextureFormat::rgba8, TextureFilter::nearest, 20, 10};
@@ -73,4 +73,4 @@ TEST(RenderTargetOnSc2, HasNoDepth) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_render_target

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_shader_prefix {
 namespace {
 
 using effects::Lane;
@@ -23,4 +23,4 @@ TEST(ShaderPrefix, EndsSoThatLinesCountFromOne) {
 }
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_shader_prefix

@@ -8,7 +8,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::gl {
+namespace tedavis::gl::test_texture {
 namespace {
 
 class TextureTest : public testing::TestWithParam<const char*> {
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Lanes, TextureTest, testing::Values("es2-small", "es3-m
                          [](const auto& device) { return std::string(device.param).substr(0, 3); });
 
 }  // namespace
-}  // namespace tedavis::gl
+}  // namespace tedavis::gl::test_texture

@@ -4,7 +4,7 @@
 
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_data_time {
 namespace {
 
 TEST(DataTime, StepsAreWholeMinutesBeforeZeroAsWell) {
@@ -26,4 +26,4 @@ TEST(DataTime, ALayersOwnTimeIsItsFirst) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_data_time

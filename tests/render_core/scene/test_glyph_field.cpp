@@ -10,7 +10,7 @@
 
 #include "tests/support/glyph_sites.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_glyph_field {
 namespace {
 
 using test_support::HeldField;
@@ -261,4 +261,4 @@ TEST(GlyphField, MemoryIsWhatItSays) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_glyph_field

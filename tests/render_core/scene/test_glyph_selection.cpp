@@ -8,7 +8,7 @@
 
 #include "tests/support/glyph_sites.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_glyph_selection {
 namespace {
 
 using test_support::glyph_view;
@@ -293,4 +293,4 @@ TEST(GlyphSelection, MemoryIsWhatItSays) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_glyph_selection

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_glyph_sums {
 namespace {
 
 GlyphSummary one(const glm::vec3& place, float value, float north = 0, std::uint8_t code = 10) {
@@ -154,4 +154,4 @@ TEST(GlyphSums, TheMeanHeightOverTheGroundIsOneOfAllOrNotKnown) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_glyph_sums

@@ -13,7 +13,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_grid_field {
 namespace {
 
 using base::radians;
@@ -212,4 +212,4 @@ TEST(GridField, AsGdalInterpolates) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_grid_field

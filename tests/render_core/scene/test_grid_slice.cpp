@@ -7,7 +7,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_grid_slice {
 namespace {
 
 constexpr std::int64_t kMinute_ns = 60'000'000'000;
@@ -139,4 +139,4 @@ TEST(SliceOfAnEnsemble, AMembersTexelsAreItsOwnWithTheEnsemblesStates) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_grid_slice

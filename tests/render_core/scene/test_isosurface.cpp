@@ -11,7 +11,7 @@
 #include "tests/support/surface_topology.hpp"
 #include "tests/support/volume_surface.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_isosurface {
 namespace {
 
 using test_support::MadeSurface;
@@ -344,4 +344,4 @@ TEST(Isosurface, TheCheckFindsAFlippedTriangleAndOneThatIsGone) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_isosurface

@@ -8,7 +8,7 @@
 #include "tests/support/surface_topology.hpp"
 #include "tests/support/volume_surface.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_isosurface_reference {
 namespace {
 
 using test_support::MadeSurface;
@@ -79,4 +79,4 @@ TEST(IsosurfaceReference, ItsVerticesAreAmongOurs) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_isosurface_reference

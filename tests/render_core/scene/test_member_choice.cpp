@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_member_choice {
 namespace {
 
 TEST(MemberChoice, IsEvenWithTheFirstAndTheLast) {
@@ -39,4 +39,4 @@ TEST(MemberChoice, TurnsFollowTheTimeAlone) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_member_choice

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_polygon_triangles {
 namespace {
 
 using Corners = std::vector<glm::dvec2>;
@@ -90,4 +90,4 @@ TEST(PolygonTriangles, TooFewTooManyAndTooLittleRoomGiveNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_polygon_triangles

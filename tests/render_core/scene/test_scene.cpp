@@ -8,7 +8,7 @@
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_scene {
 namespace {
 
 using test_support::FlakyBytes;
@@ -127,4 +127,4 @@ TEST(Scene, AMemberIsItsOwnValuesWithWhatTheEnsembleHas) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_scene

@@ -9,7 +9,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_scene_reader {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -189,4 +189,4 @@ TEST(SceneReader, MembersAreVerifiedAsValuesAre) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_scene_reader

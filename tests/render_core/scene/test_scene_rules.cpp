@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_scene_rules {
 namespace {
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -109,4 +109,4 @@ TEST(SceneRules, AreasHaveThreePoints) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_scene_rules

@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/curve_frames.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_trajectory_tube {
 namespace {
 
 using base::kPi;
@@ -328,4 +328,4 @@ TEST(TrajectoryTube, TheTwistOfASeededFrameIsFound) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_trajectory_tube

@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/curve_frames.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_tube_frame {
 namespace {
 
 using base::kPi;
@@ -90,4 +90,4 @@ TEST(TubeFrame, ANormalIsTheNearestToWhatIsWanted) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_tube_frame

@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/surface_topology.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_tube_mesh {
 namespace {
 
 using base::kPi;
@@ -229,4 +229,4 @@ TEST(TubeMesh, TheCheckFindsAFlippedTriangle) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_tube_mesh

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_uncertainty {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -73,4 +73,4 @@ TEST(Uncertainty, TheWorseOfTwo) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_uncertainty

@@ -10,7 +10,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/geodetic.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_wind {
 namespace {
 
 using base::radians;
@@ -116,4 +116,4 @@ TEST(Wind, HeadAndCrossWind) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_wind

@@ -9,7 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/scene/wind.hpp"
 
-namespace tedavis::scene {
+namespace tedavis::scene::test_wind_reference {
 namespace {
 
 struct Reference {
@@ -62,4 +62,4 @@ TEST(WindReference, MeansOfDirectionsAsNumbersAreOthers) {
 }
 
 }  // namespace
-}  // namespace tedavis::scene
+}  // namespace tedavis::scene::test_wind_reference

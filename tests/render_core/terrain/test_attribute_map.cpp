@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_attribute_map {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
@@ -117,4 +117,4 @@ TEST(AttributeMap, AnAzimuthLiesBetweenTwoDirections) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_attribute_map

@@ -7,7 +7,7 @@
 
 #include "render_core/terrain/drawn_surface.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_chunk_lift {
 namespace {
 
 /// Random covers with random lifts; levels one apart across edges.
@@ -147,4 +147,4 @@ TEST(ChunkLift, TheGreatestIsOfAnyPart) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_chunk_lift

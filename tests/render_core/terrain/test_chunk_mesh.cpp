@@ -10,7 +10,7 @@
 
 #include "render_core/terrain/regular_chunk.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_chunk_mesh {
 namespace {
 
 using Indices = std::vector<std::uint16_t>;
@@ -171,4 +171,4 @@ TEST(ChunkMesh, ContradictionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_chunk_mesh

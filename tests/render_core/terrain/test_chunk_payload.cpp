@@ -8,7 +8,7 @@
 
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_chunk_payload {
 namespace {
 
 using test_support::TdbSpec;
@@ -95,4 +95,4 @@ TEST(ChunkPayload, WhatCannotBeDrawnDoesNot) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_chunk_payload

@@ -5,7 +5,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_directory_cache {
 namespace {
 
 using test_support::FlakyBytes;
@@ -150,4 +150,4 @@ TEST(DirectoryCache, RefusesWhatDoesNotFitAndADamagedTop) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_directory_cache

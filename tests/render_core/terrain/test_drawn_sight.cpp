@@ -10,7 +10,7 @@
 #include "tests/support/selection.hpp"
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_drawn_sight {
 namespace {
 
 using test_support::MeshesOfTest;
@@ -218,4 +218,4 @@ TEST(DrawnSight, WithoutChunksNothingIsHidden) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_drawn_sight

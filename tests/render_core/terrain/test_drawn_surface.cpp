@@ -10,7 +10,7 @@
 #include "tests/support/selection.hpp"
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_drawn_surface {
 namespace {
 
 using test_support::ResidentTdb;
@@ -177,4 +177,4 @@ TEST(DrawnSurface, NothingIsFoundWhereNothingIsDrawn) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_drawn_surface

@@ -10,7 +10,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_ground_scan {
 namespace {
 
 using base::radians;
@@ -137,4 +137,4 @@ TEST_F(GroundScanOfTriangles, AtTheEyeTheyMoveAsFarAsTheNearPlaneAllows) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_ground_scan

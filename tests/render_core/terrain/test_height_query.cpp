@@ -8,7 +8,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_height_query {
 namespace {
 
 using test_support::FlakyBytes;
@@ -155,4 +155,4 @@ TEST(HeightQuery, RefusesASmallArena) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_height_query

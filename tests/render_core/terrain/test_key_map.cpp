@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_key_map {
 namespace {
 
 struct Map {
@@ -62,4 +62,4 @@ TEST(KeyMap, RefusesASmallArena) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_key_map

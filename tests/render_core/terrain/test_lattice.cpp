@@ -11,7 +11,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lattice {
 namespace {
 
 using base::radians;
@@ -164,4 +164,4 @@ TEST(Lattice, EveryChunkHasOnePlaceInThePages) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lattice

@@ -11,7 +11,7 @@
 #include "tests/support/lod_grounds.hpp"
 #include "tests/support/resident_tdb.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lod_budgets {
 namespace {
 
 using test_support::expect_balanced;
@@ -177,4 +177,4 @@ TEST(LodSelection, PartsInMemoryAreABudgetToo) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lod_budgets

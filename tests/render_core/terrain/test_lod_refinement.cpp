@@ -9,7 +9,7 @@
 #include "tests/support/resident_tdb.hpp"
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lod_refinement {
 namespace {
 
 using test_support::ResidentTdb;
@@ -294,4 +294,4 @@ TEST(LodRefinement, DrawnErrorCountsStripsWhereANeighbourIsCoarser) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lod_refinement

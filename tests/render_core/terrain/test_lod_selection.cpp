@@ -12,7 +12,7 @@
 #include "tests/support/lod_grounds.hpp"
 #include "tests/support/resident_tdb.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lod_selection {
 namespace {
 
 using test_support::expect_balanced;
@@ -261,4 +261,4 @@ TEST(LodSelection, ReasonsHaveNames) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lod_selection

@@ -4,7 +4,7 @@
 
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lod_tree {
 namespace {
 
 using test_support::TdbSpec;
@@ -102,4 +102,4 @@ TEST(LodTree, RefusesASmallArena) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lod_tree

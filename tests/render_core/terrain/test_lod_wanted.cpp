@@ -10,7 +10,7 @@
 #include "tests/support/lod_grounds.hpp"
 #include "tests/support/resident_tdb.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_lod_wanted {
 namespace {
 
 using test_support::expect_balanced;
@@ -144,4 +144,4 @@ TEST(LodSelection, MissingDirectoryPagesHoldTheRefinementUp) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_lod_wanted

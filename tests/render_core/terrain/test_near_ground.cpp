@@ -14,7 +14,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_near_ground {
 namespace {
 
 using base::radians;
@@ -353,4 +353,4 @@ TEST(NearGround, AsksForFewChunksAndKeepsThem) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_near_ground

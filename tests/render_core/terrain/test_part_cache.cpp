@@ -11,7 +11,7 @@
 #include "tests/support/flaky_bytes.hpp"
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_part_cache {
 namespace {
 
 using test_support::FlakyBytes;
@@ -282,4 +282,4 @@ TEST(PartCache, RefusesSmallArenasAndFewTickets) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_part_cache

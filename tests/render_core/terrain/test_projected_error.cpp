@@ -7,7 +7,7 @@
 
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_projected_error {
 namespace {
 
 using test_support::project;
@@ -238,4 +238,4 @@ TEST(ProjectedError, FallsWithDistanceAndGrowsWithTheLift) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_projected_error

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_regular_chunk {
 namespace {
 
 TEST(RegularChunk, TheBorderComesFirstAndClockwise) {
@@ -43,4 +43,4 @@ TEST(RegularChunk, ThePostsOfALevelEndWithTheChunk) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_regular_chunk

@@ -9,7 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/tdb_writer.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_terrain_database {
 namespace {
 
 using base::radians;
@@ -249,4 +249,4 @@ TEST(TerrainDatabase, EveryFailureSaysWhatWhereAndWhatToDo) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_terrain_database

@@ -5,7 +5,7 @@
 #include "platform/threads/thread_reader.hpp"
 #include "tests/support/started_store.hpp"
 
-namespace tedavis::terrain {
+namespace tedavis::terrain::test_terrain_store {
 namespace {
 
 using test_support::StartedStore;
@@ -262,4 +262,4 @@ TEST(TerrainStore, ADamagedRootEndsTheStart) {
 }
 
 }  // namespace
-}  // namespace tedavis::terrain
+}  // namespace tedavis::terrain::test_terrain_store

@@ -10,7 +10,7 @@
 #include "render_core/base/units.hpp"
 #include "target/self_test.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_known_flight {
 namespace {
 
 using flight::Signal;
@@ -83,4 +83,4 @@ TEST(KnownFlight, EveryKnownValueIsLookedAt) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_known_flight

@@ -15,7 +15,7 @@
 #include "target/self_test/known_flight.hpp"
 #include "tests/support/device_files.hpp"
 
-namespace tedavis::target {
+namespace tedavis::target::test_known_picture {
 namespace {
 
 using ::testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST(KnownPicture, ItsSkylineIsTheOneThatIsCastFromThePosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_known_picture

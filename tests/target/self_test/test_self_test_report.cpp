@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::target {
+namespace tedavis::target::test_self_test_report {
 namespace {
 
 TEST(SelfTestReport, HoldsWhenAllHold) {
@@ -42,4 +42,4 @@ TEST(SelfTestReport, ACheckTooManyDoesNotHold) {
 }
 
 }  // namespace
-}  // namespace tedavis::target
+}  // namespace tedavis::target::test_self_test_report

@@ -9,7 +9,7 @@
 #include "tests/support/attribute_terrain.hpp"
 #include "tests/support/fractal_square.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_attribute_maps {
 namespace {
 
 using terrain::AttributeChannel;
@@ -262,4 +262,4 @@ TEST(AttributeMaps, ValuesKeepToTheirRanges) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_attribute_maps

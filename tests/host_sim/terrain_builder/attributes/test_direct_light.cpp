@@ -6,7 +6,7 @@
 
 #include "tests/support/attribute_terrain.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_direct_light {
 namespace {
 
 using terrain::PostClass;
@@ -114,4 +114,4 @@ TEST(DirectLight, PostsWithoutHeightAreLitAsLevelGround) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_direct_light

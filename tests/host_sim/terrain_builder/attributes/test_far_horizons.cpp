@@ -6,7 +6,7 @@
 
 #include "tests/support/attribute_terrain.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_far_horizons {
 namespace {
 
 using terrain::kHorizonDirections;
@@ -119,4 +119,4 @@ TEST(FarHorizons, APyramidSeesAWallAtAnyDistance) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_far_horizons

@@ -6,7 +6,7 @@
 
 #include "tests/support/attribute_terrain.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_height_planes {
 namespace {
 
 using terrain::PostClass;
@@ -58,4 +58,4 @@ TEST(HeightPlanesDeathTest, TilesWithoutTheirApronAreRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_height_planes

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_lanes {
 namespace {
 
 TEST(Lanes, ArcTangentIsThatOfLongDouble) {
@@ -32,4 +32,4 @@ TEST(Lanes, LanesDoNotMix) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_lanes

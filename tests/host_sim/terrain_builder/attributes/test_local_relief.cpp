@@ -6,7 +6,7 @@
 
 #include "tests/support/attribute_terrain.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_local_relief {
 namespace {
 
 using terrain::PostClass;
@@ -48,4 +48,4 @@ TEST(LocalRelief, PlanesHaveNoneAndAPeakHasItsOwn) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_local_relief

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_row_directions {
 namespace {
 
 using terrain::kHorizonDirection;
@@ -67,4 +67,4 @@ TEST(RowDirections, SamplesLieOnPostsOrHalfWayBetweenTwo) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_row_directions

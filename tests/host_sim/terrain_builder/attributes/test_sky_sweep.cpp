@@ -8,7 +8,7 @@
 #include "tests/support/attribute_terrain.hpp"
 #include "tests/support/fractal_square.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_sky_sweep {
 namespace {
 
 using terrain::kHorizonDirections;
@@ -296,4 +296,4 @@ TEST(SkySweep, BounceIsWhatAFineGatherFinds) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_sky_sweep

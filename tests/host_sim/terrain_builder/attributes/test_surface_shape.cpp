@@ -12,7 +12,7 @@
 #include "host_sim/terrain_builder/raster.hpp"
 #include "tests/support/attribute_terrain.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::host_sim::test_surface_shape {
 namespace {
 
 using terrain::PostClass;
@@ -165,4 +165,4 @@ TEST(SurfaceShape, SlopeAndHillshadeOfTheShippedTerrainAreGdals) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::host_sim::test_surface_shape

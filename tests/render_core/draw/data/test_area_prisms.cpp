@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_area_prisms {
 namespace {
 
 using test_support::ElementOfTest;
@@ -186,4 +186,4 @@ TEST(AreaPrisms, AnUncertainPlaceReachesFarther) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_area_prisms

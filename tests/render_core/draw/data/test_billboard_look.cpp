@@ -6,7 +6,7 @@
 
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_billboard_look {
 namespace {
 
 using design::ElementUncertainty;
@@ -86,4 +86,4 @@ TEST(BillboardLook, NamesSayWhatNobodyKnows) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_billboard_look

@@ -11,7 +11,7 @@
 #include "render_core/draw/view_projection.hpp"
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_billboard_sheet {
 namespace {
 
 using test_support::BillboardRoom;
@@ -130,4 +130,4 @@ TEST(BillboardSheet, WhatTheSymbologyCoversIsNotFree) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_billboard_sheet

@@ -9,7 +9,7 @@
 #include "render_core/draw/data/placement.hpp"
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_billboards {
 namespace {
 
 using test_support::BillboardRoom;
@@ -196,4 +196,4 @@ TEST(Billboards, NothingIsDrawnByHalfInAFullBatch) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_billboards

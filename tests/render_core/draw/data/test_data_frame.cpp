@@ -7,7 +7,7 @@
 
 #include "render_core/draw/shader_texts.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_data_frame {
 namespace {
 
 TEST(DataFrame, ItsUniformsAreThoseOfTheSharedShaders) {
@@ -25,4 +25,4 @@ TEST(DataFrame, ItsUniformsAreThoseOfTheSharedShaders) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_data_frame

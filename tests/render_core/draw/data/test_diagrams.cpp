@@ -8,7 +8,7 @@
 
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_diagrams {
 namespace {
 
 using test_support::BillboardRoom;
@@ -130,4 +130,4 @@ TEST(Diagrams, WithoutAnAttributeTheySaySo) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_diagrams

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_batch {
 namespace {
 
 TEST(GlyphBatch, RunsFollowEachOtherInOneList) {
@@ -54,4 +54,4 @@ TEST(GlyphBatch, DirectionsKeepWithinHalfADegree) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_batch

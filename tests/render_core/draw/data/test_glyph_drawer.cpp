@@ -11,7 +11,7 @@
 #include "render_core/effects/device.hpp"
 #include "tests/support/glyph_picture.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_drawer {
 namespace {
 
 using test_support::glyph_pixels;
@@ -382,4 +382,4 @@ TEST(GlyphDrawer, OsMesaAndEglAgreeBitForBit) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_drawer

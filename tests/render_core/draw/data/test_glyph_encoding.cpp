@@ -10,7 +10,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_encoding {
 namespace {
 
 using base::radians;
@@ -296,4 +296,4 @@ TEST(GlyphEncoding, AtThePolesAsWell) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_encoding

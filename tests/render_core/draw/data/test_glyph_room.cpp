@@ -10,7 +10,7 @@
 #include "render_core/scene/glyph_selection.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_room {
 namespace {
 
 TEST(GlyphRoom, AllOfItFitsTheLinesOfShippedDevices) {
@@ -45,4 +45,4 @@ TEST(GlyphRoom, ThereMayBeNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_room

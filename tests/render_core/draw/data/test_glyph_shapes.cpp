@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_shapes {
 namespace {
 
 struct Corner {
@@ -212,4 +212,4 @@ TEST_F(GlyphShapesTest, APuffFadesToItsEdge) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_shapes

@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_glyph_sites {
 namespace {
 
 using test_support::ElementOfTest;
@@ -170,4 +170,4 @@ TEST(GlyphSites, WhatTheLayerDoesNotHaveGivesNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_glyph_sites

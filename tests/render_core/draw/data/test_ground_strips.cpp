@@ -12,7 +12,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_ground_strips {
 namespace {
 
 using test_support::ElementOfTest;
@@ -140,4 +140,4 @@ TEST(Ribbons, LongLinesTakeSeveralMeshesAndFullBatchesHide) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_ground_strips

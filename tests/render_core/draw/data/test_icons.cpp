@@ -10,7 +10,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_icons {
 namespace {
 
 using test_support::BillboardRoom;
@@ -74,4 +74,4 @@ TEST(Icons, AFullBatchSaysSo) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_icons

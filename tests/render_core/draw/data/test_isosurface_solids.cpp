@@ -11,7 +11,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_isosurface_solids {
 namespace {
 
 using test_support::ElementOfTest;
@@ -217,4 +217,4 @@ TEST_F(IsosurfaceSolidsOfTest, FlatGridsHaveNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_isosurface_solids

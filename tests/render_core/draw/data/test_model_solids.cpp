@@ -9,7 +9,7 @@
 #include "render_core/draw/data/placement.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_model_solids {
 namespace {
 
 using test_support::ElementOfTest;
@@ -70,4 +70,4 @@ TEST(ModelSolids, TooLargeOnesAndThoseWithoutGroundAreHidden) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_model_solids

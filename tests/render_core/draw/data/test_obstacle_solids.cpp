@@ -11,7 +11,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_obstacle_solids {
 namespace {
 
 using test_support::ElementOfTest;
@@ -179,4 +179,4 @@ TEST(Cables, WhatCannotBePlacedIsHidden) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_obstacle_solids

@@ -9,7 +9,7 @@
 #include "render_core/draw/data/placement.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_place_ellipsoids {
 namespace {
 
 using design::ElementUncertainty;
@@ -88,4 +88,4 @@ TEST(PlaceEllipsoids, GoWithTheTraffic) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_place_ellipsoids

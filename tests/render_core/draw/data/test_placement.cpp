@@ -10,7 +10,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_placement {
 namespace {
 
 using test_support::ElementOfTest;
@@ -101,4 +101,4 @@ TEST(Placement, ValuesThatAreNotThereAreNaN) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_placement

@@ -7,7 +7,7 @@
 
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_solid_batch {
 namespace {
 
 using test_support::SolidRoomOfTest;
@@ -107,4 +107,4 @@ TEST(SolidBatch, IndicesStayWithinSixteenBits) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_solid_batch

@@ -13,7 +13,7 @@
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_solid_drawer {
 namespace {
 
 using test_support::GlSession;
@@ -250,4 +250,4 @@ TEST(SolidDrawer, WhatLiesOnTheGroundIsRaisedAboveItsErrors) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_solid_drawer

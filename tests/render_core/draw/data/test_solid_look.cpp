@@ -4,7 +4,7 @@
 
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_solid_look {
 namespace {
 
 using design::ElementUncertainty;
@@ -42,4 +42,4 @@ TEST(SolidLook, UncertaintyThatIsDrawnOtherwiseFadesNothing) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_solid_look

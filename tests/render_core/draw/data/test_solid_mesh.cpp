@@ -4,7 +4,7 @@
 
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_solid_mesh {
 namespace {
 
 using test_support::SolidRoomOfTest;
@@ -62,4 +62,4 @@ TEST(SolidMesh, ASmallArenaIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_solid_mesh

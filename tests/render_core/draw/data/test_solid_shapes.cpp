@@ -8,7 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_solid_shapes {
 namespace {
 
 using test_support::open_edges;
@@ -83,4 +83,4 @@ TEST(SolidShapes, AnEllipsoidIsNearlyRoundAndOutward) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_solid_shapes

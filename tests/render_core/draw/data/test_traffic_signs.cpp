@@ -9,7 +9,7 @@
 #include "render_core/draw/data/traffic_state.hpp"
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_traffic_signs {
 namespace {
 
 using test_support::BillboardRoom;
@@ -99,4 +99,4 @@ TEST(TrafficSigns, ALinkLeadsDown) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_traffic_signs

@@ -8,7 +8,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_traffic_state {
 namespace {
 
 using test_support::ElementOfTest;
@@ -113,4 +113,4 @@ TEST(TrafficState, ReportsWithoutTimesOrHeightsOrTwiceDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_traffic_state

@@ -9,7 +9,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_tube_skin {
 namespace {
 
 using test_support::SolidRoomOfTest;
@@ -144,4 +144,4 @@ TEST_F(TubeSkinOfTest, ASinglePlaceIsAnOctahedron) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_tube_skin

@@ -11,7 +11,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/grey_palettes.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_tube_solids {
 namespace {
 
 using test_support::ElementOfTest;
@@ -255,4 +255,4 @@ TEST_F(SmallTubeSolids, TenLongFlightsFitTheSmallestDevice) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_tube_solids

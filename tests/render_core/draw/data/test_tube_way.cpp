@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_tube_way {
 namespace {
 
 using test_support::ElementOfTest;
@@ -186,4 +186,4 @@ TEST_F(TubeWayOfTest, InSpaceTimeHeightIsTime) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_tube_way

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_way_weights {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -95,4 +95,4 @@ TEST(WayWeights, ShortWaysAreTheirEnds) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_way_weights

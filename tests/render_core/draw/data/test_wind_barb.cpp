@@ -8,7 +8,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_wind_barb {
 namespace {
 
 using test_support::BillboardRoom;
@@ -103,4 +103,4 @@ TEST(WindBarb, AFullBatchSaysSo) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_wind_barb

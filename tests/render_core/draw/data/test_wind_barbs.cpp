@@ -8,7 +8,7 @@
 
 #include "tests/support/billboard_room.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_wind_barbs {
 namespace {
 
 using test_support::BillboardRoom;
@@ -108,4 +108,4 @@ TEST(WindBarbs, ALinkLeadsDown) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_wind_barbs

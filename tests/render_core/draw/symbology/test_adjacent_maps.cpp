@@ -14,7 +14,7 @@
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_adjacent_maps {
 namespace {
 
 using base::radians;
@@ -289,4 +289,4 @@ TEST(AdjacentMaps, AllSymbologyWithAllLegendsAndTheMostMapsFitsTheBatch) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_adjacent_maps

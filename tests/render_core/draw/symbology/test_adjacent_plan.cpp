@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_adjacent_plan {
 namespace {
 
 TEST(AdjacentPlan, MapsAreNoLargerThanWantedWhereThatCanBe) {
@@ -38,4 +38,4 @@ TEST(AdjacentPlan, EveryMapIsAWholeSquareInThePanelAndCoversNoOther) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_adjacent_plan

@@ -8,7 +8,7 @@
 #include "render_core/draw/symbology/symbology.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_air {
 namespace {
 
 using display::Element;
@@ -133,4 +133,4 @@ TEST(AirReadout, StaysInItsCornerWhateverTheNumbers) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_air

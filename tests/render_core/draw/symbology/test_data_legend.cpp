@@ -8,7 +8,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/data_legend_samples.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_data_legend {
 namespace {
 
 using test_support::area_of;
@@ -160,4 +160,4 @@ TEST(DataLegend, ADesignWithoutLegendsAndARecoveryPictureHaveNone) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_data_legend

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_layout {
 namespace {
 
 struct Screen {
@@ -165,4 +165,4 @@ TEST(Layout, ScalingTheScreenScalesEveryBox) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_layout

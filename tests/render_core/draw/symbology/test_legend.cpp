@@ -11,7 +11,7 @@
 #include "tests/support/device_files.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_legend {
 namespace {
 
 using design::Color;
@@ -248,4 +248,4 @@ TEST(Legend, ItsTextIsReadOverSnow) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_legend

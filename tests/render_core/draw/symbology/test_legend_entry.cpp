@@ -9,7 +9,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/data_legend_samples.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_legend_entry {
 namespace {
 
 using design::Color;
@@ -116,4 +116,4 @@ TEST(LegendEntry, TheScaleHasTheColoursOfItsValues) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_legend_entry

@@ -8,7 +8,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_legend_sample {
 namespace {
 
 using design::Color;
@@ -79,4 +79,4 @@ TEST(LegendSample, NothingIsDrawnBesideTheBox) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_legend_sample

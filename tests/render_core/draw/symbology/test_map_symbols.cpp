@@ -13,7 +13,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_map_symbols {
 namespace {
 
 using base::radians;
@@ -284,4 +284,4 @@ TEST(MapSymbols, HostileNumbersDrawNothingWild) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_map_symbols

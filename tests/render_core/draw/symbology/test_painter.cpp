@@ -10,7 +10,7 @@
 #include "render_core/draw/font_atlas.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_painter {
 namespace {
 
 using test_support::BatchStore;
@@ -83,4 +83,4 @@ TEST(Painter, ReadoutsAndFailuresSayTheirText) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_painter

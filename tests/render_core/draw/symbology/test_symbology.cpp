@@ -13,7 +13,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_symbology {
 namespace {
 
 using display::Element;
@@ -351,4 +351,4 @@ TEST(Symbology, PicturesAreTheSameForTheSameInput) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_symbology

@@ -5,7 +5,7 @@
 #include "render_core/base/units.hpp"
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_symbology_input {
 namespace {
 
 using base::radians;
@@ -62,4 +62,4 @@ TEST(SymbologyInput, TheViewIsTheOneOfTheAttitude) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_symbology_input

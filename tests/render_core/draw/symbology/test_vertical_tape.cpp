@@ -8,7 +8,7 @@
 
 #include "tests/support/symbology_scene.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::draw::test_vertical_tape {
 namespace {
 
 using test_support::BatchStore;
@@ -87,4 +87,4 @@ TEST(VerticalTape, AFlaggedValueLooksDifferent) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw
+}  // namespace tedavis::draw::test_vertical_tape
