@@ -56,37 +56,37 @@ print_summary() {
     echo "$passed passed, $failed failed"
 }
 
-# run_tests FOLDER EXCLUDED_LABELS (a regular expression): every test of a build folder in a process of its own.
-run_tests() {
-    # Targets that a preset leaves out appear as <target>_NOT_BUILT.
-    local arguments=(--test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error -E '_NOT_BUILT$' -LE "$2") output
-    output=$(mktemp)
-    ctest "${arguments[@]}" | tee "$output"
-    local status=${PIPESTATUS[0]}
-    # "97% tests passed, 3 tests failed out of 100"
-    sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$output" |
-        awk 'END { printf "held %d of %d\n", $2 - $1, $2 }'
-    rm -f "$output"
-    return "$status"
-}
-
-# run_programs PRESET PATTERN: the matching test programs, each in one process: their fixtures are slow under sanitizers.
+# run_programs PRESET PATTERN [EXCEPT]: the matching test programs, each in a few processes of many tests: fixtures are slow.
 run_programs() {
-    local outputs status
+    local outputs status program shard
     outputs=$(mktemp -d)
-    test_targets "build/$1" "$2" |
-        xargs -I NAME -P "$jobs" bash -c "timeout 900 build/$1/bin/NAME --gtest_brief=1 >$outputs/NAME 2>&1 || echo \"ended with \$?\" >>$outputs/NAME"
-    cat "$outputs"/*
-    # "[==========] 83 tests from 21 test suites ran.", "[  PASSED  ] 83 tests.", and "ended with 134" where it did not hold
-    awk '/^\[==========\] .* ran\./ { all += $2 } /^\[  PASSED  \]/ { held += $4 } /^ended with/ { ended++ }
-         END { printf "held %d of %d\n", held, all; exit ended > 0 }' "$outputs"/*
+    for program in $(test_targets "build/$1" "$2" "${3:-^$}"); do
+        for ((shard = 0; shard < shards; shard++)); do echo "$program $shard"; done
+    done | xargs -L 1 -P "$jobs" bash -c "run_shard build/$1/bin $outputs \$0 \$1"
+    cat "$outputs"/*.held "$outputs"/*.failed 2>/dev/null
+    # "[==========] 83 tests from 21 test suites ran.", "[  PASSED  ] 83 tests."
+    awk '/^\[==========\] .* ran\./ { all += $2 } /^\[  PASSED  \]/ { held += $4 } END { printf "held %d of %d\n", held, all }' "$outputs"/*
+    [ -z "$(find "$outputs" -name '*.failed')" ]
     status=$?
     rm -rf "$outputs"
     return "$status"
 }
 
-# Names of the test programs of a configured build folder that match the extended regular expression.
-test_targets() { cmake --build "$1" --target help | sed -nE 's/^(test_[a-z0-9_]+): phony$/\1/p' | grep -E "$2"; }
+# run_shard FOLDER OUTPUTS PROGRAM INDEX: every test of a program whose number, modulo the shards, is the index.
+run_shard() {
+    local output=$2/$3.$4
+    if GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$4 timeout 900 "$1/$3" --gtest_brief=1 >"$output" 2>&1; then
+        mv "$output" "$output.held"
+    else
+        echo "$3, part $4 of $shards: ended with $?" >>"$output"
+        mv "$output" "$output.failed"
+    fi
+}
+
+# test_targets FOLDER PATTERN [EXCEPT]: names of test programs of a configured build folder, by extended regular expressions.
+test_targets() {
+    cmake --build "$1" --target help | sed -nE 's/^(test_[a-z0-9_]+): phony$/\1/p' | grep -E "$2" | grep -vE "${3:-^$}"
+}
 
 build_host() { cmake --preset host && cmake --build build/host -j "$jobs"; }
 
@@ -144,7 +144,22 @@ check_tidy() {
     local all=${#files[@]}
     if [ "$1" != true ]; then files=("${files[@]:0:12}"); fi
     echo "remark: ${#files[@]} of $all changed sources"
-    [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" timeout 300 clang-tidy -p build/host --quiet
+    export -f tidy_source
+    [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" bash -c 'tidy_source "$0"'
 }
 
-compiled_sources() { sed -nE "s|^ *\"file\": \"$PWD/(.*)\",?$|\1|p" build/host/compile_commands.json; }
+# Tests are compiled several at a time, by a source that includes them: its command is theirs.
+compiled_sources() {
+    sed -nE "s|^ *\"file\": \"$PWD/(.*)\",?$|\1|p" build/host/compile_commands.json
+    find build/host -path '*/Unity/*.cxx' -exec sed -nE "s|^#include \"$PWD/(.*)\"$|\1|p" {} +
+}
+
+# tidy_source FILE: clang-tidy with the options that the host build compiles it with.
+tidy_source() {
+    local joint options
+    joint=$(grep -rlF --include='*.cxx' "\"$PWD/$1\"" build/host | head -n 1)
+    if [ -z "$joint" ]; then timeout 300 clang-tidy -p build/host --quiet "$1"; return; fi
+    options=$(sed -nE "s|^ *\"command\": \"(.*) -o [^ ]* -c $PWD/$joint\",?$|\1|p" build/host/compile_commands.json)
+    eval "options=(${options//\\\\/})"  # one level of escapes is JSON's
+    timeout 300 clang-tidy --quiet "$1" -- "${options[@]:1}"
+}

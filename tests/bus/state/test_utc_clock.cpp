@@ -86,7 +86,10 @@ TEST(UtcClock, IsLostWithoutMessagesAndGoesOn) {
 
 TEST(UtcClock, SecondsAreCutOffAndMessagesComeLate) {
     UtcBus bus;
-    for (int n = 0; n < 200; ++n) bus.both(kNoon + n / 5, n / 5 + (n % 5) * 0.2 + (n % 7) * 0.01);
+    for (int n = 0; n < 200; ++n) {
+        const int second = n / 5;
+        bus.both(kNoon + second, second + (n % 5) * 0.2 + (n % 7) * 0.01);
+    }
     EXPECT_NEAR(bus.error_s(40), 0, 0.02) << "the largest offset is the nearest";
     UtcBus late;
     late.fly(0, 9, 0.7);
