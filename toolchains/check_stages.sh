@@ -1,4 +1,4 @@
-# The stages of ./check, sourced by it. Uses its variables: logs, jobs, passed, failed, summary.
+# The stages of ./check, sourced by it. Uses its variables: full, logs, jobs, shards, passed, failed, summary.
 
 held=true
 
@@ -51,6 +51,7 @@ print_summary() {
     echo
     printf '%s\n' "${summary[@]}"
     grep -h -m 1 '^-- Label real' "$logs/host-build.log" 2>/dev/null
+    if ! $full; then echo "-- Label real: run by ./check --full"; fi
     echo "whole run: $SECONDS s"
     echo
     echo "$passed passed, $failed failed"
@@ -88,18 +89,16 @@ test_targets() {
     cmake --build "$1" --target help | sed -nE 's/^(test_[a-z0-9_]+): phony$/\1/p' | grep -E "$2" | grep -vE "${3:-^$}"
 }
 
-build_host() { cmake --preset host && cmake --build build/host -j "$jobs"; }
-
-# build_targets PRESET PATTERN: configures the preset and builds its matching test programs.
+# build_targets PRESET PATTERN [EXCEPT [TARGET...]]: configures the preset and builds its matching test programs, and the targets.
 build_targets() {
     local targets
     cmake --preset "$1" || return 1
-    mapfile -t targets < <(test_targets "build/$1" "$2")
+    mapfile -t targets < <(test_targets "build/$1" "$2" "${3:-^$}")
     if [ ${#targets[@]} -eq 0 ]; then
         echo "no test program matches $2"
         return 1
     fi
-    cmake --build "build/$1" -j "$jobs" --target "${targets[@]}"
+    cmake --build "build/$1" -j "$jobs" --target "${targets[@]}" "${@:4}"
 }
 
 build_cross() {
