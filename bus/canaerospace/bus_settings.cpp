@@ -59,6 +59,20 @@ void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
     read_duration(section, "timeout_s", 0.1, 60.0, phase.timeout);
 }
 
+/// Without the section there is no traffic: its identifiers are free for others.
+void read_traffic(ConfigSection section, const PhaseMessageSettings& phase, TrafficSettings& traffic) {
+    if (!section.present()) return;
+    constexpr std::string_view kKey = "first_identifier";
+    traffic.first_identifier = static_cast<std::uint16_t>(section.integer(kKey, 200, 2000 - kTrafficIdentifiers));
+    for (std::uint16_t n = 0; n < kTrafficIdentifiers; ++n) {
+        const auto identifier = static_cast<std::uint16_t>(traffic.first_identifier + n);
+        if (identifier_index(identifier) != kNotInTable)
+            return section.fault(kKey, "one of the twelve identifiers from here on has a meaning in the standard; choose others");
+        if (identifier == phase.status_identifier || identifier == phase.request_identifier)
+            return section.fault(kKey, "one of the twelve identifiers from here on states the phase of flight; choose others");
+    }
+}
+
 void read_node(ConfigSection section, NodeSettings& node) {
     node.answer_identification = section.boolean("answer_identification", node.answer_identification);
     read_byte(section, "id", 1, 199, node.node);
@@ -137,6 +151,7 @@ base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view 
     (void)root.choice("protocol", base::Span<const std::string_view>(kProtocols), 0);
     read_dialect(root.section("dialect"), settings.dialect);
     read_phase(root.section("phase"), settings.phase);
+    read_traffic(root.section("traffic"), settings.phase, settings.traffic);
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
     read_clock(root.section("clock"), settings.utc_timeout);

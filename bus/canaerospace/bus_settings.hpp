@@ -47,6 +47,17 @@ struct PhaseMessageSettings {
     base::Duration timeout = base::Duration::seconds(3);
 };
 
+/// Other aircraft (traffic_profile.hpp): so many identifiers from the first one on.
+inline constexpr std::uint16_t kTrafficIdentifiers = 12;
+struct TrafficSettings {
+    std::uint16_t first_identifier = 0;  ///< 0: the bus carries none
+
+    [[nodiscard]] bool is_carried() const { return first_identifier != 0; }
+    [[nodiscard]] bool has(std::uint16_t identifier) const {
+        return is_carried() && identifier >= first_identifier && identifier - first_identifier < kTrafficIdentifiers;
+    }
+};
+
 /// The answer to an identification request (section 4, IDS).
 struct NodeSettings {
     bool answer_identification = false;  ///< off: a passive listener that never sends
@@ -67,6 +78,7 @@ struct OwnShipSettings {
 struct BusSettings {
     BusDialect dialect;
     PhaseMessageSettings phase;
+    TrafficSettings traffic;
     NodeSettings node;
     OwnShipSettings own_ship;
     base::Duration utc_timeout = base::Duration::seconds(10);  ///< without 1200 for so long, UTC is lost

@@ -21,7 +21,8 @@ bool is_identification_request(const CanFrame& frame, MessageId id) {
 
 }  // namespace
 
-MessageDecoder::MessageDecoder(const BusSettings& settings) : dialect_(settings.dialect), phase_(settings.phase) {
+MessageDecoder::MessageDecoder(const BusSettings& settings)
+    : dialect_(settings.dialect), phase_(settings.phase), traffic_(settings.traffic) {
     const base::Span<const IdentifierEntry> table = identifier_table();
     TEDAVIS_CHECK(table.size() <= kPhasePlace);
     for (std::size_t i = 0; i < table.size(); ++i) bindings_[i] = bind(table[i], dialect_);
@@ -39,6 +40,8 @@ DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
         } else if (index != kNotInTable) {
             const IdentifierEntry& entry = identifier_table()[index];
             if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, index, entry.types);
+        } else if (traffic_.has(id.identifier)) {
+            message = decode_traffic(frame, id);
         } else if (is_identification_request(frame, id)) {
             message.kind = MessageKind::identification_request;
             message.header = read_header(frame);
@@ -73,6 +76,24 @@ DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id,
     } else {
         finish_entry(frame, value, sender, place, message);
     }
+    return message;
+}
+
+/// Channel 0 alone: whoever assembles reports knows one sender of a number.
+DecodedMessage MessageDecoder::decode_traffic(const CanFrame& frame, MessageId id) {
+    DecodedMessage message;
+    message.header = read_header(frame);
+    message.identifier = id.identifier;
+    message.traffic_part = static_cast<TrafficPart>(id.identifier - traffic_.first_identifier);
+    TypedValue value;
+    const std::size_t payload = frame.length - kMessageHeaderBytes;
+    const std::uint8_t type = message.header.data_type;
+    if (id.channel != 0 || !decode_value(type, frame.data.data() + kMessageHeaderBytes, payload, value) ||
+        (traffic_part_entry(message.traffic_part).types & type_bit(value.type)) == 0)
+        return message;
+    message.kind = MessageKind::traffic;
+    message.healthy = decode_traffic_part(message.traffic_part, value, message.value);
+    if (!message.healthy) ++counts_.out_of_range;
     return message;
 }
 
@@ -182,7 +203,7 @@ bool MessageDecoder::follows(Sender& sender, const MessageHeader& header, base::
 
 /// Compares a message code with the one before; false for a duplicate or an older message.
 bool MessageDecoder::step_on(Sender& sender, std::uint8_t code, bool& restarted) {
-    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(code - sender.code));
+    const int step = code_step(code, sender.code);
     if (step == 0) {
         if (sender.same_codes < kRepeatsUntilUnnumbered && ++sender.same_codes < kRepeatsUntilUnnumbered) return false;
         sender.numbered = false;
@@ -201,7 +222,7 @@ bool MessageDecoder::step_on(Sender& sender, std::uint8_t code, bool& restarted)
 /// True with the number when this half completes a pair; otherwise it waits for the other.
 bool MessageDecoder::join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits,
                                  double& number) {
-    const int step = static_cast<std::int8_t>(static_cast<std::uint8_t>(header.message_code - sender.half_code));
+    const int step = code_step(header.message_code, sender.half_code);
     const bool adjacent = sender.half_type != 0 && sender.half_type != header.data_type && (step == 1 || !sender.numbered);
     const base::Duration apart = time - sender.half_time;
     if (adjacent && apart <= dialect_.pair_window && base::Duration{} - apart <= dialect_.pair_window) {

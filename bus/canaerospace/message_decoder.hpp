@@ -17,6 +17,7 @@
 #include "bus/canaerospace/bus_settings.hpp"
 #include "bus/canaerospace/identifier_table.hpp"
 #include "bus/canaerospace/message_header.hpp"
+#include "bus/canaerospace/traffic_profile.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
 namespace tedavis::bus {
@@ -29,6 +30,7 @@ enum class MessageKind : std::uint8_t {
     signal,
     phase,
     phase_request,
+    traffic,  ///< a part of a report on another aircraft; value as decode_traffic_part() gives it
     utc,
     date,
     identification_request,
@@ -44,7 +46,8 @@ struct DecodedMessage {
     bool healthy = true;     ///< false: the sender says invalid, or the value is implausible (then `value` is not set)
     flight::Signal signal = flight::Signal::count_;
     std::uint8_t rank = 0;
-    double value = 0;                     ///< SI
+    double value = 0;  ///< SI
+    TrafficPart traffic_part = TrafficPart::count;
     flight::FlightPhase phase;            ///< of phase messages
     std::uint8_t phase_origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
     std::uint8_t confidence = 255;        ///< percent, 255 not stated
@@ -88,6 +91,7 @@ private:
     static constexpr std::size_t kPhasePlace = kMaxEntries - 2;
 
     DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::size_t place, std::uint32_t types);
+    DecodedMessage decode_traffic(const CanFrame& frame, MessageId id);
     void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::size_t place, DecodedMessage& message);
     void finish_phase(const TypedValue& value, DecodedMessage& message);
     void finish_clock(const TypedValue& value, DecodedMessage& message);
@@ -100,6 +104,7 @@ private:
 
     BusDialect dialect_;
     PhaseMessageSettings phase_;
+    TrafficSettings traffic_;
     DecoderCounts counts_;
     std::array<SignalBinding, kMaxEntries> bindings_{};
     std::array<std::array<Sender, kMaxRedundancyChannels>, kMaxEntries> senders_{};

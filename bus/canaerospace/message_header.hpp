@@ -18,6 +18,12 @@ struct MessageHeader {
 };
 static_assert(std::is_trivially_copyable_v<MessageHeader>);
 
+/// How many messages a code is after another: -128 .. 127, for codes go round.
+[[nodiscard]] constexpr int code_step(std::uint8_t code, std::uint8_t before) noexcept {
+    const int step = static_cast<std::uint8_t>(code - before);
+    return step < 128 ? step : step - 256;
+}
+
 /// Identifier and redundancy channel: a 29-bit identifier is base + 65536 * channel, an 11-bit one is channel 0.
 struct MessageId {
     std::uint16_t identifier = 0;  ///< 0..2031

@@ -19,7 +19,7 @@ int demerits(const flight::OwnShipEstimate& estimate) {
 }  // namespace
 
 StateAssembler::StateAssembler(const BusSettings& settings)
-    : settings_(settings), decoder_(settings), clock_(settings.utc_timeout) {
+    : settings_(settings), decoder_(settings), clock_(settings.utc_timeout), traffic_(settings) {
     TEDAVIS_CHECK(identifier_table().size() <= kMaxFits);
     for (OwnShipFilter& filter : filters_) filter = OwnShipFilter(settings.own_ship);
     phase_status_.limits = {settings.phase.timeout, settings.phase.timeout};
@@ -44,6 +44,7 @@ void StateAssembler::take(const CanFrame& frame) {
         case MessageKind::phase_request: take_phase(message, frame.time, phase_request_); break;
         case MessageKind::utc:
         case MessageKind::date: take_clock(message, frame.time); break;
+        case MessageKind::traffic: take_traffic(message, frame.time); break;
         case MessageKind::alien:
         case MessageKind::repeated:
         case MessageKind::half:
@@ -121,6 +122,11 @@ void StateAssembler::take_phase(const DecodedMessage& message, base::Time receiv
     phase.confidence = message.confidence;
 }
 
+void StateAssembler::take_traffic(const DecodedMessage& message, base::Time received) {
+    const flight::OwnShipEstimate own = traffic_.has_room(received) ? flight::OwnShipEstimate() : own_ship(received);
+    traffic_.take(message, message.traffic_part, received, own);
+}
+
 void StateAssembler::take_clock(const DecodedMessage& message, base::Time received) {
     if (!message.healthy) return;
     const auto& part = message.clock;
@@ -149,10 +155,11 @@ BusSnapshot StateAssembler::snapshot(base::Time now) const {
     }
     result.state.own_ship = own_ship(now);
     result.state.utc = clock_.estimate(now);
+    result.state.traffic = traffic_.estimate(now);
     result.phase_status = phase_status_;
     result.phase_request = phase_request_;
     result.decoder = decoder_.counts();
-    result.counters = {frames_, result.decoder.decoded, result.decoder.alien, errors_, dropped_};
+    result.counters = {frames_, result.decoder.decoded, result.decoder.alien, errors_, dropped_, traffic_.counts()};
     return result;
 }
 

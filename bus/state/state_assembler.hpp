@@ -15,6 +15,7 @@
 #include "bus/canaerospace/message_decoder.hpp"
 #include "bus/state/own_ship_filter.hpp"
 #include "bus/state/source_time_fit.hpp"
+#include "bus/state/traffic_table.hpp"
 #include "bus/state/utc_clock.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 
@@ -34,6 +35,7 @@ struct BusCounters {
     std::uint64_t alien = 0;
     std::uint64_t errors = 0;   ///< error frames of the controller
     std::uint64_t dropped = 0;  ///< frames that kernel or recorder lost
+    TrafficCounts traffic;
 };
 
 struct BusSnapshot {
@@ -65,6 +67,7 @@ private:
     void filter_signal(const DecodedMessage& message, base::Time at, OwnShipFilter& filter);
     void filter_invalid(const DecodedMessage& message);
     void take_phase(const DecodedMessage& message, base::Time received, PhaseMessage& phase);
+    void take_traffic(const DecodedMessage& message, base::Time received);
     void take_clock(const DecodedMessage& message, base::Time received);
     [[nodiscard]] flight::OwnShipEstimate own_ship(base::Time now) const;
 
@@ -76,6 +79,7 @@ private:
     PhaseMessage phase_status_;
     PhaseMessage phase_request_;
     UtcClock clock_;
+    TrafficTable traffic_;
     std::uint64_t frames_ = 0;
     std::uint64_t errors_ = 0;
     std::uint64_t dropped_ = 0;

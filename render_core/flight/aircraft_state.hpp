@@ -1,4 +1,5 @@
-/// What is known of the own aircraft at one instant. Plain data: assembled by bus/state (or a test), read by the display.
+/// What is known on board of the own aircraft and of others at one instant. Plain data: assembled by bus/state (or a test), read
+/// by the display.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/flight/flight_time.hpp"
 #include "render_core/flight/signal.hpp"
+#include "render_core/flight/traffic.hpp"
 
 namespace tedavis::flight {
 
@@ -28,6 +30,7 @@ struct AircraftState {
     std::array<base::FreshnessLimits, kSignalCount> limits{};
     OwnShipEstimate own_ship;
     UtcEstimate utc;
+    Traffic traffic;
 
     [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const {
         return signals[static_cast<std::size_t>(signal)];

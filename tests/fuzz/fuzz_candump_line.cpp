@@ -24,7 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const void* plain = bytes;
     CandumpLogSource source(tedavis::base::Span<const char>(static_cast<const char*>(plain), size));
     static StateAssembler assembler;
-    assembler = StateAssembler();
+    BusSettings settings;
+    settings.traffic.first_identifier = 1840;
+    assembler = StateAssembler(settings);
     CanFrame frame;
     while (source.read({std::numeric_limits<std::int64_t>::max()}, {&frame, 1}) == 1) {
         check_round_trip(frame);

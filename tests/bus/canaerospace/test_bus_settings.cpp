@@ -34,6 +34,8 @@ TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
     EXPECT_EQ(loaded.dialect.sender_timeout, defaults.dialect.sender_timeout);
     EXPECT_EQ(loaded.phase.timeout, defaults.phase.timeout);
     EXPECT_EQ(loaded.utc_timeout, defaults.utc_timeout);
+    EXPECT_FALSE(defaults.traffic.is_carried());
+    EXPECT_EQ(loaded.traffic.first_identifier, 1840) << "the one that has no default";
     EXPECT_EQ(loaded.node.node, defaults.node.node);
     EXPECT_EQ(loaded.own_ship.extrapolation_limit, defaults.own_ship.extrapolation_limit);
     EXPECT_EQ(loaded.own_ship.acceleration_mps2, defaults.own_ship.acceleration_mps2);
@@ -71,6 +73,11 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
     EXPECT_NE(error_of("[phase]\nstatus_identifier = 311\n").find("has a meaning in the standard"), std::string::npos);
     EXPECT_NE(error_of("[phase]\nstatus_identifier = 1840\nrequest_identifier = 1840\n").find("give each its own"),
               std::string::npos);
+    EXPECT_NE(error_of("[traffic]\n").find("first_identifier"), std::string::npos);
+    EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1200\n").find("bus.toml:2: one of the twelve"), std::string::npos);
+    EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1820\n").find("phase of flight"), std::string::npos);
+    EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1989\n").find("bus.toml:2"), std::string::npos);
+    EXPECT_EQ(error_of("[traffic]\nfirst_identifier = 1988\n"), "accepted");
     EXPECT_NE(error_of("[own_ship]\nextrapolation_limit_s = 3.0\n").find("lost_after_s"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nposition_noise_m = -1\n").find("bus.toml:2"), std::string::npos);
     EXPECT_NE(error_of("[node]\nid = 0\n").find("bus.toml:2"), std::string::npos);

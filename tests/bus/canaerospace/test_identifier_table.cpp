@@ -116,8 +116,9 @@ TEST(IdentifierTable, ShippedDbcAgrees) {
         EXPECT_EQ(floats.count(entry.identifier) == 1, (entry.types & type_bit(DataType::float32)) != 0) << entry.name;
         names.erase(entry.identifier);
     }
-    EXPECT_EQ(names.size(), 2u) << "the two phase messages and nothing else";
     EXPECT_EQ(names.count(1830) + names.count(1831), 2u);
+    for (int part = 0; part < kTrafficIdentifiers; ++part) EXPECT_EQ(names.count(1840 + part), 1u);
+    EXPECT_EQ(names.size(), 2u + kTrafficIdentifiers) << "the phase, other aircraft, and nothing else";
 }
 
 }  // namespace

@@ -49,5 +49,11 @@ TEST(MessageHeader, FourBytes) {
     EXPECT_EQ(read_header(frame).service_code, 3);
 }
 
+TEST(MessageHeader, CodesGoRound) {
+    for (int before = 0; before < 256; ++before)
+        for (int step = -128; step < 128; ++step)
+            ASSERT_EQ(code_step(static_cast<std::uint8_t>(before + step), static_cast<std::uint8_t>(before)), step);
+}
+
 }  // namespace
 }  // namespace tedavis::bus::test_message_header
