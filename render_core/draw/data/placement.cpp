@@ -20,6 +20,8 @@ Placed at_height(double latitude_rad, double longitude_rad, double height_m) {
     return {earth::to_ecef({latitude_rad, longitude_rad, {height_m}}), height_m, true};
 }
 
+constexpr std::string_view kPositionAccuracy = "position_accuracy", kHeightAccuracy = "height_accuracy";
+
 /// Attributes of features may be asked by points, which do not count alike.
 bool holds(const scene::Attribute* attribute, std::size_t n) { return attribute != nullptr && n < attribute->values.size(); }
 
@@ -107,6 +109,18 @@ scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::
 
 double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of) {
     return value_or_nan(layer, attribute, number_of(layer.find(attribute), of));
+}
+
+PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of) {
+    const auto stated = [&](std::string_view attribute, float whole_m) {
+        const double own_m = value_or_nan(layer, attribute, of);
+        return own_m > 0 ? own_m : static_cast<double>(whole_m);
+    };
+    return {stated(kPositionAccuracy, layer.entry->position_accuracy_m), stated(kHeightAccuracy, layer.entry->height_accuracy_m)};
+}
+
+bool states_accuracy(const scene::Layer& layer) {
+    return layer.entry->position_accuracy_m > 0 || layer.find(kPositionAccuracy) != nullptr;
 }
 
 }  // namespace tedavis::draw

@@ -57,4 +57,13 @@ struct PointOfFeature {
                                                      const PointOfFeature& of);
 [[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of);
 
+/// How far off a point's place may be (95 %, m), level and upright: the point's attributes "position_accuracy" and
+/// "height_accuracy", else what the layer states as a whole; 0: nobody knows.
+struct PlaceAccuracy {
+    double level_m = 0, height_m = 0;
+};
+[[nodiscard]] PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of);
+/// False where it is 0 everywhere.
+[[nodiscard]] bool states_accuracy(const scene::Layer& layer);
+
 }  // namespace tedavis::draw

@@ -58,6 +58,7 @@ public:
         spot_ = sheet_.spot(place_.place);
         if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
         look_ = billboard_look(input_, feature_);
+        look_.is_unsure = look_.is_unsure || (shows_circle() && !(state_.accuracy.level_m > 0));
         if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
         write();
         if (!sheet_.claim_under_symbology(box(), place_.place)) return false;
@@ -99,8 +100,10 @@ private:
                 line_between(sheet_.spot(earth::to_ecef({state_.point.latitude_rad, state_.point.longitude_rad, {ground_m}})),
                              spot_);
         }
-        if (input_.element.uncertainty == design::ElementUncertainty::ellipsoid) draw_circle();
+        if (shows_circle()) draw_circle();
     }
+
+    [[nodiscard]] bool shows_circle() const { return input_.element.uncertainty == design::ElementUncertainty::ellipsoid; }
 
     void line_between(const BillboardSheet::Spot& from, const BillboardSheet::Spot& to) const {
         sheet_.line(from, to, kLine_px, look_.color);
@@ -108,7 +111,7 @@ private:
 
     /// Where it may be, on the level.
     void draw_circle() const {
-        const auto radius_m = static_cast<double>(input_.layer.entry->position_accuracy_m);
+        const double radius_m = state_.accuracy.level_m;
         if (!(radius_m > 0)) return;
         const LocalAxes axes = local_axes(state_.point.latitude_rad, state_.point.longitude_rad);
         const auto on_circle = [&](int n) {

@@ -1,8 +1,8 @@
 /// Other aircraft as signs that face the eye: a diamond at the place, a line to where it will be in kVelocityLine_s, its name,
 /// its height over or under the own ship in hundreds of feet with an arrow when it climbs or sinks, the age of the last report
-/// when that is kShownAge_s old or unknown, and with the uncertainty technique "ellipsoid" a circle of the layer's position
-/// accuracy (95 %). What is stale is grey, crossed out, and shows its age; traffic_state.hpp says when. `link` leads a line down
-/// to the ground.
+/// when that is kShownAge_s old or unknown, and with the uncertainty technique "ellipsoid" a circle where it may be by now (95 %,
+/// traffic_state.hpp), or a dashed rim and a question mark where nobody knows. What is stale is grey, crossed out, and shows its
+/// age; traffic_state.hpp says when. `link` leads a line down to the ground.
 ///
 /// Pure but for the ground that is asked. Bounded.
 #pragma once

@@ -39,6 +39,26 @@ void go_on(TrafficState& state, double seconds) {
     state.point.height_m += static_cast<float>(state.up * seconds);
 }
 
+struct Going {
+    double speed_mps, gain_mps2;
+};
+
+double grown_m(double stated_m, const TrafficState& state, const Going& going) {
+    if (!(stated_m > 0)) return 0;
+    const double goes_on_s = state.has_velocity ? std::min(state.age_s, kExtrapolated_s) : 0;
+    const double gained_mps = going.gain_mps2 * goes_on_s;
+    return stated_m + gained_mps * goes_on_s / 2 + (going.speed_mps + gained_mps) * (state.age_s - goes_on_s);
+}
+
+/// Of unknown age, anything may be.
+void take_accuracy(const PlaceAccuracy& stated, TrafficState& state) {
+    if (std::isnan(state.age_s)) return;
+    const bool is_moving = state.has_velocity;
+    state.accuracy.level_m =
+        grown_m(stated.level_m, state, {is_moving ? std::hypot(state.east, state.north) : kAnySpeed_mps, kManoeuvre_mps2});
+    state.accuracy.height_m = grown_m(stated.height_m, state, {is_moving ? std::abs(state.up) : kAnyClimb_mps, kClimbing_mps2});
+}
+
 /// Number of reports up to a time. Where times run back it is a number of some, never more than there are.
 std::uint32_t reports_until(base::Span<const scene::ScenePoint> points, std::int64_t time_ns) {
     const auto* const end =
@@ -76,6 +96,7 @@ TrafficState traffic_state(const ElementInput& input, std::uint32_t feature) {
         state.age_s = std::numeric_limits<double>::quiet_NaN();
         state.is_stale = true;
     }
+    take_accuracy(place_accuracy(input.layer, {feature, run.first + until - 1}), state);
     return state;
 }
 

@@ -40,12 +40,7 @@ bool has_rim(const ElementInput& input) { return input.element.halo_px > 0 && !l
 bool has_margin(const ElementInput& input) {
     if (input.element.uncertainty != design::ElementUncertainty::widening) return false;
     if (input.element.technique == design::DataTechnique::space_time) return false;
-    return input.layer.entry->position_accuracy_m > 0 || input.layer.find("position_accuracy") != nullptr;
-}
-
-double accuracy_m(const ElementInput& input, const char* attribute, float whole_m, const PointOfFeature& of) {
-    const double own_m = value_or_nan(input.layer, attribute, of);
-    return own_m > 0 ? own_m : static_cast<double>(whole_m);
+    return states_accuracy(input.layer);
 }
 
 }  // namespace
@@ -165,10 +160,8 @@ RingColors TubeSolids::colors_of(const Work& work, const scene::TubeRing& ring) 
 
 TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) const {
     const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
-    const scene::LayerEntry& entry = *work.input.layer.entry;
-    const double horizontal_m = accuracy_m(work.input, "position_accuracy", entry.position_accuracy_m, of);
-    const double vertical_m = accuracy_m(work.input, "height_accuracy", entry.height_accuracy_m, of);
-    return {horizontal_m, vertical_m > 0 ? vertical_m : horizontal_m};
+    const PlaceAccuracy accuracy = place_accuracy(work.input.layer, of);
+    return {accuracy.level_m, accuracy.height_m > 0 ? accuracy.height_m : accuracy.level_m};
 }
 
 void TubeSolids::add_posts(const Work& work) {

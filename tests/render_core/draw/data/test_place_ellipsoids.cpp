@@ -81,7 +81,13 @@ TEST(PlaceEllipsoids, GoWithTheTraffic) {
     }
     Built built(layer);
     EXPECT_EQ(built.count, 1u);
+    const double sure = test_support::volume_m3(built.room.batch, built.room.batch.pieces()[0]);
     built.test.has_date = true;
+    built.test.time_ns = 30'000'000'000;
+    built.room.batch.clear();
+    EXPECT_EQ(add_place_ellipsoids(built.room.batch, built.room.mesh, built.test.input()), 1u);
+    EXPECT_GT(test_support::volume_m3(built.room.batch, built.room.batch.pieces()[0]), 1000 * sure)
+        << "10 s old, it may be anywhere";
     built.test.time_ns = 200'000'000'000;
     built.room.batch.clear();
     EXPECT_EQ(add_place_ellipsoids(built.room.batch, built.room.mesh, built.test.input()), 0u) << "gone for long";

@@ -100,5 +100,27 @@ TEST(Placement, ValuesThatAreNotThereAreNaN) {
     EXPECT_TRUE(std::isnan(value_or_nan(layer, "colour", 0)));
 }
 
+TEST(Placement, AccuraciesAreThePointsOwnElseTheLayers) {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    host_sim::LayerDraft draft = test_support::small_points();
+    draft.position_accuracy_m = 50;
+    draft.height_accuracy_m = 0;
+    host_sim::AttributeDraft own;
+    own.name = "position_accuracy";
+    own.values = {7, kNaN, 0};
+    draft.attributes = {own};
+    ElementOfTest test(draft);
+    const scene::Layer& layer = test.input().layer;
+    EXPECT_EQ(place_accuracy(layer, {0, 0}).level_m, 7);
+    EXPECT_EQ(place_accuracy(layer, {0, 1}).level_m, 50);
+    EXPECT_EQ(place_accuracy(layer, {0, 2}).level_m, 50) << "0 is no accuracy";
+    EXPECT_EQ(place_accuracy(layer, {0, 0}).height_m, 0) << "nobody knows";
+    EXPECT_TRUE(states_accuracy(layer));
+    draft.position_accuracy_m = 0;
+    EXPECT_TRUE(states_accuracy(ElementOfTest(draft).input().layer));
+    draft.attributes.clear();
+    EXPECT_FALSE(states_accuracy(ElementOfTest(draft).input().layer));
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_placement

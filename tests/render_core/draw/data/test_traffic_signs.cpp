@@ -87,6 +87,29 @@ TEST(TrafficSigns, ShowHowSureTheirPlacesAre) {
     EXPECT_EQ(signs.room.drawn().size(), plain + 24 * 2 * 4);
 }
 
+TEST(TrafficSigns, WhereNobodyKnowsThereIsADashedRimAndNoCircle) {
+    host_sim::LayerDraft unsure = traffic();
+    unsure.position_accuracy_m = 0;
+    Signs signs(5, unsure);
+    const std::size_t plain = signs.room.drawn().size(), letters = signs.room.glyph_vertices();
+    signs.test.element.uncertainty = design::ElementUncertainty::ellipsoid;
+    signs.build();
+    EXPECT_EQ(signs.room.glyph_vertices(), letters + 8) << "a question mark";
+    EXPECT_GT(signs.room.drawn().size(), plain + 8);
+    EXPECT_LT(signs.room.drawn().size(), plain + 24 * 2 * 4);
+}
+
+TEST(TrafficSigns, TheCircleGrowsWithTheAge) {
+    const auto width = [](double second) {
+        Signs signs(second);
+        signs.test.element.uncertainty = design::ElementUncertainty::ellipsoid;
+        signs.build();
+        return signs.room.bounds().right() - signs.room.bounds().x;
+    };
+    // Grey and without its line from 15 s on: only the circle tells them apart.
+    EXPECT_GT(width(40), width(25) + 100);
+}
+
 TEST(TrafficSigns, ALinkLeadsDown) {
     Signs signs(0);
     const float bottom = signs.room.bounds().bottom();

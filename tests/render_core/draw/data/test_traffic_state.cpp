@@ -98,6 +98,28 @@ TEST(TrafficState, WithoutAConfirmedTimeItsAgeIsUnknownAndItIsStale) {
     }
 }
 
+/// By the rule in words: 3 m/s2 for ten seconds, then 60 m/s and the 30 m/s that may have been gained; upright 1, 2 and 10.
+TEST(TrafficState, ItsPlaceIsLessSureTheOlderTheReportIs) {
+    host_sim::LayerDraft layer = reports();
+    layer.position_accuracy_m = 90;
+    layer.height_accuracy_m = 45;
+    ElementOfTest test(layer);
+    EXPECT_NEAR(at(test, 7.5).accuracy.level_m, 90, 1e-9) << "between two reports";
+    EXPECT_NEAR(at(test, 14).accuracy.level_m, 90 + 24, 1e-6);
+    EXPECT_NEAR(at(test, 14).accuracy.height_m, 45 + 8, 1e-6);
+    EXPECT_NEAR(at(test, 40).accuracy.level_m, 90 + 150 + 20 * (60 + 30), 1);
+    EXPECT_NEAR(at(test, 40).accuracy.height_m, 45 + 50 + 20 * (2 + 10), 0.1);
+    EXPECT_NEAR(at(test, 74).accuracy.level_m, 90 + 4 * kAnySpeed_mps, 1e-6) << "nobody knows how fast it is";
+    EXPECT_NEAR(at(test, 74).accuracy.height_m, 45 + 4 * kAnyClimb_mps, 1e-6);
+    for (double second = 10; second < 69; second += 0.5)
+        EXPECT_LE(at(test, second).accuracy.level_m, at(test, second + 0.5).accuracy.level_m) << second;
+    ElementInput input = test.input();
+    input.has_age = false;
+    EXPECT_EQ(traffic_state(input, 0).accuracy.level_m, 0) << "of unknown age: nobody knows";
+    ElementOfTest unstated(reports());
+    EXPECT_EQ(at(unstated, 40).accuracy.level_m, 0) << "what was not stated does not become known";
+}
+
 TEST(TrafficState, ReportsWithoutTimesOrHeightsOrTwiceDoNoHarm) {
     host_sim::LayerDraft layer = reports();
     for (scene::ScenePoint& point : layer.points) point.time_ns = scene::kNoTime;
