@@ -111,6 +111,12 @@ bool asks_for_own(const DataElementList& elements) noexcept {
     return false;
 }
 
+bool asks_for_traffic(const DataElementList& elements) noexcept {
+    for (const DataElement& element : elements)
+        if (element.role == scene::LayerRole::traffic) return true;
+    return false;
+}
+
 void read_data_elements(ConfigSection& data, PaletteSource& palettes, DataElementList& elements) {
     const std::size_t count = data.table_count("element");
     elements.clear();

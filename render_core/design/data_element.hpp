@@ -113,6 +113,8 @@ using DataElementList = base::FixedVector<DataElement, kMaxDataElements>;
 [[nodiscard]] DataName subject_of(const DataElement& element) noexcept;
 
 [[nodiscard]] bool asks_for_own(const DataElementList& elements) noexcept;
+/// By role: other aircraft that the own one hears of are shown without a scene.
+[[nodiscard]] bool asks_for_traffic(const DataElementList& elements) noexcept;
 
 /// `data` is the section [data].
 void read_data_elements(base::ConfigSection& data, PaletteSource& palettes, DataElementList& elements);

@@ -74,6 +74,10 @@ bool shows(const design::DataElement& element, const scene::Layer& layer) {
     return element.own == design::OwnData::none ? shows(element.technique, layer) : shows_own(element);
 }
 
+bool is_meant(const design::DataElement& element, const scene::Layer& layer) {
+    return element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name;
+}
+
 bool is_traffic(const scene::Layer& layer) {
     return layer.entry->role == scene::LayerRole::traffic && layer.entry->shape == scene::LayerShape::lines;
 }
@@ -127,7 +131,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
-    if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards))
+    if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards) || !traffic_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
     if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
     if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
@@ -157,7 +161,7 @@ void DataElements::set(const scene::Scene* scene, const design::DataElementList&
 ElementState DataElements::state_of(const ElementReport& report) const {
     if (report.layer == nullptr) return ElementState::no_such_layer;
     if (!shows(*report.element, *report.layer)) return ElementState::wrong_layer;
-    if (report.element->own != design::OwnData::none)
+    if (report.element->own != design::OwnData::none || report.layer == &traffic_.layer())
         return report.layer->entry->feature_count > 0 ? ElementState::shown : ElementState::not_measured;
     if (is_glyph_technique(report.element->technique) && report.slot == GlyphElements::kSlots) return ElementState::no_room;
     const scene::LayerEntry& entry = *report.layer->entry;
@@ -169,6 +173,7 @@ void DataElements::plan(const ElementFrame& frame) {
     time_ = frame.time;
     shown_ = 0;
     if (elements_ == nullptr) return;
+    hear_traffic(frame);
     if (has_changed_) begin_reports();
     own_.take(frame.own, frame.time, frame.ground);
     for (std::size_t n = 0; n < reports_.size(); ++n) {
@@ -181,6 +186,14 @@ void DataElements::plan(const ElementFrame& frame) {
     plan_glyphs(frame, nullptr);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
+}
+
+/// The layer is there from the first frame on in which there is a receiver.
+void DataElements::hear_traffic(const ElementFrame& frame) {
+    const bool hears = frame.own.aircraft != nullptr && frame.own.aircraft->traffic.is_received;
+    has_changed_ = has_changed_ || hears != hears_traffic_;
+    hears_traffic_ = hears;
+    if (hears) traffic_.take(frame.own.aircraft->traffic, frame.time.utc - frame.own.now);
 }
 
 void DataElements::rest() {
@@ -201,9 +214,10 @@ void DataElements::begin_reports() {
 
 void DataElements::begin_scene_reports(const design::DataElement& element) {
     const std::size_t before = reports_.size();
+    if (hears_traffic_ && is_meant(element, traffic_.layer())) begin_report(element, &traffic_.layer());
     if (scene_ != nullptr)
         for (const scene::Layer& layer : scene_->layers())
-            if (element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name) {
+            if (is_meant(element, layer)) {
                 begin_report(element, &layer);
                 const std::size_t slot = glyphs_.size();
                 if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slot;
@@ -241,16 +255,19 @@ void DataElements::begin_report(const design::DataElement& element, const scene:
 }
 
 draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame& frame) const {
+    const scene::Layer& layer = *reports_[report].layer;
+    // What is heard is as old as the source's own time says, whether UTC is known or not.
+    const bool is_heard = &layer == &traffic_.layer();
     return {*reports_[report].element,
             static_cast<std::uint8_t>(report),
-            *reports_[report].layer,
+            layer,
             frame.ground,
             frame.missing,
             time_.utc.ns,
-            time_.is_date,
+            time_.is_date || is_heard,
             frame.view.eye,
             0,
-            time_.is_confirmed};
+            time_.is_confirmed || is_heard};
 }
 
 /// What stands is built whether it is valid now or not: it may become so.

@@ -2,9 +2,9 @@
 ///
 ///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
 ///
-/// What a layer says once is built by set() and stands; what moves, the own flight among it, is built by every plan().
-/// Memory    the budget lines scene_solids, scene_glyphs and scene_billboards (CPU), and the lines of their vertices (GPU).
-/// Thread  the display's. Failure  start() gives one
+/// What a layer says once is built by set() and stands; what moves, the own flight and other aircraft among it, is built by every
+/// plan(). Memory    the budget lines scene_solids, scene_glyphs and scene_billboards (CPU), and the lines of their vertices
+/// (GPU). Thread  the display's. Failure  start() gives one
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "render_core/design/data_style.hpp"
 #include "render_core/display/glyph_elements.hpp"
 #include "render_core/display/own_flight.hpp"
+#include "render_core/display/traffic_layer.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/isosurface_solids.hpp"
@@ -26,7 +27,7 @@ namespace tedavis::display {
 enum class ElementState : std::uint8_t {
     shown,
     no_such_layer,
-    not_measured,  ///< of the own aircraft: nothing to show yet, or not stated any more
+    not_measured,  ///< of what the aircraft itself states: nothing to show yet, or not any more
     wrong_layer,   ///< the technique does not show layers of this kind
     no_room,       ///< the device has none for one more
     out_of_date,   ///< the layer is not valid at this time
@@ -69,14 +70,14 @@ public:
     struct Memory {
         base::Arena &solids, &glyphs, &billboards;
     };
-    /// Only for displays that have a scene, or whose design asks for the own flight. `typeface`: the drawer that lends it; must
-    /// outlive this.
+    /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
+    /// that lends it; must outlive this.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory,
                                     const draw::QuadDrawer& typeface);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
-    /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. A role of which the scene has no
-    /// layer asks for nothing.
+    /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
+    /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing.
     void set(const scene::Scene* scene, const design::DataElementList& elements);
     void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
     /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
@@ -99,6 +100,7 @@ private:
     [[nodiscard]] bool start_scratch(base::Arena& memory, std::uint32_t batch_vertices);
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
+    void hear_traffic(const ElementFrame& frame);
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
     void begin_scene_reports(const design::DataElement& element);
     void plan_own_winds(const ElementFrame& frame);
@@ -116,6 +118,8 @@ private:
     draw::TubeSolids tubes_;
     draw::IsosurfaceSolids isosurfaces_;
     OwnFlight own_;
+    TrafficLayer traffic_;
+    bool hears_traffic_ = false;
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;

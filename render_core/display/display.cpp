@@ -37,7 +37,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 gl::GlError Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
-    const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(settings_.design.data.elements);
+    const design::DataElementList& elements = settings_.design.data.elements;
+    const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(elements) || asks_for_traffic(elements);
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
     return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_);
@@ -91,7 +92,8 @@ bool Display::set_design(const design::DesignSettings& design) {
 }
 
 bool Display::take_scene(const scene::Scene& scene) {
-    if ((!elements_.is_started() && terrain_.is_started()) || !data_.take(scene)) return false;
+    const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
+    if (is_unexpected || !data_.take(scene)) return false;
     if (elements_.is_started()) set_elements();
     return true;
 }

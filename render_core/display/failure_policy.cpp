@@ -254,6 +254,7 @@ private:
         if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
         if (out_.show_terrain && conditions_.image_is_missing) flag("terrain", "no_image");
         if (is_flat()) flag("terrain", "flat");
+        if (state_.traffic.is_cut) flag("traffic", "cut");
     }
 
     [[nodiscard]] bool is_flat() const { return out_.show_terrain && design_.view.reference == design::Reference::flat; }
@@ -294,6 +295,7 @@ private:
         if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
+        if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC NOT ALL SHOWN");
         if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
         if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
             notice(NoticeLevel::information, "ORTHOGRAPHIC VIEW");

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
+#include "render_core/display/stated_layer.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::display {
@@ -12,51 +12,12 @@ namespace {
 using flight::FlownPoint;
 using flight::FlownWay;
 
-constexpr std::int64_t kAlways_ns = INT64_MAX;
-
-template <std::size_t N>
-void set_text(char (&field)[N], std::string_view text) {
-    TEDAVIS_CHECK(text.size() < N);
-    std::memcpy(field, text.data(), text.size());
-}
-
-void name_layer(scene::LayerEntry& entry, std::string_view name, std::string_view title) {
-    set_text(entry.name, name);
-    set_text(entry.title, title);
-    set_text(entry.source, "on board");
-    entry.height_datum = scene::HeightDatum::ellipsoid;
-    entry.valid_from_ns = -kAlways_ns;
-    entry.valid_until_ns = kAlways_ns;
-    entry.data_time_ns = scene::kNoTime;
-}
-
-void name_attribute(scene::AttributeEntry& entry, std::string_view name, std::string_view unit) {
-    set_text(entry.name, name);
-    set_text(entry.unit, unit);
-    entry.scale = scene::AttributeScale::quantitative;
-    entry.of = scene::AttributeOf::point;
-    entry.uncertainty_kind = scene::UncertaintyKind::none;
-}
-
 double height_over_ellipsoid_m(const FlownPoint& point, draw::Ground& ground) {
     const double height_m = static_cast<double>(point.height_m);
     return point.is_geometric ? height_m : height_m + ground.undulation_m(point.latitude_rad, point.longitude_rad);
 }
 
 bool has_wind(const FlownPoint& point) { return std::isfinite(point.wind_speed_mps); }
-
-/// Of the values that are there; both 0 where there are none.
-void set_range(base::Span<const float> values, scene::AttributeEntry& entry) {
-    entry.minimum = entry.maximum = 0;
-    entry.value_count = values.size();
-    bool is_first = true;
-    for (const float value : values) {
-        if (!std::isfinite(value)) continue;
-        entry.minimum = is_first ? value : std::min(entry.minimum, value);
-        entry.maximum = is_first ? value : std::max(entry.maximum, value);
-        is_first = false;
-    }
-}
 
 }  // namespace
 

@@ -128,6 +128,11 @@ TEST(DataElement, TheOwnFlightIsAskedForInsteadOfALayer) {
     EXPECT_NE(read("[[data.element]]\nown = \"none\"\n").fault, "");
 }
 
+TEST(DataElement, OtherAircraftAreAskedForByTheirRole) {
+    EXPECT_TRUE(asks_for_traffic(read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nrole = \"traffic\"\n").elements));
+    EXPECT_FALSE(asks_for_traffic(read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nrole = \"place\"\n").elements));
+}
+
 TEST(DataElement, OrderIsKept) {
     const Read two = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nlayer = \"b\"\n");
     ASSERT_EQ(two.elements.size(), 2u);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render_core/draw/data/traffic_state.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
@@ -13,6 +14,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/sent_traffic.hpp"
 
 namespace tedavis::display::test_data_elements {
 namespace {
@@ -219,6 +221,47 @@ TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
     EXPECT_GT(whole, 30u);
     EXPECT_LT(static_cast<double>(pixels()), 0.7 * static_cast<double>(whole));
     EXPECT_EQ(elements_.reports()[0].layer->entry->feature_count, 2u);
+}
+
+/// Beside the scene's, by the same techniques, by role and by name, and by the source's own time.
+TEST_F(DataElementsTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
+    const base::Time now = base::Time{} + base::Duration::seconds(500);
+    flight::AircraftState aircraft;
+    aircraft.traffic.is_received = true;
+    flight::TrafficReport report = test_support::traffic_report(7, now, 46.75, 9.82);
+    report.place.height_m = 2600;
+    ASSERT_TRUE(aircraft.traffic.reports.try_push_back(report));
+    ask_for("", DataTechnique::billboard).role = scene::LayerRole::traffic;
+    ask_for("heard_traffic", DataTechnique::tube).size_m = 100;
+    for (const bool has_scene : {true, false}) {
+        elements_.set(has_scene ? &scene_.scene() : nullptr, asked_);
+        const auto plan_at = [&](double age_s) {
+            const base::Time then = now + base::Duration::from_seconds(age_s);
+            const ElementFrame frame{ground_, frame_.view, {}, flight::time_of_source(then), {nullptr, &aircraft, then}};
+            elements_.plan(frame);
+            elements_.plan_signs(frame, {5});
+        };
+        plan_at(0);
+        ASSERT_EQ(elements_.reports().size(), 2u);
+        EXPECT_EQ(state(0), ElementState::shown);
+        EXPECT_EQ(elements_.reports()[0].count.drawn, 1u);
+        EXPECT_EQ(elements_.reports()[1].count.all(), 2u);
+        EXPECT_GT(drawn_pixels(), 20u);
+        plan_at(draw::kRemoved_s + 1);
+        EXPECT_EQ(elements_.reports()[0].count.drawn, 0u) << "too old, though there is no date";
+        plan_at(1);
+        EXPECT_EQ(elements_.reports()[0].count.drawn, 1u);
+        const flight::Traffic heard = aircraft.traffic;
+        aircraft.traffic.reports.clear();
+        plan_at(1);
+        EXPECT_EQ(state(0), ElementState::not_measured);
+        EXPECT_EQ(drawn_pixels(), 0u);
+        aircraft.traffic = {};
+        plan_at(1);
+        EXPECT_EQ(elements_.reports().size(), 1u) << "there is no receiver: the role asks for nothing, the name is said";
+        EXPECT_EQ(state(0), ElementState::no_such_layer);
+        aircraft.traffic = heard;
+    }
 }
 
 TEST_F(DataElementsTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {

@@ -263,6 +263,15 @@ TEST(FailurePolicy, WhatIsNoPilotsViewIsSaid) {
     EXPECT_FALSE(has_notice(decide(without), "FLAT - NO RELIEF")) << "there is no ground at all";
 }
 
+TEST(FailurePolicy, TrafficThatIsLeftOutIsSaid) {
+    flight::AircraftState state = everything_valid();
+    state.traffic.is_received = true;
+    EXPECT_FALSE(has_notice(decide_on(state), "TRAFFIC NOT ALL SHOWN"));
+    state.traffic.is_cut = true;
+    EXPECT_TRUE(has_notice(decide_on(state), "TRAFFIC NOT ALL SHOWN"));
+    EXPECT_TRUE(has_flag(decide_on(state), "traffic.cut"));
+}
+
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.phase.switch_fault = true;
@@ -281,6 +290,7 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
     std::uint32_t random = 1;
     for (int round = 0; round < 20'000; ++round) {
         AircraftState state = everything_valid();
+        state.traffic.is_cut = true;
         for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
             random = random * 1664525u + 1013904223u;
             put_signal(state, static_cast<Signal>(i), static_cast<SignalState>((random >> 16) % 5));
