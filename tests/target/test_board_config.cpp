@@ -164,6 +164,18 @@ TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
         if (!entry.glider_profile) known.insert(entry.identifier);
     EXPECT_EQ(passed, known);
 
+    bus.traffic.first_identifier = 1840;
+    bus::SocketCanSettings with_traffic;
+    add_bus_filters(with_traffic, bus);
+    const auto passes = [&](std::uint32_t id) {
+        for (const bus::CanFilter& filter : with_traffic.filters)
+            if ((id & filter.mask) == (filter.identifier & filter.mask)) return true;
+        return false;
+    };
+    EXPECT_TRUE(passes(1840) && passes(1851) && passes(1830));
+    EXPECT_FALSE(passes(1839) || passes(1852));
+    bus.traffic = {};
+
     bus.dialect.glider_identifiers = true;
     bus::SocketCanSettings glider;
     add_bus_filters(glider, bus);

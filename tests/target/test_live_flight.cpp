@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bus/canaerospace/message_encoder.hpp"
+#include "tests/support/sent_traffic.hpp"
 #include "tests/target/fake_board.hpp"
 
 namespace tedavis::target::test_live_flight {
@@ -108,6 +109,20 @@ TEST_F(LiveFlightTest, TheRecordedFlightArrivesAsItWasFlown) {
     EXPECT_EQ(lines.str(),
               "tedavis-display: CAN interface 'can9': open, nothing received yet\n"
               "tedavis-display: CAN interface 'can9': receiving\n");
+}
+
+TEST_F(LiveFlightTest, OtherAircraftAreHeardAndForgotten) {
+    start();
+    (void)step();
+    for (const bus::CanFrame& frame : test_support::traffic_frames(test_support::traffic_report(0x3C6444, FakeClock::monotonic()),
+                                                                   0, 0, FakeClock::monotonic()))
+        ASSERT_TRUE(port.deliver(frame));
+    const flight::Traffic heard = step().aircraft.traffic;
+    ASSERT_EQ(heard.reports.size(), 1u);
+    EXPECT_EQ(heard.reports[0].callsign.view(), "TDV417");
+    EXPECT_LE((FakeClock::monotonic() - heard.reports[0].place.at).to_seconds(), 0.04) << "by the board's own clock";
+    EXPECT_EQ(step(59'000).aircraft.traffic.reports.size(), 1u);
+    EXPECT_EQ(step(2000).aircraft.traffic.reports.size(), 0u);
 }
 
 TEST_F(LiveFlightTest, SilenceMakesEverythingStaleThenLost) {
