@@ -33,6 +33,14 @@ bus::SwitchConfig panel_of(const Scenario& scenario) {
     return config.value();
 }
 
+/// Logs are written as the shipped bus file has them read.
+bus::BusSettings default_bus() {
+    const std::string path = resolve_config("canaerospace", "buses");
+    auto settings = bus::load_bus_settings(read_file(path), path);
+    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
+    return settings.value();
+}
+
 Json legs_json(const Scenario& scenario, const ScenarioFlight& flight) {
     static constexpr const char* kStatedBy[] = {"motion", "can", "switch"};
     Json legs = Json::array();
@@ -69,6 +77,7 @@ Json manifest(const std::string& path, const Scenario& scenario, std::uint64_t s
             {"layers", layers_json(scene)},
             {"frames", counts.frames},
             {"phase_messages", counts.phase_messages},
+            {"traffic", scenario.traffic.size()},
             {"duration_s", (flight.end() - flight.begin()).to_seconds()},
             {"begin_s", static_cast<double>(flight.begin().ns) * 1e-9},
             {"strip",
@@ -123,6 +132,7 @@ int run_scenario_build(const ScenarioBuildOptions& options, Console& console) {
     NewFolder folder(options.output);
     FlightLogSettings log_settings;
     log_settings.name = options.output + "/flight.log";
+    log_settings.bus = default_bus();
     AtomicFile log(log_settings.name), switches(options.output + "/flight.switches"), database(options.output + "/scene.sdb"),
         companion(options.output + "/scenario.json");
     const FlightLogCounts counts = write_flight_log(flight, log_settings, log.stream(), [&](double share) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bus/canaerospace/message_encoder.hpp"
+#include "bus/canaerospace/traffic_profile.hpp"
 #include "bus/candump/candump_log_writer.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
 #include "host_sim/importers/calendar_time.hpp"
@@ -18,6 +19,10 @@ constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
 constexpr std::int64_t kMillisecondsPerSecond = 1000;
 constexpr std::int64_t kAttitudePeriod_ms = 20;
 constexpr std::int64_t kProgressEvery_ms = 1000;
+/// Within a second: when the first aircraft is reported, and how much later the next one.
+constexpr std::int64_t kTrafficOffset_ms = 43, kTrafficApart_ms = 20;
+static_assert(kTrafficOffset_ms + bus::kTrafficNumbers * kTrafficApart_ms <= kMillisecondsPerSecond);
+static_assert(bus::kTrafficParts <= kTrafficApart_ms);
 
 class StreamSink final : public bus::TextSink {
 public:
@@ -35,6 +40,8 @@ public:
     LogRun(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream)
         : flight_(flight),
           name_(settings.name),
+          node_(settings.node),
+          first_traffic_(settings.bus.traffic.first_identifier),
           encoder_(settings.bus, settings.node),
           sink_(stream),
           names_{settings.interface_name},
@@ -75,6 +82,7 @@ private:
         if (sample && ms % kMillisecondsPerSecond == 0) send_clock(time);
         if (asked && !sample && ms % kAttitudePeriod_ms == 0) counts_.silent_ms += kAttitudePeriod_ms;
         send_phase(ms, time);
+        send_traffic(ms, time);
     }
 
     void send_clock(base::Time time) {
@@ -95,6 +103,27 @@ private:
         send(encoder_.encode_phase(*phase, bus::PhaseOrigin::simulator, bus::kConfidenceNotStated, true, time, out()));
     }
 
+    void send_traffic(std::int64_t ms, base::Time time) {
+        if (first_traffic_ == 0) return;
+        const std::int64_t of_second = ms % kMillisecondsPerSecond - kTrafficOffset_ms;
+        if (of_second >= 0 && of_second % kTrafficApart_ms == 0)
+            begin_report(static_cast<std::size_t>(of_second / kTrafficApart_ms), time);
+        if (next_part_ == bus::kTrafficParts) return;
+        frames_[0] = report_[next_part_++];
+        send(1);
+    }
+
+    void begin_report(std::size_t number, base::Time time) {
+        for (const HeardAircraft& heard : flight_.traffic(time)) {
+            if (heard.number != number || number >= codes_.size()) continue;
+            const bus::TrafficSender sender{first_traffic_, node_, heard.number, codes_[number]};
+            const std::size_t count = encode_traffic(heard.report, sender, time, {report_.data(), report_.size()});
+            if (count == 0) continue;  // outside of what can be said
+            ++codes_[number];
+            next_part_ = 0;
+        }
+    }
+
     base::Span<bus::CanFrame> out() { return {frames_.data(), frames_.size()}; }
 
     void send(std::size_t count) {
@@ -107,11 +136,16 @@ private:
 
     const FlightSource& flight_;
     std::string name_;
+    std::uint8_t node_;
+    std::uint16_t first_traffic_;  ///< 0: the bus carries none
     bus::MessageEncoder encoder_;
     StreamSink sink_;
     std::array<std::string_view, 1> names_;
     bus::CandumpLogWriter writer_;
     std::array<bus::CanFrame, 2> frames_;
+    std::array<bus::CanFrame, bus::kTrafficParts> report_;
+    std::size_t next_part_ = bus::kTrafficParts;  ///< of the report, to be sent
+    std::array<std::uint8_t, bus::kTrafficNumbers> codes_{};
     base::Time next_stamp_;
     std::optional<flight::FlightPhase> last_phase_;
     FlightLogCounts counts_;

@@ -30,7 +30,8 @@ using LogProgress = std::function<bool(double share)>;
 
 /// Frames lie on a grid of 1 ms; those of one millisecond follow each other at the pace of a 1 Mbit/s bus (125 us), so
 /// stamps rise strictly and survive a log with six digits. Also sends UTC (1200) and date (1206) each second, and the
-/// stated phase (1830) each second and on change. Throws UserError when the stream fails.
+/// stated phase (1830) each second and on change. Where the bus carries other aircraft, each that is heard is reported once a
+/// second, a message a millisecond. Throws UserError when the stream fails.
 FlightLogCounts write_flight_log(const FlightSource& flight, const FlightLogSettings& settings, std::ostream& stream,
                                  const LogProgress& progress);
 

@@ -1,13 +1,22 @@
 /// A flight that can be asked for its signals at any instant: a resampled recording or a scenario.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "host_sim/flight_log/signal_sample.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/traffic.hpp"
 
 namespace tedavis::host_sim {
+
+/// Another aircraft, as a receiver on board hears it.
+struct HeardAircraft {
+    std::uint8_t number = 0;  ///< the receiver's of it
+    flight::TrafficReport report;
+};
 
 class FlightSource {
 public:
@@ -18,6 +27,8 @@ public:
     [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
+    /// Other aircraft that are heard at `time`.
+    [[nodiscard]] virtual std::vector<HeardAircraft> traffic(base::Time) const { return {}; }
 };
 
 }  // namespace tedavis::host_sim

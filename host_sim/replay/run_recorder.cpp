@@ -120,8 +120,8 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.height = session_.height();
     s.gl = session_.gl_description();
     const bus::BusCounters counters = player_.counters_of_whole_log();
-    s.can = {counters.frames,  counters.decoded,       counters.alien,       counters.errors,
-             counters.dropped, player_.broken_lines(), player_.other_lines()};
+    s.can = {counters.frames,  counters.decoded,       counters.alien,        counters.errors,
+             counters.dropped, player_.broken_lines(), player_.other_lines(), counters.traffic};
     s.interrupted = interrupted;
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
     const std::vector<std::string> lines = player_.notes();

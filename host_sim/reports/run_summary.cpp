@@ -26,6 +26,11 @@ Json memory_json(const base::BudgetTable& memory) {
     return lines;
 }
 
+Json traffic_json(const bus::TrafficCounts& traffic) {
+    return {{"reports", traffic.reports}, {"incomplete", traffic.incomplete}, {"repeated", traffic.repeated},
+            {"refused", traffic.refused}, {"outdated", traffic.outdated},     {"no_room", traffic.no_room}};
+}
+
 }  // namespace
 
 FrameTimes frame_times(std::vector<double> total_ms) {
@@ -55,10 +60,14 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["costs"] = summary.costs;
     json["gl"] = summary.gl;
     json["version"] = version();
-    json["can"] = {
-        {"frames", summary.can.frames},          {"decoded", summary.can.decoded}, {"alien", summary.can.alien},
-        {"errors", summary.can.errors},          {"dropped", summary.can.dropped}, {"broken_lines", summary.can.broken_lines},
-        {"other_lines", summary.can.other_lines}};
+    json["can"] = {{"frames", summary.can.frames},
+                   {"decoded", summary.can.decoded},
+                   {"alien", summary.can.alien},
+                   {"errors", summary.can.errors},
+                   {"dropped", summary.can.dropped},
+                   {"broken_lines", summary.can.broken_lines},
+                   {"other_lines", summary.can.other_lines},
+                   {"traffic", traffic_json(summary.can.traffic)}};
     json["interrupted"] = summary.interrupted;
     json["notes"] = summary.notes;
     json["memory"] = memory_json(memory);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bus/state/traffic_table.hpp"
 #include "render_core/base/memory_budget.hpp"
 
 namespace tedavis::host_sim {
@@ -13,6 +14,7 @@ namespace tedavis::host_sim {
 struct CanCounts {
     std::uint64_t frames = 0, decoded = 0, alien = 0, errors = 0, dropped = 0;
     std::uint64_t broken_lines = 0, other_lines = 0;
+    bus::TrafficCounts traffic;
 };
 
 struct RunSummary {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "bus/canaerospace/traffic_profile.hpp"
 #include "host_sim/importers/calendar_time.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -19,6 +20,7 @@ using base::radians;
 constexpr std::array<std::string_view, 6> kKinds = {"stand", "roll", "hold", "fly_to", "final", "land"};
 constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switches"};
 constexpr std::size_t kMostLegs = 256;
+constexpr std::size_t kMostTraffic = bus::kTrafficNumbers;
 
 double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) {
     return radians(section.number(key, low_deg, high_deg));
@@ -144,6 +146,12 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     scenario.aircraft = read_aircraft(root.section("aircraft"));
     scenario.scene = read_scene(root, file_name);
     if (ConfigSection weather = root.section("weather"); weather.present()) scenario.weather = read_weather(weather);
+    const std::size_t aircraft = root.table_count("traffic");
+    if (aircraft > kMostTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
+    for (std::size_t i = 0; i < aircraft && i < kMostTraffic; ++i) {
+        ConfigSection section = root.table_at("traffic", i);
+        scenario.traffic.push_back(read_traffic(section));
+    }
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMostLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMostLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host_sim/scenario/scenario_traffic.hpp"
 #include "host_sim/scenario/weather_settings.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -78,6 +79,7 @@ struct Scenario {
     std::string switch_config;  ///< shipped name or path
     std::string scene;          ///< path of the scene file whose layers stand round the flight; empty: none
     std::optional<WeatherSettings> weather;
+    std::vector<TrafficSettings> traffic;  ///< other aircraft
     std::vector<Leg> legs;
 };
 

@@ -30,7 +30,7 @@ double mix(double a, double b, double share) { return a + (b - a) * share; }
 }  // namespace
 
 ScenarioFlight::ScenarioFlight(const Scenario& scenario, std::uint64_t seed, const GeoidEgm96& geoid)
-    : scenario_(scenario), geoid_(geoid) {
+    : scenario_(scenario), geoid_(geoid), traffic_(scenario.traffic, scenario.start, seed, geoid) {
     draw_random(seed);
     LegPilot pilot(scenario_, air_);
     states_.push_back(pilot.state());

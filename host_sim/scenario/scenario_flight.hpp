@@ -13,6 +13,7 @@
 #include "host_sim/flight_log/flight_source.hpp"
 #include "host_sim/geoid_egm96.hpp"
 #include "host_sim/scenario/scenario.hpp"
+#include "host_sim/scenario/scenario_traffic.hpp"
 
 namespace tedavis::host_sim {
 
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] std::optional<SignalSample> at(base::Time time) const override;
     [[nodiscard]] std::optional<flight::FlightPhase> stated_phase(base::Time time) const override;
 
+    [[nodiscard]] std::vector<HeardAircraft> traffic(base::Time time) const override { return traffic_.at(time); }
+
     [[nodiscard]] const FlownAir& air() const { return air_; }
     /// One for each leg of the scenario, in order.
     [[nodiscard]] const std::vector<FlownLeg>& legs() const { return legs_; }
@@ -61,6 +64,7 @@ private:
 
     Scenario scenario_;
     const GeoidEgm96& geoid_;
+    ScenarioTraffic traffic_;
     FlownAir air_;
     std::vector<Wave> roll_waves_, pitch_waves_;
     std::vector<State> states_;

@@ -15,6 +15,7 @@
 #include "render_core/display/display.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/memory_bytes.hpp"
+#include "tests/support/sent_traffic.hpp"
 #include "tests/support/terrain_image.hpp"
 
 namespace tedavis::test_support {
@@ -36,7 +37,9 @@ inline RecordedFlight default_flight() {
     const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();
     const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
     std::ostringstream log;
-    host_sim::write_flight_log(flight, host_sim::FlightLogSettings(), log, [](double) { return true; });
+    host_sim::FlightLogSettings settings;
+    settings.bus = traffic_bus();
+    host_sim::write_flight_log(flight, settings, log, [](double) { return true; });
     const bus::SwitchConfig panel = shipped_panel(scenario.switch_config);
     return {log.str(), host_sim::scenario_switch_log(scenario, flight, panel), panel};
 }

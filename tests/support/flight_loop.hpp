@@ -98,7 +98,7 @@ private:
     bus::CandumpLogSource can_;
     bus::SwitchLogSource panel_;
     bus::SwitchToPhase switches_;
-    bus::StateAssembler assembler_;
+    bus::StateAssembler assembler_{traffic_bus()};
     display::PhaseMonitor monitor_;
     base::Time first_, next_step_, next_frame_;
     design::DesignSettings design_;

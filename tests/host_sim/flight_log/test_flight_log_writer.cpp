@@ -11,6 +11,7 @@
 #include "host_sim/flight_log/message_schedule.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/sent_traffic.hpp"
 
 namespace tedavis::host_sim::test_flight_log_writer {
 namespace {
@@ -95,6 +96,45 @@ TEST(FlightLogWriter, WhatGoesInComesOutOfTheDecoder) {
     EXPECT_EQ(snapshot.counters.alien, 0u);
     EXPECT_EQ(snapshot.state.utc.state, base::SignalState::valid);
     EXPECT_NEAR(snapshot.state.utc.ahead.to_seconds(), 0, 0.01) << "its stamps are UTC";
+}
+
+/// Two aircraft, the second of which cannot be said after a while.
+class FlightAmongOthers final : public FlightSource {
+public:
+    base::Time begin() const override { return alone_.begin(); }
+    base::Time end() const override { return alone_.end(); }
+    std::optional<SignalSample> at(base::Time time) const override { return alone_.at(time); }
+    std::vector<HeardAircraft> traffic(base::Time time) const override {
+        HeardAircraft first{2, test_support::traffic_report(0x111111, time)},
+            second{31, test_support::traffic_report(0x222222, time)};
+        if (time - begin() > base::Duration::seconds(5)) second.report.ground_speed_mps = 5000;
+        return {first, second};
+    }
+
+private:
+    KnownFlight alone_;
+};
+
+TEST(FlightLogWriter, OtherAircraftAreReportedOnceASecond) {
+    FlightLogSettings settings;
+    const auto heard = [&] {
+        std::ostringstream stream;
+        (void)write_flight_log(FlightAmongOthers(), settings, stream, [](double) { return true; });
+        const auto frames = read_back(stream.str());
+        for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_GE((frames[i].time - frames[i - 1].time).ns, 125'000) << i;
+        const auto assembler = std::make_unique<bus::StateAssembler>(test_support::traffic_bus());
+        assembler->feed({frames.data(), frames.size()});
+        return assembler->snapshot(kBegin + base::Duration::seconds(10));
+    };
+    EXPECT_EQ(heard().counters.traffic.reports, 0u) << "a bus that does not carry them";
+    settings.bus = test_support::traffic_bus();
+    const bus::BusSnapshot snapshot = heard();
+    EXPECT_EQ(snapshot.counters.traffic.reports, 10u + 5u);
+    EXPECT_EQ(snapshot.counters.traffic.incomplete + snapshot.counters.traffic.repeated + snapshot.counters.traffic.refused, 0u);
+    EXPECT_EQ(snapshot.counters.alien, 0u);
+    ASSERT_EQ(snapshot.state.traffic.reports.size(), 2u);
+    EXPECT_EQ(snapshot.state.traffic.reports[0].address, 0x111111u);
+    EXPECT_NEAR((snapshot.state.traffic.reports[0].place.at - kBegin).to_seconds(), 9.083, 1e-3) << "its number is 2";
 }
 
 TEST(FlightLogWriter, StampsRiseStrictlyAndKeepToTheBusSpeed) {

@@ -19,7 +19,7 @@ FlightIndex example() {
     FlightIndex index;
     index.first = base::Time{1'700'000'000'000'000'001};
     index.last = base::Time{1'700'000'099'999'999'999};
-    index.counters = {1, 2, 3, 4, 5};
+    index.counters = {1, 2, 3, 4, 5, {6, 7, 8, 9, 10, 11}};
     index.broken_lines = 6;
     index.other_lines = 7;
     index.reports = {{7, bus::LineFault::too_long}, {1ull << 40, bus::LineFault::none}};
@@ -46,6 +46,7 @@ TEST(FlightIndex, ComesBackAsItWas) {
     EXPECT_EQ(back.counters.alien, 3u);
     EXPECT_EQ(back.counters.errors, 4u);
     EXPECT_EQ(back.counters.dropped, 5u);
+    EXPECT_EQ(back.counters.traffic.no_room, 11u);
     EXPECT_EQ(back.broken_lines, 6u);
     EXPECT_EQ(back.other_lines, 7u);
     ASSERT_EQ(back.reports.size(), 2u);

@@ -30,7 +30,7 @@ RunSummary full_summary() {
     s.log = "flight.log";
     s.width = 640;
     s.height = 480;
-    s.can = {1000, 900, 80, 15, 5, 2, 3};
+    s.can = {1000, 900, 80, 15, 5, 2, 3, {21, 22, 23, 24, 25, 26}};
     s.interrupted = true;
     s.notes = {"line 7 is broken"};
     return s;
@@ -45,13 +45,17 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     EXPECT_EQ(json["frames"], 17);
     EXPECT_EQ(json["fps_median"], 31.5);
     EXPECT_EQ(json["size"], "640x480");
-    EXPECT_EQ(json["can"], Json({{"frames", 1000},
-                                 {"decoded", 900},
-                                 {"alien", 80},
-                                 {"errors", 15},
-                                 {"dropped", 5},
-                                 {"broken_lines", 2},
-                                 {"other_lines", 3}}));
+    EXPECT_EQ(
+        json["can"],
+        Json({{"frames", 1000},
+              {"decoded", 900},
+              {"alien", 80},
+              {"errors", 15},
+              {"dropped", 5},
+              {"broken_lines", 2},
+              {"other_lines", 3},
+              {"traffic",
+               {{"reports", 21}, {"incomplete", 22}, {"repeated", 23}, {"refused", 24}, {"outdated", 25}, {"no_room", 26}}}}));
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
 }

@@ -34,6 +34,7 @@ TEST(Scenario, ReadsTheShippedOne) {
     EXPECT_EQ(scenario.scene, TEDAVIS_SOURCE_DIR "/configs/scenes/jacksboro.toml");
     ASSERT_TRUE(scenario.weather.has_value());
     EXPECT_EQ(scenario.weather->storm.cells, 3);
+    EXPECT_EQ(scenario.traffic.size(), 3u);
 }
 
 TEST(Scenario, NeedsNeitherSceneNorWeather) {

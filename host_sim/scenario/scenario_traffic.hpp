@@ -1,0 +1,52 @@
+/// Other aircraft of a scenario, which the receiver on board hears: straight on or round in a circle, at an even speed and climb.
+///
+///     [[traffic]]
+///     callsign = "N172TD"            letters and digits, at most eight; may be left out
+///     address = "A0F12B"             of its transponder, hexadecimal
+///     latitude_deg, longitude_deg, altitude_msl_m     where it is, within spread_m to each side (the seed says where),
+///     at_s = 60                      so long after the start
+///     track_deg, speed_mps, climb_mps
+///     turn_dps = 0                   right positive
+///     position_deviation_m, height_deviation_m        standard deviations that it states; 0: it states none
+///     heard_from_s = 0, heard_until_s = 400
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/flight_log/flight_source.hpp"
+#include "host_sim/geoid_egm96.hpp"
+#include "render_core/base/config_reader.hpp"
+
+namespace tedavis::host_sim {
+
+struct TrafficSettings {
+    std::string callsign;
+    std::uint32_t address = 0;
+    double latitude_rad = 0, longitude_rad = 0, altitude_msl_m = 0, spread_m = 0;
+    double at_s = 0;
+    double track_rad = 0, speed_mps = 0, climb_mps = 0, turn_radps = 0;
+    double position_deviation_m = 0, height_deviation_m = 0;
+    double heard_from_s = 0, heard_until_s = 0;
+};
+
+[[nodiscard]] TrafficSettings read_traffic(base::ConfigSection& section);
+
+class ScenarioTraffic {
+public:
+    /// `geoid` must outlive it.
+    ScenarioTraffic(const std::vector<TrafficSettings>& settings, base::Time start, std::uint64_t seed, const GeoidEgm96& geoid);
+
+    /// What is heard at a time; numbers are places in the settings.
+    [[nodiscard]] std::vector<HeardAircraft> at(base::Time time) const;
+
+private:
+    [[nodiscard]] flight::TrafficReport report_of(const TrafficSettings& aircraft, base::Time time) const;
+
+    std::vector<TrafficSettings> aircraft_;  ///< where the seed has them
+    base::Time start_;
+    const GeoidEgm96& geoid_;
+};
+
+}  // namespace tedavis::host_sim
