@@ -113,6 +113,7 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_surface_options(command, picture);
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
+    command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
 }
 
 void add_convert(CLI::App& app, CommandLine& line) {

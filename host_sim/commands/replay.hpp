@@ -27,6 +27,7 @@ struct PictureOptions {
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's
     std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
+    bool force_effects = false;       ///< none is left out for being unseen
     bool symbology = true;            ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 

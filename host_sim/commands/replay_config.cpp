@@ -59,6 +59,7 @@ public:
     void number(const char* key, const std::optional<double>& value) {
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
     }
+    void truth(const char* key) { text_ << key << " = true\n"; }
     void integer(const char* key, std::uint32_t value) { text_ << key << " = " << value << '\n'; }
     void section(const char* name) { text_ << "\n[" << name << "]\n"; }
     [[nodiscard]] std::string text() const { return text_.str(); }
@@ -83,6 +84,7 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.bus = text_of(section, "bus", picture.bus);
     picture.gl = static_cast<GlChoice>(section.choice("gl", {kGlNames.data(), kGlNames.size()}, 0));
     picture.tau_px = optional_number(section, "tau_px");
+    picture.force_effects = section.boolean("force_effects", false);
     if (section.has("width") || section.has("height")) {
         picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
                                    static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
@@ -113,6 +115,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     }
     toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
     toml.number("tau_px", picture.tau_px);
+    if (picture.force_effects) toml.truth("force_effects");
     return toml.text();
 }
 

@@ -94,6 +94,7 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     if (!options.terrain.empty()) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact};
     const gl::GlError error =
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
+    display_->force_effects(options.force_effects);
     if (error.sentence.empty()) return;
     throw UserError(with_file(std::string(error.sentence.view()), device, options));
 }

@@ -1,10 +1,10 @@
 #include "render_core/display/display.hpp"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
+#include "render_core/display/effect_calls.hpp"
 #include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
 #include "render_core/display/symbology_plan.hpp"
@@ -20,7 +20,7 @@ using flight::Signal;
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
-    keep_design(possible_design(settings.design));
+    keep_design(settings.design, possible_design(settings.design, settings.device));
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
@@ -64,18 +64,8 @@ void Display::stop() {
     terrain_.destroy(gl_);
 }
 
-design::DesignSettings Display::possible_design(const design::DesignSettings& design) {
-    design::DesignSettings possible = design;
-    // Silhouettes need the depth of an off-screen picture; ridges say the most of what they say.
-    design::SketchSettings& sketch = possible.terrain.style.sketch;
-    silhouettes_replaced_ = sketch.silhouettes > 0 && !settings_.device.capability.depth24_targets;
-    if (!silhouettes_replaced_) return possible;
-    sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
-    sketch.silhouettes = 0;
-    return possible;
-}
-
-void Display::keep_design(const design::DesignSettings& possible) {
+void Display::keep_design(const design::DesignSettings& design, const design::DesignSettings& possible) {
+    asked_ = asked_effects(design);
     settings_.design = possible;
     if (elements_.is_started()) set_elements();
     band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
@@ -84,10 +74,10 @@ void Display::keep_design(const design::DesignSettings& possible) {
 void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements); }
 
 bool Display::set_design(const design::DesignSettings& design) {
-    const design::DesignSettings possible = possible_design(design);
+    const design::DesignSettings possible = possible_design(design, settings_.device);
     if (!terrain_.set_design(gl_, possible)) return false;
     picture_.forget_design();
-    keep_design(possible);
+    keep_design(design, possible);
     return true;
 }
 
@@ -134,6 +124,21 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     plan_terrain();
     plan_data();
     plan_elements(way);
+    plan_effects();
+}
+
+void Display::plan_effects() {
+    EffectFacts facts{asked_, settings_.device.forbidden, decisions_};
+    facts.has_silhouettes = has_silhouettes();
+    facts.light = record_.light.source;
+    facts.drape = terrain_.drape();
+    facts.ground_data = data_plan_.ground;
+    facts.adjacent = maps_beside_.state;
+    facts.adjacent_maps = maps_beside_.drawn;
+    facts.haze_per_m = eye_.haze_per_m;
+    if (decisions_.show_terrain && !elements_.has_anything()) facts.farthest_m = terrain_.farthest_m(eye_.view);
+    facts.is_forced = effects_are_forced_;
+    plan_ = effects::plan_effects(effect_calls(facts), settings_.device.capability);
 }
 
 void Display::decide(base::Time now) {
@@ -309,13 +314,11 @@ void Display::draw(base::Surface& surface) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
         put_symbology();
+        plan_effects();
     }
     draw_scene(surface);
     if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
-    note_effects(
-        {decisions_, settings_.design.terrain.style, silhouettes_replaced_, has_silhouettes(), record_.light.source,
-         terrain_.drape(), data_plan_.ground, &settings_.design.data, data_plan_.members, maps_beside_.state, maps_beside_.drawn},
-        record_);
+    note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_elements(elements_.reports(), record_);
     note_drawn(terrain_result_, settings_.device.budget, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;
@@ -382,6 +385,7 @@ DrawContext Display::context() const {
     context.aircraft_msl_m = aircraft_msl_m_;
     context.eye_msl_m = eye_msl_m_;
     context.map_share = transition_.map_share();
+    context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
     context.is_free_view = free_view_active_;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
     return context;
@@ -389,7 +393,7 @@ DrawContext Display::context() const {
 
 draw::PictureInput Display::picture_input() const {
     draw::PictureInput input = make_picture_input(context());
-    input.outlined = settings_.design.terrain.style.sketch.silhouettes > 0 && has_silhouettes();
+    input.outlined = plan_.runs(effects::Effect::silhouettes);
     input.ground = terrain_.drawn_part(eye_.view);
     input.has_void = terrain_has_void_;
     return input;

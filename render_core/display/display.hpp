@@ -25,6 +25,7 @@
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/effects/device.hpp"
+#include "render_core/effects/effect_planner.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {
@@ -79,6 +80,8 @@ public:
         free_view_active_ = true;
     }
     void clear_free_view() { free_view_active_ = false; }
+    /// From the next update() on nothing is left out for being unseen: what the planner of effects saves can be measured.
+    void force_effects(bool forced) { effects_are_forced_ = forced; }
 
     /// Height above the terrain below a position; missing outside the database or over voids.
     [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now);
@@ -106,13 +109,13 @@ private:
     void plan_terrain();
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
+    void plan_effects();
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
     void decide_again();
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
-    [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design);
-    void keep_design(const design::DesignSettings& possible);
+    void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
     void draw_scene(const base::Surface& surface);
     void draw_terrain();
@@ -134,7 +137,9 @@ private:
     draw::SkyDrawer sky_drawer_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
-    bool silhouettes_replaced_ = false;
+    effects::EffectSet asked_;  ///< by the design as it was handed over
+    effects::FramePlan plan_;
+    bool effects_are_forced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage
 
     flight::AircraftState state_;  ///< of the planned frame

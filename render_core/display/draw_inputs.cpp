@@ -14,7 +14,7 @@ draw::HeightSpan height_span(const terrain::FileHeader& header) {
 draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     draw::TerrainDrawInput input;
     input.view = frame.eye.view;
-    input.haze_per_m = frame.eye.haze_per_m;
+    input.haze_per_m = frame.haze_per_m;
     const earth::Geodetic& place = frame.record.own_ship.position;
     const design::ShadeSettings& shade = frame.design.terrain.style.shade;
     for (std::size_t n = 0; n < shade.light_count; ++n)
@@ -48,7 +48,7 @@ draw::DataFrame make_data_frame(const DrawContext& frame) {
     data.view = frame.eye.view;
     data.towards_light =
         towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
-    data.haze_per_m = frame.eye.haze_per_m;
+    data.haze_per_m = frame.haze_per_m;
     data.haze = frame.design.sky.haze;
     return data;
 }

@@ -20,6 +20,7 @@ struct DrawContext {
     const Eye& eye;
     const FrameRecord& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;
+    double haze_per_m = 0;       ///< as planned; 0 for none
     double map_share = 0;        ///< of the way from 3D to the map, 0..1
     bool is_free_view = false;   ///< the eye is nobody's
     draw::HeightSpan heights{};  ///< of the whole database

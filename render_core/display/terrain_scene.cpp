@@ -206,6 +206,12 @@ draw::DepthPlan TerrainScene::depth_plan(const terrain::View& view) const {
     return draw::plan_depth(view.near_m, std::fmin(std::fmax(farthest_depth_m(view), 2 * view.near_m), view.far_m));
 }
 
+double TerrainScene::farthest_m(const terrain::View& view) const {
+    const draw::DepthPlan depth = depth_plan(view);
+    const double corner = std::hypot(view.half_width_tangent(), view.half_height_tangent());
+    return depth.ranges[0].far_m * std::hypot(1, corner);
+}
+
 void TerrainScene::rest() {
     if (!started_) return;
     store_.begin_frame();

@@ -61,6 +61,20 @@ void read_costs(base::ConfigSection section, DeviceSettings& device) {
         section.fault("budget_ms", "needs 'ns_per_triangle' or 'us_per_chunk' beside it; measure them on the device");
 }
 
+void read_forbidden(base::ConfigSection section, EffectSet& forbidden) {
+    std::array<std::string_view, kEffectCount> names;
+    const std::size_t count = section.texts("forbid", names);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Effect effect = effect_of(names[i]);
+        if (effect == Effect::count_)
+            section.fault("forbid", "no effect has this name; `render_core/effects/README.md` lists them");
+        else if (!entry_of(effect).may_be_forbidden)
+            section.fault("forbid", "this one always stands or is what takes another's place; remove it");
+        else
+            forbidden.add(effect);
+    }
+}
+
 void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
     constexpr std::string_view kKinds[] = {"cpu", "gpu"};
     const std::size_t count = root.table_count("budget");
@@ -109,6 +123,7 @@ base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string
     read_costs(root.section("terrain_cost"), device);
     if (!root.has("gl")) root.fault("gl", "the table [gl] is missing; add it");
     read_gl(root.section("gl"), device.capability);
+    read_forbidden(root.section("effects"), device.forbidden);
     read_budget(root, device.budget);
     require_lines(root, device.budget);
     if (!reader.finish()) return base::fail(reader.error());

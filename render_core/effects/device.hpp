@@ -11,6 +11,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/effects/device_capability.hpp"
+#include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::effects {
 
@@ -43,6 +44,7 @@ inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_ver
 struct DeviceSettings {
     base::FixedString<31> name;
     DeviceCapability capability;
+    EffectSet forbidden;         ///< by `forbid` of [effects]
     std::uint32_t width_px = 0;  ///< default picture size
     std::uint32_t height_px = 0;
     double frame_rate_hz = 0;

@@ -35,6 +35,7 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_EQ(loaded.picture.terrain, "");
     EXPECT_FALSE(loaded.picture.size);
     EXPECT_FALSE(loaded.picture.tau_px);
+    EXPECT_FALSE(loaded.picture.force_effects);
     EXPECT_FALSE(loaded.from_s || loaded.to_s || loaded.step_s || loaded.frames);
 }
 
@@ -54,6 +55,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.size = PictureSize{641, 483};
     options.picture.gl = GlChoice::osmesa;
     options.picture.tau_px = 0.3;
+    options.picture.force_effects = true;
     const ReplayOptions loaded = round_trip(options);
     EXPECT_EQ(loaded.switches, options.switches);
     EXPECT_EQ(loaded.switch_config, options.switch_config);
@@ -70,6 +72,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.size->height, 483u);
     EXPECT_EQ(loaded.picture.gl, options.picture.gl);
     EXPECT_EQ(loaded.picture.tau_px, options.picture.tau_px);
+    EXPECT_TRUE(loaded.picture.force_effects);
 }
 
 TEST(ReplayConfig, PathsHoldWhereverTheFileGoes) {

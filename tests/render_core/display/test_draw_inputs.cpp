@@ -34,9 +34,12 @@ protected:
 };
 
 TEST_F(DrawInputs, DataAreLitAndVeiledAsTheTerrainIs) {
-    eye_.haze_per_m = 1e-4;
-    const draw::TerrainDrawInput terrain = make_terrain_input(frame());
-    const draw::DataFrame data = make_data_frame(frame());
+    DrawContext hazy = frame();
+    hazy.haze_per_m = 1e-4;
+    const draw::TerrainDrawInput terrain = make_terrain_input(hazy);
+    const draw::DataFrame data = make_data_frame(hazy);
+    EXPECT_EQ(terrain.haze_per_m, 1e-4);
+    EXPECT_EQ(make_terrain_input(frame()).haze_per_m, 0) << "as planned";
     EXPECT_LT(glm::distance(terrain.light_direction[0], data.towards_light), 1e-12);
     EXPECT_EQ(terrain.haze_per_m, data.haze_per_m);
     EXPECT_EQ(data.haze, design_.sky.haze);

@@ -53,6 +53,19 @@ TEST(Device, ShippedFilesSayWhatTheDesignSays) {
     EXPECT_FALSE(sc2.capability.depth24_targets);
 }
 
+TEST(Device, ForbidsEffectsByName) {
+    const auto with = [](const std::string& names) {
+        return replaced(good(), "[gl]", "[effects]\nforbid = [" + names + "]\n\n[gl]");
+    };
+    const auto device = read_device_settings(with("\"silhouettes\", \"haze\""), "x.toml");
+    ASSERT_TRUE(device.ok());
+    EXPECT_TRUE(device.value().forbidden.has(Effect::silhouettes));
+    EXPECT_TRUE(device.value().forbidden.has(Effect::haze));
+    EXPECT_FALSE(device.value().forbidden.has(Effect::drape));
+    EXPECT_NE(refusal(with("\"aurora\"")).find("no effect has this name"), std::string::npos);
+    EXPECT_NE(refusal(with("\"warning_colors\"")).find("always stands"), std::string::npos);
+}
+
 TEST(Device, ShippedBudgetsHoldTheirOwnPictureAndChunks) {
     for (const char* name : {"es2-small", "es3-mid", "desktop", "sc2"}) {
         const DeviceSettings device = shipped_device(name);

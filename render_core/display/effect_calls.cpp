@@ -1,0 +1,109 @@
+#include "render_core/display/effect_calls.hpp"
+
+#include <cmath>
+
+namespace tedavis::display {
+namespace {
+
+using effects::Effect;
+using effects::EffectCall;
+using Kind = EffectCall::Kind;
+
+constexpr std::string_view kRemoved = "removed by the failure policy";
+
+EffectCall sun_call(LightSource light) {
+    if (light == LightSource::no_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
+    if (light == LightSource::sun_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
+    return {Kind::called, ""};
+}
+
+EffectCall drape_call(DrapeState drape) {
+    if (drape == DrapeState::not_in_database) return {Kind::no_input, "the terrain database has no image"};
+    if (drape == DrapeState::not_on_device) return {Kind::no_input, "the device has no room for an image"};
+    return {Kind::called, ""};
+}
+
+EffectCall ground_call(GroundDataState state) {
+    return {state == GroundDataState::shown ? Kind::called : Kind::no_input, reason_of(state)};
+}
+
+EffectCall adjacent_call(const EffectFacts& facts) {
+    if (facts.decisions.unusual_attitude) return {Kind::not_called_for, kRemoved};
+    if (facts.adjacent == GroundDataState::not_asked_for) return {Kind::not_called_for, "a free view has no symbology"};
+    if (facts.adjacent == GroundDataState::shown && facts.adjacent_maps == 0)
+        return {Kind::no_input, "there is no room beside the symbology and the legends"};
+    return ground_call(facts.adjacent);
+}
+
+EffectCall haze_call(const EffectFacts& facts) {
+    if (!(facts.haze_per_m > 0)) return {Kind::not_called_for, "the view is from far away"};
+    return {Kind::called, "", haze_bound(facts.haze_per_m, facts.farthest_m)};
+}
+
+EffectCall silhouette_call(const EffectFacts& facts) {
+    if (facts.has_silhouettes) return {Kind::called, ""};
+    return {Kind::not_called_for, "seen from so far away depths hardly differ"};
+}
+
+EffectCall warning_call(const DisplayDecisions& decisions) {
+    if (decisions.show_warning_colors) return {Kind::called, "height is geometric and valid"};
+    return {Kind::not_called_for, "not asked for or height not to be trusted"};
+}
+
+}  // namespace
+
+effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept {
+    const design::TerrainStyle& style = design.terrain.style;
+    effects::EffectSet asked;
+    asked.add(Effect::terrain);
+    asked.add(Effect::warning_colors);
+    if (style.sketch.silhouettes > 0) asked.add(Effect::silhouettes);
+    if (style.shade.follows_sun) asked.add(Effect::moving_sun);
+    if (style.texture == design::TerrainTexture::image) asked.add(Effect::drape);
+    if (design.sky.haze_distance_m > 0) asked.add(Effect::haze);
+    if (design.data.ground.is_shown) asked.add(Effect::ground_data);
+    if (design.data.adjacent.is_shown) asked.add(Effect::adjacent);
+    return asked;
+}
+
+design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device) {
+    const auto stands_in = [&](Effect effect) { return possible_effect(effect, device.forbidden, device.capability); };
+    design::DesignSettings possible = design;
+    design::SketchSettings& sketch = possible.terrain.style.sketch;
+    if (stands_in(Effect::silhouettes) != Effect::silhouettes) {
+        if (stands_in(Effect::silhouettes) == Effect::ridges) sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
+        sketch.silhouettes = 0;
+    }
+    if (device.forbidden.has(Effect::moving_sun)) possible.terrain.style.shade.follows_sun = false;
+    if (device.forbidden.has(Effect::drape) && possible.terrain.style.texture == design::TerrainTexture::image)
+        possible.terrain.style.texture = design::TerrainTexture::plain;
+    if (device.forbidden.has(Effect::haze)) possible.sky.haze_distance_m = 0;
+    if (device.forbidden.has(Effect::ground_data)) possible.data.ground.is_shown = false;
+    if (device.forbidden.has(Effect::adjacent)) possible.data.adjacent.is_shown = false;
+    return possible;
+}
+
+double haze_bound(double haze_per_m, double farthest_m) noexcept { return -std::expm1(-haze_per_m * farthest_m); }
+
+effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
+    effects::PlanInput input;
+    input.forbidden = facts.forbidden;
+    input.is_forced = facts.is_forced;
+    input[Effect::terrain] = {Kind::called, "terrain in view"};
+    input[Effect::warning_colors] = warning_call(facts.decisions);
+    input[Effect::silhouettes] = silhouette_call(facts);
+    input[Effect::moving_sun] = sun_call(facts.light);
+    input[Effect::drape] = drape_call(facts.drape);
+    input[Effect::haze] = haze_call(facts);
+    input[Effect::ground_data] = ground_call(facts.ground_data);
+    input[Effect::adjacent] = adjacent_call(facts);
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
+        if (!facts.asked.has(static_cast<Effect>(n)))
+            input.calls[n] = {};
+        else if (!facts.decisions.show_terrain)
+            input.calls[n] = {Kind::not_called_for, kRemoved};
+    }
+    return input;
+}
+
+}  // namespace tedavis::display

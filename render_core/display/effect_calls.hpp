@@ -1,0 +1,43 @@
+/// Which effects a frame calls for: what the design asks, what scene and view need, and what is there to be shown. The answer is
+/// for the planner of effects. Pure; any thread.
+#pragma once
+
+#include <limits>
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/display/display_decisions.hpp"
+#include "render_core/display/spatial_data.hpp"
+#include "render_core/display/terrain_light.hpp"
+#include "render_core/display/terrain_scene.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/effects/effect_planner.hpp"
+
+namespace tedavis::display {
+
+/// Effects that a design asks for, whether or not they are possible.
+[[nodiscard]] effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept;
+
+/// The design with what a device cannot do, or must not, in the way that stands for it there.
+[[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device);
+
+struct EffectFacts {
+    effects::EffectSet asked, forbidden;
+    const DisplayDecisions& decisions;
+    bool has_silhouettes = false;  ///< the view lets something hide something else
+    LightSource light = LightSource::fixed;
+    DrapeState drape = DrapeState::not_asked_for;
+    GroundDataState ground_data = GroundDataState::not_asked_for;
+    GroundDataState adjacent = GroundDataState::not_asked_for;
+    std::uint32_t adjacent_maps = 0;  ///< that are drawn; 0 where they have no room
+    double haze_per_m = 0;            ///< of the view; 0 where it has none
+    /// No haze is farther from the eye; infinite where that is not known: elements may be seen beyond the ground.
+    double farthest_m = std::numeric_limits<double>::infinity();
+    bool is_forced = false;  ///< PlanInput::is_forced
+};
+
+[[nodiscard]] effects::PlanInput effect_calls(const EffectFacts& facts) noexcept;
+
+/// Part of full scale by which haze may change a colour as far away as `farthest_m`.
+[[nodiscard]] double haze_bound(double haze_per_m, double farthest_m) noexcept;
+
+}  // namespace tedavis::display

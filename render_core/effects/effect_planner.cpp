@@ -1,0 +1,95 @@
+#include "render_core/effects/effect_planner.hpp"
+
+namespace tedavis::effects {
+namespace {
+
+bool is_possible(Effect effect, const EffectSet& forbidden, const DeviceCapability& device) {
+    return !forbidden.has(effect) && has(device, entry_of(effect).need);
+}
+
+PlannedEffect plan_call(Effect effect, const EffectCall& call, const EffectSet& forbidden, const DeviceCapability& device) {
+    using Kind = EffectCall::Kind;
+    PlannedEffect planned;
+    if (call.kind == Kind::not_asked_for) return planned;
+    planned.state = PlanState::skipped;
+    planned.reason = call.why;
+    if (call.kind == Kind::not_called_for) return planned;
+    // What stands for it when it lacks its input must be something else, even where the device could do it.
+    EffectSet excluded = forbidden;
+    if (call.kind == Kind::no_input) excluded.add(effect);
+    const Effect stands_in = possible_effect(effect, excluded, device);
+    if (forbidden.has(effect))
+        planned.reason = "forbidden by the device's file";
+    else if (call.kind == Kind::called && stands_in != effect)
+        planned.reason = lack_of(entry_of(effect).need);
+    if (stands_in == Effect::count_) return planned;
+    planned.state = stands_in == effect ? PlanState::run : PlanState::replaced;
+    if (stands_in != effect) planned.replaced_by = stands_in;
+    if (planned.state == PlanState::run && planned.reason.empty()) planned.reason = "asked for by the design";
+    return planned;
+}
+
+bool is_unseen(const PlanInput& input, const FramePlan& plan, Effect effect, double color_left) {
+    if (input.is_forced || plan[effect].state != PlanState::run) return false;
+    const double bound = input.calls[static_cast<std::size_t>(effect)].bound;
+    const Contribution contribution = entry_of(effect).contribution;
+    return contribution == Contribution::color      ? bound <= color_left
+           : contribution == Contribution::geometry ? bound < kUnseenPixels
+                                                    : bound == 0;
+}
+
+/// The running effect with the smallest bound that may be left out unseen; count_ for none.
+Effect least_seen(const PlanInput& input, const FramePlan& plan, double color_left) {
+    Effect least = Effect::count_;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const auto effect = static_cast<Effect>(n);
+        const double bound = input.calls[n].bound;
+        if (!(bound < smallest) || !is_unseen(input, plan, effect, color_left)) continue;
+        least = effect;
+        smallest = bound;
+    }
+    return least;
+}
+
+}  // namespace
+
+Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device) noexcept {
+    if (is_possible(effect, forbidden, device)) return effect;
+    for (const Effect replacement : entry_of(effect).replacements)
+        if (replacement != Effect::count_ && is_possible(replacement, forbidden, device)) return replacement;
+    return Effect::count_;
+}
+
+bool FramePlan::runs(Effect effect) const {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const PlannedEffect& planned = effects_[n];
+        if (planned.state == PlanState::run && static_cast<Effect>(n) == effect) return true;
+        if (planned.state == PlanState::replaced && planned.replaced_by == effect) return true;
+    }
+    return false;
+}
+
+double FramePlan::unseen_color() const {
+    double sum = 0;
+    for (std::size_t n = 0; n < kEffectCount; ++n)
+        if (entry_of(static_cast<Effect>(n)).contribution == Contribution::color) sum += effects_[n].bound;
+    return sum;
+}
+
+FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) noexcept {
+    FramePlan plan;
+    for (std::size_t n = 0; n < kEffectCount; ++n)
+        plan.effects_[n] = plan_call(static_cast<Effect>(n), input.calls[n], input.forbidden, device);
+    // From the smallest bound on, so that as many as possible stay under the one sum.
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const Effect effect = least_seen(input, plan, kUnseenColor - plan.unseen_color());
+        if (effect == Effect::count_) break;
+        PlannedEffect& unseen = plan.effects_[static_cast<std::size_t>(effect)];
+        unseen = {PlanState::skipped, "too small to be seen", Effect::count_,
+                  input.calls[static_cast<std::size_t>(effect)].bound};
+    }
+    return plan;
+}
+
+}  // namespace tedavis::effects

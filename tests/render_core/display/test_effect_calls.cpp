@@ -1,0 +1,156 @@
+#include "render_core/display/effect_calls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "render_core/earth/wgs84.hpp"
+#include "tests/support/default_flight.hpp"
+#include "tests/support/free_view.hpp"
+#include "tests/support/hills_display.hpp"
+
+namespace tedavis::display::test_effect_calls {
+namespace {
+
+using effects::Effect;
+using Kind = effects::EffectCall::Kind;
+
+design::DesignSettings design_with_everything() {
+    design::DesignSettings design;
+    design.terrain.style.sketch.silhouettes = 0.7;
+    design.terrain.style.sketch.ridges = 0.2;
+    design.terrain.style.shade.follows_sun = true;
+    design.terrain.style.texture = design::TerrainTexture::image;
+    design.sky.haze_distance_m = 50'000;
+    design.data.ground.is_shown = design.data.adjacent.is_shown = true;
+    return design;
+}
+
+class EffectCalls : public ::testing::Test {
+protected:
+    EffectCalls() {
+        decisions_.show_terrain = decisions_.show_warning_colors = true;
+        facts_.asked = asked_effects(design_with_everything());
+        facts_.has_silhouettes = true;
+        facts_.light = LightSource::sun;
+        facts_.drape = DrapeState::shown;
+        facts_.ground_data = facts_.adjacent = GroundDataState::shown;
+        facts_.adjacent_maps = 1;
+        facts_.haze_per_m = 1e-5;
+        facts_.farthest_m = 30'000;
+    }
+    [[nodiscard]] effects::EffectCall call(Effect effect) const { return effect_calls(facts_)[effect]; }
+
+    DisplayDecisions decisions_;
+    EffectFacts facts_{{}, {}, decisions_};
+};
+
+TEST_F(EffectCalls, WhatIsThereAndHasAPlaceIsCalledFor) {
+    for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::silhouettes, Effect::moving_sun, Effect::drape,
+                                Effect::haze, Effect::ground_data, Effect::adjacent})
+        EXPECT_EQ(call(effect).kind, Kind::called) << effects::entry_of(effect).name;
+    facts_.asked = asked_effects([] {
+        design::DesignSettings plain;
+        plain.terrain.style.sketch = {};
+        plain.sky.haze_distance_m = 0;
+        return plain;
+    }());
+    for (const Effect effect : {Effect::silhouettes, Effect::moving_sun, Effect::drape, Effect::haze, Effect::ground_data,
+                                Effect::adjacent, Effect::ridges, Effect::plain_color})
+        EXPECT_EQ(call(effect).kind, Kind::not_asked_for) << effects::entry_of(effect).name;
+}
+
+TEST_F(EffectCalls, WithoutTerrainNothingIsCalledFor) {
+    decisions_.show_terrain = false;
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) EXPECT_NE(call(static_cast<Effect>(n)).kind, Kind::called);
+    EXPECT_EQ(call(Effect::terrain).why, "removed by the failure policy");
+}
+
+TEST_F(EffectCalls, WhatLacksItsInputSaysWhich) {
+    facts_.drape = DrapeState::not_in_database;
+    facts_.light = LightSource::no_date;
+    facts_.ground_data = GroundDataState::out_of_date;
+    facts_.adjacent_maps = 0;
+    EXPECT_EQ(call(Effect::drape).why, "the terrain database has no image");
+    EXPECT_EQ(call(Effect::moving_sun).why, "the time of the flight is no date; name sun_utc in the design");
+    EXPECT_EQ(call(Effect::ground_data).why, "the data are not valid at this time");
+    EXPECT_EQ(call(Effect::adjacent).why, "there is no room beside the symbology and the legends");
+    for (const Effect effect : {Effect::drape, Effect::moving_sun, Effect::ground_data, Effect::adjacent})
+        EXPECT_EQ(call(effect).kind, Kind::no_input);
+}
+
+TEST_F(EffectCalls, FromFarAwayThereIsNeitherHazeNorSilhouette) {
+    facts_.has_silhouettes = false;
+    facts_.haze_per_m = 0;
+    EXPECT_EQ(call(Effect::silhouettes).kind, Kind::not_called_for);
+    EXPECT_EQ(call(Effect::haze).kind, Kind::not_called_for);
+}
+
+TEST_F(EffectCalls, HazeIsBoundedByTheFarthestGround) {
+    EXPECT_NEAR(call(Effect::haze).bound, 1 - std::exp(-0.3), 1e-12);
+    facts_.farthest_m = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(call(Effect::haze).bound, 1);
+    EXPECT_EQ(haze_bound(1e-5, 0), 0);
+}
+
+TEST(PossibleDesign, IsTheDesignWithWhatStandsIn) {
+    const design::DesignSettings design = design_with_everything();
+    effects::DeviceSettings device;
+    EXPECT_EQ(possible_design(design, device).terrain.style.sketch.silhouettes, 0.7);
+    device.capability.depth24_targets = false;
+    const design::SketchSettings sketch = possible_design(design, device).terrain.style.sketch;
+    EXPECT_EQ(sketch.silhouettes, 0);
+    EXPECT_EQ(sketch.ridges, 0.7) << "the stronger of both";
+    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::ground_data, Effect::adjacent})
+        device.forbidden.add(effect);
+    const design::DesignSettings bare = possible_design(design, device);
+    EXPECT_FALSE(bare.terrain.style.shade.follows_sun);
+    EXPECT_EQ(bare.terrain.style.texture, design::TerrainTexture::plain);
+    EXPECT_EQ(bare.sky.haze_distance_m, 0);
+    EXPECT_FALSE(bare.data.ground.is_shown);
+    EXPECT_FALSE(bare.data.adjacent.is_shown);
+}
+
+constexpr std::uint32_t kWidth = 200, kHeight = 150;
+
+/// Straight down from 2 km: no ground is farther than some 3 km.
+std::vector<std::uint8_t> seen_from_above(double haze_distance_m, bool is_forced, EffectState& haze) {
+    test_support::MemoryBytes bytes(test_support::hills().image);
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.sky.haze_distance_m = haze_distance_m;
+    design.sky.haze = {255, 255, 255};
+    test_support::HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes, design);
+    headless.display().force_effects(is_forced);
+    const flight::AircraftState aircraft = test_support::aircraft_over_hills(3000);
+    const earth::Geodetic& place = aircraft.own_ship.position;
+    const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, 0, base::radians(-85), 0);
+    headless.display().set_free_view(test_support::free_view(earth::to_ecef(place), body, kWidth, kHeight, 50));
+    std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, aircraft, test_support::kHillsNow);
+    EXPECT_GT(headless.display().record().terrain.triangles, 100u);
+    haze = EffectState::replaced;
+    for (const EffectRecord& effect : headless.display().record().effects)
+        if (effect.name.view() == "haze") haze = effect.state;
+    return rgba;
+}
+
+int largest_step(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    int largest = 0;
+    for (std::size_t n = 0; n < a.size(); ++n) largest = std::max(largest, std::abs(int{a[n]} - int{b[n]}));
+    return largest;
+}
+
+TEST(EffectPictures, HazeThatIsLeftOutIsNotMissed) {
+    EffectState haze{};
+    const auto planned = seen_from_above(9e5, false, haze);
+    EXPECT_EQ(haze, EffectState::skipped);
+    const auto forced = seen_from_above(9e5, true, haze);
+    EXPECT_EQ(haze, EffectState::run);
+    EXPECT_LE(largest_step(planned, forced), 1);
+    const auto thick = seen_from_above(4e4, false, haze);
+    EXPECT_EQ(haze, EffectState::run) << "control";
+    EXPECT_GT(largest_step(planned, thick), 5) << "control: it would be missed";
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_effect_calls

@@ -1,0 +1,74 @@
+#include "render_core/effects/effect_catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "tests/support/device_files.hpp"
+
+namespace tedavis::effects::test_effect_catalogue {
+namespace {
+
+/// The table of the module's README, from the code.
+std::string table() {
+    std::ostringstream text;
+    text << "| effect | shows | needs | bound of what is seen | cost | in its place |\n|---|---|---|---|---|---|\n";
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectEntry& entry = entry_of(static_cast<Effect>(n));
+        text << "| `" << entry.name << "` | " << kContributionNames[static_cast<std::size_t>(entry.contribution)] << " | "
+             << (entry.need == Need::nothing ? "" : "24-bit depth off screen") << " | " << entry.bound << " | " << entry.cost
+             << " | ";
+        for (const Effect replacement : entry.replacements)
+            if (replacement != Effect::count_) text << "`" << entry_of(replacement).name << "` ";
+        text << "|\n";
+    }
+    return text.str();
+}
+
+TEST(EffectCatalogue, IsThePageOfTheModule) {
+    const std::string page = test_support::source_file("render_core/effects/README.md");
+    EXPECT_NE(page.find(table()), std::string::npos) << "write this table into render_core/effects/README.md:\n" << table();
+}
+
+TEST(EffectCatalogue, NamesAreUniqueAndFoundAgain) {
+    std::set<std::string_view> names;
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectEntry& entry = entry_of(static_cast<Effect>(n));
+        EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+        EXPECT_EQ(effect_of(entry.name), static_cast<Effect>(n));
+    }
+    EXPECT_EQ(effect_of("aurora"), Effect::count_);
+    EXPECT_EQ(effect_of(""), Effect::count_);
+}
+
+/// Whatever may be taken away has something in its place that never is, or nothing is lost that others show.
+TEST(EffectCatalogue, WhatStandsInIsAlwaysPossible) {
+    for (std::size_t n = 0; n < kEffectCount; ++n)
+        for (const Effect replacement : entry_of(static_cast<Effect>(n)).replacements) {
+            if (replacement == Effect::count_) continue;
+            EXPECT_EQ(entry_of(replacement).need, Need::nothing);
+            EXPECT_FALSE(entry_of(replacement).may_be_forbidden);
+        }
+    for (const Effect always : {Effect::terrain, Effect::warning_colors}) EXPECT_FALSE(entry_of(always).may_be_forbidden);
+}
+
+TEST(EffectCatalogue, OnlyEffectsOnColourOrPlacesHaveABound) {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectEntry& entry = entry_of(static_cast<Effect>(n));
+        EXPECT_EQ(entry.bound.empty(), entry.contribution == Contribution::content) << entry.name;
+    }
+}
+
+TEST(EffectCatalogue, ADeviceHasWhatItsFileSays) {
+    DeviceCapability device;
+    EXPECT_TRUE(has(device, Need::depth24_target));
+    device.depth24_targets = false;
+    EXPECT_FALSE(has(device, Need::depth24_target));
+    EXPECT_TRUE(has(device, Need::nothing));
+    EXPECT_EQ(lack_of(Need::depth24_target), "the device has no 24-bit depth off screen");
+}
+
+}  // namespace
+}  // namespace tedavis::effects::test_effect_catalogue
