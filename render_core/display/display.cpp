@@ -128,14 +128,8 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
 }
 
 void Display::plan_effects() {
-    EffectFacts facts{asked_, settings_.device.forbidden, decisions_};
-    facts.has_silhouettes = has_silhouettes();
-    facts.light = record_.light.source;
-    facts.drape = terrain_.drape();
-    facts.ground_data = data_plan_.ground;
-    facts.adjacent = maps_beside_.state;
-    facts.adjacent_maps = maps_beside_.drawn;
-    facts.haze_per_m = eye_.haze_per_m;
+    EffectFacts facts{asked_,           settings_.device.forbidden, decisions_,         has_silhouettes(),  record_.light.source,
+                      terrain_.drape(), data_plan_.ground,          maps_beside_.state, maps_beside_.drawn, eye_.haze_per_m};
     if (decisions_.show_terrain && !elements_.has_anything()) facts.farthest_m = terrain_.farthest_m(eye_.view);
     facts.is_forced = effects_are_forced_;
     plan_ = effects::plan_effects(effect_calls(facts), settings_.device.capability);
