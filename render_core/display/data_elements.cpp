@@ -104,6 +104,12 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 
 }  // namespace
 
+bool any_is_out_of_date(const ElementReports& reports) noexcept {
+    for (const ElementReport& report : reports)
+        if (report.state == ElementState::out_of_date) return true;
+    return false;
+}
+
 const char* reason_of(ElementState state) noexcept {
     switch (state) {
         case ElementState::shown: return "asked for by the design";

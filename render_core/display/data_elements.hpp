@@ -50,6 +50,9 @@ struct ElementReport {
 inline constexpr std::size_t kMaxElementGroups = 32;
 using ElementReports = base::FixedVector<ElementReport, kMaxElementGroups>;  ///< in the design's order, then the scene's
 
+/// Whether a layer is left out because it is not valid at this time.
+[[nodiscard]] bool any_is_out_of_date(const ElementReports& reports) noexcept;
+
 struct ElementFrame {
     draw::Ground& ground;
     const terrain::View& view;  ///< of the eye

@@ -54,6 +54,11 @@ std::string_view title_of(const scene::AttributeEntry& attribute) {
     return title.empty() ? field_text(attribute.name) : title;
 }
 
+/// Whether its uncertainty is a level without a unit: of a class, or of data that do not say what counts as unsure.
+bool is_graded(const scene::AttributeEntry& attribute) {
+    return attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0);
+}
+
 /// Own and data time by the rule that ages the uncertainty (GridField::age): within its times a layer has no age.
 std::int64_t data_time_of(const scene::Layer& layer, std::int64_t now_ns) {
     if (layer.times_ns.empty()) return layer.entry->data_time_ns;
@@ -162,7 +167,7 @@ base::FixedString<31> legend_title(std::string_view layer, std::string_view attr
 base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept {
     const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
     char number[16];
-    if (attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0)) {
+    if (is_graded(attribute)) {
         if (level >= 1) return "UNSURE";
         std::snprintf(number, sizeof number, "%.0f %%", 100 * level);
         return number;
@@ -216,9 +221,13 @@ draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::A
     draw::DataLegend legend = legend_of(layer, attribute, time, style);
     legend.title.append(" \xC2\xB1");
     legend.class_names.clear();
-    const double full = static_cast<double>(attribute.entry->uncertainty_full);
-    legend.factor = full > 0 ? full : 1;
-    if (!(full > 0)) legend.unit.clear();
+    const scene::AttributeEntry& entry = *attribute.entry;
+    const double full = static_cast<double>(entry.uncertainty_full);
+    legend.factor = full;
+    if (entry.uncertainty_kind == scene::UncertaintyKind::percent) legend.unit = "%";
+    if (!is_graded(entry)) return legend;
+    legend.factor = 100;
+    legend.unit = "%";
     return legend;
 }
 

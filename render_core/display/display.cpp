@@ -263,6 +263,9 @@ void Display::plan_elements(const flight::FlownWay* way) {
         elements_.plan(frame);
     else
         elements_.rest();
+    conditions_.data_are_out_of_date =
+        data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
+    if (conditions_.data_are_out_of_date) decide_again();
     put_symbology();
     if (!are_shown) return;
     terrain::DrawnSight sight = terrain_.sight(eye_.view);

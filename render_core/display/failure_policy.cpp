@@ -255,6 +255,7 @@ private:
         if (out_.show_terrain && conditions_.image_is_missing) flag("terrain", "no_image");
         if (is_flat()) flag("terrain", "flat");
         if (state_.traffic.is_cut) flag("traffic", "cut");
+        if (out_.show_terrain && conditions_.data_are_out_of_date) flag("data", "out_of_date");
     }
 
     [[nodiscard]] bool is_flat() const { return out_.show_terrain && design_.view.reference == design::Reference::flat; }
@@ -295,6 +296,7 @@ private:
         if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
+        if (out_.show_terrain && conditions_.data_are_out_of_date) notice(NoticeLevel::caution, "DATA OUT OF DATE");
         if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC NOT ALL SHOWN");
         if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
         if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)

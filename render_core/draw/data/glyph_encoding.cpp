@@ -7,6 +7,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/placement.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -19,19 +20,7 @@ using scene::WindState;
 
 constexpr double kSignShare = 0.5;                                       // of signs, of the full size
 constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.5;  // of the full size
-constexpr double kLeastPoleDistance = 1e-9;
 constexpr double kStem_px = 2, kFootWidth_px = 12, kFootHeight_px = 4;
-
-struct LocalAxes {
-    glm::dvec3 east, north, up;
-};
-
-LocalAxes local_axes(const earth::Ecef& place) {
-    const glm::dvec3 up = earth::up_at(place);
-    const double from_axis = std::hypot(up.x, up.y);
-    const glm::dvec3 east = from_axis > kLeastPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
-    return {east, glm::cross(up, east), up};
-}
 
 GlyphShape shape_of(GlyphForm form) {
     switch (form) {

@@ -1,9 +1,8 @@
 #include "render_core/draw/data/placement.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
-
-#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -40,6 +39,14 @@ std::size_t number_of(const scene::Attribute* attribute, const PointOfFeature& o
 LocalAxes local_axes(double latitude_rad, double longitude_rad) {
     const glm::dmat3 ned = earth::north_east_down(latitude_rad, longitude_rad);
     return {ned[1], ned[0], -ned[2]};
+}
+
+LocalAxes local_axes(const earth::Ecef& place) {
+    constexpr double kLeastPoleDistance = 1e-9;
+    const glm::dvec3 up = earth::up_at(place);
+    const double from_axis = std::hypot(up.x, up.y);
+    const glm::dvec3 east = from_axis > kLeastPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
+    return {east, glm::cross(up, east), up};
 }
 
 Placed placed_over_ground(const ElementInput& input, double latitude_rad, double longitude_rad, double over_m) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
 
@@ -15,6 +16,7 @@ struct LocalAxes {
     glm::dvec3 east{0}, north{0}, up{0};
 };
 [[nodiscard]] LocalAxes local_axes(double latitude_rad, double longitude_rad);
+[[nodiscard]] LocalAxes local_axes(const earth::Ecef& place);
 
 struct Placed {
     glm::dvec3 place{0};    ///< ECEF, m

@@ -114,10 +114,12 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     ask_for("zones", DataTechnique::prism);
     plan({kNow.ns - 1});
     EXPECT_EQ(state(0), ElementState::out_of_date);
+    EXPECT_TRUE(any_is_out_of_date(elements_.reports()));
     EXPECT_FALSE(elements_.has_anything());
     EXPECT_EQ(drawn_pixels(), 0u);
     elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNow)});
     EXPECT_EQ(state(0), ElementState::shown);
+    EXPECT_FALSE(any_is_out_of_date(elements_.reports()));
     EXPECT_GT(drawn_pixels(), 50u);
     elements_.plan({ground_, frame_.view, {}, flight::time_of_source({kNow.ns + kHour_ns + 1})});
     EXPECT_EQ(state(0), ElementState::out_of_date);

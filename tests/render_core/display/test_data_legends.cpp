@@ -219,8 +219,20 @@ TEST(DataLegends, UncertaintyAsAValueIsInItsUnit) {
     layer.attributes[0].uncertainty_full = 0;
     const LoadedScene unsaid(layer);
     entry = uncertainty_legend_of(unsaid.layer(), unsaid.attribute(), {}, {});
-    EXPECT_EQ(entry.factor, 1);
-    EXPECT_EQ(entry.unit.view(), "");
+    EXPECT_EQ(entry.factor, 100);
+    EXPECT_EQ(entry.unit.view(), "%") << "of a level that has no unit, never the data's";
+    layer.attributes[0].uncertainty_full = 1;
+    layer.attributes[0].uncertainty_kind = scene::UncertaintyKind::ordinal;
+    const LoadedScene graded(layer);
+    entry = uncertainty_legend_of(graded.layer(), graded.attribute(), {}, {});
+    EXPECT_EQ(entry.factor, 100) << "no kelvin: classes of trust";
+    EXPECT_EQ(entry.unit.view(), "%");
+    layer.attributes[0].uncertainty_full = 50;
+    layer.attributes[0].uncertainty_kind = scene::UncertaintyKind::percent;
+    const LoadedScene relative(layer);
+    entry = uncertainty_legend_of(relative.layer(), relative.attribute(), {}, {});
+    EXPECT_EQ(entry.factor, 50);
+    EXPECT_EQ(entry.unit.view(), "%") << "of the value";
 }
 
 TEST(DataLegends, WhatSaysTheSameIsThereOnce) {

@@ -272,6 +272,17 @@ TEST(FailurePolicy, TrafficThatIsLeftOutIsSaid) {
     EXPECT_TRUE(has_flag(decide_on(state), "traffic.cut"));
 }
 
+/// An empty sky must not be taken for a clear one.
+TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide(conditions), "DATA OUT OF DATE"));
+    conditions.data_are_out_of_date = true;
+    EXPECT_TRUE(has_notice(decide(conditions), "DATA OUT OF DATE"));
+    EXPECT_TRUE(has_flag(decide(conditions), "data.out_of_date"));
+    conditions.terrain = TerrainSource::failed;
+    EXPECT_FALSE(has_notice(decide(conditions), "DATA OUT OF DATE")) << "no data are shown at all";
+}
+
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.phase.switch_fault = true;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 #include "tests/support/grey_palettes.hpp"
@@ -98,6 +99,16 @@ TEST(Placement, ValuesThatAreNotThereAreNaN) {
     EXPECT_EQ(value_or_nan(layer, "kind", 1), 1);
     EXPECT_TRUE(std::isnan(value_or_nan(layer, "kind", 3)));
     EXPECT_TRUE(std::isnan(value_or_nan(layer, "colour", 0)));
+}
+
+TEST(Placement, AxesOfAPlaceInSpaceAreThoseOfItsCoordinates) {
+    const LocalAxes by_angles = local_axes(0.8, 0.2), by_place = local_axes(earth::to_ecef({0.8, 0.2, {9000}}));
+    EXPECT_LT(glm::distance(by_angles.east, by_place.east), 1e-9);
+    EXPECT_LT(glm::distance(by_angles.north, by_place.north), 1e-5);
+    EXPECT_LT(glm::distance(by_angles.up, by_place.up), 1e-5);
+    const LocalAxes at_pole = local_axes(earth::to_ecef({base::radians(90), 0, {0}}));
+    EXPECT_NEAR(glm::length(at_pole.east), 1, 1e-12);
+    EXPECT_NEAR(glm::dot(at_pole.east, at_pole.up), 0, 1e-9);
 }
 
 TEST(Placement, AccuraciesAreThePointsOwnElseTheLayers) {
