@@ -11,7 +11,8 @@ namespace tedavis::host_sim {
 /// A value as the layer holds it; NaN where it is missing, and where a class is none.
 [[nodiscard]] float bound_value(const AttributeRecipe& recipe, double stated);
 /// A level from what the source states of one value (an ensemble's spread, the variable of the recipe); the recipe's own number
-/// goes before it. Unknown where the recipe says nothing, and for NaN.
+/// goes before it. Unknown where the recipe says nothing, and for what is no number or beyond its range: below 0, more than 100
+/// percent, a quality or a class above `full`. A deviation or an interval above it is the least sure.
 [[nodiscard]] scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double stated);
 
 }  // namespace tedavis::host_sim

@@ -36,7 +36,7 @@ public:
           file_(source_path(folder, recipe.source)),
           choice_{recipe.from_ns, recipe.until_ns, recipe.levels, recipe.members == "bands"} {}
 
-    LayerDraft make() {
+    GridLayer make() {
         if (recipe_.attributes.empty()) throw UserError(recipe_.name + ": a grid needs an [[layer.attribute]]; bind one");
         const AttributeRecipe& first = recipe_.attributes.front();
         const GridSource source(file_, first.variable, recipe_.crs, is_blendable(first));
@@ -49,13 +49,17 @@ public:
         order_levels();
         if (recipe_.keep_members > 0) choose_members();
         for (const AttributeRecipe& attribute : recipe_.attributes) add(attribute);
-        return std::move(layer_);
+        if (source.is_assumed())
+            note(recipe_.source + " states no reference system and is taken for longitude and latitude; 'crs' names another");
+        return {std::move(layer_), std::move(notes_)};
     }
 
 private:
     [[nodiscard]] static bool is_blendable(const AttributeRecipe& attribute) {
         return attribute.scale == scene::AttributeScale::quantitative;
     }
+
+    void note(const std::string& sentence) { notes_.push_back(recipe_.name + ": " + sentence); }
 
     void start_layer() {
         layer_.name = recipe_.name;
@@ -201,6 +205,9 @@ private:
             attribute.uncertainties.insert(attribute.uncertainties.end(), plane.uncertainties.begin(), plane.uncertainties.end());
             attribute.states.insert(attribute.states.end(), plane.states.begin(), plane.states.end());
         }
+        const auto& values = attribute.values;
+        if (std::all_of(values.begin(), values.end(), [](float value) { return std::isnan(value); }))
+            note("'" + recipe.variable + "' has no values; nothing but what is missing is shown");
         layer_.attributes.push_back(std::move(attribute));
     }
     /// A member's plane, prepared as the mean's is: from `bound` to `mean`. Where it is not of the mean's state it is missing, so
@@ -233,10 +240,11 @@ private:
     std::vector<std::size_t> kept_;   ///< members that the scene keeps
     std::size_t members_ = 0;         ///< that there are; known where some are kept
     LayerDraft layer_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-LayerDraft make_grid_layer(const LayerRecipe& recipe, const std::string& folder) { return GridLayerMaker(recipe, folder).make(); }
+GridLayer make_grid_layer(const LayerRecipe& recipe, const std::string& folder) { return GridLayerMaker(recipe, folder).make(); }
 
 }  // namespace tedavis::host_sim

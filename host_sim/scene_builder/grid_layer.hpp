@@ -5,7 +5,13 @@
 
 namespace tedavis::host_sim {
 
+/// A layer, and sentences about what the user should know of it; each begins with the layer's name.
+struct GridLayer {
+    LayerDraft draft;
+    std::vector<std::string> notes;
+};
+
 /// `folder`: what relative names of files start from. Throws UserError, one sentence that names the layer and the file.
-[[nodiscard]] LayerDraft make_grid_layer(const LayerRecipe& recipe, const std::string& folder);
+[[nodiscard]] GridLayer make_grid_layer(const LayerRecipe& recipe, const std::string& folder);
 
 }  // namespace tedavis::host_sim

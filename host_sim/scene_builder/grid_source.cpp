@@ -61,6 +61,16 @@ std::optional<double> level_of(GDALRasterBand& band) {
     return ends_with(text, "-ISBL") ? std::optional(CPLAtof(name) / 100) : CPLAtof(name);
 }
 
+/// All of it, not one corner: metres near the origin of a local system begin like degrees.
+bool looks_geographic(GDALDataset& dataset, const double (&transform)[6]) {
+    constexpr double kMostLatitude_deg = 91;  // corners of pixels whose middles are posts
+    const double columns = dataset.GetRasterXSize(), rows = dataset.GetRasterYSize();
+    const double east = transform[0] + columns * transform[1], south = transform[3] + rows * transform[5];
+    const bool is_on_earth = std::abs(transform[0]) <= kFullTurn_deg && std::abs(east) <= 2 * kFullTurn_deg &&
+                             std::abs(transform[3]) <= kMostLatitude_deg && std::abs(south) <= kMostLatitude_deg;
+    return is_on_earth && std::abs(east - transform[0]) <= kFullTurn_deg + std::abs(transform[1]);
+}
+
 }  // namespace
 
 GridSource::GridSource(const std::string& file, const std::string& variable, const std::string& crs, bool may_blend)
@@ -93,9 +103,9 @@ void GridSource::warp_to_longitude_latitude(const std::string& crs, bool may_ble
     double transform[6];
     const bool has_places = dataset_->GetGeoTransform(transform) == CE_None;
     if (stated == nullptr && crs.empty()) {
-        const bool looks_geographic = has_places && std::abs(transform[0]) <= kFullTurn_deg && std::abs(transform[3]) <= 91;
-        if (!looks_geographic)
+        if (!has_places || !looks_geographic(*dataset_, transform))
             throw UserError(file_ + ": does not say in which reference system it lies; name it with crs = \"EPSG:...\"");
+        is_assumed_ = true;
         return;
     }
     const bool is_turned = has_places && (transform[2] != 0 || transform[4] != 0);
@@ -132,6 +142,8 @@ void GridSource::read_places() {
     const double south_deg = places_.north_deg - places_.step_lat_deg * (places_.rows - 1);
     if (!(places_.north_deg <= 90 + 1e-6) || !(south_deg >= -90 - 1e-6))
         throw UserError(file_ + ": its rows reach beyond the poles; name its reference system with crs = \"EPSG:...\"");
+    if (places_.step_lon_deg * (places_.columns - 1) > kFullTurn_deg + 1e-6)
+        throw UserError(file_ + ": its columns reach more than once round the Earth; name its reference system with crs = \"EPSG:...\"");
 }
 
 void GridSource::list_planes(const std::string& variable) {

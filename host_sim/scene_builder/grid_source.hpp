@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const std::vector<GridPlane>& planes() const { return planes_; }
     /// Values with scale and offset applied, row by row; NaN where the file says that there is none.
     [[nodiscard]] std::vector<float> read(const GridPlane& plane) const;
+    /// True where neither file nor recipe names a reference system, and the file's numbers can be degrees.
+    [[nodiscard]] bool is_assumed() const { return is_assumed_; }
     /// As the file states it; may be empty.
     [[nodiscard]] const std::string& unit() const { return unit_; }
 
@@ -48,7 +50,7 @@ private:
     std::string file_;
     GdalDataset container_, unwarped_, dataset_;  ///< later ones need earlier ones
     GridPlaces places_;
-    bool flips_rows_ = false, flips_columns_ = false;
+    bool flips_rows_ = false, flips_columns_ = false, is_assumed_ = false;
     std::vector<GridPlane> planes_;
     std::string unit_;
 };

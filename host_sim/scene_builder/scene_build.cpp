@@ -88,7 +88,9 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
     const SourceKind kind = source_kind(path, recipe.role);
     if (kind == SourceKind::grid) {
         require_no_words_for_features(recipe);
-        return make_grid_layer(without_derived(recipe), folder);
+        GridLayer made = make_grid_layer(without_derived(recipe), folder);
+        notes.insert(notes.end(), made.notes.begin(), made.notes.end());
+        return std::move(made.draft);
     }
     Source source = read_source(kind, recipe, path);
     LayerRecipe bound = without_derived(recipe);

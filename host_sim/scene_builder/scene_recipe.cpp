@@ -80,7 +80,9 @@ UncertaintyRecipe read_uncertainty(ConfigSection section) {
 AttributeRecipe read_attribute(ConfigSection section) {
     AttributeRecipe attribute;
     attribute.name = std::string(section.text("name"));
-    attribute.title = text(section, "title", attribute.name);
+    // A longer name than a title may be has none, and legends show the name itself.
+    const bool can_be_title = attribute.name.size() < sizeof(scene::AttributeEntry::title);
+    attribute.title = text(section, "title", can_be_title ? attribute.name : "");
     attribute.unit = text(section, "unit");
     attribute.variable = text(section, "variable", attribute.name);
     attribute.scale = static_cast<scene::AttributeScale>(section.choice("scale", Texts(kScales.data(), kScales.size()), 2));

@@ -8,9 +8,9 @@
 #include <limits>
 #include <sstream>
 
-#include "host_sim/commands/command_line.hpp"
 #include "host_sim/input_file.hpp"
 #include "render_core/base/hash.hpp"
+#include "tests/support/program_words.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terrain_image.hpp"
@@ -19,30 +19,8 @@ namespace tedavis::tests::test_bad_values {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
-
-struct Outcome {
-    int code = 0;
-    std::string results, notes;
-};
-
-/// The program's own command line, inside this process.
-Outcome run(std::vector<std::string> words) {
-    words.insert(words.begin(), "tedavis");
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    std::ostringstream results, notes;
-    const int code = host_sim::run_command_line(static_cast<int>(arguments.size()), arguments.data(), results, notes, false);
-    return {code, results.str(), notes.str()};
-}
-
-void expect_refusal(const Outcome& outcome, const std::string& where) {
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.results, "");
-    EXPECT_THAT(outcome.notes, HasSubstr(where));
-    EXPECT_EQ(outcome.notes.find('\n'), outcome.notes.size() - 1) << outcome.notes;
-    EXPECT_THAT(outcome.notes, Not(HasSubstr("please report")));
-}
+using test_support::expect_refusal;
+using test_support::ProgramOutcome;
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -82,7 +60,7 @@ TEST_P(EveryNumber, OfTheShippedFilesIsBounded) {
                 for (std::size_t k = 0; k < lines.size(); ++k)
                     text += (k == n ? number.key + " = " + value + number.after : lines[k]) + "\n";
                 SCOPED_TRACE(name + ": " + number.key + " = " + value);
-                expect_refusal(run({"check", place.write(name, text)}), name + ":" + std::to_string(n + 1));
+                expect_refusal(test_support::run_words({"check", place.write(name, text)}), name + ":" + std::to_string(n + 1));
                 ++tried;
             }
         }
@@ -118,7 +96,7 @@ TEST(BadValues, InFlights) {
           Case{"day.igc", "AXXX\nHFDTE991399\nB0947004658800N01001200EA0290003000\n", "day.igc:2: the date record"},
           Case{"text.igc", "AXXX\nHFDTE120420\nB0947xx4658800N01001200EA0290003000\n", "text.igc: no usable B record"}}) {
         SCOPED_TRACE(c.name);
-        expect_refusal(run({"convert", place.write(c.name, c.text), "-o", place.file("x.log")}), c.where);
+        expect_refusal(test_support::run_words({"convert", place.write(c.name, c.text), "-o", place.file("x.log")}), c.where);
         EXPECT_FALSE(std::filesystem::exists(place.file("x.log")));
     }
 }
@@ -128,7 +106,7 @@ TEST(BadValues, InBytesThatAreNoText) {
     const std::string flight = place.write("latin.igc",
                                            "AXXX\nHFDTE120420\nHFGIDGLIDERID:D-\xE9\xFF\nB0947004658800N01001200EA0290003000\n"
                                            "B0947014658800N01001200EA0290003000\n");
-    const Outcome outcome = run({"convert", flight, "-o", place.file("x.log"), "--json"});
+    const ProgramOutcome outcome = test_support::run_words({"convert", flight, "-o", place.file("x.log"), "--json"});
     EXPECT_EQ(outcome.code, 0) << outcome.notes;
     EXPECT_THAT(outcome.results, HasSubstr("D-\xEF\xBF\xBD")) << "what is no UTF-8 is replaced";
 }
@@ -158,14 +136,14 @@ std::string forged_tdb(const test_support::TemporaryFolder& place, Change change
 
 TEST(BadValues, ATerrainDatabaseThatIsSignedAnewUnchangedIsSound) {
     const test_support::TemporaryFolder place;
-    EXPECT_EQ(run({"terrain", "info", forged_tdb(place, [](FileHeader&, ChunkEntry&) {})}).code, 0);
+    EXPECT_EQ(test_support::run_words({"terrain", "info", forged_tdb(place, [](FileHeader&, ChunkEntry&) {})}).code, 0);
 }
 
 TEST(BadValues, InHeadersOfTerrainDatabases) {
     const test_support::TemporaryFolder place;
     const auto refuses = [&](const char* what, auto change) {
         SCOPED_TRACE(what);
-        expect_refusal(run({"terrain", "info", forged_tdb(place, change)}), "forged.tdb: ");
+        expect_refusal(test_support::run_words({"terrain", "info", forged_tdb(place, change)}), "forged.tdb: ");
     };
     struct Place {
         const char* name;
@@ -203,7 +181,7 @@ TEST(BadValues, InChunkEntriesOfTerrainDatabases) {
     const test_support::TemporaryFolder place;
     const auto refuses = [&](const char* what, auto change) {
         SCOPED_TRACE(what);
-        expect_refusal(run({"terrain", "info", forged_tdb(place, change)}), "forged.tdb: ");
+        expect_refusal(test_support::run_words({"terrain", "info", forged_tdb(place, change)}), "forged.tdb: ");
     };
     const float nan = std::nanf("");
     refuses("above", [&](FileHeader&, ChunkEntry& e) { e.above_m = nan; });

@@ -38,7 +38,7 @@ TEST(Weather, Era5WindOnPressureLevels) {
     recipe.height_variable = "z";
     recipe.height_factor = 1 / 9.80665;
     recipe.attributes = {attribute("east", "u"), attribute("north", "v")};
-    const LayerDraft layer = make_grid_layer(recipe, kFolder);
+    const LayerDraft layer = make_grid_layer(recipe, kFolder).draft;
     EXPECT_EQ(layer.grid.columns, 5u);
     EXPECT_EQ(layer.grid.rows, 4u);
     ASSERT_EQ(layer.levels_m.size(), 6u);
@@ -70,7 +70,7 @@ TEST(Weather, EcmwfEnsembleAsMeanAndSpread) {
     recipe.attributes[0].uncertainty.kind = scene::UncertaintyKind::standard_deviation;
     recipe.attributes[0].uncertainty.is_spread = true;
     recipe.attributes[0].uncertainty.full = 10;
-    const LayerDraft layer = make_grid_layer(recipe, kFolder);
+    const LayerDraft layer = make_grid_layer(recipe, kFolder).draft;
     ASSERT_EQ(layer.times_ns.size(), 3u);
     EXPECT_EQ(layer.times_ns[1] - layer.times_ns[0], 6 * kHour_ns);
     const AttributeDraft& gust = layer.attributes[0];
@@ -108,7 +108,7 @@ TEST(Weather, EcmwfEnsembleKeepsMembersFromTheLeastToTheGreatest) {
     recipe.levels = {0};
     recipe.attributes = {attribute("gust", "")};
     recipe.keep_members = 9;
-    const LayerDraft layer = make_grid_layer(recipe, kFolder);
+    const LayerDraft layer = make_grid_layer(recipe, kFolder).draft;
     const AttributeDraft& gust = layer.attributes[0];
     ASSERT_EQ(gust.members.size(), 9u);
 
@@ -150,7 +150,7 @@ TEST(Weather, OperaRadarWithItsQuality) {
     dbz.uncertainty.variable = "band 1";
     dbz.uncertainty.is_quality = true;
     recipe.prepare.region = host_sim::RegionRecipe{9.5, 46.4, 10.3, 47.2};
-    const LayerDraft layer = make_grid_layer(recipe, kFolder);
+    const LayerDraft layer = make_grid_layer(recipe, kFolder).draft;
     EXPECT_EQ(layer.data_time_ns, 1'732'582'800'000'000'000) << "2024-11-26 01:00";
     int known = 0, echoes = 0, sure = 0;
     const AttributeDraft& a = layer.attributes[0];

@@ -25,6 +25,7 @@ struct RasterFile {
     GDALColorInterp meaning = GCI_GrayIndex;
     std::function<double(int, int)> value = [](int i, int j) { return 1000.0 + 7 * i + 3 * j; };  ///< as it is stored
     std::function<double(int)> more = [](int band) { return band == 1 ? 0.0 : 5000.0; };  ///< of a band, where it has a value
+    std::function<double(int, int)> second;  ///< of the second band, where it has values of its own
     const char* driver = "GTiff";
 
     [[nodiscard]] double x(double i, double j) const {
@@ -48,16 +49,14 @@ struct RasterFile {
             EXPECT_EQ(reference.SetFromUserInput(crs.c_str()), OGRERR_NONE);
             file->SetSpatialRef(&reference);
         }
-        for (int band = 1; band <= bands; ++band) fill(*file->GetRasterBand(band), more(band));
+        for (int band = 1; band <= bands; ++band) fill(*file->GetRasterBand(band), band == 2 && second ? second : value, more(band));
         return path;
     }
 
 private:
-    [[nodiscard]] double stored(int i, int j, double added) const {
-        const double v = value(i, j);
-        return no_data && v == *no_data ? v : v + added;
-    }
-    void fill(GDALRasterBand& band, double added) const {
+    using Values = std::function<double(int, int)>;
+    [[nodiscard]] double stored(double v, double added) const { return no_data && v == *no_data ? v : v + added; }
+    void fill(GDALRasterBand& band, const Values& values, double added) const {
         if (no_data) band.SetNoDataValue(*no_data);
         if (!unit.empty()) band.SetUnitType(unit.c_str());
         if (scale != 1 || offset != 0) {
@@ -67,7 +66,7 @@ private:
         if (meaning != GCI_GrayIndex) band.SetColorInterpretation(meaning);
         std::vector<double> line(static_cast<std::size_t>(columns));
         for (int j = 0; j < rows; ++j) {
-            for (int i = 0; i < columns; ++i) line[static_cast<std::size_t>(i)] = stored(i, j, added);
+            for (int i = 0; i < columns; ++i) line[static_cast<std::size_t>(i)] = stored(values(i, j), added);
             EXPECT_EQ(band.RasterIO(GF_Write, 0, j, columns, 1, line.data(), columns, 1, GDT_Float64, 0, 0), CE_None);
         }
     }

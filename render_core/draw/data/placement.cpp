@@ -126,6 +126,14 @@ PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of
     return {stated(kPositionAccuracy, layer.entry->position_accuracy_m), stated(kHeightAccuracy, layer.entry->height_accuracy_m)};
 }
 
+PlaceAccuracy worst_accuracy(const scene::Layer& layer) {
+    const auto worst = [&](std::string_view name) {
+        const scene::Attribute* const attribute = layer.find(name);
+        return attribute == nullptr ? 0 : std::fmax(double{attribute->entry->maximum}, 0.0);
+    };
+    return {worst(kPositionAccuracy), worst(kHeightAccuracy)};
+}
+
 bool states_accuracy(const scene::Layer& layer) {
     return layer.entry->position_accuracy_m > 0 || layer.find(kPositionAccuracy) != nullptr;
 }

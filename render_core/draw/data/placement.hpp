@@ -65,6 +65,8 @@ struct PlaceAccuracy {
     double level_m = 0, height_m = 0;
 };
 [[nodiscard]] PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of);
+/// The largest of these attributes over all points; 0 where no point has one.
+[[nodiscard]] PlaceAccuracy worst_accuracy(const scene::Layer& layer);
 /// False where it is 0 everywhere.
 [[nodiscard]] bool states_accuracy(const scene::Layer& layer);
 

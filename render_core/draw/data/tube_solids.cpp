@@ -160,7 +160,11 @@ RingColors TubeSolids::colors_of(const Work& work, const scene::TubeRing& ring) 
 
 TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) const {
     const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
-    const PlaceAccuracy accuracy = place_accuracy(work.input.layer, of);
+    PlaceAccuracy accuracy = place_accuracy(work.input.layer, of);
+    // Where neither the point nor the layer states it: it is not the best.
+    const PlaceAccuracy worst = worst_accuracy(work.input.layer);
+    if (!(accuracy.level_m > 0)) accuracy.level_m = worst.level_m;
+    if (!(accuracy.height_m > 0)) accuracy.height_m = worst.height_m;
     return {accuracy.level_m, accuracy.height_m > 0 ? accuracy.height_m : accuracy.level_m};
 }
 

@@ -6,8 +6,8 @@
 /// metres an hour, and the radius is the default. A line of one point is an octahedron. With `link`, and always in space-time,
 /// thin posts stand under both ends. An opaque tube may have a rim (`halo_px`), whose width is in pixels at every distance.
 /// Uncertainty `widening` adds a translucent hull that reaches as far as the place may be off: the attributes "position_accuracy"
-/// and "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole; a height accuracy that is not
-/// stated is that of the place.
+/// and "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole, else the worst that any point
+/// has; a height accuracy that is not stated is that of the place.
 /// Tubes and hulls are not seen from inside, so that nobody's view is filled by the way that they fly.
 ///
 /// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within

@@ -65,5 +65,26 @@ TEST(BoundAttribute, UncertaintiesBecomeLevels) {
     EXPECT_NEAR(bound_uncertainty(recipe, 1).level(), 0.25, 1.0 / 254) << "a spread is scaled with its values";
 }
 
+TEST(BoundAttribute, UncertaintiesBeyondTheirRangeAreUnknown) {
+    AttributeRecipe recipe;
+    UncertaintyRecipe& unsure = recipe.uncertainty;
+    const auto is_known = [&](double stated) { return bound_uncertainty(recipe, stated).is_known(); };
+    for (const scene::UncertaintyKind kind : {scene::UncertaintyKind::standard_deviation, scene::UncertaintyKind::interval,
+                                              scene::UncertaintyKind::percent, scene::UncertaintyKind::ordinal})
+        for (const bool is_quality : {false, true}) {
+            unsure.kind = kind;
+            unsure.is_quality = is_quality;
+            unsure.full = 50;
+            for (const double none : {-0.01, -1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) EXPECT_FALSE(is_known(none)) << none;
+            for (const double stated : {0.0, 20.0, 50.0}) EXPECT_TRUE(is_known(stated)) << stated;
+            EXPECT_EQ(bound_uncertainty(recipe, is_quality ? 50 : 0).level(), 0) << "control: the surest is the surest";
+            const bool is_bounded = is_quality || kind == scene::UncertaintyKind::ordinal;
+            EXPECT_EQ(is_known(51), !is_bounded) << "a deviation has no most, and then counts as the least sure";
+            EXPECT_EQ(is_known(101), !is_bounded && kind != scene::UncertaintyKind::percent);
+        }
+    unsure.full = 0.1;  // whose quotient is no round number
+    EXPECT_EQ(bound_uncertainty(recipe, double{0.1f}).level(), 0);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_bound_attribute

@@ -86,6 +86,11 @@ TEST(FeatureValue, UncertaintyIsANumberAVariableOrAClass) {
     EXPECT_EQ(feature_uncertainty(height, mast(), misfits).level(), 0.5);
     EXPECT_EQ(point_uncertainty(height, mast(), 2, misfits).level(), 0.5);
     EXPECT_EQ(misfits.count, 0u);
+    for (const char* const beyond : {"5", "-1"}) {
+        SourceFeature other = mast();
+        other.fields["trust"] = beyond;
+        EXPECT_FALSE(feature_uncertainty(height, other, misfits).is_known()) << "no class " << beyond;
+    }
     height.uncertainty.variable = "odd";
     EXPECT_FALSE(feature_uncertainty(height, mast(), misfits).is_known());
     EXPECT_EQ(misfits.count, 1u);

@@ -24,7 +24,7 @@ protected:
         recipe_.attributes[0].name = "value";
         recipe_.attributes[0].variable = "band 1";
     }
-    LayerDraft make() { return make_grid_layer(recipe_, folder_.path()); }
+    LayerDraft make() { return make_grid_layer(recipe_, folder_.path()).draft; }
     void write(const RasterFile& raster, const std::string& name = "grid.tif") {
         (void)raster.write(folder_.path() + "/" + name);
     }
@@ -44,6 +44,28 @@ TEST_F(GridLayerOfFiles, ValuesLieWhereTheFileHasThem) {
     EXPECT_FALSE(layer.attributes[0].uncertainties[0].is_known()) << "nothing is said of it";
     EXPECT_TRUE(layer.levels_m.empty());
     EXPECT_TRUE(layer.times_ns.empty());
+}
+
+TEST_F(GridLayerOfFiles, ASystemThatIsTakenForGrantedIsSaid) {
+    RasterFile raster;
+    write(raster);
+    EXPECT_TRUE(make_grid_layer(recipe_, folder_.path()).notes.empty());
+    raster.crs = "";
+    write(raster);
+    const std::vector<std::string> notes = make_grid_layer(recipe_, folder_.path()).notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0], "field: grid.tif states no reference system and is taken for longitude and latitude; 'crs' names another");
+    recipe_.crs = "EPSG:4326";
+    EXPECT_TRUE(make_grid_layer(recipe_, folder_.path()).notes.empty());
+}
+
+TEST_F(GridLayerOfFiles, AVariableWithoutValuesIsSaid) {
+    RasterFile raster;
+    raster.value = [](int, int) { return std::nan(""); };
+    write(raster);
+    const std::vector<std::string> notes = make_grid_layer(recipe_, folder_.path()).notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0], "field: 'band 1' has no values; nothing but what is missing is shown");
 }
 
 TEST_F(GridLayerOfFiles, ARegionIsCutOut) {

@@ -98,6 +98,11 @@ TEST_F(GridSourceOfFiles, WithoutASystemItMustBeNamedUnlessItLooksLikeDegrees) {
     expect_user_error([&] { (void)source(raster); }, "name it with crs = \"EPSG:...\"");
     EXPECT_NEAR(source(raster, "", "EPSG:2056").places().west_deg, 9.78, 0.05);
     expect_user_error([&] { (void)source(raster, "", "EPSG:nonsense"); }, "check 'crs'");
+    raster.columns = 500;
+    raster.transform = {0, 1, 0, 20, 0, -1};  // metres near their origin: one corner could be degrees
+    expect_user_error([&] { (void)source(raster); }, "name it with crs = \"EPSG:...\"");
+    raster.crs = "EPSG:4326";
+    expect_user_error([&] { (void)source(raster); }, "reach more than once round the Earth");
 }
 
 TEST_F(GridSourceOfFiles, WhatIsNoRasterIsSaid) {

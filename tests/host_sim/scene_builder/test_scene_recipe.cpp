@@ -124,6 +124,17 @@ TEST(SceneRecipe, KeysOfTablesAndFlights) {
                  "two or more names are needed, and the 'variable' that holds them");
 }
 
+TEST(SceneRecipe, ANameThatIsTooLongForATitleHasNone) {
+    const auto titled = [](const std::string& name) {
+        return parse_scene("name = 'x'\n[[layer]]\nname = 'a'\nsource = 'b'\n[[layer.attribute]]\nname = '" + name + "'\n", "s.toml")
+            .layers[0]
+            .attributes[0]
+            .title;
+    };
+    EXPECT_EQ(titled("height_accuracy"), "height_accuracy");
+    EXPECT_EQ(titled("position_accuracy"), "") << "legends show the name itself";
+}
+
 TEST(SceneRecipe, NamesAreThoseOfTheFile) {
     EXPECT_EQ(scene::name_of(LayerRole::storm_cell), "storm_cell");
     EXPECT_EQ(scene::name_of(LayerRole::model), "model");

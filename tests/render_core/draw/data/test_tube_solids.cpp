@@ -158,6 +158,13 @@ TEST_F(TubeSolidsOfTest, WideningIsAsFarAsThePlaceMayBeOff) {
     layer.attributes.push_back(own);
     layer.height_accuracy_m = 460;
     EXPECT_NEAR(widest(layer), 500 * corner, 7) << "what is stated of the points goes first";
+    layer.attributes[0].values = {std::nanf(""), 460};
+    EXPECT_NEAR(widest(layer), 500 * corner, 7) << "the other point's";
+    layer.position_accuracy_m = 0;
+    layer.attributes[0].values = {0, 460};
+    const double worst = widest(layer);
+    layer.attributes[0].values = {460, 0};
+    EXPECT_NEAR(widest(layer), worst, 1) << "what states none is as wide as the worst, at either end";
 }
 
 TEST_F(TubeSolidsOfTest, PostsStandUnderBothEnds) {
