@@ -133,8 +133,9 @@ void check_light(const Palette& palette, double ambient, const std::string& name
 
 std::vector<Color> colors_of(const Palette& palette) {
     std::vector<Color> colors;
+    const int samples = palette.is_nominal() ? 1 : kSamplesBetweenStops;
     for (std::size_t i = 0; i + 1 < palette.stops.size(); ++i)
-        for (int n = 0; n < kSamplesBetweenStops; ++n)
+        for (int n = 0; n < samples; ++n)
             colors.push_back(design::blended(palette.stops[i].color, palette.stops[i + 1].color,
                                              static_cast<double>(n) / kSamplesBetweenStops));
     colors.push_back(palette.stops.back().color);
@@ -185,13 +186,11 @@ void check_apart(const std::vector<Color>& colors, const Stranger& stranger, dou
 
 std::vector<std::string> palette_faults(const Palette& palette, const std::string& name) {
     std::vector<std::string> faults;
-    const bool by_hue = palette.order == design::PaletteOrder::hue;
-    if (by_hue) check_hue(palette, name, faults);
+    const bool by_hue = palette.order == design::PaletteOrder::hue, has_order = !palette.is_nominal();
+    if (has_order && by_hue) check_hue(palette, name, faults);
     for (const ColorVision vision : kColorVisions) {
-        if (by_hue)
-            check_steps(palette, vision, name, faults);
-        else
-            check_lightness(palette, vision, name, faults);
+        if (has_order && by_hue) check_steps(palette, vision, name, faults);
+        if (has_order && !by_hue) check_lightness(palette, vision, name, faults);
         check_distance(palette, vision, name, faults);
     }
     return faults;

@@ -1,5 +1,7 @@
 /// Whether the colours of a palette can be read: in their order, on shaded terrain, by everybody, beside what else is drawn.
 ///
+/// Classes of a nominal palette have no order, and no colours lie between them.
+///
 /// Differences are CIEDE2000 (color_difference.hpp). About 1 is just noticeable between patches that touch; stops never touch on
 /// a terrain, so several times as much is asked for. Requirements:
 ///   order     by `lightness`: each stop at least kLightnessStep brighter (or each darker) than the one before it, in a

@@ -27,6 +27,10 @@ float bound_value(const AttributeRecipe& recipe, double stated) {
                             std::find(recipe.missing.begin(), recipe.missing.end(), value) != recipe.missing.end() ||
                             (recipe.least && value < *recipe.least) || (recipe.most && value > *recipe.most);
     if (is_missing) return kMissing;
+    if (!recipe.class_values.empty()) {
+        const auto found = std::find(recipe.class_values.begin(), recipe.class_values.end(), value);
+        return found == recipe.class_values.end() ? kMissing : static_cast<float>(found - recipe.class_values.begin());
+    }
     value = recipe.factor * value + recipe.offset;
     if (recipe.scale == scene::AttributeScale::quantitative) return static_cast<float>(value);
     const bool is_class = value == std::floor(value) && value >= 0 && value < static_cast<double>(recipe.classes.size());

@@ -61,6 +61,15 @@ std::optional<double> level_of(GDALRasterBand& band) {
     return ends_with(text, "-ISBL") ? std::optional(CPLAtof(name) / 100) : CPLAtof(name);
 }
 
+/// netCDF's conventions name the units of its axes where they name no system.
+bool states_degrees(GDALDataset& dataset) {
+    for (const char* const axis : {"longitude#units", "lon#units"}) {
+        const char* const unit = dataset.GetMetadataItem(axis);
+        if (unit != nullptr && std::string(unit).rfind("degree", 0) == 0) return true;
+    }
+    return false;
+}
+
 /// All of it, not one corner: metres near the origin of a local system begin like degrees.
 bool looks_geographic(GDALDataset& dataset, const double (&transform)[6]) {
     constexpr double kMostLatitude_deg = 91;  // corners of pixels whose middles are posts
@@ -105,7 +114,7 @@ void GridSource::warp_to_longitude_latitude(const std::string& crs, bool may_ble
     if (stated == nullptr && crs.empty()) {
         if (!has_places || !looks_geographic(*dataset_, transform))
             throw UserError(file_ + ": does not say in which reference system it lies; name it with crs = \"EPSG:...\"");
-        is_assumed_ = true;
+        is_assumed_ = !states_degrees(*dataset_);
         return;
     }
     const bool is_turned = has_places && (transform[2] != 0 || transform[4] != 0);
@@ -143,7 +152,8 @@ void GridSource::read_places() {
     if (!(places_.north_deg <= 90 + 1e-6) || !(south_deg >= -90 - 1e-6))
         throw UserError(file_ + ": its rows reach beyond the poles; name its reference system with crs = \"EPSG:...\"");
     if (places_.step_lon_deg * (places_.columns - 1) > kFullTurn_deg + 1e-6)
-        throw UserError(file_ + ": its columns reach more than once round the Earth; name its reference system with crs = \"EPSG:...\"");
+        throw UserError(file_ +
+                        ": its columns reach more than once round the Earth; name its reference system with crs = \"EPSG:...\"");
 }
 
 void GridSource::list_planes(const std::string& variable) {

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const std::vector<GridPlane>& planes() const { return planes_; }
     /// Values with scale and offset applied, row by row; NaN where the file says that there is none.
     [[nodiscard]] std::vector<float> read(const GridPlane& plane) const;
-    /// True where neither file nor recipe names a reference system, and the file's numbers can be degrees.
+    /// True where neither file nor recipe names a reference system or its units, and the file's numbers can be degrees.
     [[nodiscard]] bool is_assumed() const { return is_assumed_; }
     /// As the file states it; may be empty.
     [[nodiscard]] const std::string& unit() const { return unit_; }

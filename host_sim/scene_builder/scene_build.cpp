@@ -7,6 +7,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/scene_builder/area_raster.hpp"
 #include "host_sim/scene_builder/derived_attribute.hpp"
 #include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/feature_layer.hpp"
@@ -35,6 +36,7 @@ void require_no_words_for_features(const LayerRecipe& recipe) {
     if (!recipe.prepare.keep_attribute.empty()) word = "keep_attribute";
     if (!recipe.wind_layer.empty()) word = "wind_layer";
     if (!recipe.model.empty()) word = "model";
+    if (recipe.raster_m > 0) word = "raster_m";
     for (const AttributeRecipe& attribute : recipe.attributes)
         if (!attribute.uncertainty.classes.empty()) word = "uncertainty.classes";
     if (word != nullptr)
@@ -55,7 +57,7 @@ Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string
         case SourceKind::runways: return {read_runway_file(path), usual_attributes_of_runways()};
         case SourceKind::openair: return {read_openair(read_file(path), path), usual_attributes_of_airspaces()};
         case SourceKind::dof: return {read_dof(read_file(path), path), usual_attributes_of_dof()};
-        default: return {read_vector_file(path, recipe.crs), {}};
+        default: return {read_vector_file(path, recipe.crs, recipe.raster_m > 0 ? Holes::joined : Holes::left_out), {}};
     }
 }
 
@@ -98,6 +100,7 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
     FeatureLayer made = make_feature_layer(bound, std::move(source.features));
     notes.insert(notes.end(), made.notes.begin(), made.notes.end());
     if (!recipe.model.empty()) set_model(recipe, folder, made.draft);
+    if (recipe.raster_m > 0) made.draft = rasterized(made.draft, recipe.raster_m, recipe.prepare.region);
     return std::move(made.draft);
 }
 

@@ -91,6 +91,10 @@ AttributeRecipe read_attribute(ConfigSection section) {
     if (is_classed == attribute.classes.empty())
         section.fault("scale", is_classed ? "nominal and ordinal attributes need 'classes', their names in order"
                                           : "a quantitative attribute has no 'classes'");
+    attribute.class_values.resize(section.element_count("class_values"));
+    section.numbers("class_values", -kLarge, kLarge, {attribute.class_values.data(), attribute.class_values.size()});
+    if (!attribute.class_values.empty() && attribute.class_values.size() != attribute.classes.size())
+        section.fault("class_values", "one number for each name in 'classes' is needed");
     attribute.factor = section.number("factor", -kLarge, kLarge, 1);
     attribute.offset = section.number("offset", -kLarge, kLarge, 0);
     attribute.missing.resize(section.element_count("missing"));
@@ -163,6 +167,7 @@ LayerRecipe read_layer(ConfigSection section) {
     if (layer.keep_members == 1) section.fault("keep_members", "must be 0, or 2 to 16: one member alone is no ensemble");
     if (layer.keep_members > 0 && layer.members == "none")
         section.fault("keep_members", "needs members = \"bands\", which says where members come from");
+    if (section.has("raster_m")) layer.raster_m = section.number("raster_m", 1, 100'000);
     layer.prepare = read_preparation(section.section("prepare"));
     for (std::size_t n = 0; n < section.table_count("attribute"); ++n)
         layer.attributes.push_back(read_attribute(section.table_at("attribute", n)));

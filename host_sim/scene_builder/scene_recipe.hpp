@@ -37,6 +37,7 @@ struct AttributeRecipe {
     std::string variable;  ///< of a raster its variable or "band 2"; of a table its column; empty: the name
     scene::AttributeScale scale = scene::AttributeScale::quantitative;
     std::vector<std::string> classes;
+    std::vector<double> class_values;   ///< what the source states for each of them; empty: their numbers from 0
     double factor = 1, offset = 0;      ///< value = factor * stated + offset
     std::vector<double> missing;        ///< stated values that mean there is none
     std::optional<double> undetected;   ///< stated where there was a look and nothing was found ...
@@ -68,6 +69,7 @@ struct LayerRecipe {
     std::string time_variable;           ///< of a table the column of instants; empty: those that the format states
     std::string height_variable;  ///< of a raster the geopotential or height of its levels; of a table the column of heights
     double height_factor = 1;
+    double raster_m = 0;            ///< of areas: they become a grid of posts so far apart; 0: they stay areas
     std::vector<double> levels;     ///< of a raster those that are wanted, as it states them (pressures in hPa); empty: all
     std::vector<double> heights_m;  ///< of a raster's levels, where no variable gives them
     std::string model;              ///< of points: the file of the 3D model that stands at them; empty: none

@@ -17,7 +17,7 @@ namespace {
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-std::vector<SourcePoint> points_of(const OGRSimpleCurve& curve, bool is_ring) {
+std::vector<SourcePoint> curve_points(const OGRSimpleCurve& curve, bool is_ring) {
     std::vector<SourcePoint> points;
     const int count = is_ring && curve.get_IsClosed() != 0 ? curve.getNumPoints() - 1 : curve.getNumPoints();
     for (int n = 0; n < count; ++n) {
@@ -50,7 +50,8 @@ GdalDataset open_vector(const std::string& file, const CPLStringList& options) {
 
 class VectorReader {
 public:
-    VectorReader(std::string file, std::string crs) : file_(std::move(file)), crs_(std::move(crs)) {}
+    VectorReader(std::string file, std::string crs, Holes holes)
+        : file_(std::move(file)), crs_(std::move(crs)), treatment_(holes) {}
 
     SourceFeatures read() {
         const QuietGdal quiet;
@@ -116,13 +117,11 @@ private:
             }
             case wkbLineString:
                 feature.shape = scene::LayerShape::lines;
-                feature.points = points_of(*geometry.toLineString(), false);
+                feature.points = curve_points(*geometry.toLineString(), false);
                 break;
             case wkbPolygon:
                 feature.shape = scene::LayerShape::areas;
-                holes_ += geometry.toPolygon()->getNumInteriorRings();
-                if (geometry.toPolygon()->getExteriorRing() != nullptr)
-                    feature.points = points_of(*geometry.toPolygon()->getExteriorRing(), true);
+                feature.points = points_of(*geometry.toPolygon());
                 break;
             case wkbMultiPoint:
             case wkbMultiLineString:
@@ -135,6 +134,23 @@ private:
         for (SourcePoint& point : feature.points) hold_to_earth(point);
         if (!feature.points.empty()) found_.features.push_back(std::move(feature));
     }
+    [[nodiscard]] std::vector<SourcePoint> points_of(const OGRPolygon& polygon) {
+        if (polygon.getExteriorRing() == nullptr) return {};
+        std::vector<SourcePoint> points = curve_points(*polygon.getExteriorRing(), true);
+        const int holes = polygon.getNumInteriorRings();
+        if (treatment_ == Holes::left_out) {
+            holes_ += holes;
+            return points;
+        }
+        const SourcePoint gate = points.empty() ? SourcePoint() : points.back();
+        for (int n = 0; n < holes; ++n) {
+            const std::vector<SourcePoint> hole = curve_points(*polygon.getInteriorRing(n), true);
+            if (hole.empty()) continue;
+            points.insert(points.end(), hole.begin(), hole.end());
+            points.insert(points.end(), {hole.front(), gate});
+        }
+        return points;
+    }
     /// Longitudes of 0..360 become -180..180.
     void hold_to_earth(SourcePoint& point) const {
         if (!(std::abs(point.latitude_deg) <= 90) || !(std::abs(point.longitude_deg) <= 360))
@@ -146,6 +162,7 @@ private:
     }
 
     const std::string file_, crs_;
+    const Holes treatment_;
     SourceFeatures found_;
     std::size_t row_ = 0;
     int holes_ = 0, others_ = 0;
@@ -162,6 +179,8 @@ std::vector<std::map<std::string, std::string>> read_table_file(const std::strin
     return rows;
 }
 
-SourceFeatures read_vector_file(const std::string& file, const std::string& crs) { return VectorReader(file, crs).read(); }
+SourceFeatures read_vector_file(const std::string& file, const std::string& crs, Holes holes) {
+    return VectorReader(file, crs, holes).read();
+}
 
 }  // namespace tedavis::host_sim

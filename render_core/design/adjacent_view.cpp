@@ -23,6 +23,7 @@ void read_adjacent_view(base::ConfigSection section, PaletteSource& palettes, Ad
     view.cells = static_cast<std::uint32_t>(section.integer("cells", kLeastCells, kMostCells, view.cells));
     if (section.has("height_m")) view.height_m = section.number("height_m", -1000, 100'000);
     read_scale(section, palettes, view.scale);
+    if (view.scale.palette.is_nominal()) fault_of(section, "palette", "is nominal, and maps show numbers; name another");
 }
 
 }  // namespace tedavis::design

@@ -63,6 +63,17 @@ void read_layer(ConfigSection& section, DataElement& element) {
             section.choice("role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
 }
 
+/// Glyphs stand for the mean of several places, and of kinds there is none.
+bool may_show_kinds(DataTechnique technique) {
+    switch (technique) {
+        case DataTechnique::prism:
+        case DataTechnique::solid:
+        case DataTechnique::ribbon:
+        case DataTechnique::billboard: return true;
+        default: return false;
+    }
+}
+
 DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     DataElement element;
     read_layer(section, element);
@@ -71,6 +82,10 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     read_encoding(section, palettes, "attribute", {}, element.by_color);
     read_encoding(section, palettes, "second_attribute", {"second_palette", "second_classes", "second_breaks"},
                   element.by_second_color);
+    if (element.by_color.scale.palette.is_nominal() && !may_show_kinds(element.technique))
+        fault_of(section, "palette", "is nominal, and this technique shows numbers; name another");
+    if (element.by_second_color.scale.palette.is_nominal())
+        fault_of(section, "second_palette", "is nominal, and tubes show numbers; name another");
     read_name(section, "size_attribute", element.size_attribute);
     element.size_m = section.number("size_m", 0, 100'000, element.size_m);
     read_list(section, "heights_m", -1000, 100'000, element.heights_m);

@@ -52,6 +52,7 @@ Color scale_color(const DataScale& scale, double value) noexcept {
 }
 
 void reduce_classes(DataScale& scale, std::size_t most) noexcept {
+    if (scale.palette.is_nominal()) return;
     if (scale.breaks.empty()) return set_classes(scale, most);
     const std::size_t step = (scale.breaks.size() + 1 + most - 1) / most;
     base::FixedVector<double, kMaxClasses - 1> kept;
@@ -66,6 +67,8 @@ void read_scale(ConfigSection& section, PaletteSource& palettes, DataScale& scal
     const auto classes = static_cast<std::size_t>(section.integer(keys.classes, 0, kMaxClasses, 0));
     if (section.has(keys.classes) && section.has(keys.breaks))
         return fault_of(section, keys.classes, "and the limits of classes both say where classes end; keep one");
+    if (scale.palette.is_nominal() && (classes > 0 || section.has(keys.breaks)))
+        return fault_of(section, keys.palette, "is nominal and has classes of its own; leave limits of classes out");
     if (classes == 1) return fault_of(section, keys.classes, "must be 0 for a continuous scale, or 2 to 16");
     if (section.has(keys.breaks))
         read_breaks(section, keys.breaks, scale);

@@ -30,13 +30,14 @@ struct DataScale {
 [[nodiscard]] Color scale_color(const DataScale& scale, double value) noexcept;
 
 /// As few classes as `most`, 2 or more: every second limit, or third, of those that there are; equal steps where there are none.
+/// A nominal palette stays as it is: its classes cannot be joined.
 void reduce_classes(DataScale& scale, std::size_t most) noexcept;
 
 /// Keys of a scale in a section: "palette", "classes" and "breaks", or others of their kind.
 struct ScaleKeys {
     std::string_view palette = "palette", classes = "classes", breaks = "breaks";
 };
-/// The palette is a must.
+/// The palette is a must; a nominal one has classes of its own.
 void read_scale(base::ConfigSection& section, PaletteSource& palettes, DataScale& scale, const ScaleKeys& keys = {});
 
 }  // namespace tedavis::design

@@ -60,6 +60,8 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
         "members", {kGroundMembersNames.data(), kGroundMembersNames.size()}, static_cast<std::size_t>(ground.members)));
     ground.member_s = section.number("member_seconds", 0.5, 60, ground.member_s);
     read_uncertainty(section.section("uncertainty"), ground.uncertainty);
+    if (ground.scale.palette.is_nominal() && ground.uncertainty.technique == IntrinsicUncertainty::blur)
+        fault_of(section, "palette", "is nominal, and blur would mix its colours; choose another technique of uncertainty");
     read_overlay(section.section("overlay"), ground.overlay);
 }
 
@@ -79,6 +81,7 @@ void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& sty
 }
 
 double detail_of(const DataScale& scale) noexcept {
+    if (scale.palette.is_nominal()) return detail_of_gradations(static_cast<double>(scale.palette.stops.size()));
     return scale.breaks.empty() ? 1 : detail_of_gradations(static_cast<double>(scale.breaks.size() + 1));
 }
 

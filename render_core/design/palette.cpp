@@ -1,5 +1,8 @@
 #include "render_core/design/palette.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "render_core/base/units.hpp"
 #include "render_core/design/config_values.hpp"
 
@@ -8,7 +11,7 @@ namespace {
 
 using base::ConfigSection;
 
-constexpr std::string_view kKinds[] = {"hypsometric", "sequential", "diverging"};
+constexpr std::string_view kKinds[] = {"hypsometric", "sequential", "diverging", "nominal"};
 constexpr std::string_view kUnits[] = {"m", "deg", "1", "m/s", "dBZ", "K"};
 constexpr std::string_view kPurposes[] = {"terrain", "data", "objects"};
 constexpr std::string_view kOrders[] = {"lightness", "hue"};
@@ -50,6 +53,39 @@ void read_stop(ConfigSection stop, const UnitRange& range, Palette& palette) {
     if (!palette.stops.try_push_back(entry)) fault_of(stop, "value", "is one stop too many; keep at most 16");
 }
 
+void read_class(ConfigSection section, Palette& palette) {
+    ClassName name(section.text("name"));
+    const Color color = required_color(section, "color");
+    if (name.empty() || name.cut()) fault_of(section, "name", "must be 1 to 23 characters long");
+    if (color.alpha != 255) fault_of(section, "color", "must be opaque; write it as \"#rrggbb\"");
+    for (const ClassName& other : palette.class_names)
+        if (other == name) fault_of(section, "name", "is that of another class; give each its own");
+    const bool has_room = palette.stops.try_push_back({static_cast<double>(palette.stops.size()), color}) &&
+                          palette.class_names.try_push_back(name);
+    if (!has_room) fault_of(section, "name", "is one class too many; keep at most 16");
+}
+
+void read_classes(ConfigSection& root, Palette& palette) {
+    palette.unit = PaletteUnit::one;
+    palette.order = PaletteOrder::hue;
+    const std::size_t count = root.table_count("class");
+    if (count < 2) fault_of(root, "kind", "needs at least two classes; add [[class]] tables");
+    for (std::size_t i = 0; i < count; ++i) read_class(root.table_at("class", i), palette);
+}
+
+void read_stops(ConfigSection& root, Palette& palette) {
+    palette.unit = static_cast<PaletteUnit>(required_choice(root, "unit", kUnits));
+    palette.order = static_cast<PaletteOrder>(required_choice(root, "order", kOrders));
+    if (palette.kind == PaletteKind::hypsometric && palette.unit != PaletteUnit::metres)
+        fault_of(root, "unit", "of a hypsometric palette must be \"m\"");
+    const std::size_t count = root.table_count("stop");
+    if (count < 2) fault_of(root, "kind", "needs at least two colours; add [[stop]] tables");
+    if (palette.kind == PaletteKind::diverging && count % 2 == 0)
+        fault_of(root, "kind", "\"diverging\" needs a middle; give an odd number of stops");
+    for (std::size_t i = 0; i < count; ++i)
+        read_stop(root.table_at("stop", i), kRanges[static_cast<std::size_t>(palette.unit)], palette);
+}
+
 }  // namespace
 
 std::string_view unit_name(PaletteUnit unit) noexcept { return kUnits[static_cast<std::size_t>(unit)]; }
@@ -58,12 +94,20 @@ Color color_of_value(const Palette& palette, double value) noexcept {
     const auto& stops = palette.stops;
     TEDAVIS_CHECK(!stops.empty());
     if (!(value > stops[0].value)) return stops[0].color;
+    if (palette.is_nominal())
+        return stops[std::min(static_cast<std::size_t>(std::fmin(value, kMaxColorStops) + 0.5), stops.size() - 1)].color;
     for (std::size_t i = 1; i < stops.size(); ++i)
         if (value < stops[i].value) {
             const ColorStop& below = stops[i - 1];
             return blended(below.color, stops[i].color, (value - below.value) / (stops[i].value - below.value));
         }
     return stops.back().color;
+}
+
+Color color_of_name(const Palette& palette, std::string_view name) noexcept {
+    for (std::size_t n = 0; n < palette.class_names.size(); ++n)
+        if (palette.class_names[n].view() == name) return palette.stops[n].color;
+    return {0, 0, 0, 0};
 }
 
 Palette alpine_palette() noexcept {
@@ -87,17 +131,11 @@ base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std
     Palette palette;
     read_names(root, palette);
     palette.kind = static_cast<PaletteKind>(required_choice(root, "kind", kKinds));
-    palette.unit = static_cast<PaletteUnit>(required_choice(root, "unit", kUnits));
-    palette.order = static_cast<PaletteOrder>(required_choice(root, "order", kOrders));
     palette.purpose = static_cast<PalettePurpose>(root.choice("purpose", kPurposes, 0));
-    if (palette.kind == PaletteKind::hypsometric && palette.unit != PaletteUnit::metres)
-        fault_of(root, "unit", "of a hypsometric palette must be \"m\"");
-    const std::size_t count = root.table_count("stop");
-    if (count < 2) fault_of(root, "kind", "needs at least two colours; add [[stop]] tables");
-    if (palette.kind == PaletteKind::diverging && count % 2 == 0)
-        fault_of(root, "kind", "\"diverging\" needs a middle; give an odd number of stops");
-    for (std::size_t i = 0; i < count; ++i)
-        read_stop(root.table_at("stop", i), kRanges[static_cast<std::size_t>(palette.unit)], palette);
+    if (palette.is_nominal())
+        read_classes(root, palette);
+    else
+        read_stops(root, palette);
     if (!reader.finish()) return base::fail(reader.error());
     return palette;
 }

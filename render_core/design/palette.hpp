@@ -2,13 +2,17 @@
 ///
 ///     name = "alpine"
 ///     title = "ELEVATION"          over the legend, upper case, at most 11 characters
-///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle
+///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle; "nominal":
+///                                classes that have names and no order
 ///     unit = "m"                 of the values: "m", "deg", "m/s", "dBZ", "K" or "1"
 ///     purpose = "terrain"        what it colours: "terrain", "data" on the ground, or "objects" in the air; "terrain" where
 ///     absent order = "lightness"        what tells more from less: "lightness" or "hue"
 ///     [[stop]]                   2 to 16, values ascending
 ///     value = 0
 ///     color = "#32443a"
+///     [[class]]                  of a nominal one instead, 2 to 16; it needs no unit and no order
+///     name = "forest"            a class of a scene's attribute has the colour of its own name here
+///     color = "#4f6b43"
 ///
 /// The core opens no files: who reads a design hands over a PaletteSource that finds what it names.
 #pragma once
@@ -26,7 +30,7 @@
 
 namespace tedavis::design {
 
-enum class PaletteKind : std::uint8_t { hypsometric, sequential, diverging };
+enum class PaletteKind : std::uint8_t { hypsometric, sequential, diverging, nominal };
 enum class PaletteUnit : std::uint8_t { metres, degrees, one, metres_per_second, reflectivity, kelvin };
 /// As files write it.
 [[nodiscard]] std::string_view unit_name(PaletteUnit unit) noexcept;
@@ -38,6 +42,7 @@ struct ColorStop {
     Color color;
 };
 inline constexpr std::size_t kMaxColorStops = 16;
+using ClassName = base::FixedString<23>;  ///< as long as those of a scene's attributes
 
 struct Palette {
     base::FixedString<47> name;
@@ -46,12 +51,18 @@ struct Palette {
     PaletteUnit unit = PaletteUnit::metres;
     PaletteOrder order = PaletteOrder::lightness;
     PalettePurpose purpose = PalettePurpose::terrain;
-    base::FixedVector<ColorStop, kMaxColorStops> stops;  ///< ascending values, at least two
+    base::FixedVector<ColorStop, kMaxColorStops> stops;        ///< ascending values, at least two
+    base::FixedVector<ClassName, kMaxColorStops> class_names;  ///< of a nominal one, whose stop n has the value n
+
+    [[nodiscard]] bool is_nominal() const { return kind == PaletteKind::nominal; }
 };
 static_assert(std::is_trivially_copyable_v<Palette>);
 
-/// Linear between the stops (of the encoded values), constant beyond them.
+/// Linear between the stops (of the encoded values), constant beyond them; of a nominal one that of the nearest stop.
 [[nodiscard]] Color color_of_value(const Palette& palette, double value) noexcept;
+
+/// The colour of a class; transparent where a nominal palette has none of this name.
+[[nodiscard]] Color color_of_name(const Palette& palette, std::string_view name) noexcept;
 
 /// The heights of a display that was given no design; configs/palettes/alpine.toml says the same.
 [[nodiscard]] Palette alpine_palette() noexcept;

@@ -216,6 +216,30 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
     return legend;
 }
 
+void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use, draw::DataLegend& legend) noexcept {
+    const design::Palette palette = legend.scale.palette;
+    if (!palette.is_nominal()) return;
+    legend.class_names.clear();
+    legend.scale.palette.stops.clear();
+    legend.scale.palette.class_names.clear();
+    for (std::uint32_t n = 0; n < attribute.entry->class_count; ++n) {
+        const Color color = color_of_name(palette, attribute.class_name(n));
+        if ((in_use >> n & 1u) == 0 || color.alpha == 0) continue;
+        base::FixedString<23> name;
+        append_upper(name, attribute.class_name(n));
+        const auto value = static_cast<double>(legend.class_names.size());
+        static_cast<void>(legend.class_names.try_push_back(name));
+        static_cast<void>(legend.scale.palette.stops.try_push_back({value, color}));
+    }
+    if (!legend.class_names.empty()) return;
+    legend.scale.palette = palette;  // where nothing of it is in use, all that there could be
+    for (const design::ClassName& name : palette.class_names) {
+        base::FixedString<23> upper;
+        append_upper(upper, name.view());
+        static_cast<void>(legend.class_names.try_push_back(upper));
+    }
+}
+
 draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
                                        const flight::FlightTime& time, const design::DataStyle& style) noexcept {
     draw::DataLegend legend = legend_of(layer, attribute, time, style);
@@ -259,6 +283,7 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     const Color plain = design.terrain.style.plain, color = sample_color(ground, plain);
     draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), time, design.data);
     legend.scale = ground.scale;
+    keep_named_classes(*slice->attribute(), slice->classes_in_use(), legend);
     if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
     add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));

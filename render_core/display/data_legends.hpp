@@ -14,6 +14,9 @@ namespace tedavis::display {
 [[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
                                          const flight::FlightTime& time, const design::DataStyle& style) noexcept;
 
+/// With a nominal palette: the classes in use (bit n: class n) that the palette names, each with its colour.
+void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use, draw::DataLegend& legend) noexcept;
+
 /// A level 0..1 in the attribute's unit: "±2 M/S", "±20 %"; of the full scale where the source has classes of its own: "50 %",
 /// and "UNSURE" for 1.
 [[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept;

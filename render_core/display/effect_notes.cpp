@@ -42,8 +42,8 @@ void add_technique(std::string_view name, Name& technique) {
 }
 
 void state_data_aspects(const design::GroundData& ground, std::uint32_t members, FrameRecord& record) {
-    record.data_aspect = {Name(ground.scale.breaks.empty() ? "ground_color" : "ground_color_classes"), detail_of(ground.scale),
-                          1};
+    const bool has_classes = ground.scale.palette.is_nominal() || !ground.scale.breaks.empty();
+    record.data_aspect = {Name(has_classes ? "ground_color_classes" : "ground_color"), detail_of(ground.scale), 1};
     const bool has_members = ground.members == design::GroundMembers::animated;
     Name technique(has_members ? "animated_members" : "");
     if (ground.uncertainty.technique != design::IntrinsicUncertainty::none)

@@ -46,6 +46,7 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     if (attribute == nullptr) return;
     draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design.data);
     legend.scale = encoding.scale;
+    keep_named_classes(*attribute, UINT32_MAX, legend);
     add_fading(*report.element, *attribute->entry, frame.design.terrain.style.plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
     add_legend(legend, legends);

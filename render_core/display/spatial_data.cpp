@@ -34,6 +34,7 @@ const char* reason_of(GroundDataState state) noexcept {
         case GroundDataState::no_such_layer: return "the scene has no such layer";
         case GroundDataState::no_such_attribute: return "the layer has no such attribute";
         case GroundDataState::too_large: return "the layer is no grid, or too large for the device";
+        case GroundDataState::no_classes: return "the palette is of classes, and the attribute has none";
         case GroundDataState::no_members: return "the attribute has no members in the scene";
         case GroundDataState::out_of_date: return "the data are not valid at this time";
         case GroundDataState::shown: return "asked for by the design";
@@ -82,6 +83,7 @@ GroundDataState SpatialData::choose(const design::GroundData& ground) {
     if (layer == nullptr) return GroundDataState::no_such_layer;
     const scene::Attribute* const attribute = layer->find(ground.attribute.view());
     if (attribute == nullptr) return GroundDataState::no_such_attribute;
+    if (ground.scale.palette.is_nominal() && attribute->entry->class_count == 0) return GroundDataState::no_classes;
     if (ground.members == design::GroundMembers::animated && attribute->member_count() == 0) return GroundDataState::no_members;
     const scene::GridShape& grid = layer->entry->grid;
     const bool fits = std::max(grid.columns, grid.rows) <= most_side_ && slice_.set_field(*layer, *attribute);

@@ -22,6 +22,7 @@ enum class GroundDataState : std::uint8_t {
     no_such_layer,
     no_such_attribute,
     too_large,    ///< the layer is no grid, or has more posts than the device has room for
+    no_classes,   ///< the palette is of classes, and the attribute has none
     no_members,   ///< the attribute is no ensemble whose members the scene holds
     out_of_date,  ///< the data's validity has ended, or has not begun
     shown,

@@ -19,7 +19,7 @@ void put(std::uint8_t* texel, design::Color c) {
     texel[0] = c.red;
     texel[1] = c.green;
     texel[2] = c.blue;
-    texel[3] = 255;
+    texel[3] = c.alpha;
 }
 
 }  // namespace
@@ -63,6 +63,9 @@ bool GroundMap::upload(gl::Gl& gl, const scene::GridSlice& slice, const design::
     range_ = slice.range();
     is_classed_ = slice.attribute()->entry->scale != scene::AttributeScale::quantitative;
     has_data_ = true;
+    class_names_.clear();
+    for (std::uint32_t n = 0; n < slice.attribute()->entry->class_count; ++n)
+        static_cast<void>(class_names_.try_push_back(design::ClassName(slice.attribute()->class_name(n))));
     set_look(gl, look);
     return true;
 }
@@ -74,7 +77,7 @@ void GroundMap::set_look(gl::Gl& gl, const design::GroundData& look) {
     std::uint8_t texels[kColors * kColorRows * 4];
     for (std::uint32_t n = 0; n < kColors; ++n) {
         put(texels + 4 * n, design::color_of_value(palette, low + (high - low) * n / (kColors - 1)));
-        put(texels + 4 * (kColors + n), design::color_of_class(look.scale, std::min<std::size_t>(n, look.scale.breaks.size())));
+        put(texels + 4 * (kColors + n), color_of_class(std::min<std::size_t>(n, limits())));
     }
     TEDAVIS_CHECK(colors_.upload(gl, {0, 0, kColors, kColorRows}, texels));
 }
@@ -82,6 +85,22 @@ void GroundMap::set_look(gl::Gl& gl, const design::GroundData& look) {
 void GroundMap::bind(gl::Gl& gl, std::uint32_t map_unit, std::uint32_t color_unit) const {
     map_.bind(gl, map_unit);
     colors_.bind(gl, color_unit);
+}
+
+design::Color GroundMap::color_of_class(std::size_t number) const {
+    if (!is_nominal()) return design::color_of_class(look_.scale, number);
+    return number < class_names_.size() ? design::color_of_name(look_.scale.palette, class_names_[number].view())
+                                        : design::Color{0, 0, 0, 0};
+}
+
+/// Between classes: of kinds one less than there are names.
+std::size_t GroundMap::limits() const {
+    if (!is_nominal()) return look_.scale.breaks.size();
+    return class_names_.empty() ? 0 : class_names_.size() - 1;
+}
+
+double GroundMap::limit(std::size_t number) const {
+    return is_nominal() ? static_cast<double>(number) + 0.5 : look_.scale.breaks[number];
 }
 
 /// A limit as the shader compares values with it, 0..1 over the map's range.
@@ -103,11 +122,10 @@ void GroundMap::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::
     const double low = has_stops ? palette.stops[0].value : 0, high = has_stops ? palette.stops.back().value : 0;
     const double span = high > low ? high - low : 1, reach = range_.highest - range_.lowest;
     gl->Uniform4f(program.uniform(kDataScale), number(reach / span), number((range_.lowest - low) / span),
-                  look_.scale.breaks.empty() ? 0.0f : 1.0f, is_classed_ ? 1.0f : 0.0f);
+                  is_nominal() || limits() > 0 ? 1.0f : 0.0f, is_classed_ ? 1.0f : 0.0f);
     float breaks[kBreaks];
     for (std::size_t n = 0; n < kBreaks; ++n) {
-        const bool is_used = n < look_.scale.breaks.size();
-        breaks[n] = is_used ? level_of(look_.scale.breaks[n], reach) : number(kBeyond);
+        breaks[n] = n < limits() ? level_of(limit(n), reach) : number(kBeyond);
     }
     gl->Uniform1fv(program.uniform(kDataBreaks), static_cast<GLsizei>(kBreaks), breaks);
     gl->Uniform4f(program.uniform(kDataLook), number(look_.opacity), number(look_.uncertainty.strength),

@@ -30,7 +30,7 @@ public:
 
     /// A finished slice, and the scale that its values are coloured by. False, and nothing is shown, where it has no room.
     [[nodiscard]] bool upload(gl::Gl& gl, const scene::GridSlice& slice, const design::GroundData& look);
-    /// The scale alone.
+    /// The scale alone. With a nominal palette classes have the colours of their names, and those without one are missing.
     void set_look(gl::Gl& gl, const design::GroundData& look);
     void clear() { has_data_ = false; }
     [[nodiscard]] bool has_data() const { return has_data_; }
@@ -44,6 +44,10 @@ public:
 
 private:
     [[nodiscard]] float level_of(double limit, double reach) const;
+    [[nodiscard]] bool is_nominal() const { return look_.scale.palette.is_nominal(); }
+    [[nodiscard]] design::Color color_of_class(std::size_t number) const;
+    [[nodiscard]] std::size_t limits() const;
+    [[nodiscard]] double limit(std::size_t number) const;
 
     gl::Texture map_, colors_;
     design::GroundData look_;
@@ -51,6 +55,7 @@ private:
     scene::SliceRange range_;
     bool is_classed_ = false;  ///< values are those of the nearest post
     bool has_data_ = false;
+    base::FixedVector<design::ClassName, design::kMaxClasses> class_names_;  ///< of the slice's attribute
 };
 
 }  // namespace tedavis::draw

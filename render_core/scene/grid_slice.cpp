@@ -61,7 +61,7 @@ SliceRange GridSlice::range() const {
 
 void GridSlice::Sheet::begin(const SliceMoment& other) {
     moment = other;
-    rows = 0;
+    rows = classes = 0;
     is_begun = true;
 }
 
@@ -70,11 +70,14 @@ void GridSlice::make(Sheet& sheet, std::uint32_t most_rows) const {
     const GridField field(*layer_, shown);
     const AxisPlace level = field.level_at(sheet.moment.height_m), time = field.time_at(sheet.moment.time_ns);
     const base::Duration age = field.age(sheet.moment.time_ns);
+    const bool is_classed = attribute_->entry->scale != AttributeScale::quantitative;
     const std::uint32_t across = columns(), end = sheet.rows + std::min(most_rows, rows() - sheet.rows);
     for (; sheet.rows < end; ++sheet.rows)
-        for (std::uint32_t i = 0; i < across; ++i)
-            sheet.texels[std::size_t{sheet.rows} * across + i] =
-                texel_of(field.at_post(i, sheet.rows, level, time, age), range());
+        for (std::uint32_t i = 0; i < across; ++i) {
+            const FieldValue value = field.at_post(i, sheet.rows, level, time, age);
+            sheet.texels[std::size_t{sheet.rows} * across + i] = texel_of(value, range());
+            if (is_classed && value.state != ValueState::missing) sheet.classes |= 1u << static_cast<std::uint32_t>(value.value);
+        }
 }
 
 bool GridSlice::show(const SliceMoment& moment) {

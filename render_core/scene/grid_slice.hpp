@@ -62,6 +62,8 @@ public:
     /// Row by row from the north-west; of the slice that was shown last.
     [[nodiscard]] base::Span<const SliceTexel> texels() const { return {shown_.texels.data(), std::size_t{columns()} * rows()}; }
     [[nodiscard]] SliceRange range() const;
+    /// Bit n: some post of the slice that was shown last is of class n. 0 of quantities.
+    [[nodiscard]] std::uint32_t classes_in_use() const { return shown_.classes; }
     [[nodiscard]] const Layer* layer() const { return layer_; }
     [[nodiscard]] const Attribute* attribute() const { return attribute_; }
 
@@ -69,7 +71,8 @@ private:
     struct Sheet {
         base::Span<SliceTexel> texels;
         SliceMoment moment;
-        std::uint32_t rows = 0;  ///< that are made
+        std::uint32_t rows = 0;     ///< that are made
+        std::uint32_t classes = 0;  ///< a bit each, in these rows
         bool is_begun = false;
 
         [[nodiscard]] bool is_whole(std::uint32_t all) const { return is_begun && rows == all; }

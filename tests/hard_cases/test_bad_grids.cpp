@@ -52,7 +52,8 @@ Expected expected_at(const RasterFile& raster, const earth::Geodetic& place) {
     const double i = std::floor(u), j = std::floor(v), x = u - i, y = v - j;
     Expected expected{Expected::valued};
     bool has_edge = std::fmin(std::fmin(x, 1 - x), std::fmin(y, 1 - y)) < kEdge;
-    for (const auto& [a, b, weight] : {std::tuple{0, 0, (1 - x) * (1 - y)}, {1, 0, x * (1 - y)}, {0, 1, (1 - x) * y}, {1, 1, x * y}}) {
+    for (const auto& [a, b, weight] :
+         {std::tuple{0, 0, (1 - x) * (1 - y)}, {1, 0, x * (1 - y)}, {0, 1, (1 - x) * y}, {1, 1, x * y}}) {
         const double value = raster.value(static_cast<int>(i) + a, static_cast<int>(j) + b);
         if (!std::isfinite(value) || (raster.no_data && value == *raster.no_data)) expected.kind = Expected::missing;
         expected.value += weight * value;
@@ -78,7 +79,9 @@ Tally compared(const DataPicture& drawn, const RasterFile& raster) {
             switch (expected.kind) {
                 case Expected::undecided: break;
                 case Expected::beside: ++(is_bare ? tally.beside : tally.wrong); break;
-                case Expected::missing: ++(is_bare ? tally.missing_bare : color == unknown ? tally.missing_dots : tally.wrong); break;
+                case Expected::missing:
+                    ++(is_bare ? tally.missing_bare : color == unknown ? tally.missing_dots : tally.wrong);
+                    break;
                 case Expected::valued:
                     ++(color_difference(color, scale_color(expected.value)) <= 1 ? tally.valued : tally.wrong);
                     break;
@@ -191,7 +194,7 @@ TEST_P(BadGridsOf, LongitudesOverTheWholeTurnDrawTheSamePicture) {
 
 /// The whole Earth from Greenwich eastwards, as weather services give it: our place is in its second half.
 TEST(BadGrids, TheWholeEarthFromGreenwichOn) {
-    SceneFiles files;
+    SceneFiles files("es3-mid");  // which has room for so many posts
     RasterFile raster = site_raster();
     raster.columns = 720;
     raster.rows = 8;
@@ -245,7 +248,8 @@ TEST(BadGrids, DegreesWithoutASystemAreLongitudeAndLatitude) {
     raster.crs = "";
     files.write(raster);
     EXPECT_EQ(files.drawn(field_layer(), ground_design()), usual);
-    EXPECT_THAT(files.notes(), HasSubstr("note: field: grid.tif states no reference system and is taken for longitude and latitude"));
+    EXPECT_THAT(files.notes(),
+                HasSubstr("note: field: grid.tif states no reference system and is taken for longitude and latitude"));
 }
 
 /// A refused build leaves what was there before as it was.
@@ -259,7 +263,8 @@ TEST(BadGrids, ADatabaseThatIsThereStays) {
     raster.transform = {746'000, 200, 0, 4'069'000, 0, -200};
     files.write(raster);
     const std::size_t entries = files.folder().entries();
-    expect_refusal(test_support::run_words({"scene", "build", files.folder().file("s.toml"), "-o", files.database()}), "grid.tif");
+    expect_refusal(test_support::run_words({"scene", "build", files.folder().file("s.toml"), "-o", files.database()}),
+                   "grid.tif");
     EXPECT_EQ(files.folder().read("s.sdb"), before);
     EXPECT_EQ(files.folder().entries(), entries) << "nothing half written";
 }

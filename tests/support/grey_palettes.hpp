@@ -1,4 +1,4 @@
-/// The palette "grey" for designs in tests.
+/// The palettes "grey" and "kinds" for designs in tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,6 +19,17 @@ namespace tedavis::test_support {
     return palette;
 }
 
+/// Of kinds: "dark" and "light".
+[[nodiscard]] inline design::Palette kinds_palette() {
+    design::Palette palette;
+    palette.name = "kinds";
+    palette.kind = design::PaletteKind::nominal;
+    palette.unit = design::PaletteUnit::one;
+    EXPECT_TRUE(palette.stops.try_push_back({0, {40, 40, 40}}) && palette.stops.try_push_back({1, {210, 210, 210}}));
+    EXPECT_TRUE(palette.class_names.try_push_back("dark") && palette.class_names.try_push_back("light"));
+    return palette;
+}
+
 /// The palette with limits of classes.
 [[nodiscard]] inline design::DataScale scale_of(const std::vector<double>& breaks) {
     design::DataScale scale;
@@ -30,6 +41,7 @@ namespace tedavis::test_support {
 class GreyPalettes final : public design::PaletteSource {
 public:
     base::Result<design::Palette, base::ConfigError> find(std::string_view name) override {
+        if (name == "kinds") return kinds_palette();
         if (name != "grey") return base::fail(base::ConfigError{"no palette is called so"});
         return grey_palette();
     }

@@ -25,8 +25,8 @@ struct DataSite {
     static constexpr double kLatitude_deg = kNorth_deg - kMiddle * kStep_deg, kLongitude_deg = kWest_deg + kMiddle * kStep_deg;
 
     static const RasterScene& ground() {
-        static const RasterScene scene(
-            make_raster(kPosts, kPosts, [](std::uint32_t, std::uint32_t) { return kGround_m; }, kWest_deg, kNorth_deg, kStep_deg));
+        static const RasterScene scene(make_raster(
+            kPosts, kPosts, [](std::uint32_t, std::uint32_t) { return kGround_m; }, kWest_deg, kNorth_deg, kStep_deg));
         return scene;
     }
     static terrain::View from_above() { return ground().view(kMiddle, kMiddle, kEye_m, 0, -90); }
@@ -82,10 +82,11 @@ struct DataPicture {
             for (std::uint32_t x = 0; x < picture.width; ++x) most = std::max(most, color_difference(at(x, y), other.at(x, y)));
         return most;
     }
-    [[nodiscard]] const display::EffectRecord* effect(std::string_view name) const {
+    /// Without a name where the record has none of it.
+    [[nodiscard]] display::EffectRecord effect(std::string_view name) const {
         for (const display::EffectRecord& effect : record.effects)
-            if (effect.name.view() == name) return &effect;
-        return nullptr;
+            if (effect.name.view() == name) return effect;
+        return {};
     }
 };
 inline bool operator==(const DataPicture& a, const DataPicture& b) { return a.picture == b.picture; }

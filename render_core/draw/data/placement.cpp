@@ -87,7 +87,12 @@ design::Color encoded_color(const ElementInput& input, const design::ColorEncodi
     if (!encoding.is_used()) return input.element.color;
     const scene::Attribute* const attribute = input.layer.find(encoding.attribute.view());
     if (!holds(attribute, n) || attribute->state(n) == scene::ValueState::missing) return input.missing;
-    return design::scale_color(encoding.scale, static_cast<double>(attribute->values[n]));
+    const double value = static_cast<double>(attribute->values[n]);
+    if (!encoding.scale.palette.is_nominal()) return design::scale_color(encoding.scale, value);
+    if (attribute->entry->class_count == 0) return input.missing;
+    const design::Color color =
+        design::color_of_name(encoding.scale.palette, attribute->class_name(static_cast<std::uint32_t>(value)));
+    return color.alpha > 0 ? color : input.missing;
 }
 
 scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n) {

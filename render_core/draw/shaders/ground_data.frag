@@ -34,13 +34,14 @@ vec4 data_at(vec2 place) {
     return vec4(value, unknown > 0.5 ? 2.0 : dot(weight, unsure), there, step(0.5, filled));
 }
 
-vec3 data_color(float value) {
+// Alpha 0: a class that the palette does not name.
+vec4 data_color(float value) {
     float along = clamp(value * data_scale.x + data_scale.y, 0.0, 1.0) * 1023.0;
     if (data_scale.z > 0.5) {
         along = 0.0;
         for (int n = 0; n < 15; ++n) along += step(data_breaks[n], value);
     }
-    return TEXTURE2D(data_colors, vec2((along + 0.5) / 1024.0, data_scale.z > 0.5 ? 0.75 : 0.25)).rgb;
+    return TEXTURE2D(data_colors, vec2((along + 0.5) / 1024.0, data_scale.z > 0.5 ? 0.75 : 0.25));
 }
 
 // Grains and strokes lie on the ground; their size there doubles with the distance, so that they stay a few pixels wide.
@@ -78,7 +79,7 @@ vec3 data_washed(vec3 middle, vec2 place, float radius) {
     for (int n = 0; n < 8; ++n) {
         float turn = 0.78539816 * float(n);
         vec4 tap = data_at(place + vec2(cos(turn), sin(turn)) * (mod(float(n), 2.0) < 0.5 ? radius : 0.6 * radius));
-        if (tap.z > 0.0) sum += vec4(data_color(tap.x), 1.0);
+        if (tap.z > 0.0) sum += data_color(tap.x);
     }
     return sum.rgb / sum.a;
 }
@@ -86,7 +87,9 @@ vec3 data_washed(vec3 middle, vec2 place, float radius) {
 
 // `data`: as data_at() gives it; `ground`: metres east and south; `pixel_m`: a pixel there.
 vec3 with_data(vec3 color, vec4 data, vec3 plain, vec3 unknown, vec2 ground, float pixel_m) {
-    vec3 shown = data_color(data.x);
+    vec4 named = data_color(data.x);
+    vec3 shown = named.rgb;
+    float there = min(data.z, step(0.5, named.a) * 2.0 - 1.0);
     float loss = data_gradation(min(data.y, 1.0), data_look.z) * data_look.y;
     float cover = data_look.x * step(data_lowest, data.x);
     float size = exp2(floor(log2(max(pixel_m, 0.01)) + 2.0));
@@ -113,6 +116,6 @@ vec3 with_data(vec3 color, vec4 data, vec3 plain, vec3 unknown, vec2 ground, flo
     cover *= mix(1.0, stripes, step(1.5, data.y)) * mix(1.0, grid, data.w);
     vec2 from_dot = mod(screen, 12.0) - 6.0;
     float dots = step(dot(from_dot, from_dot), 2.6);
-    return data.z > 0.0 ? mix(color, shown, cover) : mix(color, unknown, data.z < 0.0 ? dots : 0.0);
+    return there > 0.0 ? mix(color, shown, cover) : mix(color, unknown, there < 0.0 && data.z != 0.0 ? dots : 0.0);
 }
 #endif

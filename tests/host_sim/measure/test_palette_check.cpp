@@ -66,6 +66,15 @@ TEST(PaletteCheck, AStopThatIsNotBrighterIsNamed) {
     EXPECT_THAT(palette_faults(falling, "p"), IsEmpty()) << "both arms go the same way, and all differ";
 }
 
+TEST(PaletteCheck, KindsHaveNoOrderButMustDiffer) {
+    Palette kinds = palette_of({{0x33, 0x50, 0x3C}, {0xEF, 0xE6, 0xDC}, {0x86, 0x72, 0x7A}});
+    EXPECT_FALSE(palette_faults(kinds, "p").empty()) << "control: lightness goes there and back";
+    kinds.kind = design::PaletteKind::nominal;
+    EXPECT_THAT(palette_faults(kinds, "p"), IsEmpty());
+    kinds.stops[2].color = {0x35, 0x52, 0x3E};
+    EXPECT_THAT(palette_faults(kinds, "p")[0], HasSubstr("stop 3 (#35523e) differs from stop 1"));
+}
+
 TEST(PaletteCheck, ArmsThatOneCannotTellApartAreNamed) {
     Palette arms = palette_of({{0x90, 0x30, 0x30}, {0xF0, 0xF0, 0xF0}, {0x2A, 0x5A, 0x28}});  // red and green of one lightness
     arms.kind = design::PaletteKind::diverging;

@@ -43,6 +43,18 @@ TEST(BoundAttribute, ClassesAreWholeNumbers) {
     for (const double none : {2.0, -1.0, 0.5}) EXPECT_TRUE(std::isnan(bound_value(recipe, none))) << none;
 }
 
+TEST(BoundAttribute, ClassesMayHaveNumbersOfTheSourcesOwn) {
+    AttributeRecipe recipe;
+    recipe.scale = scene::AttributeScale::nominal;
+    recipe.classes = {"wood", "grass", "water"};
+    recipe.class_values = {10, 30, 80};
+    EXPECT_EQ(bound_value(recipe, 10), 0);
+    EXPECT_EQ(bound_value(recipe, 80), 2);
+    for (const double none : {0.0, 1.0, 20.0, 255.0, std::nan("")}) EXPECT_TRUE(std::isnan(bound_value(recipe, none))) << none;
+    recipe.missing = {80};
+    EXPECT_TRUE(std::isnan(bound_value(recipe, 80)));
+}
+
 TEST(BoundAttribute, UncertaintiesBecomeLevels) {
     AttributeRecipe recipe;
     EXPECT_FALSE(bound_uncertainty(recipe, 1).is_known()) << "nothing is said";

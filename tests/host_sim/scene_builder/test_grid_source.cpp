@@ -51,6 +51,7 @@ TEST_F(GridSourceOfFiles, LongitudesTo360) {
     RasterFile raster;
     raster.transform = {349.5, 1, 0, 50, 0, -1};
     EXPECT_NEAR(source(raster).places().west_deg, -10, 1e-9);
+    raster.columns = 12;
     raster.transform = {-0.5, 30, 0, 90, 0, -12};
     EXPECT_NEAR(source(raster).places().west_deg, 14.5, 1e-9);
 }
@@ -88,6 +89,19 @@ TEST_F(GridSourceOfFiles, OtherSystemsAreWarped) {
     for (const float value : values) known += std::isnan(value) ? 0 : 1;
     EXPECT_GT(known, 150);
     EXPECT_LT(known, static_cast<int>(values.size())) << "corners that the file does not cover are missing";
+}
+
+TEST_F(GridSourceOfFiles, DegreesAreAssumedOrStated) {
+    RasterFile raster;
+    EXPECT_FALSE(source(raster).is_assumed());
+    raster.crs = "";
+    EXPECT_TRUE(source(raster).is_assumed());
+    EXPECT_FALSE(source(raster, "", "EPSG:4326").is_assumed());
+    const std::string file = raster.write(folder_.path() + "/units.tif");
+    GDALDataset* const dataset = GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE);
+    dataset->SetMetadataItem("longitude#units", "degrees_east");
+    GDALClose(dataset);
+    EXPECT_FALSE(GridSource(file, "", "", true).is_assumed()) << "netCDF says so of its axes";
 }
 
 TEST_F(GridSourceOfFiles, WithoutASystemItMustBeNamedUnlessItLooksLikeDegrees) {

@@ -126,7 +126,8 @@ TEST(SceneRecipe, KeysOfTablesAndFlights) {
 
 TEST(SceneRecipe, ANameThatIsTooLongForATitleHasNone) {
     const auto titled = [](const std::string& name) {
-        return parse_scene("name = 'x'\n[[layer]]\nname = 'a'\nsource = 'b'\n[[layer.attribute]]\nname = '" + name + "'\n", "s.toml")
+        return parse_scene("name = 'x'\n[[layer]]\nname = 'a'\nsource = 'b'\n[[layer.attribute]]\nname = '" + name + "'\n",
+                           "s.toml")
             .layers[0]
             .attributes[0]
             .title;
@@ -153,6 +154,9 @@ TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
     expect_fault(with(kWhole, "south_deg = 46", "south_deg = 48"), "must be below north_deg");
     expect_fault(with(kWhole, "classes = [\"water\", \"wood\", \"rock\"]\n", ""), "need 'classes'");
     expect_fault(with(kWhole, "scale = \"nominal\"", "scale = \"quantitative\""), "has no 'classes'");
+    expect_fault(with(kWhole, "classes = [\"water\", \"wood\", \"rock\"]\n",
+                      "classes = [\"water\", \"wood\", \"rock\"]\nclass_values = [1, 2]\n"),
+                 "one number for each name");
     expect_fault(with(kWhole, "value = 2\n", ""), "must say how large it is");
     expect_fault(with(kWhole, "value = 2\n", "value = 2\nvariable = \"e\"\n"), "must say how large it is");
     expect_fault(with(kWhole, "full = 8", "full = 0"), "'full' must be");

@@ -56,6 +56,8 @@ TEST(AdjacentView, LittleHasToBeSaid) {
 }
 
 TEST(AdjacentView, FaultsNameWhatIsWrong) {
+    EXPECT_NE(read("[adjacent]\nlayer = 'gusts'\nattribute = 'gust'\npalette = 'kinds'\n").fault.find("maps show numbers"),
+              std::string::npos);
     const auto fault = [](const std::string& more) { return read(kLeast + more).fault; };
     EXPECT_NE(fault("role = 'wind'\n").find("give one of them"), std::string::npos);
     EXPECT_NE(read("[adjacent]\nattribute = 'a'\npalette = 'grey'\n").fault.find("give one of them"), std::string::npos);

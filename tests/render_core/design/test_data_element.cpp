@@ -133,6 +133,19 @@ TEST(DataElement, OtherAircraftAreAskedForByTheirRole) {
     EXPECT_FALSE(asks_for_traffic(read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nrole = \"place\"\n").elements));
 }
 
+TEST(DataElement, KindsAreForWhatStandsForOneThing) {
+    const auto fault = [](const std::string& technique, const std::string& more = "") {
+        return read("[[data.element]]\nlayer = 'a'\nattribute = 'kind'\npalette = 'kinds'\ntechnique = '" + technique + "'\n" +
+                    more)
+            .fault;
+    };
+    for (const char* const technique : {"prism", "solid", "ribbon", "billboard"}) EXPECT_EQ(fault(technique), "") << technique;
+    for (const char* const technique : {"spheres", "bars", "arrows", "barbs", "isosurface", "tube", "diagram"})
+        EXPECT_NE(fault(technique).find("shows numbers"), std::string::npos) << technique;
+    EXPECT_NE(fault("solid", "second_attribute = 'kind'\nsecond_palette = 'kinds'\n").find("tubes show numbers"),
+              std::string::npos);
+}
+
 TEST(DataElement, OrderIsKept) {
     const Read two = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nlayer = \"b\"\n");
     ASSERT_EQ(two.elements.size(), 2u);

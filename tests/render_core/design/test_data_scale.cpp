@@ -34,5 +34,25 @@ TEST(DataScale, ClassesHaveTheColoursOfTheirMiddles) {
     EXPECT_NEAR(scale_color(scale_of({}), 25).red, 255 * 0.25, 0.6) << "without classes it is the palette";
 }
 
+TEST(DataScale, KindsAreNeitherDividedNorJoined) {
+    const auto fault_of = [](const std::string& text) {
+        test_support::GreyPalettes palettes;
+        base::ConfigReader reader(text, "d.toml");
+        base::ConfigSection root = reader.root();
+        DataScale scale;
+        read_scale(root, palettes, scale);
+        return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+    };
+    EXPECT_EQ(fault_of("palette = 'kinds'\n"), "");
+    for (const char* const limits : {"classes = 3\n", "breaks = [0.5]\n"})
+        EXPECT_NE(fault_of(std::string("palette = 'kinds'\n") + limits).find("has classes of its own"), std::string::npos);
+    EXPECT_EQ(fault_of("palette = 'grey'\nclasses = 3\n"), "") << "control";
+    DataScale scale;
+    scale.palette = test_support::kinds_palette();
+    reduce_classes(scale, 2);
+    EXPECT_TRUE(scale.breaks.empty());
+    EXPECT_EQ(scale_color(scale, 1), (Color{210, 210, 210}));
+}
+
 }  // namespace
 }  // namespace tedavis::design::test_data_scale

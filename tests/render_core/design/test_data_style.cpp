@@ -198,6 +198,17 @@ TEST(DataStyle, FaultsAreSaid) {
               std::string::npos);
 }
 
+TEST(DataStyle, KindsStayAsTheyAre) {
+    const std::string ground = "[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'kinds'\n";
+    const Read whole = read(ground);
+    EXPECT_EQ(whole.fault, "");
+    EXPECT_EQ(detail_of(whole.style.ground.scale), 0.25) << "two of sixteen";
+    EXPECT_TRUE(at_detail(whole.style.ground, 0.1).scale.breaks.empty());
+    EXPECT_NE(read(ground + "[data.ground.uncertainty]\ntechnique = 'blur'\n").fault.find("blur would mix its colours"),
+              std::string::npos);
+    EXPECT_EQ(read(ground + "[data.ground.uncertainty]\ntechnique = 'saturation'\n").fault, "");
+}
+
 TEST(DataStyle, ManyClassesAreAlmostThePalette) {
     const Read fine = read("[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'\nclasses = 16");
     ASSERT_EQ(fine.style.ground.scale.breaks.size(), 15u);

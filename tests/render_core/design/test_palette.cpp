@@ -77,6 +77,40 @@ TEST(Palette, ThoseOfDataSayTheirPurposeAndUnit) {
     EXPECT_NE(error_of(with("sequential", "K", stop("-1") + stop("2"))), "") << "below absolute zero";
 }
 
+std::string nominal(const std::string& classes) { return "name = 'x'\ntitle = 'X'\nkind = 'nominal'\n" + classes; }
+std::string class_of(const std::string& name, const std::string& color) {
+    return "[[class]]\nname = '" + name + "'\ncolor = '" + color + "'\n";
+}
+
+TEST(Palette, ClassesHaveNamesAndNoColoursBetweenThem) {
+    const auto read = read_palette(
+        nominal(class_of("forest", "#204020") + class_of("water", "#2040c0") + class_of("bare", "#e0e0e0")), "p.toml");
+    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    const Palette& palette = read.value();
+    EXPECT_TRUE(palette.is_nominal());
+    EXPECT_EQ(color_of_name(palette, "water"), (Color{0x20, 0x40, 0xC0}));
+    EXPECT_EQ(color_of_name(palette, "Water").alpha, 0) << "another name";
+    EXPECT_EQ(color_of_name(palette, "").alpha, 0);
+    for (const double value : {0.51, 1.0, 1.49}) EXPECT_EQ(color_of_value(palette, value), (Color{0x20, 0x40, 0xC0})) << value;
+    EXPECT_EQ(color_of_value(palette, -5), palette.stops[0].color);
+    EXPECT_EQ(color_of_value(palette, 1e300), palette.stops[2].color);
+    EXPECT_EQ(color_of_name(alpine_palette(), "forest").alpha, 0) << "heights have no names";
+}
+
+TEST(Palette, FaultsOfClassesAreSaid) {
+    const std::string two = class_of("a", "#000000") + class_of("b", "#ffffff");
+    EXPECT_EQ(error_of(nominal(two)), "");
+    EXPECT_NE(error_of(nominal(class_of("a", "#000000"))).find("needs at least two classes"), std::string::npos);
+    EXPECT_NE(error_of(nominal(two + class_of("a", "#808080"))).find("is that of another class"), std::string::npos);
+    EXPECT_NE(error_of(nominal(two + class_of(std::string(24, 'x'), "#808080"))).find("1 to 23 characters"), std::string::npos);
+    EXPECT_NE(error_of(nominal(two + class_of("c", "#80808080"))).find("must be opaque"), std::string::npos);
+    EXPECT_NE(error_of(nominal(stop("0") + stop("1"))), "") << "stops are of other kinds";
+    EXPECT_NE(error_of(with("sequential", "1", two)), "") << "and classes of this one";
+    std::string many;
+    for (int n = 0; n < 17; ++n) many += class_of("c" + std::to_string(n), "#808080");
+    EXPECT_NE(error_of(nominal(many)).find("one class too many"), std::string::npos);
+}
+
 TEST(Palette, EveryFaultNamesItsLine) {
     const std::string two = stop("0") + stop("1");
     const std::pair<std::string, const char*> faults[] = {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/flaky_bytes.hpp"
+#include "tests/support/grey_palettes.hpp"
 #include "tests/support/loaded_scene.hpp"
 
 namespace tedavis::display::test_data_legends {
@@ -83,6 +84,27 @@ TEST(DataLegends, ClassesHaveTheirNamesAndAnglesAreDegrees) {
     EXPECT_EQ(angle.unit.view(), "DEG");
     EXPECT_NEAR(angle.factor, 57.29578, 1e-4);
     EXPECT_TRUE(angle.class_names.empty());
+}
+
+TEST(DataLegends, OfKindsOnlyThoseInUseThatThePaletteNames) {
+    host_sim::LayerDraft layer = test_support::small_points();
+    layer.attributes[0].classes = {"rock", "light", "snow", "dark"};
+    const LoadedScene loaded(layer);
+    const auto kept = [&](std::uint32_t in_use, const design::Palette& palette) {
+        draw::DataLegend entry = legend_of(loaded.layer(), loaded.attribute(), {}, {});
+        entry.scale.palette = palette;
+        keep_named_classes(loaded.attribute(), in_use, entry);
+        std::string text;
+        for (std::size_t n = 0; n < entry.class_names.size(); ++n)
+            text += std::string(entry.class_names[n].view()) + " " +
+                    std::to_string(scale_color(entry.scale, static_cast<double>(n)).red) + ";";
+        return text;
+    };
+    const design::Palette kinds = test_support::kinds_palette();
+    EXPECT_EQ(kept(0b1111, kinds), "LIGHT 210;DARK 40;") << "in the scene's order, in the colours of their names";
+    EXPECT_EQ(kept(0b1001, kinds), "DARK 40;");
+    EXPECT_EQ(kept(0b0101, kinds), "DARK 40;LIGHT 210;") << "none of them: all that the palette knows";
+    EXPECT_EQ(kept(0, test_support::grey_palette()), "ROCK 0;LIGHT 3;SNOW 5;DARK 8;") << "numbers have no names to keep";
 }
 
 TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {

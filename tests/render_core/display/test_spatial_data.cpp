@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/flaky_bytes.hpp"
+#include "tests/support/grey_palettes.hpp"
 #include "tests/support/scene_drafts.hpp"
 
 namespace tedavis::display::test_spatial_data {
@@ -69,6 +70,15 @@ TEST_F(SpatialDataOf, WithoutAHeightItIsTheLowestLevel) {
     style_.ground.height_m = 3000;
     static_cast<void>(plan(kDate_ns));
     EXPECT_NEAR(scene::value_of(shown().texels()[0], shown().range()), 272, 0.01) << "the upper one";
+}
+
+TEST_F(SpatialDataOf, APaletteOfKindsIsForKinds) {
+    start(dated_scene());
+    style_.ground.scale.palette = test_support::kinds_palette();
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::no_classes);
+    EXPECT_EQ(data_.ground(), nullptr);
+    style_.ground.scale.palette = test_support::grey_palette();
+    EXPECT_EQ(plan(kDate_ns).ground, GroundDataState::shown) << "control";
 }
 
 TEST_F(SpatialDataOf, ANewerSceneIsTakenOverWholeAndAnOlderOneNever) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
+#include "tests/support/grey_palettes.hpp"
 #include "tests/support/ground_drawing.hpp"
 
 namespace tedavis::draw::test_ground_map {
@@ -75,6 +77,39 @@ TEST_P(GroundMapOf, ClassesHaveOneColourEach) {
         }
     EXPECT_GT(compared, 4'000);
     EXPECT_LT(at_limits, 400);
+}
+
+TEST_P(GroundMapOf, KindsHaveTheColoursOfTheirNamesAndNeverMix) {
+    const RasterScene ground = level_ground();
+    host_sim::LayerDraft draft = field_over(ground, 9);
+    host_sim::AttributeDraft& kind = draft.attributes[0];
+    kind.scale = scene::AttributeScale::nominal;
+    kind.classes = {"light", "nameless", "dark"};
+    for (std::size_t n = 0; n < kind.values.size(); ++n) kind.values[n] = static_cast<float>(n % 3);
+    design::DesignSettings design = ground_design(IntrinsicUncertainty::none);
+    design.data.ground.opacity = 1;
+    design.data.ground.scale.palette = test_support::kinds_palette();
+    const LoadedScene loaded(draft);
+    const Drawn drawn(ground, loaded, design, GetParam());
+    const Color colors[] = {{210, 210, 210}, kBareGround, {40, 40, 40}}, missing = test_support::clear_design().terrain.unknown;
+    std::array<int, 3> compared{};
+    int wrong = 0;
+    for (int row = 2; row < 238; ++row)
+        for (int column = 2; column < 318; ++column) {
+            const Color color = drawn.pixel(column, row);
+            const bool is_pure = color == colors[0] || color == colors[1] || color == colors[2] || color == missing;
+            const FieldValue value = drawn.at(column, row), beside = drawn.at(column + 1, row), below = drawn.at(column, row + 1),
+                             before = drawn.at(column - 1, row), above = drawn.at(column, row - 1);
+            const bool at_border = value.value != beside.value || value.value != below.value || value.value != before.value ||
+                                   value.value != above.value;
+            wrong += is_pure ? 0 : 1;
+            if (value.state == ValueState::missing || at_border) continue;
+            const auto number = static_cast<std::size_t>(value.value);
+            ++compared[number];
+            wrong += color == colors[number] || (number == 1 && color == missing) ? 0 : 1;
+        }
+    EXPECT_EQ(wrong, 0);
+    for (const int count : compared) EXPECT_GT(count, 3'000);
 }
 
 TEST_P(GroundMapOf, ValuesBelowTheLimitHaveNoColour) {

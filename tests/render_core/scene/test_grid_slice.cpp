@@ -86,6 +86,35 @@ TEST_F(SliceOfAGrid, TheSameMomentIsNotMadeAgain) {
     EXPECT_TRUE(slice_.show({1600, 0})) << "a time that runs back";
 }
 
+TEST(SliceOfKinds, KnowsWhichAreInUse) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    host_sim::AttributeDraft& kind = layer.attributes[0];
+    kind.scale = AttributeScale::nominal;
+    kind.classes = {"a", "b", "c", "d"};
+    for (std::size_t n = 0; n < kind.values.size(); ++n) kind.values[n] = n < 24 ? (n % 2 == 0 ? 3 : 1) : 2;
+    kind.values[4] = std::nanf("");
+    host_sim::SceneDraft draft;
+    draft.layers = {layer};
+    std::vector<std::uint8_t> memory(1 << 16);
+    test_support::FlakyBytes source(host_sim::sdb_bytes(draft));
+    base::Arena arena(memory.data(), memory.size());
+    const Scene scene = Scene::load(source, arena).value();
+    GridSlice slice;
+    ASSERT_TRUE(slice.start(100, arena));
+    ASSERT_TRUE(slice.set_field(scene.layers()[0], scene.layers()[0].attributes[0]));
+    ASSERT_TRUE(slice.show({1000, 0}));
+    EXPECT_EQ(slice.classes_in_use(), 0b1010u);
+    slice.prepare({1000, layer.times_ns[1]}, 1);
+    EXPECT_EQ(slice.classes_in_use(), 0b1010u) << "of what is shown, not of what is made ahead";
+    ASSERT_TRUE(slice.show({1000, layer.times_ns[1]}));
+    EXPECT_EQ(slice.classes_in_use(), 0b100u);
+}
+
+TEST_F(SliceOfAGrid, QuantitiesHaveNoKinds) {
+    ASSERT_TRUE(slice_.show({2000, 0}));
+    EXPECT_EQ(slice_.classes_in_use(), 0u);
+}
+
 TEST_F(SliceOfAGrid, WhatHasNoRoomIsRefused) {
     GridSlice small;
     std::vector<std::uint8_t> memory(GridSlice::bytes_needed(11) + 64);

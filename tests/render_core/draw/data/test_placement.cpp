@@ -79,6 +79,25 @@ TEST(Placement, ColoursComeFromTheValueOrSayThatThereIsNone) {
     EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), missing) << "no such attribute";
 }
 
+TEST(Placement, KindsHaveTheColoursOfTheirNames) {
+    ElementOfTest test(test_support::small_points());  // mast, turbine, mast
+    test.element.by_color.attribute = "kind";
+    design::Palette& palette = test.element.by_color.scale.palette;
+    palette = test_support::kinds_palette();
+    const design::Color missing{255, 0, 255, 255};
+    for (std::size_t n = 0; n < 3; ++n)
+        EXPECT_EQ(encoded_color(test.input(), test.element.by_color, n), missing) << "no such names";
+    palette.class_names[0] = "turbine";
+    palette.class_names[1] = "mast";
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), palette.stops[1].color)
+        << "in another order than the scene's";
+    EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 1), palette.stops[0].color);
+    ElementOfTest numbers(test_support::small_grid());
+    numbers.element.by_color.attribute = "temperature";
+    numbers.element.by_color.scale.palette = palette;
+    EXPECT_EQ(encoded_color(numbers.input(), numbers.element.by_color, 0), missing) << "numbers are no kinds";
+}
+
 TEST(Placement, WhatNobodyStatesIsNeverCertain) {
     ElementOfTest test(test_support::small_grid());
     test.element.by_color.attribute = "temperature";
