@@ -287,6 +287,7 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
     add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
+    if (slice->attribute()->entry->scale != scene::AttributeScale::quantitative) return add_legend(legend, legends);
     static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));
     add_legend(legend, legends);
 }

@@ -198,6 +198,7 @@ TEST(LandCoverLegend, NamesTheKindsInUse) {
     const std::string text = legend_of(files, cover_design());
     for (const char* const name : {"FOREST", "GRASS", "WATER", "MISSING", "COVERKIND"}) EXPECT_THAT(text, HasSubstr(name));
     EXPECT_THAT(text, Not(HasSubstr("SNOW"))) << "which has no colour";
+    EXPECT_THAT(text, Not(HasSubstr("FILLED"))) << "kinds are never interpolated";
     EXPECT_THAT(text, Not(HasSubstr("SAND"))) << "of which there is none";
     RasterFile water = cover_raster();
     water.value = [](int, int) { return kWater; };
