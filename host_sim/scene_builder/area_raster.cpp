@@ -93,7 +93,7 @@ private:
     void fill(std::size_t row, double from_rad, double to_rad, std::int64_t area) {
         const double first = std::ceil((from_rad - grid_.west_rad) / grid_.step_lon_rad),
                      end = std::ceil((to_rad - grid_.west_rad) / grid_.step_lon_rad);
-        for (double column = std::max(first, 0.0); column < std::min(end, double{grid_.columns}); ++column)
+        for (double column = std::max(first, 0.0); column < std::min(end, static_cast<double>(grid_.columns)); ++column)
             areas_[row * grid_.columns + static_cast<std::size_t>(column)] = area;
     }
 

@@ -95,7 +95,7 @@ Color color_of_value(const Palette& palette, double value) noexcept {
     TEDAVIS_CHECK(!stops.empty());
     if (!(value > stops[0].value)) return stops[0].color;
     if (palette.is_nominal())
-        return stops[std::min(static_cast<std::size_t>(std::fmin(value, kMaxColorStops) + 0.5), stops.size() - 1)].color;
+        return stops[std::min(static_cast<std::size_t>(std::lround(std::fmin(value, kMaxColorStops))), stops.size() - 1)].color;
     for (std::size_t i = 1; i < stops.size(); ++i)
         if (value < stops[i].value) {
             const ColorStop& below = stops[i - 1];

@@ -100,8 +100,8 @@ std::string point_design(const Look& look) {
 std::string point_table(const std::string& stated) {
     std::string text = "lon,lat,value,unsure,height\n";
     for (int n = 0; n < 4; ++n)
-        text += std::to_string(DataSite::kLongitude_deg - 0.012 + 0.008 * n) + "," + std::to_string(DataSite::kLatitude_deg - 0.01) +
-                ",30," + stated + ",1200\n";
+        text += std::to_string(DataSite::kLongitude_deg - 0.012 + 0.008 * n) + "," +
+                std::to_string(DataSite::kLatitude_deg - 0.01) + ",30," + stated + ",1200\n";
     return text;
 }
 
@@ -157,7 +157,8 @@ TEST(ImpossibleUncertaintyOfTheSceneFile, IsRefusedOrUnknown) {
     }
 }
 
-/// A flight whose accuracy is not known in places is as wide there as in its worst place, never as thin as where it is known best.
+/// A flight whose accuracy is not known in places is as wide there as in its worst place, never as thin as where it is known
+/// best.
 TEST(ImpossibleUncertaintyOfAWay, WidensAsTheWorstOfIt) {
     SceneFiles files;
     const std::string design = plain_ground_design(
@@ -168,14 +169,17 @@ TEST(ImpossibleUncertaintyOfAWay, WidensAsTheWorstOfIt) {
         for (int n = 0; n < 3; ++n) {
             const std::string latitude = std::to_string(DataSite::kLatitude_deg + 0.01 * (n - 1));
             text += std::string(n == 0 ? "" : ",") + R"({"type":"Feature","properties":{"acc":)" +
-                    (n == 0 ? "\"400\"" : n == 1 ? "\"100\"" : "\"" + accuracy + "\"") +
+                    (n == 0   ? "\"400\""
+                     : n == 1 ? "\"100\""
+                              : "\"" + accuracy + "\"") +
                     R"(},"geometry":{"type":"LineString","coordinates":[[-84.23,)" + latitude + ",1500],[-84.19," + latitude +
                     ",1500]]}}";
         }
         files.write(text + "]}", "ways.geojson");
-        return files.drawn("[[layer]]\nname = 'ways'\nsource = 'ways.geojson'\nrole = 'trajectory'\n[[layer.attribute]]\n"
-                           "name = 'position_accuracy'\nvariable = 'acc'\nunit = 'm'\n",
-                           design);
+        return files.drawn(
+            "[[layer]]\nname = 'ways'\nsource = 'ways.geojson'\nrole = 'trajectory'\n[[layer.attribute]]\n"
+            "name = 'position_accuracy'\nvariable = 'acc'\nunit = 'm'\n",
+            design);
     };
     const DataPicture worst = drawn("400");
     EXPECT_GT(worst.differing(drawn("100")), 5'000u) << "control: the tube of the best one is thinner";

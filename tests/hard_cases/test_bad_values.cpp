@@ -18,9 +18,9 @@
 namespace tedavis::tests::test_bad_values {
 namespace {
 
-using ::testing::HasSubstr;
 using test_support::expect_refusal;
 using test_support::ProgramOutcome;
+using ::testing::HasSubstr;
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;

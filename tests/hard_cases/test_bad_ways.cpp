@@ -48,10 +48,11 @@ std::string gpx(const std::vector<Fix>& fixes) {
     std::string text = "<gpx><trk><trkseg>\n";
     for (const Fix& fix : fixes) {
         char time[40];
-        std::snprintf(time, sizeof time, "2020-04-12T%02d:%02d:%02dZ", 9 + fix.second / 3600, fix.second / 60 % 60, fix.second % 60);
+        std::snprintf(time, sizeof time, "2020-04-12T%02d:%02d:%02dZ", 9 + fix.second / 3600, fix.second / 60 % 60,
+                      fix.second % 60);
         char point[200];
-        std::snprintf(point, sizeof point, "<trkpt lat='%.7f' lon='%.7f'><ele>%.1f</ele><time>%s</time></trkpt>\n", fix.latitude_deg,
-                      fix.longitude_deg, fix.height_m, time);
+        std::snprintf(point, sizeof point, "<trkpt lat='%.7f' lon='%.7f'><ele>%.1f</ele><time>%s</time></trkpt>\n",
+                      fix.latitude_deg, fix.longitude_deg, fix.height_m, time);
         text += point;
     }
     return text + "</trkseg></trk></gpx>\n";
@@ -72,8 +73,8 @@ std::string way_layer(const std::string& source, const std::string& more = "") {
     return "[[layer]]\nname = 'way'\nsource = '" + source + "'\nrole = 'trajectory'\n" + more;
 }
 const std::string& way_design() {
-    static const std::string text = plain_ground_design(
-        "[[data.element]]\nrole = 'trajectory'\ntechnique = 'tube'\ncolor = '#f0a020'\nsize_m = 60\n");
+    static const std::string text =
+        plain_ground_design("[[data.element]]\nrole = 'trajectory'\ntechnique = 'tube'\ncolor = '#f0a020'\nsize_m = 60\n");
     return text;
 }
 
@@ -185,6 +186,32 @@ TEST(BadWays, RepeatedPointsKeepTheColoursOfTheirSpeeds) {
     std::vector<Fix> slow = flight();
     for (Fix& fix : slow) fix.second *= 2;
     EXPECT_NE(drawn(slow), usual) << "control";
+}
+
+/// Of a table of places: no system, and longitudes of the whole turn.
+TEST(BadPlaces, OfTablesAreRefusedOrTheSame) {
+    SceneFiles files;
+    const std::string design =
+        plain_ground_design("[[data.element]]\nrole = 'sample'\ntechnique = 'spheres'\ncolor = '#f0a020'\nsize_m = 200\n");
+    const auto layer = [](const std::string& more) {
+        return "[[layer]]\nname = 'places'\nsource = 'places.csv'\nrole = 'sample'\nheight_variable = 'z'\n" + more;
+    };
+    files.write("lon,lat,z\n-84.21,36.71,900\n-84.22,36.705,900\n", "places.csv");
+    const DataPicture usual = files.drawn(layer(""), design);
+    EXPECT_LT(usual.count(kBareGround), 76'500u);
+    files.write("lon,lat,z\n275.79,36.71,900\n275.78,36.705,900\n", "places.csv");
+    EXPECT_EQ(files.drawn(layer(""), design), usual);
+    files.write("lon,lat,z\n275.79,36.71,900\n275.781,36.705,900\n", "places.csv");
+    EXPECT_NE(files.drawn(layer(""), design), usual) << "control";
+    files.write("x,y,z\n749200,4066000,900\n748300,4065400,900\n", "places.csv");
+    expect_refusal(files.build(layer("")), "which is no place; name its system in 'crs', or correct it");
+    EXPECT_FALSE(files.has_database());
+    EXPECT_LT(files.drawn(layer("crs = 'EPSG:32616'\n"), design).count(kBareGround), 76'500u) << "named, they are in the picture";
+    for (const char* const row : {"nan,36.71,900\n", ",36.71,900\n", "-84.21,91,900\n", "-84.21,inf,900\n"}) {
+        files.write(std::string("lon,lat,z\n") + row, "places.csv");
+        expect_refusal(files.build(layer("")), "places.csv");
+        EXPECT_FALSE(files.has_database()) << row;
+    }
 }
 
 TEST(BadWays, AFileWithoutOneUsableFixIsRefused) {

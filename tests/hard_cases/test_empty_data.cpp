@@ -38,8 +38,10 @@ constexpr const char* kCeiling = "[[layer.attribute]]\nname = 'ceiling'\nvariabl
 std::string map_of(Geometry geometry, int count) {
     std::string text = R"({"type":"FeatureCollection","features":[)";
     for (int n = 0; n < count; ++n) {
-        const std::string west = std::to_string(DataSite::kLongitude_deg - 0.01 + 0.004 * n), east = std::to_string(DataSite::kLongitude_deg + 0.01),
-                          south = std::to_string(DataSite::kLatitude_deg - 0.006), north = std::to_string(DataSite::kLatitude_deg + 0.006);
+        const std::string west = std::to_string(DataSite::kLongitude_deg - 0.01 + 0.004 * n),
+                          east = std::to_string(DataSite::kLongitude_deg + 0.01),
+                          south = std::to_string(DataSite::kLatitude_deg - 0.006),
+                          north = std::to_string(DataSite::kLatitude_deg + 0.006);
         const std::string sw = "[" + west + "," + south + ",700]", se = "[" + east + "," + south + ",700]",
                           ne = "[" + east + "," + north + ",700]";
         text += n == 0 ? "" : ",";
@@ -55,9 +57,9 @@ std::string map_of(Geometry geometry, int count) {
 class EmptySet : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(
     Roles, EmptySet,
-    ::testing::Values(Case{"trajectory", "tube", Geometry::line},
-                      Case{"road", "ribbon", Geometry::line}, Case{"river", "ribbon", Geometry::line},
-                      Case{"runway", "solid", Geometry::line}, Case{"obstacle", "solid", Geometry::point, kHeight},
+    ::testing::Values(Case{"trajectory", "tube", Geometry::line}, Case{"road", "ribbon", Geometry::line},
+                      Case{"river", "ribbon", Geometry::line}, Case{"runway", "solid", Geometry::line},
+                      Case{"obstacle", "solid", Geometry::point, kHeight},
                       Case{"obstacle", "billboard", Geometry::point, kHeight}, Case{"place", "billboard", Geometry::point},
                       Case{"sample", "spheres", Geometry::point, kValue}, Case{"sample", "bars", Geometry::point, kValue},
                       Case{"no_go", "prism", Geometry::area, kCeiling}, Case{"airspace", "prism", Geometry::area, kCeiling},
@@ -68,9 +70,11 @@ TEST_P(EmptySet, DrawsNothingAndSaysSo) {
     const Case& c = GetParam();
     SceneFiles files;
     const bool has_value = std::string(c.attributes) == kValue;
-    const std::string layer = "[[layer]]\nname = 'set'\nsource = 'set.geojson'\nrole = '" + std::string(c.role) + "'\n" + c.attributes,
-                      design = plain_ground_design("[[data.element]]\nrole = '" + std::string(c.role) + "'\ntechnique = '" + c.technique +
-                                                   "'\nsize_m = 300\n" + (has_value ? "attribute = 'value'\npalette = 'scale.toml'\n" : ""));
+    const std::string layer = "[[layer]]\nname = 'set'\nsource = 'set.geojson'\nrole = '" + std::string(c.role) + "'\n" +
+                              c.attributes,
+                      design = plain_ground_design("[[data.element]]\nrole = '" + std::string(c.role) + "'\ntechnique = '" +
+                                                   c.technique + "'\nsize_m = 300\n" +
+                                                   (has_value ? "attribute = 'value'\npalette = 'scale.toml'\n" : ""));
     files.write(map_of(c.geometry, 0), "set.geojson");
     const DataPicture empty = files.drawn(layer, design);
     EXPECT_THAT(files.notes(), HasSubstr("note: set: nothing is left to show"));
@@ -98,8 +102,9 @@ TEST(EmptyTable, OfPointsDrawsNothing) {
 /// A grid in which no post has a value is marked all over as missing, and its legend has the scale.
 TEST(EmptyGrid, IsMissingAllOver) {
     SceneFiles files;
-    const std::string layer = "[[layer]]\nname = 'set'\nsource = 'grid.tif'\n[[layer.attribute]]\nname = 'value'\nvariable = 'band 1'\n",
-                      design = plain_ground_design("[data.ground]\nlayer = 'set'\nattribute = 'value'\npalette = 'scale.toml'\n");
+    const std::string
+        layer = "[[layer]]\nname = 'set'\nsource = 'grid.tif'\n[[layer.attribute]]\nname = 'value'\nvariable = 'band 1'\n",
+        design = plain_ground_design("[data.ground]\nlayer = 'set'\nattribute = 'value'\npalette = 'scale.toml'\n");
     RasterFile raster = site_raster();
     raster.value = [](int, int) { return std::numeric_limits<double>::quiet_NaN(); };
     files.write(raster);
@@ -110,8 +115,8 @@ TEST(EmptyGrid, IsMissingAllOver) {
     EXPECT_GT(empty.count(unknown), 1000u);
     for (const char* const technique : {"spheres", "bars", "isosurface"}) {
         const DataPicture drawn = files.draw(plain_ground_design(
-            "[[data.element]]\nlayer = 'set'\nattribute = 'value'\npalette = 'scale.toml'\ntechnique = '" + std::string(technique) +
-            "'\nsize_m = 200\nlevels = [40]\nheights_m = [100]\nheights_over_ground = true\n"));
+            "[[data.element]]\nlayer = 'set'\nattribute = 'value'\npalette = 'scale.toml'\ntechnique = '" +
+            std::string(technique) + "'\nsize_m = 200\nlevels = [40]\nheights_m = [100]\nheights_over_ground = true\n"));
         EXPECT_EQ(drawn.record.data.size() > 0 ? drawn.record.data[0].aggregated : 0, 0u) << technique;
     }
     raster.value = [](int, int) { return 42.0; };

@@ -49,7 +49,8 @@ struct RasterFile {
             EXPECT_EQ(reference.SetFromUserInput(crs.c_str()), OGRERR_NONE);
             file->SetSpatialRef(&reference);
         }
-        for (int band = 1; band <= bands; ++band) fill(*file->GetRasterBand(band), band == 2 && second ? second : value, more(band));
+        for (int band = 1; band <= bands; ++band)
+            fill(*file->GetRasterBand(band), band == 2 && second ? second : value, more(band));
         return path;
     }
 

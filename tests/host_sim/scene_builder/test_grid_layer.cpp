@@ -54,7 +54,8 @@ TEST_F(GridLayerOfFiles, ASystemThatIsTakenForGrantedIsSaid) {
     write(raster);
     const std::vector<std::string> notes = make_grid_layer(recipe_, folder_.path()).notes;
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_EQ(notes[0], "field: grid.tif states no reference system and is taken for longitude and latitude; 'crs' names another");
+    EXPECT_EQ(notes[0],
+              "field: grid.tif states no reference system and is taken for longitude and latitude; 'crs' names another");
     recipe_.crs = "EPSG:4326";
     EXPECT_TRUE(make_grid_layer(recipe_, folder_.path()).notes.empty());
 }
