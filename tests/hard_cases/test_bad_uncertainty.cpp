@@ -13,7 +13,6 @@ namespace {
 using test_support::DataPicture;
 using test_support::DataSite;
 using test_support::expect_refusal;
-using test_support::kBareGround;
 using test_support::plain_ground_design;
 using test_support::RasterFile;
 using test_support::SceneFiles;

@@ -87,7 +87,7 @@ TEST_P(LandCoverOf, EveryPixelHasTheColourOfTheNearestPost) {
                          v = (base::degrees(place.latitude_rad) - raster.y(0, 0)) / raster.transform[5];
             const double to_border = std::fmin(std::fabs(u - std::floor(u) - 0.5), std::fabs(v - std::floor(v) - 0.5));
             if (to_border < 0.02 || !(u > 0.02 && u < 6.98 && v > 0.02 && v < 6.98)) continue;
-            const int code = code_at(static_cast<int>(u + 0.5), static_cast<int>(v + 0.5));
+            const int code = code_at(static_cast<int>(std::lround(u)), static_cast<int>(std::lround(v)));
             ++compared[code];
             if (is_missing(code)) {
                 wrong += color == kBareGround || color == unknown ? 0 : 1;

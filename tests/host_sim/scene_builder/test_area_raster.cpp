@@ -68,7 +68,7 @@ TEST(AreaRaster, PostsHaveTheKindOfTheLastAreaThatCoversThem) {
                          north = base::degrees(g.north_rad - j * g.step_lat_rad);
             const std::size_t post = std::size_t{j} * g.columns + i;
             const int expected = is_inside(rings[1], east, north) ? 1 : is_inside(rings[0], east, north) ? 0 : -1;
-            ++found[static_cast<std::size_t>(expected + 1)];
+            ++found[expected < 0 ? 0 : expected == 0 ? 1 : 2];
             if (expected < 0) {
                 EXPECT_TRUE(std::isnan(kind.values[post])) << east << " " << north;
                 EXPECT_FALSE(kind.uncertainties[post].is_known());
