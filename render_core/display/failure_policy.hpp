@@ -30,11 +30,11 @@ enum class TerrainSource : std::uint8_t {
 struct DisplayConditions {
     TerrainSource terrain = TerrainSource::none;
     flight::PhaseStatus phase;
-    bool generated_flight = false;   ///< the flight comes from a scenario
-    bool terrain_is_coarse = false;  ///< budgets allow no better than the design's limit of error
-    bool image_is_missing = false;   ///< the design shows an image over the terrain, and there is none
+    bool generated_flight = false;      ///< the flight comes from a scenario
+    bool terrain_is_coarse = false;     ///< budgets allow no better than the design's limit of error
+    bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
-    bool is_map = false;             ///< the picture is the map, which needs no attitude and, with north up, no heading
+    bool is_map = false;                ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 
 /// Signals that state the same information stand in one group, the first choice first.
