@@ -68,7 +68,7 @@ void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& tim
     draw::DataLegend legend = is_uncertainty ? uncertainty_legend_of(*maps.layer, *maps.attribute, time, style)
                                              : legend_of(*maps.layer, *maps.attribute, time, style);
     legend.scale = maps.view.scale;
-    if (is_uncertainty) add_sign("UNKNOWN", draw::SampleLook::cut_stripes, kMapGround, maps.sign, legend);
+    if (is_uncertainty) add_sign(draw::kUnknownText, draw::SampleLook::cut_stripes, kMapGround, maps.sign, legend);
     add_sign("MISSING", draw::SampleLook::dots, kMapGround, maps.sign, legend);
     const auto& stops = legend.scale.palette.stops;
     const design::Color middle = scale_color(legend.scale, 0.5 * (stops[0].value + stops.back().value));

@@ -147,7 +147,7 @@ void add_uncertainty(const design::GroundData& ground, const scene::AttributeEnt
         if (has_look) unsure.text = full_uncertainty_text(attribute);
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
-    static_cast<void>(legend.uncertainty.try_push_back(sample_of("UNKNOWN", color, plain, SampleLook::cut_stripes)));
+    static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, color, plain, SampleLook::cut_stripes)));
     if (is_known && has_look && has_overlay) static_cast<void>(legend.signs.try_push_back(overlay));
 }
 

@@ -36,7 +36,7 @@ void add_fading(const design::DataElement& element, const scene::AttributeEntry&
     const Color faded = blended(color, greys ? grey_of(color) : ground, element.uncertainty_strength);
     static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(full_uncertainty_text(attribute).view(), faded)));
-    static_cast<void>(legend.uncertainty.try_push_back(sample_of("UNKNOWN", faded)));
+    static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, faded)));
 }
 
 void add_colors(const ElementReport& report, const design::ColorEncoding& encoding, const LegendFrame& frame,
@@ -58,7 +58,7 @@ void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& fram
     if (attribute == nullptr) return;
     draw::DataLegend legend = uncertainty_legend_of(*report.layer, *attribute, frame.time, frame.design.data);
     legend.scale = uncertainty_scale(*report.element);
-    static_cast<void>(legend.signs.try_push_back(sample_of("UNKNOWN", draw::GlyphStyle().unknown)));
+    static_cast<void>(legend.signs.try_push_back(sample_of(draw::kUnknownText, draw::GlyphStyle().unknown)));
     add_legend(legend, legends);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <type_traits>
 
 #include "render_core/base/time.hpp"
@@ -37,6 +38,8 @@ struct LegendSample {
     double share = 0;  ///< 0..1 of the data that is taken away, or of the effect
 };
 
+/// Of the sample of what nobody knows the uncertainty of; "?" where there is little room.
+inline constexpr std::string_view kUnknownText = "UNKNOWN";
 inline constexpr std::size_t kUncertaintySamples = 3;
 inline constexpr std::size_t kMaxLegendSamples = 6;
 

@@ -301,19 +301,27 @@ private:
         painter_.fitted_text(text, at, TextAnchor::left, kText, kScaleColor, TextRim::none);
     }
 
-    /// The samples side by side, with as much text as there is room for: "0", the full scale's number, "?".
+    /// The samples side by side with texts short enough to be read: "0", the full scale's number, "?".
     void build_uncertainty_line(const Rect& at) const {
-        const float width = (at.width - kInset * t_) / static_cast<float>(kUncertaintySamples);
-        for (std::size_t n = 0; n < legend_.uncertainty.size(); ++n) {
+        constexpr float kSwatch = 0.7f, kLetter = 0.5f;
+        const std::size_t count = legend_.uncertainty.size();
+        const float narrow = (kSwatch + kLetter) * t_, room = at.width - kInset * t_;
+        float x = at.x + kInset * t_;
+        for (std::size_t n = 0; n < count; ++n) {
             const LegendSample& sample = legend_.uncertainty[n];
-            const Rect swatch{at.x + kInset * t_ + width * static_cast<float>(n), at.y + 0.08f * t_, 0.7f * t_,
-                              at.height - 0.16f * t_};
+            const std::string_view text = line_text(n);
+            const float width = text.size() <= 1 ? narrow : room - narrow * static_cast<float>(count - 1);
+            const Rect swatch{x, at.y + 0.08f * t_, kSwatch * t_, at.height - 0.16f * t_};
             draw::build_sample(painter_, sample, swatch);
-            std::string_view text = sample.text.view();
-            text = sample.look == SampleLook::cut_stripes ? "?" : n == 0 ? "0" : text.substr(0, text.find(' '));
             painter_.fitted_text(text, {swatch.right() - 0.1f * t_, at.y, width - swatch.width + 0.1f * t_, at.height},
                                  TextAnchor::left, kText, kScaleColor, TextRim::none);
+            x += width;
         }
+    }
+
+    [[nodiscard]] std::string_view line_text(std::size_t n) const {
+        const std::string_view text = legend_.uncertainty[n].text.view();
+        return text == kUnknownText ? "?" : n == 0 ? "0" : text.substr(0, text.find(' '));
     }
 
     const Painter& painter_;

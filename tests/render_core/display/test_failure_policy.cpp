@@ -275,12 +275,12 @@ TEST(FailurePolicy, TrafficThatIsLeftOutIsSaid) {
 /// An empty sky must not be taken for a clear one.
 TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
     DisplayConditions conditions = good_conditions();
-    EXPECT_FALSE(has_notice(decide(conditions), "DATA OUT OF DATE"));
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE"));
     conditions.data_are_out_of_date = true;
-    EXPECT_TRUE(has_notice(decide(conditions), "DATA OUT OF DATE"));
-    EXPECT_TRUE(has_flag(decide(conditions), "data.out_of_date"));
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE"));
+    EXPECT_TRUE(has_flag(decide_on(everything_valid(), conditions), "data.out_of_date"));
     conditions.terrain = TerrainSource::failed;
-    EXPECT_FALSE(has_notice(decide(conditions), "DATA OUT OF DATE")) << "no data are shown at all";
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE")) << "no data are shown at all";
 }
 
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {

@@ -42,6 +42,12 @@ TEST(LegendEntry, SaysLessTheLessRoomThereIsAndNeverLosesTheScale) {
     EXPECT_EQ(text_at(wind(), LegendDetail::scale), "WINDM/S01020");
 }
 
+TEST(LegendEntry, TheUnknownIsAQuestionMarkOnALineHoweverItLooks) {
+    DataLegend faded = wind();
+    for (LegendSample& sample : faded.uncertainty) sample.look = SampleLook::plain;
+    EXPECT_EQ(text_at(faded, LegendDetail::uncertainty_line), text_at(wind(), LegendDetail::uncertainty_line));
+}
+
 TEST(LegendEntry, ClassesHaveTheirLimits) {
     EXPECT_EQ(text_at(classed_wind(3), LegendDetail::whole).substr(0, 14), "WINDM/S51015SU");
     EXPECT_EQ(text_at(classed_wind(3), LegendDetail::scale), "WINDM/S51015");
