@@ -30,7 +30,7 @@ public:
                          earth::body_axes(latitude, longitude, base::radians(heading_deg), 0, 0), 800, 600, 1);
         begin();
     }
-    void begin() { sheet.begin({batch, links, view, 16}); }
+    void begin(const draw::QuadBatch* symbology = nullptr) { sheet.begin({batch, links, view, 16, nullptr, symbology}); }
 
     /// So many metres ahead of the eye and right of it.
     [[nodiscard]] static scene::ScenePoint point(double ahead_m, double right_m, float height_m) {

@@ -100,6 +100,12 @@ bool BillboardSheet::claim_under_symbology(const Rect& box, const glm::dvec3& pl
     return true;
 }
 
+bool BillboardSheet::claim_beside(const Rect& box) {
+    if (!is_free(box)) return false;
+    boxes_[box_count_++] = box;
+    return true;
+}
+
 /// As high over its place as a stem in its length in the picture: upright, so that seen from above nothing beside it hides it.
 bool BillboardSheet::is_seen(const glm::dvec3& place) const {
     if (sight_ == nullptr) return true;

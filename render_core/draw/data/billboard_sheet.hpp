@@ -72,6 +72,8 @@ public:
     }
     /// The same, whatever the symbology draws over it: of what nobody may miss.
     [[nodiscard]] bool claim_under_symbology(const Rect& box, const glm::dvec3& place);
+    /// True, and the box is taken, where it is free: of what stands beside a sign that has its room.
+    [[nodiscard]] bool claim_beside(const Rect& box);
 
     /// Candidates of one element: the best kMostCandidates of those that are offered.
     void begin_candidates() { candidate_count_ = 0; }

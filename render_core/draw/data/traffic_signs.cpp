@@ -1,6 +1,7 @@
 #include "render_core/draw/data/traffic_signs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -19,9 +20,18 @@ namespace {
 constexpr design::Color kStale{150, 150, 150};
 constexpr float kHalf = 0.7f, kGap = 0.3f, kSize = 0.85f;  // of the text's size: the diamond, round it, its texts
 constexpr float kLine_px = 2, kHalo_px = 1.5f;
+constexpr float kTouch_px = 0.25f;  // texts touch the diamond's box; rounding must not make that an overlap
 constexpr int kCircleSides = 24;
-/// Diamond, dashes, cross, three texts with their halos; two lines and the circle with their rims: four vertices each.
-constexpr std::size_t kMostVertices = 4 * (8 + 16 + 2 + 2 * 3 * 31), kMostLinkVertices = 4 * 2 * (2 + kCircleSides);
+/// Diamond, dashes, cross; a text with its halo; two lines and the circle with their rims: four vertices each.
+constexpr std::size_t kMostVertices = 4 * (8 + 16 + 2), kMostTextVertices = 4 * 2 * 31,
+                      kMostLinkVertices = 4 * 2 * (2 + kCircleSides);
+
+/// Of a text, round the diamond.
+enum class Side : std::uint8_t { right, left, below, above };
+using Sides = std::array<Side, 4>;  ///< the best first
+constexpr Sides kHeightSides{Side::below, Side::above, Side::right, Side::left};
+constexpr Sides kAgeSides{Side::above, Side::below, Side::right, Side::left};
+constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
 /// "+12", "-03": hundreds of feet.
 BillboardText height_text(double over_m, double climb_mps) {
@@ -51,41 +61,65 @@ public:
     Sign(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature)
         : sheet_(sheet), input_(input), feature_(feature) {}
 
+    /// Without its texts.
     bool add() {
-        state_ = traffic_state(input_, feature_);
-        place_ = placed(input_, state_.point);
-        if (!state_.is_known || !place_.is_known) return false;
-        spot_ = sheet_.spot(place_.place);
-        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
-        look_ = billboard_look(input_, feature_);
-        look_.is_unsure = look_.is_unsure || (shows_circle() && !(state_.accuracy.level_m > 0));
-        if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
-        write();
-        if (!sheet_.claim_under_symbology(box(), place_.place)) return false;
+        if (!look() || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
+        const float half = half_px();
+        const Rect box{spot_.at.x - half, spot_.at.y - half, 2 * half, 2 * half};
+        if (!sheet_.claim_under_symbology(box.shrunk(kTouch_px), place_.place)) return false;
         draw_lines();
         draw_sign();
         return true;
     }
 
-private:
-    void write() {
-        name_ = billboard_name(input_, feature_, look_);
+    /// Of one that was added: what says most first.
+    void add_texts() {
+        if (!look()) return;
         const double eye_m = earth::from_ecef(input_.eye).height.m;
-        height_ = height_text(place_.height_m - eye_m, state_.up);
-        age_ = age_text(state_);
+        add_text(height_text(place_.height_m - eye_m, state_.up), kHeightSides);
+        add_text(age_text(state_), kAgeSides);
+        add_text(billboard_name(input_, feature_, look_), kNameSides);
+    }
+
+private:
+    bool look() {
+        state_ = traffic_state(input_, feature_);
+        place_ = placed(input_, state_.point);
+        if (!state_.is_known || !place_.is_known) return false;
+        spot_ = sheet_.spot(place_.place);
+        if (!spot_.is_ahead) return false;
+        look_ = billboard_look(input_, feature_);
+        look_.is_unsure = look_.is_unsure || (shows_circle() && !(state_.accuracy.level_m > 0));
+        if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
+        return true;
     }
 
     [[nodiscard]] float size_px() const { return kSize * sheet_.text_px(); }
     [[nodiscard]] float half_px() const { return (kHalf + kGap) * sheet_.text_px(); }
 
-    /// Of the diamond with its texts: the name right of it, the height below, the age above.
-    [[nodiscard]] Rect box() const {
-        const float half = half_px(), line = size_px();
-        const float half_width =
-            0.5f * std::max({text_width_px(height_.view(), line), text_width_px(age_.view(), line), 2 * half});
-        const float right = std::max(half_width, half + text_width_px(name_.view(), line));
-        const float above = age_.empty() ? 0 : line;
-        return {spot_.at.x - half_width, spot_.at.y - half - above, half_width + right, 2 * half + above + line};
+    /// Of a text with its halo.
+    [[nodiscard]] Rect box(std::string_view text, Side side) const {
+        const float width = text_width_px(text, size_px()) + 2 * kHalo_px, height = size_px(), half = half_px();
+        const Point& at = spot_.at;
+        switch (side) {
+            case Side::right: return {at.x + half, at.y - 0.5f * height, width, height};
+            case Side::left: return {at.x - half - width, at.y - 0.5f * height, width, height};
+            case Side::below: return {at.x - 0.5f * width, at.y + half, width, height};
+            case Side::above: break;
+        }
+        return {at.x - 0.5f * width, at.y - half - height, width, height};
+    }
+
+    /// Whole where it is seen whole, or not at all: half a number is another number.
+    void add_text(const BillboardText& text, const Sides& sides) const {
+        if (text.empty() || !sheet_.has_room(kMostTextVertices, 0)) return;
+        for (const Side side : sides) {
+            const Rect room = box(text.view(), side);
+            if (!sheet_.claim_beside(room)) continue;
+            const TextStyle style{size_px(), look_.text, kHalo_px, {0, 0, 0, look_.color.alpha}};
+            static_cast<void>(sheet_.signs().text(text.view(), room.center(), TextAnchor::center, style));
+            return;
+        }
     }
 
     void draw_lines() const {
@@ -136,11 +170,6 @@ private:
             static_cast<void>(batch.line(low, high, kLine_px, look_.color));
         }
         if (look_.is_unsure) static_cast<void>(draw_dashed_rim(batch, spot_.at, half_px(), look_.color));
-        const TextStyle style{size_px(), look_.text, kHalo_px, {0, 0, 0, look_.color.alpha}};
-        const float line = half_px() + 0.5f * size_px();
-        static_cast<void>(batch.text(name_.view(), {spot_.at.x + half_px(), spot_.at.y}, TextAnchor::left, style));
-        static_cast<void>(batch.text(height_.view(), {spot_.at.x, spot_.at.y + line}, TextAnchor::center, style));
-        static_cast<void>(batch.text(age_.view(), {spot_.at.x, spot_.at.y - line}, TextAnchor::center, style));
     }
 
     BillboardSheet& sheet_;
@@ -150,7 +179,6 @@ private:
     Placed place_;
     BillboardSheet::Spot spot_;
     BillboardLook look_;
-    BillboardText name_, height_, age_;
 };
 
 }  // namespace
@@ -165,8 +193,14 @@ ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input)
         if (distance_m <= kFarthestTraffic_m) sheet.offer({distance_m, feature});
     }
     ElementCount count;
-    for (const BillboardCandidate& candidate : sheet.ranked())
-        if (Sign(sheet, input, candidate.feature).add()) ++count.drawn;
+    const base::Span<const BillboardCandidate> ranked = sheet.ranked();
+    std::array<bool, BillboardSheet::kMostCandidates> is_added{};
+    for (std::size_t n = 0; n < ranked.size(); ++n) {
+        is_added[n] = Sign(sheet, input, ranked[n].feature).add();
+        if (is_added[n]) ++count.drawn;
+    }
+    for (std::size_t n = 0; n < ranked.size(); ++n)
+        if (is_added[n]) Sign(sheet, input, ranked[n].feature).add_texts();
     count.hidden = input.layer.entry->feature_count - count.drawn;
     return count;
 }

@@ -16,7 +16,8 @@ inline constexpr double kVelocityLine_s = 30, kShownAge_s = 5, kShownClimb_mps =
 inline constexpr double kFarthestTraffic_m = 60'000;
 
 /// The nearest first: what would cover a nearer one, and what terrain stands before, is hidden, and counted.
-/// The symbology hides none of them: it is drawn over them.
+/// The symbology hides no diamond: it is drawn over them. Texts come after all diamonds, and stand right of theirs, left, below
+/// or above, where they are clear of the symbology and of every sign; what has no such room is left out whole.
 [[nodiscard]] ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input);
 
 }  // namespace tedavis::draw

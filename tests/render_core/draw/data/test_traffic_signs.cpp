@@ -39,16 +39,33 @@ struct Signs {
         test.time_ns = kStart_ns + static_cast<std::int64_t>(second * 1e9);
         build();
     }
-    void build() {
-        room.begin();
+    void build(const QuadBatch* symbology = nullptr) {
+        room.begin(symbology);
         ElementInput input = test.input();
         input.eye = room.view.eye;
         count = add_traffic_signs(room.sheet, input);
+    }
+    /// Of its letters and their halos.
+    [[nodiscard]] Rect texts() const {
+        return room.bounds([](const QuadVertex& vertex) { return vertex.extent_x < 0; });
     }
     ElementOfTest test;
     BillboardRoom room;
     ElementCount count;
 };
+
+/// One without a name: only the height is written.
+host_sim::LayerDraft nameless() {
+    host_sim::LayerDraft layer = traffic();
+    layer.names = {"", ""};
+    return layer;
+}
+
+/// Where the first one is at second 5.
+Point spot_of(const Signs& signs) {
+    const scene::ScenePoint at = BillboardRoom::point(3000, 250, 0);
+    return signs.room.sheet.spot(earth::to_ecef({at.latitude_rad, at.longitude_rad, {1215}})).at;
+}
 
 TEST(TrafficSigns, StandAtTheirPlacesWithALineToWhereTheyWillBe) {
     const Signs signs(5);
@@ -108,6 +125,65 @@ TEST(TrafficSigns, TheCircleGrowsWithTheAge) {
     };
     // Grey and without its line from 15 s on: only the circle tells them apart.
     EXPECT_GT(width(40), width(25) + 100);
+}
+
+TEST(TrafficSigns, ATextGoesWhereItIsSeenWhole) {
+    Signs signs(5, nameless());
+    const Point at = spot_of(signs);
+    const std::size_t letters = signs.room.glyph_vertices();
+    EXPECT_GT(signs.texts().y, at.y + 8) << "with nothing in the way below";
+    // A line of the symbology cuts where it stood; what takes all the rest but one side sends it there.
+    const Rect wide{at.x - 100, at.y + 18, 200, 4};
+    const auto symbology_of = [](const std::vector<Rect>& boxes) {
+        BillboardRoom symbology;
+        for (const Rect& box : boxes) EXPECT_TRUE(symbology.batch.box(box, {}));
+        return symbology;
+    };
+    const BillboardRoom below = symbology_of({wide});
+    signs.build(&below.batch);
+    EXPECT_EQ(signs.room.glyph_vertices(), letters) << "whole";
+    EXPECT_LT(signs.texts().bottom(), at.y - 8) << "above";
+    const Rect over{at.x - 100, at.y - 24, 200, 4};
+    const BillboardRoom both = symbology_of({wide, over});
+    signs.build(&both.batch);
+    EXPECT_EQ(signs.room.glyph_vertices(), letters);
+    EXPECT_GT(signs.texts().x, at.x + 8) << "right";
+    const BillboardRoom three = symbology_of({wide, over, {at.x + 30, at.y - 20, 70, 40}});
+    signs.build(&three.batch);
+    EXPECT_EQ(signs.room.glyph_vertices(), letters);
+    EXPECT_LT(signs.texts().right(), at.x - 8) << "left";
+    const BillboardRoom all = symbology_of({wide, over, {at.x + 30, at.y - 20, 70, 40}, {at.x - 100, at.y - 20, 70, 40}});
+    signs.build(&all.batch);
+    EXPECT_EQ(signs.room.glyph_vertices(), 0u) << "no half of a number";
+    EXPECT_EQ(signs.count.drawn, 1u) << "and the diamond stays";
+    EXPECT_FALSE(signs.room.batch.vertices().empty());
+}
+
+TEST(TrafficSigns, AtTheEdgeOfThePictureADiamondStaysWithoutWhatWouldBeCut) {
+    host_sim::LayerDraft layer = nameless();
+    for (std::size_t n : {0, 1}) layer.points[n] = BillboardRoom::point(3000, 0, 0);
+    for (std::size_t n : {0, 1}) layer.points[n].time_ns = kStart_ns + static_cast<std::int64_t>(n) * 5'000'000'000;
+    const double half_high = std::atan(300 / BillboardRoom().view.focal_px);
+    const auto high = static_cast<float>(BillboardRoom::kEyeHeight_m + 3000 * std::tan(half_high) - 90);
+    layer.points[0].height_m = high - 5;
+    layer.points[1].height_m = high;
+    const Signs signs(12, layer);
+    ASSERT_EQ(signs.count.drawn, 1u) << "its age has no room above it";
+    EXPECT_GE(signs.texts().y, 0);
+}
+
+TEST(TrafficSigns, NoTextHidesAnotherDiamond) {
+    host_sim::LayerDraft layer = traffic();
+    layer.points[2] = BillboardRoom::point(3100, 250 + 200, 1222);
+    layer.points[3] = layer.points[2];
+    for (std::size_t n : {2, 3}) layer.points[n].time_ns = kStart_ns + static_cast<std::int64_t>(n % 2) * 5'000'000'000;
+    const Signs signs(5, layer);
+    EXPECT_EQ(signs.count.drawn, 2u);
+    for (std::size_t n : {2, 3}) {
+        layer.points[n] = layer.points[1];
+        layer.points[n].time_ns = layer.points[n - 2].time_ns;
+    }
+    EXPECT_EQ(Signs(5, layer).count.drawn, 1u) << "but one right before it does";
 }
 
 TEST(TrafficSigns, ALinkLeadsDown) {
