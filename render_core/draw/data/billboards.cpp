@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 
 #include "render_core/base/units.hpp"
@@ -16,11 +17,15 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
-/// Stems are longer where a line of the symbology, the horizon above all, leaves no room.
-constexpr float kStem = BillboardSheet::kStem, kStems[] = {kStem, kStem + 2.5f, kStem + 5};
+/// Stems are longer where a line of the symbology, the horizon above all, leaves no room; but not those of obstacles, of which
+/// each is as high as it looks.
+constexpr float kStem = BillboardSheet::kStem, kStems[] = {kStem, kStem + 2.5f, kStem + 5}, kOnTheSpot = 0;
 constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
-constexpr float kHalo_px = 1.5f, kLink_px = 1.5f;
+constexpr float kHalo_px = 1.5f;
+/// Of stems, which lead to a sign and are nothing that stands there; links have the element's colour.
+constexpr float kStem_px = 1;
+constexpr design::Color kStemColor{170, 170, 175};
 /// Rim and strokes of an icon, dashes, name with halo: four each.
 constexpr std::size_t kMostVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31);
 constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
@@ -98,7 +103,7 @@ public:
         half_px_ = 0.5f * icon_px();
         const BillboardText name = with_name ? billboard_name(input_, feature_, look) : BillboardText(look.is_unsure ? "?" : "");
         const float side = find_side(name.view());
-        if (std::isnan(side) || !sheet_.claim(box(name.view(), side), place.place)) return false;
+        if (std::isnan(side) || !claim(box(name.view(), side), place.place)) return false;
         if (input_.element.link) add_link(anchor, place, look);
         draw(name.view(), side, look);
         return true;
@@ -117,16 +122,18 @@ private:
         return std::clamp(static_cast<float>(size_m * sheet_.view().focal_px / spot_.distance_m), least, greatest);
     }
 
+    [[nodiscard]] bool is_obstacle() const { return input_.layer.entry->role == scene::LayerRole::obstacle; }
+
     /// Of so many texts.
     void set_stem(float stem) {
-        has_long_stem_ = stem > kStem;
-        middle_ = {spot_.at.x, spot_.at.y - stem * sheet_.text_px() - half_px_};
+        stem_ = stem;
+        middle_ = {spot_.at.x, stem > kOnTheSpot ? spot_.at.y - stem * sheet_.text_px() - half_px_ : spot_.at.y};
     }
 
     /// Box of the icon, with the stem where it is short, and with a name on the side: 1 right, -1 left, 0 without one.
     [[nodiscard]] Rect box(std::string_view name, float side) const {
         const float gap = kGap * sheet_.text_px(), half = half_px_ + gap;
-        Rect result{middle_.x - half, middle_.y - half, 2 * half, has_long_stem_ ? 2 * half : spot_.at.y - middle_.y + half};
+        Rect result{middle_.x - half, middle_.y - half, 2 * half, stem_ == kStem ? spot_.at.y - middle_.y + half : 2 * half};
         if (side == 0) return result;
         const float width = text_width_px(name, kNameSize * sheet_.text_px()) + gap;
         result.width += width;
@@ -136,12 +143,19 @@ private:
 
     /// NaN where there is no room.
     [[nodiscard]] float find_side(std::string_view name) {
-        for (const float stem : kStems)
+        const base::Span<const float> stems = base::Span<const float>(kStems).subspan(0, is_obstacle() ? 1 : std::size(kStems));
+        for (const float stem : stems)
             for (const float side : {1.0f, -1.0f})
                 if (set_stem(stem); !name.empty() && sheet_.is_free(box(name, side))) return side;
-        for (const float stem : kStems)
+        for (const float stem : stems)
             if (set_stem(stem); sheet_.is_free(box(name, 0))) return 0;
-        return std::numeric_limits<float>::quiet_NaN();
+        if (!is_obstacle()) return std::numeric_limits<float>::quiet_NaN();
+        set_stem(kOnTheSpot);
+        return 0;
+    }
+
+    [[nodiscard]] bool claim(const Rect& room, const glm::dvec3& place) const {
+        return stem_ == kOnTheSpot ? sheet_.claim_under_symbology(room, place) : sheet_.claim(room, place);
     }
 
     void add_link(const scene::ScenePoint& anchor, const Placed& place, const BillboardLook& look) const {
@@ -155,7 +169,9 @@ private:
         QuadBatch& batch = sheet_.signs();
         const float text_px = sheet_.text_px();
         const design::Color rim{0, 0, 0, look.color.alpha};
-        sheet_.stem(spot_, {spot_.at.x, middle_.y + half_px_}, kLink_px, look.color);
+        if (stem_ > kOnTheSpot)
+            sheet_.stem(spot_, {spot_.at.x, middle_.y + half_px_}, kStem_px,
+                        {kStemColor.red, kStemColor.green, kStemColor.blue, look.color.alpha});
         static_cast<void>(draw_icon(batch, icon_of(input_.layer, feature_), middle_, half_px_, look.color));
         if (look.is_unsure) static_cast<void>(draw_dashed_rim(batch, middle_, half_px_ + 0.5f * kGap * text_px, look.color));
         if (side == 0) return;
@@ -169,8 +185,7 @@ private:
     std::uint32_t feature_;
     BillboardSheet::Spot spot_;
     Point middle_;
-    float half_px_ = 0;
-    bool has_long_stem_ = false;
+    float half_px_ = 0, stem_ = kStem;
 };
 
 }  // namespace

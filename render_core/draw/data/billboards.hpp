@@ -5,8 +5,9 @@
 /// has size_m (kIconSize_m where the design names none) at its distance, within the same limits. `link` leads a line down to the
 /// ground. Classes of an ordinal attribute "kind" come first, the higher the sooner: each counts as half the distance; then
 /// comes the nearer. What would cover one that came before, or the symbology, goes to its other side,
-/// then up on a longer stem, then without its name, then it is hidden; so is what terrain stands before. `detail`: the share of
-/// the features that have their names, those that come first.
+/// then up on a longer stem, then without its name, then it is hidden; so is what terrain stands before. Obstacles have no longer
+/// stems, which would read as their heights: after their names they lose the stem, and stand on the spot, under the symbology.
+/// Stems are thin and grey. `detail`: the share of the features that have their names, those that come first.
 ///
 /// Pure but for the ground that is asked: at most once a candidate and link. Bounded.
 #pragma once

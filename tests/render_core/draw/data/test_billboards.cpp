@@ -26,8 +26,8 @@ host_sim::LayerDraft layer_of(const std::vector<scene::ScenePoint>& points, cons
     return layer;
 }
 
-ElementCount built(BillboardRoom& room, ElementOfTest& test) {
-    room.begin();
+ElementCount built(BillboardRoom& room, ElementOfTest& test, const QuadBatch* symbology = nullptr) {
+    room.begin(symbology);
     return add_billboards(room.sheet, test.input());
 }
 
@@ -181,6 +181,82 @@ TEST(Billboards, LinesAndAreasHaveOneInTheirMiddle) {
     area.time_ns = storm.data_time_ns + 100'000'000'000;
     EXPECT_EQ(built(room, area).drawn, 1u);
     EXPECT_NEAR(room.drawn()[0].distance_m, 4500 * (1 - terrain::DrawnSight::kTail), 5) << "10 m/s north for 100 s";
+}
+
+/// A mast whose top is as high as the eye, and symbology about it.
+struct Mast {
+    explicit Mast(scene::LayerRole role) : test(layer(role)) { at = room.sheet.spot(placed(test.input(), point()).place).at; }
+    static host_sim::LayerDraft layer(scene::LayerRole role) {
+        host_sim::LayerDraft mast = layer_of({BillboardRoom::point(4000, 0, 1000)}, {"Mast"});
+        mast.role = role;
+        return mast;
+    }
+    [[nodiscard]] scene::ScenePoint point() { return test.input().layer.points[0]; }
+    /// With boxes from the spot.
+    ElementCount build(const std::vector<Rect>& boxes) {
+        BillboardRoom symbology;
+        for (const Rect& box : boxes) EXPECT_TRUE(symbology.batch.box({at.x + box.x, at.y + box.y, box.width, box.height}, {}));
+        return built(room, test, &symbology.batch);
+    }
+    [[nodiscard]] Rect icon() const {
+        return room.bounds([](const QuadVertex& vertex) { return vertex.extent_x >= 0; });
+    }
+    ElementOfTest test;
+    BillboardRoom room;
+    Point at;
+};
+
+const std::vector<Rect> kBesides{{20, -60, 80, 50}, {-100, -60, 80, 50}}, kOver{{-100, -30, 200, 10}};
+
+TEST(Billboards, AnObstacleIsAsHighAsItLooks) {
+    Mast mast(scene::LayerRole::obstacle);
+    EXPECT_EQ(mast.build({}).drawn, 1u);
+    const Rect free = mast.icon();
+    EXPECT_GT(mast.room.glyph_vertices(), 0u);
+    EXPECT_EQ(mast.build(kBesides).drawn, 1u);
+    EXPECT_EQ(mast.room.glyph_vertices(), 0u) << "first the name goes";
+    EXPECT_NEAR(mast.icon().y, free.y, 0.1);
+    EXPECT_EQ(mast.build(kOver).drawn, 1u);
+    EXPECT_EQ(mast.room.glyph_vertices(), 0u);
+    EXPECT_NEAR(mast.icon().center().y, mast.at.y, 2) << "then the stem";
+    EXPECT_TRUE(mast.room.links.vertices().empty());
+    Mast place(scene::LayerRole::place);
+    EXPECT_EQ(place.build(kOver).drawn, 1u);
+    EXPECT_LT(place.icon().y, free.y - 20) << "others are lifted";
+    EXPECT_GT(place.room.glyph_vertices(), 0u);
+}
+
+TEST(Billboards, AnObstacleWithoutRoomIsCounted) {
+    host_sim::LayerDraft pair = Mast::layer(scene::LayerRole::obstacle);
+    pair.points.push_back(BillboardRoom::point(4010, 0, 1000));
+    pair.names = {"", ""};
+    ElementOfTest test(pair);
+    BillboardRoom room;
+    const ElementCount count = built(room, test);
+    EXPECT_EQ(count.drawn, 1u);
+    EXPECT_EQ(count.hidden, 1u) << "it would cover the nearer one";
+    pair.points[1] = BillboardRoom::point(4010, 800, 1000);
+    ElementOfTest apart(pair);
+    EXPECT_EQ(built(room, apart).drawn, 2u);
+}
+
+TEST(Billboards, StemsAreNoLinks) {
+    Mast mast(scene::LayerRole::obstacle);
+    const auto is_grey = [](const QuadVertex& vertex) {
+        return vertex.rgba[1] > 0 && std::abs(vertex.rgba[0] - vertex.rgba[1]) < 10 &&
+               std::abs(vertex.rgba[1] - vertex.rgba[2]) < 10;
+    };
+    const auto greys = [&] {
+        const auto vertices = mast.room.links.vertices();
+        return std::count_if(vertices.begin(), vertices.end(), is_grey);
+    };
+    EXPECT_EQ(mast.build({}).drawn, 1u);
+    EXPECT_EQ(greys(), 4);
+    EXPECT_EQ(mast.room.links.vertices().size(), 8u) << "a stem and its rim";
+    mast.test.element.link = true;
+    EXPECT_EQ(mast.build({}).drawn, 1u);
+    EXPECT_EQ(greys(), 4);
+    EXPECT_GT(mast.room.links.vertices().size(), 8u) << "a link has the element's colour";
 }
 
 TEST(Billboards, NothingIsDrawnByHalfInAFullBatch) {
