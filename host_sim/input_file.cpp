@@ -74,4 +74,15 @@ void require_other_file(const std::string& output, const std::vector<std::string
     }
 }
 
+void require_replaceable(const std::string& output, std::string_view beginning, const std::string& kind) {
+    std::error_code not_there;
+    if (!std::filesystem::is_regular_file(output, not_there)) return;
+    std::string found(beginning.size(), '\0');
+    std::ifstream file(output, std::ios::binary);
+    const bool is_empty = file.is_open() && file.peek() == std::ifstream::traits_type::eof();
+    file.read(found.data(), static_cast<std::streamsize>(found.size()));
+    if (!is_empty && (!file || found != beginning))
+        throw UserError(output + ": is there already and is no " + kind + "; name another output, or remove this file first");
+}
+
 }  // namespace tedavis::host_sim

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tedavis::host_sim {
@@ -19,5 +20,8 @@ void require_regular_file(const std::string& path);
 
 /// Throws UserError where the output would replace one of its own inputs.
 void require_other_file(const std::string& output, const std::vector<std::string>& inputs);
+/// Throws UserError where the output would replace a file that does not begin as results of its kind do, which the sentence names
+/// ("scene database"). Empty files make room; what is no file is left to whoever writes.
+void require_replaceable(const std::string& output, std::string_view beginning, const std::string& kind);
 
 }  // namespace tedavis::host_sim

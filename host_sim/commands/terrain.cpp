@@ -214,6 +214,7 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const TerrainSources sources = sources_of(options, console);
     require_other_file(options.output, files_of(options));
+    require_replaceable(options.output, {terrain::kTdbMagic, sizeof terrain::kTdbMagic}, "terrain database");
     build_terrain(sources, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
     console.progress_done();
     const OpenDatabase built(options.output);

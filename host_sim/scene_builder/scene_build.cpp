@@ -126,7 +126,7 @@ std::vector<std::string> inputs_of(const SceneRecipe& recipe, const std::string&
     return inputs;
 }
 
-/// What stands at the output's place may be anything; only a sound database counts.
+/// Of a database that is damaged nobody knows it.
 std::uint64_t next_revision(const std::string& output) {
     std::error_code not_there;
     if (!std::filesystem::is_regular_file(output, not_there)) return 1;
@@ -181,6 +181,7 @@ std::vector<std::string> build_scene(const std::string& scene_file, const std::s
     std::vector<std::string> inputs = inputs_of(recipe, folder);
     inputs.push_back(scene_file);
     require_other_file(output, inputs);
+    require_replaceable(output, {scene::kSdbMagic, sizeof scene::kSdbMagic}, "scene database");
     MadeScene made = make_scene(recipe, folder, progress);
     made.draft.revision = next_revision(output);
     const std::vector<std::uint8_t> bytes = sdb_bytes(made.draft);

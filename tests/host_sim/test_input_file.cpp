@@ -80,5 +80,19 @@ TEST(InputFile, AnOutputMayNotReplaceAnInput) {
         "is also an input");
 }
 
+TEST(InputFile, AnOutputReplacesItsOwnKindOnly) {
+    const test_support::TemporaryFolder folder;
+    const auto require = [&](const char* name) { require_replaceable(folder.file(name), "MAGIC", "such database"); };
+    for (const char* const other : {"lon,lat\n1,2\n", "MAGI", "magic..", " MAGIC"}) {
+        folder.write("mine.csv", other);
+        test_support::expect_user_error([&] { require("mine.csv"); }, "mine.csv: is there already and is no such database");
+        EXPECT_EQ(folder.read("mine.csv"), other);
+    }
+    folder.write("own", "MAGIC and more");
+    folder.write("empty", "");
+    for (const char* const replaceable : {"own", "empty", "none"}) EXPECT_NO_THROW(require(replaceable)) << replaceable;
+    EXPECT_NO_THROW(require_replaceable(folder.path(), "MAGIC", "such database")) << "the writer says what a folder is";
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_input_file

@@ -143,6 +143,16 @@ TEST_F(TerrainCommand, RefusesOptionsThatCannotBe) {
     EXPECT_TRUE(std::filesystem::exists(raster_));
 }
 
+TEST_F(TerrainCommand, OtherFilesAreNotReplaced) {
+    const std::string mine = "my own notes\n";
+    place_.write("t.tdb", mine);
+    expect_user_error([&] { (void)build(); }, "t.tdb: is there already and is no terrain database");
+    EXPECT_EQ(place_.read("t.tdb"), mine);
+    std::filesystem::remove(build_.output);
+    EXPECT_EQ(build().code, 0);
+    EXPECT_EQ(build().code, 0) << "a database makes room for the next";
+}
+
 /// Over the raster of the fixture.
 test_support::ImageFile image_file() {
     test_support::ImageFile image;

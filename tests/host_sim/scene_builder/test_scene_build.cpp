@@ -168,9 +168,17 @@ TEST_F(SceneFiles, EachBuildIsARevision) {
     const std::string first = folder_.read("x.sdb");
     build();
     EXPECT_EQ(OpenScene(folder_.file("x.sdb")).scene().header().revision, 2u);
-    folder_.write("x.sdb", "something else");
+    folder_.write("x.sdb", first.substr(0, first.size() / 2));
     build();
-    EXPECT_EQ(folder_.read("x.sdb"), first) << "what is none has no revision, and equal builds are equal bytes";
+    EXPECT_EQ(folder_.read("x.sdb"), first) << "what is damaged has no revision, and equal builds are equal bytes";
+}
+
+TEST_F(SceneFiles, OtherFilesAreNotReplaced) {
+    const std::string mine = "my own table, which no layer reads\n";
+    folder_.write("x.sdb", mine);
+    expect_user_error([this] { build(); }, "x.sdb: is there already and is no scene database");
+    EXPECT_EQ(folder_.read("x.sdb"), mine);
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("x.sdb.part")));
 }
 
 TEST_F(SceneFiles, BadInputLeavesWhatWasThere) {
