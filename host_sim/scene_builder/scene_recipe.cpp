@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/scene_builder/derived_attribute.hpp"
+#include "host_sim/scene_builder/fixed_unit.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 
@@ -77,7 +80,27 @@ UncertaintyRecipe read_uncertainty(ConfigSection section) {
     return uncertainty;
 }
 
-AttributeRecipe read_attribute(ConfigSection section) {
+/// What is drawn as so many metres is not called feet.
+void hold_to_unit(ConfigSection& section, scene::LayerRole role, AttributeRecipe& attribute) {
+    const bool is_plain_speed = is_derived(attribute) && attribute.factor == 1;
+    const std::string unit(is_plain_speed ? "m/s" : fixed_unit(role, attribute.name));
+    if (unit.empty() || attribute.scale != scene::AttributeScale::quantitative) return;
+    if (attribute.unit.empty()) attribute.unit = unit;
+    if (attribute.unit == unit) return;
+    if (is_plain_speed)
+        return section.fault("unit", "'" + attribute.variable + "' is in m/s; give unit = \"m/s\", or the 'factor' that makes " +
+                                         attribute.unit + " of them");
+    std::string advice = "the factor that makes " + unit + " of what the source states";
+    if (const std::optional<double> factor = factor_between(attribute.unit, unit); factor && attribute.factor == 1) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "%.9g", *factor);
+        advice = "factor = " + std::string(text.data());
+    }
+    section.fault("unit", "'" + attribute.name + "' of this role is in " + unit + ", not in '" + attribute.unit +
+                              "'; give unit = \"" + unit + "\" and " + advice);
+}
+
+AttributeRecipe read_attribute(ConfigSection section, scene::LayerRole role) {
     AttributeRecipe attribute;
     attribute.name = std::string(section.text("name"));
     // A longer name than a title may be has none, and legends show the name itself.
@@ -103,6 +126,7 @@ AttributeRecipe read_attribute(ConfigSection section) {
     if (attribute.undetected) attribute.undetected_value = section.number("undetected_value", -kLarge, kLarge);
     attribute.least = number(section, "least");
     attribute.most = number(section, "most");
+    hold_to_unit(section, role, attribute);
     attribute.uncertainty = read_uncertainty(section.section("uncertainty"));
     return attribute;
 }
@@ -170,7 +194,7 @@ LayerRecipe read_layer(ConfigSection section) {
     if (section.has("raster_m")) layer.raster_m = section.number("raster_m", 1, 100'000);
     layer.prepare = read_preparation(section.section("prepare"));
     for (std::size_t n = 0; n < section.table_count("attribute"); ++n)
-        layer.attributes.push_back(read_attribute(section.table_at("attribute", n)));
+        layer.attributes.push_back(read_attribute(section.table_at("attribute", n), layer.role));
     return layer;
 }
 

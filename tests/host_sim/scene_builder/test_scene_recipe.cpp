@@ -136,6 +136,28 @@ TEST(SceneRecipe, ANameThatIsTooLongForATitleHasNone) {
     EXPECT_EQ(titled("position_accuracy"), "") << "legends show the name itself";
 }
 
+TEST(SceneRecipe, WhatIsDrawnInMetresIsNotCalledFeet) {
+    const auto layer = [](const std::string& role, const std::string& attribute) {
+        return "name = 'x'\n[[layer]]\nname = 'a'\nsource = 'b'\nrole = '" + role + "'\n[[layer.attribute]]\n" + attribute;
+    };
+    const auto unit_of = [&](const std::string& role, const std::string& attribute) {
+        return parse_scene(layer(role, attribute), "s.toml").layers[0].attributes[0].unit;
+    };
+    expect_fault(layer("obstacle", "name = 'height'\nunit = 'ft'\n"),
+                 "s.toml:8: 'height' of this role is in m, not in 'ft'; give unit = \"m\" and factor = 0.3048");
+    expect_fault(layer("no_go", "name = 'ceiling'\nunit = 'ft'\n"), "'ceiling' of this role is in m");
+    expect_fault(layer("wind", "name = 'east'\nunit = 'kt'\n"), "give unit = \"m/s\" and factor = 0.514444444");
+    expect_fault(layer("obstacle", "name = 'height'\nunit = 'furlong'\n"),
+                 "and the factor that makes m of what the source states");
+    expect_fault(layer("obstacle", "name = 'height'\nunit = 'ft'\nfactor = 0.3048\n"), "give unit = \"m\" and the factor");
+    expect_fault(layer("trajectory", "name = 'wind'\nvariable = 'derived:wind_speed'\nunit = 'kt'\n"),
+                 "s.toml:9: 'derived:wind_speed' is in m/s");
+    EXPECT_EQ(unit_of("obstacle", "name = 'height'\nunit = 'm'\nfactor = 0.3048\n"), "m");
+    EXPECT_EQ(unit_of("obstacle", "name = 'height'\n"), "m") << "it is known";
+    EXPECT_EQ(unit_of("sample", "name = 'height'\nunit = 'ft'\n"), "ft") << "nothing is drawn by it as metres";
+    EXPECT_EQ(unit_of("trajectory", "name = 'wind'\nvariable = 'derived:wind_speed'\nunit = 'kt'\nfactor = 1.94384\n"), "kt");
+}
+
 TEST(SceneRecipe, NamesAreThoseOfTheFile) {
     EXPECT_EQ(scene::name_of(LayerRole::storm_cell), "storm_cell");
     EXPECT_EQ(scene::name_of(LayerRole::model), "model");
