@@ -147,7 +147,17 @@ private:
             if (current_.fields.count(limit) == 0)
                 throw UserError(name_ + ":" + std::to_string(first_line_) + ": this airspace has no " + limit + "; give it " +
                                 (limit[0] == 'f' ? "AL" : "AH"));
+        require_floor_below_ceiling();
         found_.features.push_back(std::move(current_));
+    }
+
+    /// Above the same level only: who knows where flight levels and the ground lie.
+    void require_floor_below_ceiling() const {
+        const auto& said = current_.fields;
+        if (said.at("floor_datum") != said.at("ceiling_datum")) return;
+        if (std::stod(said.at("floor")) <= std::stod(said.at("ceiling"))) return;
+        throw UserError(name_ + ":" + std::to_string(line_of_limit_) +
+                        ": the floor of this airspace lies above its ceiling; correct AL or AH");
     }
 
     /// "FL145", "1000ft AMSL", "300m AGL", "GND", "UNL", "4500MSL". Feet where no unit stands.
@@ -164,6 +174,7 @@ private:
         if (!(std::abs(found.height_m) <= kUnlimited_m))
             refuse("'" + text + "' is no height; write for instance 1500ft AMSL, FL100, GND");
         feature().fields[limit] = std::to_string(found.height_m);
+        line_of_limit_ = line_;
         feature().fields[limit + "_datum"] = found.datum;
     }
     struct Limit {
@@ -251,7 +262,7 @@ private:
         for (int parts = 0; parts < 3; ++parts, scale *= 60) {
             skip(text, " \t,");
             const std::optional<double> part = number_at(text);
-            if (!part || *part < 0) return false;
+            if (!part || *part < 0 || (parts > 0 && *part >= 60)) return false;  // minutes and seconds
             angle_deg += *part / scale;
             if (text.empty() || text[0] != ':') break;
             text.remove_prefix(1);
@@ -270,7 +281,7 @@ private:
     SourceFeature current_;
     Place centre_;
     bool is_open_ = false, is_clockwise_ = true, has_centre_ = false;
-    int line_ = 0, first_line_ = 0, airways_ = 0;
+    int line_ = 0, first_line_ = 0, line_of_limit_ = 0, airways_ = 0;
 };
 
 AttributeRecipe limit_of(const char* name, const char* title) {

@@ -174,6 +174,10 @@ TEST(OpenAir, FaultsAreSaidWithTheirLine) {
     refused("DP 95:00:00N 9:00:00E\n", "is no place");
     refused("DP 46:00:00N 190:00:00E\n", "is no place");
     refused("DP nanN 9E\n", "is no place");
+    refused("DP 36:33:30N 84:99:30W\n", "zones.txt:5: '36:33:30N 84:99:30W' is no place");
+    refused("DP 36:33:60N 84:09:30W\n", "is no place");
+    refused("DP 36:60.0N 84:09.5W\n", "is no place");
+    EXPECT_EQ(outline("V X=36:59:59.9N 84:59.99W\nDC 2\n").empty(), false);
     refused("DC 5\n", "zones.txt:5: DC needs a centre; write V X=... before it");
     refused("V X=46:00:00N 9:00:00E\nDC wide\n", "zones.txt:6: 'wide' is no radius");
     refused("V X=46:00:00N 9:00:00E\nDC -2\n", "is no radius");
@@ -191,6 +195,19 @@ TEST(OpenAir, FaultsAreSaidWithTheirLine) {
     for (const char* const none : {"high", "nan", "inf", "FLinf", "10 furlongs", "500000ft"})
         expect_user_error([none] { (void)read(std::string("AC D\nAL ") + none + "\n"); }, "zones.txt:2: '");
     EXPECT_TRUE(read("").features.empty());
+}
+
+TEST(OpenAir, AFloorAboveItsCeilingIsRefused) {
+    const auto zone = [](const std::string& limits) {
+        return read("AC R\nAN Z\n" + limits + "V X=36:33:30N 084:16:30W\nDC 1.2\n").features.size();
+    };
+    expect_user_error([&] { (void)zone("AL 5000ft MSL\nAH 2600ft MSL\n"); },
+                      "zones.txt:4: the floor of this airspace lies above its ceiling");
+    expect_user_error([&] { (void)zone("AH FL65\nAL FL 95\n"); }, "zones.txt:4: the floor");
+    expect_user_error([&] { (void)zone("AL 1000ft AGL\nAH 300ft AGL\n"); }, "above its ceiling");
+    expect_user_error([&] { (void)zone("AL UNL\nAH 300m MSL\n"); }, "above its ceiling");
+    for (const char* const sound : {"AL 2600ft MSL\nAH 5000ft MSL\n", "AL 2600ft\nAH 2600ft\n", "AL 1000ft AGL\nAH 700ft MSL\n"})
+        EXPECT_EQ(zone(sound), 1u) << sound;
 }
 
 TEST(OpenAir, FloorAndCeilingAreItsUsualAttributes) {
