@@ -16,6 +16,7 @@
 #include "host_sim/scene_builder/model_source.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "host_sim/scene_builder/openair_source.hpp"
+#include "host_sim/scene_builder/role_needs.hpp"
 #include "host_sim/scene_builder/runway_source.hpp"
 #include "host_sim/scene_builder/sdb_writer.hpp"
 #include "host_sim/scene_builder/source_kind.hpp"
@@ -88,6 +89,7 @@ void set_model(const LayerRecipe& recipe, const std::string& folder, LayerDraft&
 LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std::vector<std::string>& notes) {
     const std::string path = source_path(folder, recipe.source);
     const SourceKind kind = source_kind(path, recipe.role);
+    require_what_role_needs(recipe, kind);
     if (kind == SourceKind::grid) {
         require_no_words_for_features(recipe);
         GridLayer made = make_grid_layer(without_derived(recipe), folder);

@@ -206,6 +206,16 @@ TEST_F(SceneFiles, BadInputLeavesWhatWasThere) {
     EXPECT_EQ(folder_.read("x.sdb"), before);
 }
 
+TEST_F(SceneFiles, ALayerThatCouldShowNothingIsRefused) {
+    const std::string head = "name = 's'\n[[layer]]\nname = 'a'\n",
+                      value = "[[layer.attribute]]\nname = 'v'\nvariable = 'band 1'\n";
+    expect_refused(head + "source = 'grid.tif'\nrole = 'wind'\n" + value,
+                   "a: role \"wind\" needs the attributes 'east' and 'north'");
+    expect_refused(head + "source = 'grid.tif'\nrole = 'obstacle'\n" + value, "a: role \"obstacle\" shows points");
+    expect_refused(head + "source = 'masts.csv'\n", "a: role \"field\" shows rasters");
+    EXPECT_TRUE(build(head + "source = 'grid.tif'\n" + value).empty()) << "this one can";
+}
+
 TEST_F(SceneFiles, OutputsReplaceNoInput) {
     const std::string scene = folder_.write("scene.toml", kScene);
     for (const char* const input : {"scene.toml", "masts.csv", "grid.tif"})
