@@ -45,7 +45,12 @@ public:
     }
 
 private:
-    void note(const std::string& sentence) { made_.notes.push_back(recipe_.name + ": " + sentence); }
+    /// Once: heights and an attribute may come from one column.
+    void note(const std::string& sentence) {
+        std::vector<std::string>& notes = made_.notes;
+        const std::string whole = recipe_.name + ": " + sentence;
+        if (std::find(notes.begin(), notes.end(), whole) == notes.end()) notes.push_back(whole);
+    }
     void note_count(std::size_t count, const std::string& what) {
         if (count > 0) note(counted(count, what));
     }
