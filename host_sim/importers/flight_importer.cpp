@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -38,6 +39,22 @@ bool looks_like_bus_log(std::string_view text) {
     return line.front() == '(' && stamp_end != std::string_view::npos && line.find('#', stamp_end) != std::string_view::npos;
 }
 
+/// Of a file that is no table: the format that its name promises; nothing for other names.
+std::string promised_format(std::string path) {
+    std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::filesystem::path name(path);
+    if (name.extension() == ".gz") name = name.stem();
+    const std::string extension = name.extension().string();
+    if (extension == ".igc") return "IGC";
+    if (extension == ".gpx") return "GPX";
+    return extension == ".json" ? "ADS-B JSON" : "";
+}
+
+/// A table's first line names two columns or more.
+bool looks_like_table(std::string_view text) {
+    return text.substr(0, text.find('\n')).find_first_of(",;\t") != std::string_view::npos;
+}
+
 std::string choices(const ImportedFile& file) {
     std::string list;
     for (const RecordedFlight& flight : file.flights) {
@@ -63,7 +80,13 @@ ImportedFile import_flight_file(const std::string& path) {
         throw UserError(path + ": a bus log already; give it to 'tedavis replay' as it is");
     if (first == '<') return import_gpx(text, path);
     if (first == '[' || first == '{') return import_adsb_json(text, path);
-    return looks_like_igc(text.substr(start)) ? import_igc(text, path) : import_csv(text, path);
+    if (looks_like_igc(text.substr(start))) return import_igc(text, path);
+    const std::string format = promised_format(path);
+    if (!format.empty() && !looks_like_table(text.substr(start)))
+        throw UserError(path + ": is not the " + format + " flight that its name promises" +
+                        (format == "IGC" ? ", which begins with a line A... and has lines B... of fixes" : "") +
+                        "; give the file as it was recorded");
+    return import_csv(text, path);
 }
 
 RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path) {

@@ -38,6 +38,20 @@ TEST(FlightImporter, RefusesEmptyAndBinaryFiles) {
         "binary data");
 }
 
+TEST(FlightImporter, AFileThatIsNotWhatItsNameSays) {
+    const test_support::TemporaryFolder folder;
+    const auto refused = [&](const char* name, const std::string& text, const char* words) {
+        test_support::expect_user_error([&] { (void)import_flight_file(folder.write(name, text)); }, words);
+    };
+    refused("a.igc", "hello world\n", "a.igc: is not the IGC flight that its name promises, which begins with a line A");
+    refused("a.IGC.gz", "hello world\n", "is not the IGC flight");
+    refused("a.gpx", "hello world\n", "is not the GPX flight that its name promises; give");
+    refused("a.json", "hello world\n", "is not the ADS-B JSON flight");
+    refused("a.csv", "hello world\n", "the column `latitude_deg` is missing");
+    EXPECT_EQ(import_flight_file(folder.write("table.igc", kCsv)).format, "CSV") << "a table is one whatever its name";
+    EXPECT_EQ(import_flight_file(folder.write("b.igc", kIgc)).format, "IGC");
+}
+
 TEST(FlightImporter, ABusLogNeedsNoConversion) {
     const test_support::TemporaryFolder folder;
     for (const char* line : {"(1586684820.000000) can0 13C#00\n", "\n(1.5)   vcan1 1ABCDE00##1DE.AD\n"})
