@@ -10,6 +10,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/quiet_gdal.hpp"
+#include "host_sim/quiet_stdout.hpp"
 #include "host_sim/scene_builder/grid_times.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -18,7 +19,9 @@ namespace {
 
 constexpr double kFullTurn_deg = 360;
 
+/// GDAL's reader of GRIB prints by itself of what follows the last message.
 GdalDataset open_quietly(const std::string& name) {
+    const QuietStdout quiet;
     return GdalDataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
 }
 

@@ -10,6 +10,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/quiet_gdal.hpp"
+#include "host_sim/quiet_stdout.hpp"
 #include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/openair_source.hpp"
 #include "host_sim/scene_builder/runway_source.hpp"
@@ -50,6 +51,7 @@ bool is_geojson(std::string_view text) {
 bool is_raster(const std::string& path) {
     GDALAllRegister();
     const QuietGdal quiet;
+    const QuietStdout quiet_reader;  // of GRIB
     return GdalDataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY)) != nullptr;
 }
 

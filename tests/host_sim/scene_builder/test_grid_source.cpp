@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 
+#include "host_sim/quiet_gdal.hpp"
+#include "host_sim/scene_builder/source_kind.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -33,6 +37,30 @@ TEST_F(GridSourceOfFiles, PostsAreTheMiddlesOfPixels) {
     const std::vector<float> values = grid.read(grid.planes()[0]);
     EXPECT_TRUE(std::isnan(values[0]));
     EXPECT_EQ(values[21], 1010);
+}
+
+/// As GDAL's writer makes it, padded as archives do.
+std::string padded_grib(const std::string& tif, const std::string& path) {
+    GDALAllRegister();
+    GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName("GRIB");
+    const GdalDataset from(GDALDataset::Open(tif.c_str()));
+    const QuietGdal quiet;
+    { const GdalDataset made(driver->CreateCopy(path.c_str(), from.get(), FALSE, nullptr, nullptr, nullptr)); }
+    std::ofstream(path, std::ios::binary | std::ios::app) << std::string(64, '\0');
+    return path;
+}
+
+TEST_F(GridSourceOfFiles, LibrariesPrintNothingIntoTheResult) {
+    RasterFile raster;
+    const std::string file = padded_grib(raster.write(folder_.file("grid.tif")), folder_.file("grid.grb2"));
+    ::testing::internal::CaptureStdout();
+    { const GdalDataset opened(GDALDataset::Open(file.c_str())); }
+    EXPECT_NE(::testing::internal::GetCapturedStdout().find("SECT0"), std::string::npos) << "else this proves nothing";
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(source_kind(file, scene::LayerRole::field), SourceKind::grid);
+    EXPECT_EQ(GridSource(file, "band 1", "", true).places().columns, 20);
+    std::printf("result");
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "result");
 }
 
 TEST_F(GridSourceOfFiles, RowsFromNorthToSouthWhateverTheFile) {
