@@ -253,7 +253,7 @@ private:
         Place place;
         if (!read_angle(rest, 'N', 'S', 90, place.latitude_deg) || !read_angle(rest, 'E', 'W', 180, place.longitude_deg) ||
             !rest.empty())
-            refuse("'" + text + "' is no place; write for instance 46:47:30N 009:49:20E");
+            refuse("'" + text + "' is no place; write for instance 46:47:30N 009:49:20E, minutes and seconds below 60");
         return place;
     }
     static bool read_angle(std::string_view& text, char positive, char negative, double most_deg, double& angle_deg) {
