@@ -101,6 +101,8 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
         fault_of(section, "link", "is for signs, diagrams and glyphs, which float over a place; leave it out here");
     element.detail = section.number("detail", 0, 1, element.detail);
     read_uncertainty(section.section("uncertainty"), element);
+    if (element.uncertainty == ElementUncertainty::dashed_rim && element.technique != DataTechnique::billboard)
+        fault_of(section, "uncertainty", "'dashed_rim' is for the technique 'billboard'; choose another one");
     return element;
 }
 
@@ -110,7 +112,7 @@ const std::array<std::string_view, kDataTechniques> kDataTechniqueNames{
     "tube",   "space_time",  "prism", "solid",   "ribbon", "billboard",  "diagram",
     "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface", "uncertainty_only"};
 const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames{
-    "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra"};
+    "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra", "dashed_rim"};
 
 DataName subject_of(const DataElement& element) noexcept {
     if (element.own == OwnData::none)

@@ -62,6 +62,7 @@ enum class ElementUncertainty : std::uint8_t {
     circles,       ///< glyphs by their level, redundantly by size and colour
     triangles,
     tetrahedra,
+    dashed_rim,  ///< round a sign, the more broken the less sure: nothing fades
     count
 };
 inline constexpr std::size_t kElementUncertainties = static_cast<std::size_t>(ElementUncertainty::count);

@@ -29,14 +29,17 @@ design::Color with_opacity(design::Color color, double share) {
 }  // namespace
 
 BillboardLook faded_look(const design::DataElement& element, design::Color color, scene::Uncertainty uncertainty) {
-    BillboardLook look{color, kText, element.uncertainty != ElementUncertainty::none && !uncertainty.is_known()};
+    BillboardLook look{color, kText, 0, element.uncertainty != ElementUncertainty::none && !uncertainty.is_known()};
     const double lost = shown_level(element, uncertainty) * element.uncertainty_strength;
-    double opacity = element.opacity;
-    if (element.uncertainty == ElementUncertainty::transparency) opacity *= 1 - lost;
+    double shown = 1;
+    if (element.uncertainty == ElementUncertainty::transparency) shown = 1 - lost;
+    if (element.technique == design::DataTechnique::billboard) shown = std::max(shown, kLeastShown);
+    if (element.uncertainty == ElementUncertainty::dashed_rim && lost > 0)
+        look.dashes = static_cast<float>(1 - (1 - kLeastDashes) * lost);
     if (element.uncertainty == ElementUncertainty::saturation)
         look.color = design::blended(look.color, design::grey_of(look.color), lost);
-    look.color = with_opacity(look.color, opacity);
-    look.text = with_opacity(look.text, opacity);
+    look.color = with_opacity(look.color, element.opacity * shown);
+    look.text = with_opacity(look.text, element.opacity);
     return look;
 }
 

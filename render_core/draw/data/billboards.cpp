@@ -168,15 +168,15 @@ private:
     void draw(std::string_view name, float side, const BillboardLook& look) const {
         QuadBatch& batch = sheet_.signs();
         const float text_px = sheet_.text_px();
-        const design::Color rim{0, 0, 0, look.color.alpha};
         if (stem_ > kOnTheSpot)
             sheet_.stem(spot_, {spot_.at.x, middle_.y + half_px_}, kStem_px,
                         {kStemColor.red, kStemColor.green, kStemColor.blue, look.color.alpha});
         static_cast<void>(draw_icon(batch, icon_of(input_.layer, feature_), middle_, half_px_, look.color));
-        if (look.is_unsure) static_cast<void>(draw_dashed_rim(batch, middle_, half_px_ + 0.5f * kGap * text_px, look.color));
+        if (const float rim = look.rim(); rim > 0)
+            static_cast<void>(draw_dashed_rim(batch, middle_, half_px_ + 0.5f * kGap * text_px, look.color, rim));
         if (side == 0) return;
         const Point at{middle_.x + side * (half_px_ + kGap * text_px), middle_.y};
-        const TextStyle style{kNameSize * text_px, look.text, kHalo_px, rim};
+        const TextStyle style{kNameSize * text_px, look.text, kHalo_px, {0, 0, 0, look.text.alpha}};
         static_cast<void>(batch.text(name, at, side > 0 ? TextAnchor::left : TextAnchor::right, style));
     }
 

@@ -128,11 +128,11 @@ bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design:
     return draw_shape(batch, shape, middle, half_px, width_px, color) && fits;
 }
 
-bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color) {
+bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share) {
     constexpr int kDashes = 8;
     bool fits = true;
     for (int n = 0; n < kDashes; ++n) {
-        const float begin = static_cast<float>(n) / kDashes, end = (static_cast<float>(n) + 0.55f) / kDashes;
+        const float begin = static_cast<float>(n) / kDashes, end = (static_cast<float>(n) + share) / kDashes;
         const Point from = on_circle(middle, radius_px, begin), to = on_circle(middle, radius_px, end);
         fits = batch.line(from, to, kLeastStroke_px + 2 * kRim_px, {0, 0, 0, color.alpha}) && fits;
         fits = batch.line(from, to, kLeastStroke_px, color) && fits;

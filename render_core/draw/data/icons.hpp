@@ -35,7 +35,7 @@ enum class Icon : std::uint8_t {
 
 /// `half_px`: from the middle to the edge. Drawn over a dark rim of the same opacity.
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color);
-/// A dashed circle: how sure that is, nobody knows.
-bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color);
+/// A circle of dashes, which are `share` of it: how sure that is, or that nobody knows.
+bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share);
 
 }  // namespace tedavis::draw

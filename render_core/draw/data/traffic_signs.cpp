@@ -116,7 +116,7 @@ private:
         for (const Side side : sides) {
             const Rect room = box(text.view(), side);
             if (!sheet_.claim_beside(room)) continue;
-            const TextStyle style{size_px(), look_.text, kHalo_px, {0, 0, 0, look_.color.alpha}};
+            const TextStyle style{size_px(), look_.text, kHalo_px, {0, 0, 0, look_.text.alpha}};
             static_cast<void>(sheet_.signs().text(text.view(), room.center(), TextAnchor::center, style));
             return;
         }
@@ -169,7 +169,8 @@ private:
             static_cast<void>(batch.line(low, high, kLine_px + 2, {0, 0, 0, look_.color.alpha}));
             static_cast<void>(batch.line(low, high, kLine_px, look_.color));
         }
-        if (look_.is_unsure) static_cast<void>(draw_dashed_rim(batch, spot_.at, half_px(), look_.color));
+        if (const float rim = look_.rim(); rim > 0)
+            static_cast<void>(draw_dashed_rim(batch, spot_.at, half_px(), look_.color, rim));
     }
 
     BillboardSheet& sheet_;

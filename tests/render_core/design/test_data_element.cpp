@@ -102,6 +102,16 @@ TEST(DataElement, LayersAreChosenByNameOrByRole) {
     EXPECT_NE(read("[[data.element]]\nrole = \"ghost\"\n").fault, "");
 }
 
+TEST(DataElement, DashedRimsAreForSigns) {
+    for (std::size_t n = 0; n < kDataTechniques; ++n) {
+        const std::string name(kDataTechniqueNames[n]);
+        const std::string fault = read("[[data.element]]\nlayer = \"a\"\ntechnique = \"" + name +
+                                       "\"\n[data.element.uncertainty]\ntechnique = \"dashed_rim\"\n")
+                                      .fault;
+        EXPECT_EQ(fault.empty(), name == "billboard") << fault;
+    }
+}
+
 TEST(DataElement, LinksAreForWhatFloats) {
     for (std::size_t n = 0; n < kDataTechniques; ++n) {
         const std::string name(kDataTechniqueNames[n]);

@@ -50,6 +50,39 @@ TEST(BillboardLook, WhatIsLessSureIsLessThere) {
     EXPECT_EQ(billboard_look(test.input(), 1).color.alpha, 51) << "the upper one of two";
 }
 
+TEST(BillboardLook, AHazardNeverFades) {
+    ElementOfTest test(masts());
+    test.element.technique = design::DataTechnique::billboard;
+    test.element.uncertainty_strength = 1;
+    for (const auto uncertainty : {ElementUncertainty::transparency, ElementUncertainty::dashed_rim})
+        for (std::size_t n : {0, 1, 2}) {
+            test.element.uncertainty = uncertainty;
+            const BillboardLook look = billboard_look(test.input(), n);
+            const bool fades = uncertainty == ElementUncertainty::transparency && n > 0;
+            EXPECT_EQ(look.color.alpha, fades ? 153 : 255) << "at least 0.6 of 255";
+            EXPECT_EQ(look.text.alpha, 255);
+        }
+    test.element.technique = design::DataTechnique::diagram;
+    test.element.uncertainty = ElementUncertainty::transparency;
+    EXPECT_EQ(billboard_look(test.input(), 2).color.alpha, 0) << "what is no billboard may";
+}
+
+TEST(BillboardLook, TheRimIsTheMoreBrokenTheLessSure) {
+    ElementOfTest test(masts());
+    test.element.technique = design::DataTechnique::billboard;
+    test.element.uncertainty = ElementUncertainty::dashed_rim;
+    test.element.uncertainty_strength = 1;
+    const auto rim = [&](std::size_t n) { return billboard_look(test.input(), n).rim(); };
+    EXPECT_EQ(rim(0), 0) << "the certain has none";
+    EXPECT_NEAR(rim(1), 1 - 0.5 * (1 - kLeastDashes), 0.01);
+    EXPECT_NEAR(rim(2), kLeastDashes, 1e-6) << "unknown is never taken for certain";
+    test.element.uncertainty = ElementUncertainty::transparency;
+    EXPECT_EQ(rim(1), 0);
+    EXPECT_EQ(rim(2), BillboardLook::kUnknownDashes);
+    test.element.uncertainty = ElementUncertainty::none;
+    EXPECT_EQ(rim(2), 0);
+}
+
 TEST(BillboardLook, WhatIsLessSureIsGreyer) {
     ElementOfTest test(masts());
     test.element.uncertainty = ElementUncertainty::saturation;

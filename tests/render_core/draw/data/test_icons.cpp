@@ -49,7 +49,7 @@ TEST(Icons, AreChosenByKindThenByRole) {
 
 TEST(Icons, ADashedRimIsHalfACircle) {
     BillboardRoom room;
-    ASSERT_TRUE(draw_dashed_rim(room.batch, {50, 50}, 20, {255, 255, 255}));
+    ASSERT_TRUE(draw_dashed_rim(room.batch, {50, 50}, 20, {255, 255, 255}, 0.55f));
     test_support::Picture picture(100, 100, {0, 0, 0});
     rasterize(room.batch, picture);
     int lit = 0, turns = 0;
