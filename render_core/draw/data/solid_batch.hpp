@@ -33,6 +33,8 @@ static_assert(sizeof(SolidVertex) == 20);
 enum class SolidFading : std::uint8_t { none, transparency, saturation };
 
 struct SolidLook {
+    /// Of near_m; what is opaque ends at once, at kOpaqueFrom.
+    static constexpr float kWholeFrom = 4, kOpaqueFrom = 2;
     float opacity = 1;    ///< below 1, or with a vertex colour's alpha below 255: mixed with what is behind
     float ghost = 0;      ///< what terrain before it leaves of the opacity
     float halo_px = 0;    ///< the piece is the rim of others: swollen along its normals by so many pixels, drawn inside out
@@ -41,9 +43,10 @@ struct SolidLook {
     float fading_strength = 0;  ///< 0..1: what the least sure loses
     float fading_levels = 0;    ///< gradations; 0 for continuous
     float growth_per_hour = 0;  ///< of the uncertainty, by the data's age
-    std::uint8_t group = 0;     ///< below 32: what is hidden and shown together
-    bool is_mixed = false;      ///< has colours that are not opaque
-    bool is_hollow = false;     ///< not seen from inside: its far sides do not show through its near ones
+    float near_m = 0;  ///< nothing nearer to the eye is seen; what is mixed is whole from kWholeFrom times as far on; 0: all is
+    std::uint8_t group = 0;  ///< below 32: what is hidden and shown together
+    bool is_mixed = false;   ///< has colours that are not opaque
+    bool is_hollow = false;  ///< not seen from inside: its far sides do not show through its near ones
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;
 

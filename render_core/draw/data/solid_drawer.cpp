@@ -13,7 +13,7 @@ namespace tedavis::draw {
 namespace {
 
 enum Attribute : GLuint { kPlace, kNormal, kColor, kAttributes };
-enum Uniform : std::size_t { kAnchor = kFirstOwnDataUniform, kFading, kCover, kUniforms };
+enum Uniform : std::size_t { kAnchor = kFirstOwnDataUniform, kFading, kCover, kNearFade, kUniforms };
 
 constexpr double kHour_ns = 3.6e12;
 
@@ -34,6 +34,18 @@ float grown_since(const SolidPiece& piece, const SolidFrame& frame) {
     if (!frame.has_date || piece.data_time_ns == INT64_MIN) return 0;
     const double hours = std::fabs(static_cast<double>(frame.time_ns - piece.data_time_ns)) / kHour_ns;
     return static_cast<float>(std::min(hours * static_cast<double>(piece.look.growth_per_hour), 1.0));
+}
+
+struct NearFade {
+    float from_m, per_m;
+};
+
+/// What is opaque ends at once: it has no half.
+NearFade near_fade(const SolidLook& look, bool is_opaque) {
+    constexpr float kAtOnce_per_m = 100;
+    if (look.near_m <= 0) return {-1, 1};
+    if (is_opaque) return {SolidLook::kOpaqueFrom * look.near_m, kAtOnce_per_m};
+    return {look.near_m, 1 / ((SolidLook::kWholeFrom - 1) * look.near_m)};
 }
 
 }  // namespace
@@ -75,12 +87,15 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
     static constexpr gl::AttributeBinding kBindings[kAttributes] = {
         {"place", kPlace}, {"normal_unsure", kNormal}, {"color", kColor}};
     static constexpr const char* kNames[kUniforms] = {
-        kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2], kDataUniformNames[3], "anchor", "fading", "cover"};
+        kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2], kDataUniformNames[3], "anchor", "fading", "cover",
+        "near_fade"};
     base::FixedString<kMaxShaderText> vertex(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_solid_vert));
+    base::FixedString<kMaxShaderText> fragment("#define FADES_NEAR 1\n");
+    fragment.append(shader_text(k_data_color_frag));
     auto built =
-        gl::build_program(gl, {"solid", vertex.view(), shader_text(k_data_color_frag),
-                               base::Span<const gl::AttributeBinding>(kBindings), base::Span<const char* const>(kNames)});
+        gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kBindings),
+                               base::Span<const char* const>(kNames)});
     if (!built.ok()) return built.error();
     program_ = built.value();
     return {};
@@ -165,6 +180,8 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
     const auto focal_px = static_cast<float>(frame.frame.view.focal_px);
     gl->Uniform3f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
                   look.raised_px / focal_px);
+    const NearFade fade = near_fade(look, pass == Pass::opaque);
+    gl->Uniform2f(program_.uniform(kNearFade), fade.from_m, fade.per_m);
     point_attributes(gl, piece);
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
     if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {

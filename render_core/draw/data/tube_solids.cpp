@@ -110,6 +110,7 @@ std::uint32_t TubeSolids::add_layer(const Work& work, Layer layer) {
         look.is_mixed = true;
     }
     look.is_hollow = true;  // whoever flies along it looks out of it
+    look.near_m = kNearRadii * largest_radius_m(work, layer);
     work.batch.set_look(look, work.input.layer.entry->data_time_ns);
     std::uint32_t points = 0;
     std::int64_t last_source = -1;
@@ -166,6 +167,15 @@ TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) 
     if (!(accuracy.level_m > 0)) accuracy.level_m = worst.level_m;
     if (!(accuracy.height_m > 0)) accuracy.height_m = worst.height_m;
     return {accuracy.level_m, accuracy.height_m > 0 ? accuracy.height_m : accuracy.level_m};
+}
+
+float TubeSolids::largest_radius_m(const Work& work, Layer layer) const {
+    double largest_m = 0;
+    for (const scene::TubeRing& ring : work.rings) {
+        const TubeMargin margin = layer == Layer::margin ? margin_of(work, ring) : TubeMargin{};
+        largest_m = std::max(largest_m, static_cast<double>(ring.radius_m) + std::max(margin.horizontal_m, margin.vertical_m));
+    }
+    return static_cast<float>(largest_m);
 }
 
 void TubeSolids::add_posts(const Work& work) {

@@ -8,7 +8,8 @@
 /// Uncertainty `widening` adds a translucent hull that reaches as far as the place may be off: the attributes "position_accuracy"
 /// and "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole, else the worst that any point
 /// has; a height accuracy that is not stated is that of the place.
-/// Tubes and hulls are not seen from inside, so that nobody's view is filled by the way that they fly.
+/// Tubes and hulls are not seen from inside, and end kNearRadii of their radii before the eye, so that nobody's view is filled by
+/// the way that they fly.
 ///
 /// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within
 /// its tolerance (tube_way.hpp), hidden those without a place or without room. Tubes take at most half of the room that the batch
@@ -19,6 +20,8 @@
 #include "render_core/draw/data/tube_way.hpp"
 
 namespace tedavis::draw {
+
+inline constexpr float kNearRadii = 8;
 
 class TubeSolids {
 public:
@@ -43,6 +46,7 @@ private:
     [[nodiscard]] bool add_block(const Work& work, Layer layer, const TubeBlock& block);
     [[nodiscard]] RingColors colors_of(const Work& work, const scene::TubeRing& ring) const;
     [[nodiscard]] TubeMargin margin_of(const Work& work, const scene::TubeRing& ring) const;
+    [[nodiscard]] float largest_radius_m(const Work& work, Layer layer) const;
     void add_posts(const Work& work);
     void add_post(const Work& work, const scene::TubeRing& ring);
 

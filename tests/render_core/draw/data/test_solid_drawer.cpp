@@ -170,6 +170,42 @@ TEST(SolidDrawer, TheHollowAreNotSeenFromInside) {
     }
 }
 
+TEST(SolidDrawer, WhatIsNearFadesToNothing) {
+    for (const char* device : {"es2-small", "es3-mid"}) {
+        SolidSession test(device);
+        const auto red_at = [&](double distance_m, float near_m, bool is_mixed) {
+            test.solids.batch().clear();
+            SolidLook look = is_mixed ? mixed(0.5f) : SolidLook();
+            look.near_m = near_m;
+            look.is_hollow = true;
+            test.solids.batch().set_look(look, 0);
+            test.add_square(distance_m, 5000, kRed);
+            return int{test.middle().red};
+        };
+        EXPECT_EQ(red_at(59, 60, true), 0) << device;
+        EXPECT_NEAR(red_at(150, 60, true), 50, 2) << device;
+        EXPECT_NEAR(red_at(241, 60, true), 100, 2) << device;
+        EXPECT_NEAR(red_at(59, 0, true), 100, 2) << "others do not";
+        EXPECT_EQ(red_at(119, 60, false), 0) << device << ", opaque";
+        EXPECT_EQ(red_at(121, 60, false), 200) << device << ", opaque, all at once";
+        EXPECT_EQ(red_at(59, 0, false), 200);
+    }
+}
+
+TEST(SolidDrawer, WhatHasFadedHidesNothing) {
+    SolidSession test;
+    SolidLook look;
+    look.near_m = 60;
+    for (const bool is_near : {false, true}) {
+        test.solids.batch().clear();
+        test.solids.batch().set_look(look, 0);
+        test.add_square(is_near ? 50 : 150, 5000, kRed);
+        test.solids.batch().set_look({}, 0);
+        test.add_square(200, 5000, kBlue);
+        EXPECT_EQ(test.middle(), is_near ? kBlue : kRed);
+    }
+}
+
 TEST(SolidDrawer, TheUnsureFadesAndGrows) {
     SolidSession test;
     SolidLook look;

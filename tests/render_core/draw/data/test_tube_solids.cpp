@@ -71,6 +71,21 @@ TEST_F(TubeSolidsOfTest, EveryPointIsCountedOnce) {
     EXPECT_EQ(room.batch.pieces().size(), 2u) << "one to thirty kilometres, one beyond";
 }
 
+TEST_F(TubeSolidsOfTest, TubesEndBeforeTheEye) {
+    host_sim::LayerDraft layer = lines({40});
+    layer.position_accuracy_m = 30;
+    ElementOfTest test(layer);
+    test.element.size_m = 12;
+    test.element.halo_px = 2;
+    test.element.uncertainty = design::ElementUncertainty::widening;
+    ASSERT_GT(add(test).drawn, 0u);
+    const auto pieces = room.batch.pieces();
+    ASSERT_EQ(pieces.size(), 3u) << "sides, rim, margin";
+    EXPECT_NEAR(pieces[0].look.near_m, kNearRadii * 12, 1e-3);
+    EXPECT_NEAR(pieces[1].look.near_m, kNearRadii * 12, 1e-3);
+    EXPECT_NEAR(pieces[2].look.near_m, kNearRadii * 42, 1e-3) << "by its own radius";
+}
+
 TEST_F(TubeSolidsOfTest, TheTubeHasItsLengthTimesItsSection) {
     host_sim::LayerDraft layer = lines({});
     layer.points = {scene_point(46.8, 9.8, 3000), scene_point(46.8, 9.9, 3000)};
