@@ -65,8 +65,9 @@ TEST(Display, WhereTheDatabaseHasNoImageThePlainColourIsDrawnAndSaid) {
     EXPECT_EQ(image_pixels(picture), 0u);
     const EffectRecord* const drape = effect_of(display, "drape");
     ASSERT_NE(drape, nullptr);
-    EXPECT_EQ(drape->state, EffectState::skipped);
-    EXPECT_EQ(drape->reason.view(), "the terrain database has no image; the plain colour is drawn");
+    EXPECT_EQ(drape->state, EffectState::replaced);
+    EXPECT_EQ(drape->replaced_by.view(), "plain_color");
+    EXPECT_EQ(drape->reason.view(), "the terrain database has no image");
     EXPECT_EQ(display.display().record().terrain_aspect.technique.view(), "plain");
     EXPECT_TRUE(has_flag(display, "terrain.no_image"));
     EXPECT_EQ(display.display().budget().find(effects::kTerrainDrape)->use.in_use, 0u) << "nothing is read for it";
