@@ -90,11 +90,11 @@ TEST_F(InterruptSignal, TerrainBuildGoesOnWhereItWasStopped) {
 }
 
 TEST_F(InterruptSignal, TerrainBuildKeepsWhatWasThereBefore) {
-    const std::string raster = place_.file("r.tif"), database = place_.write("t.tdb", "an older one");
+    const std::string older = "TEDAVTDB, an older one", raster = place_.file("r.tif"), database = place_.write("t.tdb", older);
     ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
               0);
     EXPECT_EQ(stop({"terrain", "build", raster, "-o", database}, place_.file("t.tdb.part/journal"), 0).code, kInterruptedCode);
-    EXPECT_EQ(place_.read("t.tdb"), "an older one");
+    EXPECT_EQ(place_.read("t.tdb"), older);
 }
 
 TEST_F(InterruptSignal, ScenarioBuildLeavesNotEvenItsFolder) {

@@ -12,7 +12,7 @@
 
 namespace tedavis::test_support {
 
-/// All that is no terrain is pure blue, ground without data too; terrain and sea have none of it.
+/// All that is no terrain is pure blue, ground without data too; terrain and sea have none of it. Nothing else is shown.
 inline design::DesignSettings garish_design(double tau_px = 1, bool conservative_up = false) {
     design::DesignSettings design = shipped_design("default");
     design.terrain.tau_px = tau_px;
@@ -25,6 +25,7 @@ inline design::DesignSettings garish_design(double tau_px = 1, bool conservative
     design.terrain.sea = ground;
     design.terrain.unknown = blue;  // of the ground beyond the database as well
     design.warning_colors = false;
+    design.data.elements.clear();
     return design;
 }
 
