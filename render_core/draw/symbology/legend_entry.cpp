@@ -303,7 +303,7 @@ private:
 
     /// The samples side by side with texts short enough to be read: "0", the full scale's number, "?".
     void build_uncertainty_line(const Rect& at) const {
-        constexpr float kSwatch = 0.7f, kLetter = 0.8f;
+        constexpr float kSwatch = 0.6f, kLetter = 0.65f;
         const std::size_t count = legend_.uncertainty.size();
         const float narrow = (kSwatch + kLetter) * t_, room = at.width - kInset * t_;
         float x = at.x + kInset * t_;
