@@ -206,15 +206,16 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 9> kConfigKinds = {{{"designs", "[view]", check_design},
-                                                     {"palettes", "[[stop]]", check_palette},
-                                                     {"devices", "[[budget]]", check_device},
-                                                     {"buses", "[dialect]", check_bus},
-                                                     {"switches", "[[pattern]]", check_switches},
-                                                     {"scenarios", "[[leg]]", check_scenario},
-                                                     {"scenes", "[[layer]]", check_scene},
-                                                     {"sheets", "[[group.picture]]", check_sheet},
-                                                     {"replays", "[picture]", check_replay_config}}};
+constexpr std::array<FolderKind, 10> kConfigKinds = {{{"designs", "[view]", check_design},
+                                                      {"palettes", "[[stop]]", check_palette},
+                                                      {"palettes", "[[class]]", check_palette},
+                                                      {"devices", "[[budget]]", check_device},
+                                                      {"buses", "[dialect]", check_bus},
+                                                      {"switches", "[[pattern]]", check_switches},
+                                                      {"scenarios", "[[leg]]", check_scenario},
+                                                      {"scenes", "[[layer]]", check_scene},
+                                                      {"sheets", "[[group.picture]]", check_sheet},
+                                                      {"replays", "[picture]", check_replay_config}}};
 
 /// By the folder it lies in; elsewhere by what only its kind holds.
 FileChecker config_checker(const std::string& path) {

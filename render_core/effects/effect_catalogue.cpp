@@ -13,7 +13,7 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      Need::depth24_target,
      true,
      "",
-     "a picture off screen, and a pass of nine taps",
+     "a picture off screen, and a pass of five taps",
      {Effect::ridges, Effect::count_}},
     {Effect::ridges, "ridges", Contribution::content, Need::nothing, false, "", "a variant of the terrain's program"},
     {Effect::moving_sun,
@@ -36,7 +36,8 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
     {Effect::plain_color, "plain_color", Contribution::content, Need::nothing, false, "", "none"},
     {Effect::haze, "haze", Contribution::color, Need::nothing, true, "1 - exp(-farthest ground / haze distance)",
      "an exponential a vertex, and a blend a pixel"},
-    {Effect::ground_data, "ground_data", Contribution::content, Need::nothing, true, "", "two taps a pixel of the ground"},
+    {Effect::ground_data, "ground_data", Contribution::content, Need::nothing, true, "",
+     "taps of the slice and of its colours, a pixel of the ground"},
     {Effect::adjacent, "adjacent", Contribution::content, Need::nothing, true, "", "quads of the symbology"},
 }};
 

@@ -35,10 +35,10 @@ constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
 /// "+12", "-03": hundreds of feet.
 BillboardText height_text(double over_m, double climb_mps) {
-    constexpr double kFeet = 3.280839895, kMost = 999;
+    constexpr double kMost = 999;
     BillboardText text;
     if (!std::isfinite(over_m)) return text;
-    const double hundreds = std::clamp(std::round(over_m * kFeet / 100), -kMost, kMost);
+    const double hundreds = std::clamp(std::round(over_m / base::kMetresPerFoot / 100), -kMost, kMost);
     char digits[16];
     std::snprintf(digits, sizeof digits, "%c%02d", hundreds < 0 ? '-' : '+', std::abs(static_cast<int>(hundreds)));
     text.append(digits);
