@@ -11,7 +11,6 @@
 #include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "render_core/gl/render_target.hpp"
 
 namespace tedavis::display {
 
@@ -25,7 +24,8 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
-        const gl::GlError error = terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), output());
+        const gl::GlError error =
+            terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), passes_.output());
         if (!error.sentence.empty()) return error;
     }
     if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
@@ -45,21 +45,16 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
 }
 
 gl::GlError Display::start_drawers() {
-    base::BudgetTable& budget = settings_.device.budget;
-    if (gl::GlError error = sky_drawer_.start(gl_, budget); !error.sentence.empty()) return error;
-    const design::TerrainStyle& style = settings_.design.terrain.style;
-    if (output() != draw::TerrainOutput::color)
-        if (gl::GlError error = picture_.start(gl_, budget, settings_.width_px, settings_.height_px, style, output());
-            !error.sentence.empty())
-            return error;
-    return quad_drawer_.start(gl_, budget, memory_.symbology(), draw::kSymbologyVertices);
+    if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, settings_.width_px, settings_.height_px);
+        !error.sentence.empty())
+        return error;
+    return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
 }
 
 void Display::stop() {
     gl_.retire();
     quad_drawer_.destroy(gl_);
-    sky_drawer_.destroy(gl_);
-    picture_.destroy(gl_);
+    passes_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
 }
@@ -76,7 +71,7 @@ void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() 
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design, settings_.device);
     if (!terrain_.set_design(gl_, possible)) return false;
-    picture_.forget_design();
+    passes_.forget_design();
     keep_design(design, possible);
     return true;
 }
@@ -295,14 +290,9 @@ void Display::plan_data() {
         flag("ground_data.unit", record_);
 }
 
-draw::TerrainOutput Display::output() const {
-    return draw::output_of(settings_.design.terrain.style, settings_.design.data, settings_.device.capability.depth24_targets);
-}
-
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
-    terrain_result_ = {};
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
     const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
@@ -313,68 +303,12 @@ void Display::draw(base::Surface& surface) {
         put_symbology();
         plan_effects();
     }
-    draw_scene(surface);
+    const draw::TerrainDrawResult drawn = passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, terrain_has_void_});
     if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_elements(elements_.reports(), record_);
-    note_drawn(terrain_result_, settings_.device.budget, record_);
+    note_drawn(drawn, settings_.device.budget, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;
-}
-
-void Display::draw_scene(const base::Surface& surface) {
-    const bool off_screen = decisions_.show_terrain && picture_.is_started();
-    if (off_screen)
-        picture_.begin(gl_);
-    else
-        gl_->Clear(GL_DEPTH_BUFFER_BIT);
-    if (decisions_.show_terrain)
-        draw_terrain();
-    else
-        sky_drawer_.draw(gl_, make_sky_input(context()));
-    if (!off_screen) return;
-    picture_.finish(gl_, surface, settings_.design, picture_input());
-    if (elements_.has_anything()) draw_elements_over_picture();
-}
-
-/// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
-void Display::draw_terrain() {
-    const terrain::View& view = eye_.view;
-    const draw::DepthPlan depth = terrain_.depth_plan(view);
-    const draw::TerrainDrawInput input = make_terrain_input(context());
-    for (std::size_t n = 0; n < depth.count; ++n) {
-        if (n > 0) gl_->Clear(GL_DEPTH_BUFFER_BIT);
-        gl_->Enable(GL_DEPTH_TEST);
-        gl_->Enable(GL_CULL_FACE);
-        terrain_.draw(gl_, input, depth.ranges[n], terrain_result_);
-        gl_->Disable(GL_CULL_FACE);
-        gl_->Disable(GL_DEPTH_TEST);
-        if (picture_.is_started()) continue;
-        if (n == 0) sky_drawer_.draw(gl_, make_sky_input(context()));
-        if (!elements_.has_anything()) continue;
-        gl_->Enable(GL_DEPTH_TEST);
-        elements_.draw(gl_, make_data_frame(context()), depth, n);
-        gl_->Disable(GL_DEPTH_TEST);
-    }
-    if (!picture_.is_started()) elements_.draw_signs(gl_, settings_.width_px, settings_.height_px);
-}
-
-/// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
-void Display::draw_elements_over_picture() {
-    const draw::DepthPlan depth = terrain_.depth_plan(eye_.view);
-    draw::TerrainDrawResult depths_only;
-    for (std::size_t n = 0; n < depth.count; ++n) {
-        gl_->Clear(GL_DEPTH_BUFFER_BIT);
-        gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        gl_->Enable(GL_DEPTH_TEST);
-        gl_->Enable(GL_CULL_FACE);
-        terrain_.draw(gl_, make_terrain_input(context()), depth.ranges[n], depths_only);
-        gl_->Disable(GL_CULL_FACE);
-        gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        if (n > 0) picture_.repaint(gl_, settings_.design, picture_input());
-        elements_.draw(gl_, make_data_frame(context()), depth, n);
-        gl_->Disable(GL_DEPTH_TEST);
-    }
-    elements_.draw_signs(gl_, settings_.width_px, settings_.height_px);
 }
 
 DrawContext Display::context() const {
@@ -386,14 +320,6 @@ DrawContext Display::context() const {
     context.is_free_view = free_view_active_;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
     return context;
-}
-
-draw::PictureInput Display::picture_input() const {
-    draw::PictureInput input = make_picture_input(context());
-    input.outlined = plan_.runs(effects::Effect::silhouettes);
-    input.ground = terrain_.drawn_part(eye_.view);
-    input.has_void = terrain_has_void_;
-    return input;
 }
 
 }  // namespace tedavis::display

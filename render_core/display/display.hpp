@@ -16,13 +16,12 @@
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/display/view_transition.hpp"
-#include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
-#include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/effects/effect_planner.hpp"
@@ -117,12 +116,7 @@ private:
     [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
     void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
-    void draw_scene(const base::Surface& surface);
-    void draw_terrain();
-    void draw_elements_over_picture();
     [[nodiscard]] DrawContext context() const;
-    [[nodiscard]] draw::PictureInput picture_input() const;
-    [[nodiscard]] draw::TerrainOutput output() const;
     void put_symbology();
 
     DisplaySettings settings_;
@@ -133,8 +127,7 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
-    draw::PicturePass picture_;
-    draw::SkyDrawer sky_drawer_;
+    ScenePasses passes_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
     effects::EffectSet asked_;  ///< by the design as it was handed over
@@ -152,7 +145,6 @@ private:
     bool terrain_has_void_ = false;
     double aircraft_msl_m_ = 0;
     double eye_msl_m_ = 0;
-    draw::TerrainDrawResult terrain_result_;
     std::uint64_t frame_ = 0;
     FrameRecord record_;
 };

@@ -1,0 +1,51 @@
+/// The order in which a frame's scene gets to the surface: terrain, sky and spatial data, on the surface itself or by way of
+/// pictures off screen. Symbology comes after it.
+///
+/// Memory    the budget line render_targets (GPU), at start(). Thread  the GL thread, with a surface that is current. Failure
+/// start()
+///           gives one sentence.
+#pragma once
+
+#include "render_core/display/data_elements.hpp"
+#include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/terrain_scene.hpp"
+#include "render_core/draw/picture_pass.hpp"
+#include "render_core/draw/sky_drawer.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/effects/effect_planner.hpp"
+
+namespace tedavis::display {
+
+/// A planned frame and what is drawn of it. References to the display's own.
+struct PassInput {
+    const DrawContext& frame;
+    const effects::FramePlan& plan;
+    TerrainScene& terrain;
+    DataElements& elements;
+    bool has_void = false;  ///< ground without data is in view
+};
+
+class ScenePasses {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design,
+                                    std::uint32_t width_px, std::uint32_t height_px);
+    /// How terrain programs must write; after start().
+    [[nodiscard]] draw::TerrainOutput output() const { return output_; }
+    /// The next picture is of another design.
+    void forget_design() { picture_.forget_design(); }
+    /// Leaves the surface bound, without depth test. Returns what the terrain drew.
+    draw::TerrainDrawResult draw(gl::Gl& gl, const base::Surface& surface, const PassInput& input);
+    void destroy(gl::Gl& gl);
+
+private:
+    void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
+    void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
+    [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
+
+    draw::TerrainOutput output_ = draw::TerrainOutput::color;
+    draw::PicturePass picture_;
+    draw::SkyDrawer sky_;
+    std::uint32_t width_px_ = 0, height_px_ = 0;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,79 @@
+#include "render_core/display/scene_passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+#include "tests/support/gl_session.hpp"
+
+namespace tedavis::display::test_scene_passes {
+namespace {
+
+using test_support::GlSession;
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+
+class ScenePassesStart : public ::testing::Test {
+protected:
+    [[nodiscard]] std::uint64_t target_bytes() { return session_.device.budget.find(effects::kRenderTargets)->use.in_use; }
+    [[nodiscard]] gl::GlError start() { return passes_.start(session_.gl, session_.device, design_, kWidth, kHeight); }
+
+    GlSession session_{"egl", "es3-mid", kWidth, kHeight};
+    design::DesignSettings design_ = design::default_design_settings();
+    ScenePasses passes_;
+};
+
+TEST_F(ScenePassesStart, TakesPicturesOffScreenOnlyForStylesThatNeedThem) {
+    design_.terrain.style.texture = design::TerrainTexture::slope;
+    design_.terrain.style.sketch.silhouettes = 0;
+    ASSERT_EQ(start().sentence.view(), "");
+    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color);
+    EXPECT_EQ(target_bytes(), 0u);
+    passes_.destroy(session_.gl);
+}
+
+TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
+    design_.terrain.style.sketch.silhouettes = 1;
+    ASSERT_EQ(start().sentence.view(), "");
+    EXPECT_NE(passes_.output(), draw::TerrainOutput::color);
+    EXPECT_GE(target_bytes(), std::uint64_t{kWidth} * kHeight * 8) << "colour and depth";
+    passes_.destroy(session_.gl);
+    EXPECT_EQ(target_bytes(), 0u);
+}
+
+TEST_F(ScenePassesStart, SaysWhichBudgetHasNoRoom) {
+    design_.terrain.style.sketch.silhouettes = 1;
+    base::BudgetLine* const line = session_.device.budget.find(effects::kRenderTargets);
+    line->bytes = line->use.capacity = 1000;
+    EXPECT_NE(start().sentence.view().find("render_targets"), std::string_view::npos);
+    passes_.destroy(session_.gl);
+}
+
+TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
+    ASSERT_EQ(start().sentence.view(), "");
+    DisplayDecisions decisions;
+    decisions.plain_horizon = true;
+    EyeInput level;
+    level.own_ship = {0.8, 0.2, {1000}};
+    level.width_px = kWidth;
+    level.height_px = kHeight;
+    const Eye eye = make_eye(level, design_.view, 0);
+    const FrameRecord record;
+    const DrawContext frame{design_, decisions, eye, record};
+    const auto terrain = std::make_unique<TerrainScene>();
+    const auto elements = std::make_unique<DataElements>();
+    session_.gl.seal();
+    session_.gl.begin_frame();
+    gl::bind_surface(session_.gl, *session_.surface);
+    const draw::TerrainDrawResult drawn = passes_.draw(session_.gl, *session_.surface, {frame, {}, *terrain, *elements});
+    EXPECT_EQ(drawn.draws, 0u);
+    const auto pixels = session_.pixels();
+    const std::uint8_t* const top = pixels.data() + (std::size_t{kWidth} * kHeight - kWidth / 2) * 4;
+    EXPECT_GT(top[2], top[0]) << "blue above";
+    EXPECT_NE(std::memcmp(top, pixels.data(), 3), 0) << "another colour below";
+    passes_.destroy(session_.gl);
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_scene_passes
