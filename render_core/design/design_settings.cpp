@@ -93,6 +93,9 @@ void read_sky(ConfigSection section, SkySettings& sky) {
     read_color(section, "ground_horizon_color", sky.ground_horizon);
     read_color(section, "haze_color", sky.haze);
     sky.haze_distance_m = section.number("haze_distance_m", 0, 1e6, sky.haze_distance_m);
+    sky.air.is_shown = section.boolean("aerial_perspective", sky.air.is_shown);
+    sky.air.visibility_m = section.number("visibility_m", 1e3, 290e3, sky.air.visibility_m);
+    sky.air.horizon_brightness = section.number("horizon_brightness", 0.2, 1, sky.air.horizon_brightness);
 }
 
 WarningBand read_band(ConfigSection band) {
@@ -192,6 +195,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     }
     read_data_style(root.section("data"), palettes, design.data);
     read_sky(root.section("sky"), design.sky);
+    read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);
     read_limits(root.section("degradation"), root.section("unusual_attitude"), design);
     ConfigSection symbology = root.section("symbology");

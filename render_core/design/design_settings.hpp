@@ -18,6 +18,7 @@
 #include "render_core/design/data_style.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/terrain_style.hpp"
+#include "render_core/design/view_effects.hpp"
 #include "render_core/design/warning_bands.hpp"
 
 namespace tedavis::design {
@@ -62,6 +63,13 @@ struct TerrainSettings {
     bool conservative_up = false;  ///< the silhouette is never below the true terrain
 };
 
+/// Air as it is (effects, aerial_perspective) in the place of the haze's one colour.
+struct AirSettings {
+    bool is_shown = false;
+    double visibility_m = 40'000;      ///< over which contrast falls to 2 % at sea level
+    double horizon_brightness = 0.75;  ///< of the sky at the horizon, square to the sun; of full scale
+};
+
 struct SkySettings {
     Color zenith{0x1C, 0x54, 0xA8};
     Color horizon{0x9C, 0xC4, 0xE8};
@@ -69,6 +77,7 @@ struct SkySettings {
     Color ground_horizon{0x96, 0x74, 0x4C};
     Color haze{0xB4, 0xC8, 0xDC};
     double haze_distance_m = 60'000;  ///< at which the haze hides 1 - 1/e of the terrain; 0 for none
+    AirSettings air;
 };
 
 /// Beyond these figures of merit terrain is shown as degraded.
@@ -112,6 +121,7 @@ struct DesignSettings {
     TerrainSettings terrain;
     DataStyle data;
     SkySettings sky;
+    ViewEffects effects;
     bool warning_colors = true;
     WarningBands warning_bands;
     WideningSettings widening;

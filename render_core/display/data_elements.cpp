@@ -1,6 +1,8 @@
 #include "render_core/display/data_elements.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
@@ -125,7 +127,8 @@ const char* reason_of(ElementState state) noexcept {
 
 bool is_sign_technique(DataTechnique technique) noexcept { return is_billboard(technique) || technique == DataTechnique::barbs; }
 
-gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface) {
+gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
+                                bool with_air) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
     if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
@@ -134,7 +137,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
         !error.sentence.empty())
         return error;
-    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs); !error.sentence.empty()) return error;
+    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, with_air); !error.sentence.empty()) return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards) || !traffic_.start(memory.billboards))
@@ -142,7 +145,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
     if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
         return error;
-    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces);
+    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces, with_air);
 }
 
 /// Builders that keep nothing from one element to the next share their memory.
@@ -152,6 +155,21 @@ bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertic
     const std::uint64_t bytes = std::max(draw::TubeSolids::bytes_needed(rings), draw::IsosurfaceSolids::bytes_needed(room));
     base::Arena for_tubes = memory.carve(bytes), for_isosurfaces = for_tubes;
     return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room);
+}
+
+bool DataElements::distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const {
+    bool is_any = false;
+    for (const draw::SolidBuffers* const solids : {&standing_, &moving_})
+        for (const draw::SolidPiece& piece : solids->batch().pieces()) {
+            const std::size_t report = piece.look.group;
+            if (report >= reports_.size() || (shown_ >> report & 1u) == 0 || reports_[report].layer->entry->role != role)
+                continue;
+            const double middle_m = glm::distance(piece.anchor, eye), reach_m = static_cast<double>(piece.radius_m);
+            distances_m.near_m = std::fmin(is_any ? distances_m.near_m : middle_m, std::fmax(middle_m - reach_m, 0));
+            distances_m.far_m = std::fmax(is_any ? distances_m.far_m : 0, middle_m + reach_m);
+            is_any = true;
+        }
+    return is_any;
 }
 
 void DataElements::set(const scene::Scene* scene, const design::DataElementList& elements) {

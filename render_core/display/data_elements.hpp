@@ -74,9 +74,9 @@ public:
         base::Arena &solids, &glyphs, &billboards;
     };
     /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
-    /// that lends it; must outlive this.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory,
-                                    const draw::QuadDrawer& typeface);
+    /// that lends it; must outlive this. `with_air`: frames may have air.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
+                                    bool with_air = false);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
@@ -90,6 +90,9 @@ public:
     void rest();
     [[nodiscard]] const ElementReports& reports() const { return reports_; }
     [[nodiscard]] bool has_anything() const { return shown_ != 0; }
+    /// From the eye to the nearest and the farthest of what is shown of a role's surfaces; after plan(). False where there is
+    /// none.
+    [[nodiscard]] bool distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const;
 
     /// Uploads what is new; before draw().
     void prepare(gl::Gl& gl);

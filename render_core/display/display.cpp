@@ -41,7 +41,7 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
     const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(elements) || asks_for_traffic(elements);
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
-    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_);
+    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, settings_.design.sky.air.is_shown);
 }
 
 gl::GlError Display::start_drawers() {
@@ -123,9 +123,15 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
 }
 
 void Display::plan_effects() {
-    EffectFacts facts{asked_,           settings_.device.forbidden, decisions_,         has_silhouettes(),  record_.light.source,
+    EffectFacts facts{asked_,           settings_.device.forbidden, decisions_,         is_near(),          record_.light.source,
                       terrain_.drape(), data_plan_.ground,          maps_beside_.state, maps_beside_.drawn, eye_.haze_per_m};
-    if (decisions_.show_terrain && !elements_.has_anything()) facts.farthest_m = terrain_.farthest_m(eye_.view);
+    if (decisions_.show_terrain && !elements_.has_anything()) {
+        facts.nearest_m = terrain_.nearest_m(eye_.view);
+        facts.farthest_m = terrain_.farthest_m(eye_.view);
+    }
+    focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
+    facts.focus = focus_;
+    facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
     plan_ = effects::plan_effects(effect_calls(facts), settings_.device.capability);
 }
@@ -316,6 +322,7 @@ DrawContext Display::context() const {
     context.aircraft_msl_m = aircraft_msl_m_;
     context.eye_msl_m = eye_msl_m_;
     context.map_share = transition_.map_share();
+    context.focus = focus_;
     context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
     context.is_free_view = free_view_active_;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());

@@ -113,7 +113,7 @@ private:
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
     void decide_again();
-    [[nodiscard]] bool has_silhouettes() const { return free_view_active_ || !is_map(); }
+    [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
     void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
     [[nodiscard]] DrawContext context() const;
@@ -132,6 +132,7 @@ private:
     bool terrain_failed_ = false;
     effects::EffectSet asked_;  ///< by the design as it was handed over
     effects::FramePlan plan_;
+    draw::FocusRange focus_;
     bool effects_are_forced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage
 

@@ -24,6 +24,7 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     input.aircraft_msl_m = frame.aircraft_msl_m;
     input.bands_lowered_m = frame.record.bands.lowered_m;
     input.heights = frame.heights;
+    input.air = frame.air;
     return input;
 }
 
@@ -31,6 +32,8 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
     draw::SkyInput sky;
     sky.view = draw::make_view_frame(frame.eye.view);
     sky.colors = frame.design.sky;
+    sky.air = frame.air;
+    sky.axes = {frame.eye.view.forward, frame.eye.view.right, frame.eye.view.down};
     if (frame.decisions.show_terrain) {
         // What no terrain covers below the horizon is not known to be ground.
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
@@ -50,6 +53,8 @@ draw::DataFrame make_data_frame(const DrawContext& frame) {
         towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
     data.haze_per_m = frame.haze_per_m;
     data.haze = frame.design.sky.haze;
+    data.air = frame.air;
+    data.left = frame.data_left;
     return data;
 }
 
@@ -81,6 +86,7 @@ draw::PictureInput make_picture_input(const DrawContext& frame) {
         input.bands = draw::bands_within(frame.design.warning_bands, terrain.aircraft_msl_m - terrain.bands_lowered_m,
                                          terrain.gear_down, -kAny_m, kAny_m);
     input.haze_per_m = terrain.haze_per_m;
+    input.left = frame.terrain_left;
     return input;
 }
 

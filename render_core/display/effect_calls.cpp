@@ -40,8 +40,20 @@ EffectCall haze_call(const EffectFacts& facts) {
     return {Kind::called, "", haze_bound(facts.haze_per_m, facts.farthest_m)};
 }
 
+EffectCall air_call(const EffectFacts& facts) {
+    if (!facts.is_near) return {Kind::not_called_for, "the view is from far away"};
+    return {Kind::called, "", air_bound(facts.air, facts.farthest_m)};
+}
+
+EffectCall focus_call(const EffectFacts& facts) {
+    if (!facts.is_near) return {Kind::not_called_for, "the view is from far away"};
+    if (facts.focus.blur_px <= 0) return {Kind::called, ""};  // not on this device
+    if (!facts.focus.is_known) return {Kind::no_input, "nothing of the role that is in focus is shown"};
+    return {Kind::called, "", blur_bound(facts.focus, facts.nearest_m, facts.farthest_m)};
+}
+
 EffectCall silhouette_call(const EffectFacts& facts) {
-    if (facts.has_silhouettes) return {Kind::called, ""};
+    if (facts.is_near) return {Kind::called, ""};
     return {Kind::not_called_for, "seen from so far away depths hardly differ"};
 }
 
@@ -60,9 +72,14 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (style.sketch.silhouettes > 0) asked.add(Effect::silhouettes);
     if (style.shade.follows_sun) asked.add(Effect::moving_sun);
     if (style.texture == design::TerrainTexture::image) asked.add(Effect::drape);
-    if (design.sky.haze_distance_m > 0) asked.add(Effect::haze);
+    if (design.sky.air.is_shown)
+        asked.add(Effect::aerial_perspective);
+    else if (design.sky.haze_distance_m > 0)
+        asked.add(Effect::haze);
     if (design.data.ground.is_shown) asked.add(Effect::ground_data);
     if (design.data.adjacent.is_shown) asked.add(Effect::adjacent);
+    if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
+    if (design.effects.antialiasing) asked.add(Effect::antialiasing);
     return asked;
 }
 
@@ -77,13 +94,40 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
     if (device.forbidden.has(Effect::moving_sun)) possible.terrain.style.shade.follows_sun = false;
     if (device.forbidden.has(Effect::drape) && possible.terrain.style.texture == design::TerrainTexture::image)
         possible.terrain.style.texture = design::TerrainTexture::plain;
-    if (device.forbidden.has(Effect::haze)) possible.sky.haze_distance_m = 0;
+    possible.sky.air.is_shown = design.sky.air.is_shown && stands_in(Effect::aerial_perspective) == Effect::aerial_perspective;
+    if (possible.sky.air.is_shown || device.forbidden.has(Effect::haze)) possible.sky.haze_distance_m = 0;
     if (device.forbidden.has(Effect::ground_data)) possible.data.ground.is_shown = false;
     if (device.forbidden.has(Effect::adjacent)) possible.data.adjacent.is_shown = false;
+    if (stands_in(Effect::depth_of_field) != Effect::depth_of_field) possible.effects.depth_of_field.blur_px = 0;
+    if (stands_in(Effect::antialiasing) != Effect::antialiasing) possible.effects.antialiasing = false;
     return possible;
 }
 
 double haze_bound(double haze_per_m, double farthest_m) noexcept { return -std::expm1(-haze_per_m * farthest_m); }
+
+double air_bound(const design::AirSettings& air, double farthest_m) noexcept {
+    const earth::Air at_sea = earth::air_of_visibility(air.visibility_m);
+    const double per_m = at_sea.molecules_per_m.z + at_sea.aerosol_per_m / earth::kAerosolAlbedo;
+    // Light that comes in counts by its root.
+    return std::sqrt(-std::expm1(-per_m * farthest_m));
+}
+
+draw::FocusRange focus_of(const design::DepthOfField& field, const DataElements& elements, const glm::dvec3& eye) {
+    if (field.blur_px <= 0) return {};
+    draw::FocusRange focus{true, field.focus_near_m, field.focus_far_m, field.blur_px};
+    if (field.focus_role == scene::LayerRole::count) return focus;
+    terrain::DepthSpan reach;
+    focus.is_known = elements.distances_m(field.focus_role, eye, reach);
+    focus.near_m = reach.near_m;
+    focus.far_m = reach.far_m;
+    return focus;
+}
+
+double blur_bound(const draw::FocusRange& focus, double nearest_m, double farthest_m) noexcept {
+    const double far = farthest_m > focus.far_m ? 1 - focus.far_m / farthest_m : 0;
+    const double near = nearest_m < focus.near_m ? std::fmin(focus.near_m / std::fmax(nearest_m, 1e-3) - 1, 1) : 0;
+    return focus.blur_px * std::fmax(far, near);
+}
 
 effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     effects::PlanInput input;
@@ -94,9 +138,12 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::silhouettes] = silhouette_call(facts);
     input[Effect::moving_sun] = sun_call(facts.light);
     input[Effect::drape] = drape_call(facts.drape);
+    input[Effect::aerial_perspective] = air_call(facts);
     input[Effect::haze] = haze_call(facts);
     input[Effect::ground_data] = ground_call(facts.ground_data);
     input[Effect::adjacent] = adjacent_call(facts);
+    input[Effect::depth_of_field] = focus_call(facts);
+    input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         if (!facts.asked.has(static_cast<Effect>(n)))
             input.calls[n] = {};

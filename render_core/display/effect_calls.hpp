@@ -5,10 +5,13 @@
 #include <limits>
 
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_light.hpp"
 #include "render_core/display/terrain_scene.hpp"
+#include "render_core/draw/view_effects_pass.hpp"
+#include "render_core/earth/atmosphere.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/effects/effect_planner.hpp"
 
@@ -23,7 +26,7 @@ namespace tedavis::display {
 struct EffectFacts {
     effects::EffectSet asked, forbidden;
     const DisplayDecisions& decisions;
-    bool has_silhouettes = false;  ///< the view lets something hide something else
+    bool is_near = false;  ///< the eye is among what it sees, not far above as the map's
     LightSource light = LightSource::fixed;
     DrapeState drape = DrapeState::not_asked_for;
     GroundDataState ground_data = GroundDataState::not_asked_for;
@@ -32,6 +35,9 @@ struct EffectFacts {
     double haze_per_m = 0;            ///< of the view; 0 where it has none
     /// No haze is farther from the eye; infinite where that is not known: elements may be seen beyond the ground.
     double farthest_m = std::numeric_limits<double>::infinity();
+    double nearest_m = 0;  ///< nothing is nearer to the eye
+    design::AirSettings air{};
+    draw::FocusRange focus{};
     bool is_forced = false;  ///< PlanInput::is_forced
 };
 
@@ -39,5 +45,11 @@ struct EffectFacts {
 
 /// Part of full scale by which haze may change a colour as far away as `farthest_m`.
 [[nodiscard]] double haze_bound(double haze_per_m, double farthest_m) noexcept;
+/// The same of air: as dense all the way as at sea level.
+[[nodiscard]] double air_bound(const design::AirSettings& air, double farthest_m) noexcept;
+/// By distance, or as far as what is shown of the role reaches.
+[[nodiscard]] draw::FocusRange focus_of(const design::DepthOfField& field, const DataElements& elements, const glm::dvec3& eye);
+/// The widest blur, in pixels, of what is between these distances.
+[[nodiscard]] double blur_bound(const draw::FocusRange& focus, double nearest_m, double farthest_m) noexcept;
 
 }  // namespace tedavis::display

@@ -105,10 +105,10 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
     return scale;
 }
 
-gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
+gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air) {
     base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
     const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kMostFields);
-    if (gl::GlError error = drawer_.start(gl, line, memory); !error.sentence.empty()) return error;
+    if (gl::GlError error = drawer_.start(gl, line, memory, with_air); !error.sentence.empty()) return error;
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
     const bool has_selection = selection_.start(memory, room.glyphs);
     const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);

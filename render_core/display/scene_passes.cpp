@@ -1,5 +1,7 @@
 #include "render_core/display/scene_passes.hpp"
 
+#include "render_core/draw/view_frame.hpp"
+#include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
 
 namespace tedavis::display {
@@ -12,20 +14,69 @@ void draw_terrain(gl::Gl& gl, const PassInput& input, const draw::DepthRange& ra
     gl->Disable(GL_CULL_FACE);
 }
 
+/// What is not to be blurred leaves a distance that is in focus.
+void leave_distances(DrawContext& frame) {
+    const design::DepthOfField& field = frame.design.effects.depth_of_field;
+    const double sharp = draw::distance_code(0.5 * (frame.focus.near_m + frame.focus.far_m));
+    const draw::DistanceLeft all{0, 1}, in_focus{sharp, sharp};
+    frame.terrain_left = field.on_terrain ? all : in_focus;
+    frame.data_left = field.on_data ? all : in_focus;
+}
+
 }  // namespace
 
 gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design,
                                std::uint32_t width_px, std::uint32_t height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
-    output_ = draw::output_of(design.terrain.style, design.data, device.capability.depth24_targets);
-    if (gl::GlError error = sky_.start(gl, device.budget); !error.sentence.empty()) return error;
+    output_ = draw::output_of(design, device.capability.depth24_targets);
+    const bool with_air = design.sky.air.is_shown;
+    if (gl::GlError error = sky_.start(gl, device.budget, with_air); !error.sentence.empty()) return error;
+    if (with_air)
+        if (gl::GlError error = air_.start(gl, *device.budget.find(effects::kRenderTargets)); !error.sentence.empty())
+            return error;
+    if (design.effects.antialiasing || design.effects.depth_of_field.blur_px > 0)
+        if (gl::GlError error = view_effects_.start(gl, device.budget, width_px, height_px, design.effects);
+            !error.sentence.empty())
+            return error;
     if (output_ == draw::TerrainOutput::color) return {};
-    return picture_.start(gl, device.budget, width_px, height_px, design.terrain.style, output_);
+    return picture_.start(gl, device.budget, width_px, height_px, design, output_);
+}
+
+/// The first light of the style stands for the sun.
+draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
+    if (!input.plan.runs(effects::Effect::aerial_perspective)) return {};
+    const DrawContext& frame = input.frame;
+    const TerrainLight& light = frame.record.light;
+    air_.update(gl, frame.design.sky.air, frame.eye_msl_m, light.elevation_rad);
+    draw::AirFrame air = air_.frame();
+    air.towards_sun = towards_light(light.azimuth_rad, light.elevation_rad, frame.record.own_ship.position);
+    air.up = earth::up_at(frame.eye.view.eye);
+    air.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
+    air.eye_height_m = frame.eye_msl_m;
+    air.share = 1 - frame.map_share;
+    return air;
 }
 
 draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const base::Surface& surface, const PassInput& input) {
+    DrawContext frame = input.frame;
+    frame.air = update_air(gl, input);
+    draw::ViewEffectsInput effects;
+    effects.blurs = input.plan.runs(effects::Effect::depth_of_field);
+    effects.smooths = input.plan.runs(effects::Effect::antialiasing);
+    effects.focus = frame.focus;
+    if (effects.blurs) leave_distances(frame);
+    const bool has_effects = effects.blurs || effects.smooths;
     draw::TerrainDrawResult drawn;
+    draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : gl::DrawPlace(surface),
+               {frame, input.plan, input.terrain, input.elements, input.has_void}, drawn);
+    if (has_effects) view_effects_.finish(gl, surface, effects);
+    if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
+    return drawn;
+}
+
+void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {
+    place.bind(gl);
     const bool shows_terrain = input.frame.decisions.show_terrain;
     const bool off_screen = shows_terrain && picture_.is_started();
     if (off_screen)
@@ -36,10 +87,9 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const base::Surface& surfa
         draw_ranges(gl, input, drawn);
     else
         sky_.draw(gl, make_sky_input(input.frame));
-    if (!off_screen) return drawn;
-    picture_.finish(gl, surface, input.frame.design, picture_input(input));
+    if (!off_screen) return;
+    picture_.finish(gl, place, input.frame.design, picture_input(input));
     if (input.elements.has_anything()) draw_elements_over_picture(gl, input);
-    return drawn;
 }
 
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
@@ -56,7 +106,6 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
         input.elements.draw(gl, make_data_frame(input.frame), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
-    if (!picture_.is_started()) input.elements.draw_signs(gl, width_px_, height_px_);
 }
 
 /// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
@@ -72,7 +121,6 @@ void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input)
         input.elements.draw(gl, make_data_frame(input.frame), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
-    input.elements.draw_signs(gl, width_px_, height_px_);
 }
 
 draw::PictureInput ScenePasses::picture_input(const PassInput& input) {
@@ -85,6 +133,8 @@ draw::PictureInput ScenePasses::picture_input(const PassInput& input) {
 
 void ScenePasses::destroy(gl::Gl& gl) {
     sky_.destroy(gl);
+    air_.destroy(gl);
+    view_effects_.destroy(gl);
     picture_.destroy(gl);
 }
 

@@ -1,5 +1,8 @@
 /// The order in which a frame's scene gets to the surface: terrain, sky and spatial data, on the surface itself or by way of
-/// pictures off screen. Symbology comes after it.
+/// pictures off screen, then effects on the finished picture, then signs. Symbology comes after it.
+///
+/// Terrain, data and symbology are layers that are drawn one after the other; an effect applies to those that leave it what it
+/// works by, such as their distances. A picture that no effect of the frame reads is not drawn.
 ///
 /// Memory    the budget line render_targets (GPU), at start(). Thread  the GL thread, with a surface that is current. Failure
 /// start()
@@ -38,6 +41,8 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    [[nodiscard]] draw::AirFrame update_air(gl::Gl& gl, const PassInput& input);
+    void draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
@@ -45,6 +50,8 @@ private:
     draw::TerrainOutput output_ = draw::TerrainOutput::color;
     draw::PicturePass picture_;
     draw::SkyDrawer sky_;
+    draw::AirTable air_;
+    draw::ViewEffectsPass view_effects_;
     std::uint32_t width_px_ = 0, height_px_ = 0;
 };
 

@@ -212,6 +212,11 @@ double TerrainScene::farthest_m(const terrain::View& view) const {
     return depth.ranges[0].far_m * std::hypot(1, corner);
 }
 
+double TerrainScene::nearest_m(const terrain::View& view) const {
+    const draw::DepthPlan depth = depth_plan(view);
+    return depth.ranges[depth.count - 1].near_m;
+}
+
 void TerrainScene::rest() {
     if (!started_) return;
     store_.begin_frame();

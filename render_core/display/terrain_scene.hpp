@@ -82,6 +82,8 @@ public:
     [[nodiscard]] draw::DepthPlan depth_plan(const terrain::View& view) const;
     /// No ground in the picture is farther from the eye.
     [[nodiscard]] double farthest_m(const terrain::View& view) const;
+    /// Nor is any nearer.
+    [[nodiscard]] double nearest_m(const terrain::View& view) const;
 
     /// The part of the screen that everything drawn lies in, bounded along the picture's vertical.
     [[nodiscard]] draw::ScreenPart drawn_part(const terrain::View& view) const;

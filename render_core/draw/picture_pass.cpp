@@ -19,10 +19,11 @@ enum PictureUniform : std::size_t {
     kColorTable,
     kHaze,
     kUnknown,
+    kLeft,
     kPictureUniforms
 };
-constexpr const char* kUniformNames[kPictureUniforms - kSkyUniforms] = {"scene",       "scene_size", "line_color",   "outline",
-                                                                        "color_table", "haze_color", "unknown_color"};
+constexpr const char* kUniformNames[kPictureUniforms - kSkyUniforms] = {"scene",       "scene_size", "line_color",    "outline",
+                                                                        "color_table", "haze_color", "unknown_color", "left"};
 
 struct UniformNames {
     const char* names[kPictureUniforms];
@@ -40,8 +41,9 @@ void set_color(gl::Gl& gl, GLint location, design::Color color) {
 }  // namespace
 
 gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                               const design::TerrainStyle& style, TerrainOutput output) {
+                               const design::DesignSettings& design, TerrainOutput output) {
     coded_ = output == TerrainOutput::code;
+    with_air_ = design.sky.air.is_shown;
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
@@ -49,13 +51,15 @@ gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint3
     if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
     if (coded_)
         if (gl::GlError error = colors_.start(gl, *budget.find(effects::kRenderTargets)); !error.sentence.empty()) return error;
-    return build_programs(gl, style);
+    return build_programs(gl, design.terrain.style);
 }
 
 gl::GlError PicturePass::build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const {
     const UniformNames uniforms;
     base::FixedString<kMaxShaderText> fragment(coded_ ? "#define CODED 1\n" : "");
     fragment.append(defines);
+    if (with_air_) fragment.append("#define AIR 1\n");
+    if (with_air_) fragment.append(shader_text(k_air_frag));
     fragment.append(shader_text(k_sky_color_frag));
     fragment.append(shader_text(k_picture_frag));
     auto built = gl::build_program(
@@ -85,10 +89,10 @@ void PicturePass::begin(gl::Gl& gl) const {
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void PicturePass::finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design,
+void PicturePass::finish(gl::Gl& gl, const gl::DrawPlace& place, const design::DesignSettings& design,
                          const PictureInput& input) {
     if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.sky.colors, input.haze_per_m);
-    gl::bind_surface(gl, surface);
+    place.bind(gl);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
@@ -120,6 +124,7 @@ void PicturePass::use(gl::Gl& gl, const gl::Program& program, const design::Desi
     const gl::TextureSettings& size = target_.color().settings();
     gl->Uniform2f(program.uniform(kSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
     set_sky_uniforms(gl, program, input.sky);
+    gl->Uniform2f(program.uniform(kLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
     if (input.outlined) set_outline(gl, program, design.terrain.style.sketch);
     if (coded_) set_colors(gl, program, design);
 }

@@ -12,6 +12,7 @@
 #include "render_core/draw/color_table.hpp"
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/gl/render_target.hpp"
 
 namespace tedavis::draw {
@@ -19,6 +20,7 @@ namespace tedavis::draw {
 struct PictureInput {
     SkyInput sky;
     bool outlined = false;  ///< with the silhouettes of the style
+    DistanceLeft left;      ///< in the picture's alpha
     ScreenPart ground;      ///< beyond it nothing was drawn
     // For codes only.
     bool has_void = false;  ///< ground without data is in view
@@ -31,13 +33,13 @@ class PicturePass {
 public:
     /// `output` is not TerrainOutput::color.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                                    const design::TerrainStyle& style, TerrainOutput output);
+                                    const design::DesignSettings& design, TerrainOutput output);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     /// What is drawn from here on goes off-screen, on a picture of nothing but sky.
     void begin(gl::Gl& gl) const;
-    /// Puts the picture on the surface.
-    void finish(gl::Gl& gl, const base::Surface& surface, const design::DesignSettings& design, const PictureInput& input);
-    /// Paints the ground of the finished picture once more, where the surface's depth is not empty: near terrain, over what was
+    /// Puts the picture there.
+    void finish(gl::Gl& gl, const gl::DrawPlace& place, const design::DesignSettings& design, const PictureInput& input);
+    /// Paints the ground of the finished picture once more, where the depth there is not empty: near terrain, over what was
     /// drawn behind it since.
     void repaint(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input);
     /// The next picture is of another design.
@@ -57,7 +59,7 @@ private:
     ColorTable colors_;
     gl::Program programs_[2][2];  ///< the second with what is not known; the second with silhouettes
     gl::Program sky_;
-    bool coded_ = false;
+    bool coded_ = false, with_air_ = false;
 };
 
 }  // namespace tedavis::draw

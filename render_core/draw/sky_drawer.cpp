@@ -17,8 +17,9 @@ void set_color(gl::Gl& gl, GLint location, design::Color color) {
 
 }  // namespace
 
-const char* const kSkyUniformNames[kSkyUniforms] = {"half_tangent", "down_of_axes",  "sine_of_dip",          "pixels_per_down",
-                                                    "zenith_color", "horizon_color", "ground_horizon_color", "ground_color"};
+const char* const kSkyUniformNames[kSkyUniforms] = {
+    "half_tangent",         "down_of_axes", "sine_of_dip",       "pixels_per_down",   "zenith_color",      "horizon_color",
+    "ground_horizon_color", "ground_color", kAirUniformNames[0], kAirUniformNames[1], kAirUniformNames[2], kAirUniformNames[3]};
 
 void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& input) {
     const ViewFrame& view = input.view;
@@ -34,15 +35,18 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
     set_color(gl, at(kHorizon), input.colors.horizon);
     set_color(gl, at(kGroundHorizon), input.colors.ground_horizon);
     set_color(gl, at(kGround), input.colors.ground);
+    if (at(kSkyAir) >= 0) set_air_uniforms(gl, program, kSkyAir, input.air, input.axes);
 }
 
-gl::GlError SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget) {
+gl::GlError SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget, bool with_air) {
     if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
-    base::FixedString<kMaxShaderText> fragment(shader_text(k_sky_color_frag));
+    base::FixedString<kMaxShaderText> fragment(with_air ? "#define AIR 1\n" : "");
+    if (with_air) fragment.append(shader_text(k_air_frag));
+    fragment.append(shader_text(k_sky_color_frag));
     fragment.append(shader_text(k_sky_frag));
     auto program = gl::build_program(
         gl, {"sky", shader_text(k_screen_vert), fragment.view(), base::Span<const gl::AttributeBinding>(kScreenAttributes),
-             base::Span<const char* const>(kSkyUniformNames)});
+             base::Span<const char* const>(kSkyUniformNames), true});
     if (!program.ok()) return program.error();
     program_ = static_cast<gl::Program&&>(program.value());
     return {};

@@ -8,6 +8,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/air_table.hpp"
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/gl/program.hpp"
@@ -18,6 +19,8 @@ struct SkyInput {
     ViewFrame view;
     double dip_rad = 0;  ///< horizon_dip_rad(height), 0 for the plain horizon
     design::SkySettings colors;
+    AirFrame air;
+    glm::dmat3 axes{1.0};  ///< columns forward, right, down in ECEF, for the air
 };
 
 /// Uniforms of sky_color.frag and screen.vert, the first ones of every program that shows the sky.
@@ -30,7 +33,8 @@ enum SkyUniform : std::size_t {
     kHorizon,
     kGroundHorizon,
     kGround,
-    kSkyUniforms
+    kSkyAir,  ///< the first of kAirUniformNames
+    kSkyUniforms = kSkyAir + kAirUniforms
 };
 extern const char* const kSkyUniformNames[kSkyUniforms];
 /// The program must be in use.
@@ -38,7 +42,8 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
 
 class SkyDrawer {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
+    /// `with_air`: frames may have air.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, bool with_air = false);
     /// Colours every pixel of the bound framebuffer where nothing was drawn since its depth was cleared; leaves depth as it
     /// is, depth test, culling and blending off.
     void draw(gl::Gl& gl, const SkyInput& input) const;

@@ -125,6 +125,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     variant.ground_data = ground_.is_started();
     variant.uncertainty = design_.data.ground.uncertainty.technique;
     variant.overlay = design_.data.ground.overlay.technique;
+    variant.air = design_.sky.air.is_shown;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
@@ -156,7 +157,8 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 
 bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
     if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
-        design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference)
+        design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference ||
+        design_.sky.air.is_shown != design.sky.air.is_shown)
         return false;
     design_ = design;
     if (ground_.has_data()) ground_.set_look(gl, design.data.ground);
@@ -311,6 +313,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_view_uniforms(gl, program, input.view, range);
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
+    if (design_.sky.air.is_shown) set_air_uniforms(gl, program, kTerrainAir, input.air);
     if (output_ == TerrainOutput::code) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)

@@ -33,6 +33,7 @@ struct TerrainDrawInput {
     double bands_lowered_m = 0;  ///< by so much their limits go down
     bool gear_down = false;
     HeightSpan heights;  ///< of the whole database, for codes
+    AirFrame air;
 };
 
 struct TerrainDrawResult {

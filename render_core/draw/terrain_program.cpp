@@ -13,18 +13,61 @@ constexpr gl::AttributeBinding kAttributes[] = {{"position", kTerrainPosition},
                                                 {"kind", kTerrainKind},
                                                 {"place", kTerrainPlace}};
 
-constexpr const char* kUniformNames[kTerrainUniforms] = {
-    "chunk_offset",  "view_projection", "to_local",     "haze_per_m",    "lift",
-    "place_end",     "earth_centre",    "flat_height",  "page_window",   "stroke_window",
-    "form_map",      "light_map",       "aperture_map", "horizon_map",   "page_origin",
-    "page_scale",    "drape_map",       "drape_window", "drape_origin",  "palette",
-    "palette_range", "plain_color",     "sea_color",    "unknown_color", "haze_color",
-    "pixel",         "grid_lines",      "lights",       "light",         "light_color",
-    "ambient_color", "occlusion",       "line_color",   "form_lines",    "contour",
-    "strokes",       "page_texel",      "coast_sharp",  "band_color",    "band_lower",
-    "height_range",  "data_map",        "data_colors",  "data_size",     "data_scale",
-    "data_breaks",   "data_look",       "data_window",  "data_overlay",  "data_overlay_color",
-    "data_lowest"};
+constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
+                                                         "view_projection",
+                                                         "to_local",
+                                                         "haze_per_m",
+                                                         "lift",
+                                                         "place_end",
+                                                         "earth_centre",
+                                                         "flat_height",
+                                                         "page_window",
+                                                         "stroke_window",
+                                                         "form_map",
+                                                         "light_map",
+                                                         "aperture_map",
+                                                         "horizon_map",
+                                                         "page_origin",
+                                                         "page_scale",
+                                                         "drape_map",
+                                                         "drape_window",
+                                                         "drape_origin",
+                                                         "palette",
+                                                         "palette_range",
+                                                         "plain_color",
+                                                         "sea_color",
+                                                         "unknown_color",
+                                                         "haze_color",
+                                                         "pixel",
+                                                         "grid_lines",
+                                                         "lights",
+                                                         "light",
+                                                         "light_color",
+                                                         "ambient_color",
+                                                         "occlusion",
+                                                         "line_color",
+                                                         "form_lines",
+                                                         "contour",
+                                                         "strokes",
+                                                         "page_texel",
+                                                         "coast_sharp",
+                                                         "band_color",
+                                                         "band_lower",
+                                                         "height_range",
+                                                         "data_map",
+                                                         "data_colors",
+                                                         "data_size",
+                                                         "data_scale",
+                                                         "data_breaks",
+                                                         "data_look",
+                                                         "data_window",
+                                                         "data_overlay",
+                                                         "data_overlay_color",
+                                                         "data_lowest",
+                                                         kAirUniformNames[0],
+                                                         kAirUniformNames[1],
+                                                         kAirUniformNames[2],
+                                                         kAirUniformNames[3]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -117,10 +160,13 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 
 }  // namespace
 
-TerrainOutput output_of(const design::TerrainStyle& style, const design::DataStyle& data, bool off_screen_depth) noexcept {
+TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {
     if (!off_screen_depth) return TerrainOutput::color;
-    if (design::fits_pixel_code(style) && !data.ground.is_shown) return TerrainOutput::code;
-    return style.sketch.silhouettes > 0 ? TerrainOutput::color_and_distance : TerrainOutput::color;
+    const design::TerrainStyle& style = design.terrain.style;
+    // Codes tell distances too coarsely for the colours of air.
+    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown) return TerrainOutput::code;
+    const bool needs_distance = style.sketch.silhouettes > 0 || design.effects.depth_of_field.blur_px > 0;
+    return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
 
 TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
@@ -149,6 +195,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.flat, "#define FLAT 1\n");
+    defines.add_if(variant.air, "#define AIR 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }
@@ -163,6 +210,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));
     if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none && !code)
         fragment.append(shader_text(k_ground_overlay_frag));
+    if (variant.air && !code) fragment.append(shader_text(k_air_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

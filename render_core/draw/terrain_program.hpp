@@ -8,9 +8,8 @@
 #pragma once
 
 #include "render_core/base/fixed_string.hpp"
-#include "render_core/design/data_style.hpp"
-#include "render_core/design/terrain_style.hpp"
-#include "render_core/design/warning_bands.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/draw/air_table.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/gl/program.hpp"
 
@@ -72,7 +71,8 @@ enum TerrainUniform : std::size_t {
     kDataOverlay,
     kDataOverlayColor,
     kDataLowest,
-    kTerrainUniforms
+    kTerrainAir,  ///< the first of kAirUniformNames
+    kTerrainUniforms = kTerrainAir + kAirUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
@@ -82,8 +82,7 @@ enum class TerrainOutput : std::uint8_t {
     code,                ///< heights, light and distance of terrain_code.frag
 };
 /// The cheapest that shows the style and the data on a device that has off-screen depth or not.
-[[nodiscard]] TerrainOutput output_of(const design::TerrainStyle& style, const design::DataStyle& data,
-                                      bool off_screen_depth) noexcept;
+[[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept;
 
 struct TerrainVariant {
     std::size_t bands = 0;  ///< warning bands that it tells apart
@@ -96,6 +95,7 @@ struct TerrainVariant {
     bool ground_data = false;                                                       ///< a field of the scene colours the ground
     design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
     design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;          ///< on it
+    bool air = false;                                                               ///< between it and the eye
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 

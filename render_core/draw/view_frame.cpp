@@ -9,7 +9,6 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kEarthMeanRadius_m = 6'371'008.8;      // (2a + b) / 3 of WGS84
 constexpr double kCosineOfWidest = 0.0174524064372835;  // 89 degrees
 
 }  // namespace
@@ -61,7 +60,7 @@ glm::dvec3 direction_of(double heading_rad, double elevation_rad) noexcept {
 double horizon_dip_rad(double height_m) noexcept {
     if (!(height_m > 0)) return 0;
     // atan2 of the tangent's length and the radius: acos near 1 would lose the small angles.
-    return std::atan2(std::sqrt(height_m * (2 * kEarthMeanRadius_m + height_m)), kEarthMeanRadius_m);
+    return std::atan2(std::sqrt(height_m * (2 * earth::kMeanRadius_m + height_m)), earth::kMeanRadius_m);
 }
 
 }  // namespace tedavis::draw

@@ -14,6 +14,9 @@ inline constexpr double kSemiMajorAxis_m = 6378137.0;
 inline constexpr double kFlattening = 1.0 / 298.257223563;
 inline constexpr double kEccentricitySquared = kFlattening * (2.0 - kFlattening);
 
+/// (2 a + b) / 3
+inline constexpr double kMeanRadius_m = 6'371'008.8;
+
 /// Below every radius of curvature at heights from 439 m below the ellipsoid up: over a distance d the vertical turns by d over
 /// this at most.
 inline constexpr double kLeastCurvatureRadius_m = 6335000;

@@ -49,6 +49,7 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     rules.max_texture_units = static_cast<std::uint32_t>(section.integer("max_texture_units", 1, 32));
     capability.surface_depth_bits = static_cast<std::uint32_t>(section.integer("surface_depth_bits", 0, 32));
     capability.depth24_targets = section.boolean("depth24_targets", true);
+    capability.off_screen_pictures = static_cast<std::uint32_t>(section.integer("off_screen_pictures", 0, 8, 1));
     if (rules.calls != CallClass::es3 && capability.lane == Lane::es3)
         section.fault("lane", "lane 'es3' needs calls 'es3'; set lane = \"es2\"");
 }

@@ -33,6 +33,7 @@ struct DeviceCapability {
     GlRules gl;
     std::uint32_t surface_depth_bits = 24;  ///< the surface must have at least so many
     bool depth24_targets = true;            ///< off-screen targets need 24-bit depth (OES_depth24 on ES 2.0)
+    std::uint32_t off_screen_pictures = 1;  ///< pictures of the device's size, with depth, that it has room and time for
 };
 static_assert(std::is_trivially_copyable_v<DeviceCapability>);
 

@@ -34,11 +34,23 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "pages of the image, and a tap",
      {Effect::plain_color, Effect::count_}},
     {Effect::plain_color, "plain_color", Contribution::content, Need::nothing, false, "", "none"},
+    {Effect::aerial_perspective,
+     "aerial_perspective",
+     Contribution::color,
+     Need::half_float_texture,
+     true,
+     "1 - what is left of the strongest band over the farthest ground, at the densest air",
+     "three taps and a root a pixel; a table of 64 x 64 a step of the eye's height",
+     {Effect::haze, Effect::count_}},
     {Effect::haze, "haze", Contribution::color, Need::nothing, true, "1 - exp(-farthest ground / haze distance)",
      "an exponential a vertex, and a blend a pixel"},
     {Effect::ground_data, "ground_data", Contribution::content, Need::nothing, true, "",
      "taps of the slice and of its colours, a pixel of the ground"},
     {Effect::adjacent, "adjacent", Contribution::content, Need::nothing, true, "", "quads of the symbology"},
+    {Effect::depth_of_field, "depth_of_field", Contribution::geometry, Need::second_picture, true,
+     "the widest blur between the nearest ground and the farthest", "a picture off screen, and a pass of seventeen taps"},
+    {Effect::antialiasing, "antialiasing", Contribution::geometry, Need::second_picture, true,
+     "one pixel, where anything has an edge", "a picture off screen, and a pass of five taps; four more at edges"},
 }};
 
 constexpr bool is_in_order() {
@@ -58,10 +70,16 @@ Effect effect_of(std::string_view name) noexcept {
     return Effect::count_;
 }
 
-bool has(const DeviceCapability& device, Need need) noexcept { return need == Need::nothing || device.depth24_targets; }
+bool has(const DeviceCapability& device, Need need) noexcept {
+    if (need == Need::depth24_target) return device.depth24_targets;
+    if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
+    return need == Need::nothing || device.gl.calls == CallClass::es3;
+}
 
 std::string_view lack_of(Need need) noexcept {
-    return need == Need::depth24_target ? "the device has no 24-bit depth off screen" : "";
+    if (need == Need::depth24_target) return "the device has no 24-bit depth off screen";
+    if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
+    return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
 }
 
 }  // namespace tedavis::effects

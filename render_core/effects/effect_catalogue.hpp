@@ -22,9 +22,12 @@ enum class Effect : std::uint8_t {
     fixed_light,
     drape,
     plain_color,
+    aerial_perspective,
     haze,
     ground_data,
     adjacent,
+    depth_of_field,
+    antialiasing,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);
@@ -43,7 +46,7 @@ inline constexpr double kUnseenColor = 1.0 / 255;
 inline constexpr double kUnseenPixels = 0.5;
 
 /// What the device must be able to do.
-enum class Need : std::uint8_t { nothing, depth24_target };
+enum class Need : std::uint8_t { nothing, depth24_target, half_float_texture, second_picture };
 
 struct EffectEntry {
     Effect effect = Effect::count_;

@@ -26,7 +26,8 @@ const char* size_refusal(const CallState& state, GLsizei width, GLsizei height) 
 }
 
 /// Bytes of a texel of the formats that the rules let through.
-std::uint64_t texel_bytes(GLenum format) {
+std::uint64_t texel_bytes(GLenum format, GLenum type) {
+    if (type == GL_HALF_FLOAT) return 8;
     switch (format) {
         case GL_RGBA: return 4;
         case GL_RGB: return 3;
@@ -37,6 +38,7 @@ std::uint64_t texel_bytes(GLenum format) {
 }
 
 const char* upload_format_refusal(const CallState& state, GLenum format, GLenum type) {
+    if (type == GL_HALF_FLOAT) return state.es3() && format == GL_RGBA ? nullptr : kFormat;
     if (type != GL_UNSIGNED_BYTE) return kFormat;
     if (one_of(format, {GL_RGBA, GL_RGB})) return nullptr;
     if (state.rules.calls == effects::CallClass::es2)
@@ -227,7 +229,7 @@ const char* CallRule<&CallTable::TexImage2D>::refusal(CallState& state, GLenum t
     if (const char* refusal = size_refusal(state, width, height)) return refusal;
     if (pixels != nullptr)
         state.frame.uploaded_bytes +=
-            texel_bytes(format) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+            texel_bytes(format, type) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return nullptr;
 }
 
@@ -240,8 +242,9 @@ const char* CallRule<&CallTable::TexParameteri>::refusal(CallState& state, GLenu
 const char* CallRule<&CallTable::TexStorage2D>::refusal(CallState& state, GLenum target, GLsizei levels, GLenum format,
                                                         GLsizei width, GLsizei height) {
     if (target != GL_TEXTURE_2D) return kTarget;
-    // The sized formats that OpenGL SC 2.0 has.
-    if (!one_of(format, {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8, GL_RGBA4, GL_RGB5_A1, GL_RGB565})) return kFormat;
+    // Those that OpenGL SC 2.0 has, too, but for the first.
+    const bool is_half = state.es3() && format == GL_RGBA16F;
+    if (!is_half && !one_of(format, {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8, GL_RGBA4, GL_RGB5_A1, GL_RGB565})) return kFormat;
     if (levels != 1 && !(power_of_two(width) && power_of_two(height))) return "levels need edges that are powers of two";
     return size_refusal(state, width, height);
 }
@@ -251,7 +254,8 @@ const char* CallRule<&CallTable::TexSubImage2D>::refusal(CallState& state, GLenu
     if (target != GL_TEXTURE_2D) return kTarget;
     if (const char* refusal = upload_format_refusal(state, format, type)) return refusal;
     if (const char* refusal = size_refusal(state, width, height)) return refusal;
-    state.frame.uploaded_bytes += texel_bytes(format) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    state.frame.uploaded_bytes +=
+        texel_bytes(format, type) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return nullptr;
 }
 

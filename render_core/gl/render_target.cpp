@@ -82,4 +82,11 @@ void bind_surface(Gl& gl, const base::Surface& surface) {
     gl->Viewport(0, 0, static_cast<GLsizei>(surface.width()), static_cast<GLsizei>(surface.height()));
 }
 
+void DrawPlace::bind(Gl& gl) const {
+    if (target_ != nullptr)
+        target_->bind(gl);
+    else
+        bind_surface(gl, *surface_);
+}
+
 }  // namespace tedavis::gl

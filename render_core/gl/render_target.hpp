@@ -43,4 +43,16 @@ private:
 /// Draws go to the surface, over the whole of it.
 void bind_surface(Gl& gl, const base::Surface& surface);
 
+/// Where a pass leaves its picture: the surface or a target. Refers to it.
+class DrawPlace {
+public:
+    DrawPlace(const base::Surface& surface) : surface_(&surface) {}  // NOLINT(google-explicit-constructor): it is one
+    DrawPlace(const RenderTarget& target) : target_(&target) {}      // NOLINT(google-explicit-constructor)
+    void bind(Gl& gl) const;
+
+private:
+    const base::Surface* surface_ = nullptr;
+    const RenderTarget* target_ = nullptr;
+};
+
 }  // namespace tedavis::gl

@@ -8,20 +8,26 @@ namespace tedavis::gl {
 namespace {
 
 GLenum transfer_format(const Gl& gl, TextureFormat format) {
-    if (format == TextureFormat::rgba8) return GL_RGBA;
+    if (format != TextureFormat::r8) return GL_RGBA;
     return gl.has(CallId::TexStorage2D) ? GL_RED : GL_LUMINANCE;
+}
+
+GLenum texel_type(TextureFormat format) { return format == TextureFormat::rgba16f ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE; }
+
+GLenum sized_format(TextureFormat format) {
+    return format == TextureFormat::rgba8 ? GL_RGBA8 : format == TextureFormat::rgba16f ? GL_RGBA16F : GL_R8;
 }
 
 GLsizei to_size(std::uint32_t value) { return static_cast<GLsizei>(value); }
 
 void store(Gl& gl, const TextureSettings& settings) {
     if (gl.has(CallId::TexStorage2D)) {
-        const GLenum sized = settings.format == TextureFormat::rgba8 ? GL_RGBA8 : GL_R8;
-        gl->TexStorage2D(GL_TEXTURE_2D, 1, sized, to_size(settings.width_px), to_size(settings.height_px));
+        gl->TexStorage2D(GL_TEXTURE_2D, 1, sized_format(settings.format), to_size(settings.width_px),
+                         to_size(settings.height_px));
     } else {
         const GLenum format = transfer_format(gl, settings.format);
         gl->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), to_size(settings.width_px), to_size(settings.height_px), 0,
-                       format, GL_UNSIGNED_BYTE, nullptr);
+                       format, texel_type(settings.format), nullptr);
     }
     const GLint filter = settings.filter == TextureFilter::nearest ? GL_NEAREST : GL_LINEAR;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -30,10 +36,14 @@ void store(Gl& gl, const TextureSettings& settings) {
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+std::uint64_t texel_bytes(TextureFormat format) {
+    return format == TextureFormat::rgba16f ? 8 : format == TextureFormat::rgba8 ? 4 : 1;
+}
+
 }  // namespace
 
 std::uint64_t texture_bytes(const TextureSettings& settings) {
-    return std::uint64_t{settings.width_px} * settings.height_px * (settings.format == TextureFormat::rgba8 ? 4 : 1);
+    return std::uint64_t{settings.width_px} * settings.height_px * texel_bytes(settings.format);
 }
 
 Texture& Texture::operator=(Texture&& other) noexcept {
@@ -55,7 +65,7 @@ bool Texture::upload(Gl& gl, const TexelRect& part, const void* texels) const {
     bind(gl, 0);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(part.x), static_cast<GLint>(part.y), to_size(part.width),
-                      to_size(part.height), transfer_format(gl, settings_.format), GL_UNSIGNED_BYTE, texels);
+                      to_size(part.height), transfer_format(gl, settings_.format), texel_type(settings_.format), texels);
     return true;
 }
 

@@ -13,7 +13,8 @@
 namespace tedavis::gl {
 
 /// `r8` reads back in a shader as .r in every lane (ES 2.0 has it as luminance; do not read the other components).
-enum class TextureFormat : std::uint8_t { r8, rgba8 };
+/// `rgba16f` (half floats, filtered) is ES 3's only.
+enum class TextureFormat : std::uint8_t { r8, rgba8, rgba16f };
 enum class TextureFilter : std::uint8_t { nearest, linear };
 
 struct TextureSettings {

@@ -23,8 +23,17 @@ constexpr gl::AttributeBinding kAttributes[] = {{"place", kPlace},        {"colo
                                                 {"direction", kDirection}};
 constexpr GLuint kInstancedAttributes = kDirection + 1;
 enum Uniform : std::size_t { kEarthToEye = kFirstOwnDataUniform, kFacing, kUniformCount };
-constexpr const char* kUniforms[kUniformCount] = {kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2],
-                                                  kDataUniformNames[3], "earth_to_eye",       "facing"};
+constexpr const char* kUniforms[kUniformCount] = {kDataUniformNames[0],
+                                                  kDataUniformNames[1],
+                                                  kDataUniformNames[2],
+                                                  kDataUniformNames[3],
+                                                  kDataUniformNames[4],
+                                                  kDataUniformNames[5],
+                                                  kDataUniformNames[6],
+                                                  kDataUniformNames[7],
+                                                  kDataUniformNames[8],
+                                                  "earth_to_eye",
+                                                  "facing"};
 constexpr float kOne = 127;  // of signed bytes
 constexpr std::uint64_t kShapeBytes =
     GlyphShapes::kMostVertices * sizeof(GlyphVertex) + GlyphShapes::kMostIndices * sizeof(std::uint16_t);
@@ -77,7 +86,8 @@ std::uint64_t GlyphDrawer::bytes_needed(const gl::Gl& gl, std::uint64_t gpu_byte
     return shapes + std::uint64_t{corners_within(gpu_bytes)} * (sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t));
 }
 
-gl::GlError GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory) {
+gl::GlError GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air) {
+    with_air_ = with_air;
     is_instanced_ = has_instances(gl);
     most_instances_ = instances_within(gl, line.bytes);
     shapes_ = memory.allocate_array<GlyphShapes>(1);
@@ -129,9 +139,11 @@ gl::GlError GlyphDrawer::build_programs(gl::Gl& gl) {
     vertex.append(shader_text(k_glyph_vert));
     const std::size_t attributes = is_instanced_ ? kInstancedAttributes : kCornersAttributes;
     const std::size_t uniforms = is_instanced_ ? kUniformCount : std::size_t{kFirstOwnDataUniform};
-    auto built = gl::build_program(gl, {"glyph", vertex.view(), shader_text(k_data_color_frag),
-                                        base::Span<const gl::AttributeBinding>(kAttributes).subspan(0, attributes),
-                                        base::Span<const char* const>(kUniforms).subspan(0, uniforms)});
+    DataFragment fragment;
+    add_data_fragment(fragment, with_air_);
+    auto built = gl::build_program(
+        gl, {"glyph", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes).subspan(0, attributes),
+             base::Span<const char* const>(kUniforms).subspan(0, uniforms), true});
     if (!built.ok()) return built.error();
     program_ = built.value();
     return {};
@@ -150,6 +162,7 @@ std::uint32_t GlyphDrawer::draw(gl::Gl& gl, const DataFrame& frame, const DepthR
     if (batch_ == nullptr || uploaded_ == 0) return 0;
     begin(gl, frame, range);
     for (const bool is_transparent : {false, true}) {
+        set_opaque(gl, program_, frame, !is_transparent);
         if (is_transparent) {
             gl->Enable(GL_BLEND);
             gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);

@@ -28,7 +28,7 @@ public:
     /// How many instances so many bytes of the GPU hold; on devices without instances as many as one likes.
     [[nodiscard]] static std::uint32_t instances_within(const gl::Gl& gl, std::uint64_t gpu_bytes);
     /// Takes the whole line. An empty sentence means success.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
 
     /// Once a frame, before draw(): what follows draws these. The batch must stay as it is until then. Instances beyond
@@ -67,7 +67,7 @@ private:
     const GlyphBatch* batch_ = nullptr;
     glm::vec3 earth_to_eye_{0};
     std::uint32_t most_instances_ = 0, uploaded_ = 0, corner_count_ = 0, index_count_ = 0, draws_ = 0;
-    bool is_instanced_ = false;
+    bool is_instanced_ = false, with_air_ = false;
 };
 
 }  // namespace tedavis::draw

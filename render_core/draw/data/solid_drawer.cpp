@@ -80,22 +80,32 @@ void SolidBuffers::destroy(gl::Gl& gl) {
     indices_.destroy(gl);
 }
 
-gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces) {
+gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, bool with_air) {
     order_ = memory.allocate_array<Ordered>(most_pieces);
     if (order_.size() < most_pieces)
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     static constexpr gl::AttributeBinding kBindings[kAttributes] = {
         {"place", kPlace}, {"normal_unsure", kNormal}, {"color", kColor}};
-    static constexpr const char* kNames[kUniforms] = {
-        kDataUniformNames[0], kDataUniformNames[1], kDataUniformNames[2], kDataUniformNames[3], "anchor", "fading", "cover",
-        "near_fade"};
+    static constexpr const char* kNames[kUniforms] = {kDataUniformNames[0],
+                                                      kDataUniformNames[1],
+                                                      kDataUniformNames[2],
+                                                      kDataUniformNames[3],
+                                                      kDataUniformNames[4],
+                                                      kDataUniformNames[5],
+                                                      kDataUniformNames[6],
+                                                      kDataUniformNames[7],
+                                                      kDataUniformNames[8],
+                                                      "anchor",
+                                                      "fading",
+                                                      "cover",
+                                                      "near_fade"};
     base::FixedString<kMaxShaderText> vertex(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_solid_vert));
-    base::FixedString<kMaxShaderText> fragment("#define FADES_NEAR 1\n");
-    fragment.append(shader_text(k_data_color_frag));
+    DataFragment fragment("#define FADES_NEAR 1\n");
+    add_data_fragment(fragment, with_air);
     auto built =
         gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kBindings),
-                               base::Span<const char* const>(kNames)});
+                               base::Span<const char* const>(kNames), true});
     if (!built.ok()) return built.error();
     program_ = built.value();
     return {};
@@ -140,30 +150,31 @@ std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const
     draw_pass(gl, solids, frame, Pass::ghosts);
     draw_pass(gl, solids, frame, Pass::opaque);
     draw_pass(gl, solids, frame, Pass::mixed);
+    if (frame.frame.left.is_left()) draw_pass(gl, solids, frame, Pass::distances);
     gl->Disable(GL_CULL_FACE);
     for (GLuint attribute = 0; attribute < kAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
     return draws_;
 }
 
 void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass) {
-    const bool blends = pass != Pass::opaque;
-    if (blends) {
-        gl->Enable(GL_BLEND);
-        gl->DepthMask(GL_FALSE);
-    }
+    const bool blends = pass == Pass::ghosts || pass == Pass::mixed;
+    if (blends) gl->Enable(GL_BLEND);
+    if (pass != Pass::opaque) gl->DepthMask(GL_FALSE);
+    if (pass == Pass::distances) gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
     if (pass == Pass::ghosts) gl->DepthFunc(GL_GREATER);
+    set_opaque(gl, program_, frame.frame, !blends);
     std::uint32_t bound = kMostBuffers;
     for (std::uint32_t n = 0; n < chosen_; ++n) {
         const SolidBuffers& buffers = *solids[order_[n].buffer];
         const SolidPiece& piece = buffers.batch().pieces()[order_[n].piece];
         const bool takes_part =
-            pass == Pass::ghosts ? piece.look.ghost > 0 && piece.look.halo_px <= 0 : is_mixed(piece) == (pass == Pass::mixed);
+            pass == Pass::ghosts ? piece.look.ghost > 0 && piece.look.halo_px <= 0 : is_mixed(piece) == (pass != Pass::opaque);
         if (!takes_part) continue;
         if (bound != order_[n].buffer) buffers.bind(gl);
         bound = order_[n].buffer;
         draw_piece(gl, piece, frame, pass);
     }
-    if (!blends) return;
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl->DepthFunc(GL_LESS);
     gl->DepthMask(GL_TRUE);
     gl->Disable(GL_BLEND);

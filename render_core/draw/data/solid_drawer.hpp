@@ -53,7 +53,7 @@ public:
     static constexpr std::size_t kMostBuffers = 2;
 
     /// `most_pieces` of all buffers that are drawn together.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     /// At most kMostBuffers of them; all uploaded. Returns the number of draws. The depth test is on, blending and culling off,
     /// before and after.
@@ -66,7 +66,7 @@ private:
         double depth_m;
         std::uint32_t buffer, piece;
     };
-    enum class Pass : std::uint8_t { ghosts, opaque, mixed };
+    enum class Pass : std::uint8_t { ghosts, opaque, mixed, distances };
     void choose(base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, const DepthRange& range);
     void order_by_depth();
     void draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass);

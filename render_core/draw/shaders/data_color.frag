@@ -1,6 +1,7 @@
-// Colour of spatial data behind haze.
+// Colour of spatial data behind haze, or with AIR behind air.frag, which it follows.
 uniform vec3 haze_color;
 uniform float haze_per_m;  // 1 / distance, 0 for none
+uniform vec3 left;         // least and most of the distance's code that alpha takes; 1: of an opaque thing, which is not mixed
 #ifdef FADES_NEAR
 uniform vec2 near_fade;    // m from the eye where it begins to be seen; share a metre from there on
 #endif
@@ -13,6 +14,12 @@ void main() {
     shown = clamp((distance_m - near_fade.x) * near_fade.y, 0.0, 1.0);
     if (shown <= 0.0) discard;  // what is not seen hides nothing
 #endif
-    float haze = 1.0 - exp(-distance_m * haze_per_m);
-    FRAGMENT_COLOR = vec4(mix(v_color.rgb, haze_color, haze), v_color.a * shown);
+#ifdef AIR
+    vec3 color = through_air(v_color.rgb, v_eye / distance_m, distance_m);
+#else
+    vec3 color = mix(v_color.rgb, haze_color, 1.0 - exp(-distance_m * haze_per_m));
+#endif
+    float alpha = v_color.a * shown;
+    if (left.z > 0.5) alpha = clamp(log2(1.0 + distance_m / 50.0) / 13.0, left.x, left.y);
+    FRAGMENT_COLOR = vec4(color, alpha);
 }

@@ -5,6 +5,7 @@
 // ES 3 fetches texels by their place, which a processor without texture units does several times as fast.
 uniform sampler2D scene;       // alpha codes the logarithm of the distance; 1 where nothing was drawn
 uniform vec2 scene_size;       // texels
+uniform vec2 left;             // least and most of the distance's code that the picture's alpha keeps
 #ifdef OUTLINED
 uniform vec3 line_color;
 uniform vec3 outline;          // strength; code steps at which a line begins and is full
@@ -16,8 +17,6 @@ uniform vec3 haze_color;
 uniform vec3 unknown_color;
 #endif
 #endif
-
-VARYING vec2 v_at;
 
 const float kSky = 254.5 / 255.0;
 
@@ -65,9 +64,9 @@ vec3 color_seen(vec4 color) { return color.a > kSky ? sky_color() : color.rgb; }
 
 #ifdef SKY
 #ifdef CODED
-void main() { FRAGMENT_COLOR = vec4(table_at(vec2(sky_column(), 1.0)).rgb, 1.0); }
+void main() { FRAGMENT_COLOR = vec4(table_at(vec2(sky_column(), 1.0)).rgb, left.y); }
 #else
-void main() { FRAGMENT_COLOR = vec4(sky_color(), 1.0); }
+void main() { FRAGMENT_COLOR = vec4(sky_color(), left.y); }
 #endif
 #else
 #ifdef OUTLINED
@@ -87,6 +86,6 @@ void main() {
     vec4 around = distances_around() - here.a;
     color = mix(color, line_color, clamp(jump(around.xz, around.yw) * outline.z, 0.0, 1.0) * outline.x);
 #endif
-    FRAGMENT_COLOR = vec4(color, 1.0);
+    FRAGMENT_COLOR = vec4(color, clamp(here.a, left.x, left.y));
 }
 #endif

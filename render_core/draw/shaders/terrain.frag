@@ -62,7 +62,11 @@ VARYING float v_height;
 VARYING vec2 v_class;
 VARYING vec3 v_normal;
 VARYING vec3 v_eye;
+#ifdef AIR
+VARYING vec3 v_ray;
+#else
 VARYING float v_haze;
+#endif
 #ifdef BAKED
 VARYING vec2 v_page;
 #endif
@@ -367,7 +371,11 @@ void main() {
     float unknown = step(0.001, v_class.y);
     float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) - 0.5) * 12.0;
     color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
+#ifdef AIR
+    color = mix(through_air(color, v_ray / distance_m, distance_m), color, 0.5 * unknown);
+#else
     color = mix(color, haze_color, v_haze * (1.0 - 0.5 * unknown));
+#endif
 #ifdef DISTANCE_IN_ALPHA
     FRAGMENT_COLOR = vec4(color, min(log2(1.0 + distance_m / 50.0) / 13.0, 254.0 / 255.0));  // 255 is the sky
 #else

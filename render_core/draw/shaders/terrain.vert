@@ -21,7 +21,11 @@ VARYING float v_height;
 VARYING vec2 v_class;          // sea, void
 VARYING vec3 v_normal;         // east, north, up
 VARYING vec3 v_eye;            // from the eye, east, north, up, m
+#ifdef AIR
+VARYING vec3 v_ray;            // from the eye, ECEF, m
+#else
 VARYING float v_haze;
+#endif
 
 void main() {
     vec3 eye_relative = eye_relative_place();
@@ -30,7 +34,11 @@ void main() {
     v_class = class_of_vertex();
     v_normal = to_local * normal;
     v_eye = to_local * eye_relative;
+#ifdef AIR
+    v_ray = eye_relative;
+#else
     v_haze = 1.0 - exp(-length(eye_relative) * haze_per_m);
+#endif
 #ifdef BAKED
     v_page = place * page_window.xy + page_window.zw;
 #endif

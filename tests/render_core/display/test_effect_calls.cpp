@@ -32,7 +32,7 @@ protected:
     EffectCalls() {
         decisions_.show_terrain = decisions_.show_warning_colors = true;
         facts_.asked = asked_effects(design_with_everything());
-        facts_.has_silhouettes = true;
+        facts_.is_near = true;
         facts_.light = LightSource::sun;
         facts_.drape = DrapeState::shown;
         facts_.ground_data = facts_.adjacent = GroundDataState::shown;
@@ -81,7 +81,7 @@ TEST_F(EffectCalls, WhatLacksItsInputSaysWhich) {
 }
 
 TEST_F(EffectCalls, FromFarAwayThereIsNeitherHazeNorSilhouette) {
-    facts_.has_silhouettes = false;
+    facts_.is_near = false;
     facts_.haze_per_m = 0;
     EXPECT_EQ(call(Effect::silhouettes).kind, Kind::not_called_for);
     EXPECT_EQ(call(Effect::haze).kind, Kind::not_called_for);
@@ -110,6 +110,64 @@ TEST(PossibleDesign, IsTheDesignWithWhatStandsIn) {
     EXPECT_EQ(bare.sky.haze_distance_m, 0);
     EXPECT_FALSE(bare.data.ground.is_shown);
     EXPECT_FALSE(bare.data.adjacent.is_shown);
+}
+
+TEST_F(EffectCalls, AirStandsInTheHazesPlaceAndIsBoundedAsItIs) {
+    design::DesignSettings design = design_with_everything();
+    design.sky.air.is_shown = true;
+    facts_.asked = asked_effects(design);
+    facts_.air = design.sky.air;
+    EXPECT_EQ(call(Effect::haze).kind, Kind::not_asked_for);
+    EXPECT_EQ(call(Effect::aerial_perspective).kind, Kind::called);
+    EXPECT_EQ(call(Effect::aerial_perspective).bound, air_bound(design.sky.air, 30'000));
+    EXPECT_GT(air_bound(design.sky.air, 30'000), air_bound(design.sky.air, 3'000));
+    EXPECT_EQ(air_bound(design.sky.air, 0), 0);
+    facts_.is_near = false;
+    EXPECT_EQ(call(Effect::aerial_perspective).kind, Kind::not_called_for);
+}
+
+TEST_F(EffectCalls, BlurIsBoundedByNearestAndFarthestGround) {
+    facts_.asked.add(Effect::depth_of_field);
+    facts_.nearest_m = 1000;
+    facts_.focus = {true, 500, 40'000, 6};
+    EXPECT_EQ(call(Effect::depth_of_field).bound, 0) << "all of it is in focus";
+    facts_.focus = {true, 500, 10'000, 6};
+    EXPECT_NEAR(call(Effect::depth_of_field).bound, 6 * (1 - 10'000.0 / 30'000), 1e-12);
+    facts_.focus = {true, 3000, 40'000, 6};
+    EXPECT_EQ(call(Effect::depth_of_field).bound, 6) << "nearer than half of the focus the blur grows no more";
+    EXPECT_EQ(blur_bound({true, 0, 1000, 6}, 0, std::numeric_limits<double>::infinity()), 6);
+    facts_.focus.is_known = false;
+    EXPECT_EQ(call(Effect::depth_of_field).kind, Kind::no_input);
+    facts_.focus = {};
+    EXPECT_EQ(call(Effect::depth_of_field).kind, Kind::called) << "what the device lacks is said by the planner";
+    facts_.is_near = false;
+    EXPECT_EQ(call(Effect::depth_of_field).kind, Kind::not_called_for);
+}
+
+TEST(PossibleDesign, HasNoViewEffectsWhereThereIsNoSecondPicture) {
+    design::DesignSettings design;
+    design.effects.antialiasing = true;
+    design.effects.depth_of_field.blur_px = 4;
+    effects::DeviceSettings device;
+    device.capability.gl.calls = effects::CallClass::es3;
+    device.capability.off_screen_pictures = 2;
+    EXPECT_TRUE(possible_design(design, device).effects.antialiasing);
+    EXPECT_EQ(possible_design(design, device).effects.depth_of_field.blur_px, 4);
+    device.capability.off_screen_pictures = 1;
+    EXPECT_FALSE(possible_design(design, device).effects.antialiasing);
+    EXPECT_EQ(possible_design(design, device).effects.depth_of_field.blur_px, 0);
+}
+
+TEST(PossibleDesign, HazeStandsInForAir) {
+    design::DesignSettings design;
+    design.sky.air.is_shown = true;
+    effects::DeviceSettings device;
+    device.capability.gl.calls = effects::CallClass::es3;
+    EXPECT_TRUE(possible_design(design, device).sky.air.is_shown);
+    EXPECT_EQ(possible_design(design, device).sky.haze_distance_m, 0) << "never both";
+    device.capability.gl.calls = effects::CallClass::sc2;
+    EXPECT_FALSE(possible_design(design, device).sky.air.is_shown);
+    EXPECT_EQ(possible_design(design, device).sky.haze_distance_m, design.sky.haze_distance_m);
 }
 
 constexpr std::uint32_t kWidth = 200, kHeight = 150;

@@ -61,8 +61,7 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     PicturePass pass;
     EXPECT_FALSE(pass.is_started());
     EXPECT_EQ(
-        pass.start(session.gl, session.device.budget, kWidth, kHeight, design.terrain.style, TerrainOutput::color_and_distance)
-            .sentence.view(),
+        pass.start(session.gl, session.device.budget, kWidth, kHeight, design, TerrainOutput::color_and_distance).sentence.view(),
         "");
     EXPECT_TRUE(pass.is_started());
     base::BudgetLine line;
@@ -151,9 +150,7 @@ TEST(PicturePass, WhereNothingWasDrawnIsTheSky) {
         GlSession session("egl", device, kWide, kHigh);
         PicturePass pass;
         SkyDrawer sky;
-        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, design.terrain.style, TerrainOutput::code)
-                      .sentence.view(),
-                  "");
+        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, design, TerrainOutput::code).sentence.view(), "");
         ASSERT_EQ(sky.start(session.gl, session.device.budget).sentence.view(), "");
         session.gl.seal();
         session.gl.begin_frame();
@@ -193,8 +190,8 @@ TEST(PicturePass, ADeviceWithoutRoomIsRefused) {
     GlSession session("egl", "es3-mid", kWidth, kHeight);
     session.device.budget.find(effects::kRenderTargets)->use.in_use = session.device.budget.find(effects::kRenderTargets)->bytes;
     PicturePass pass;
-    const gl::GlError error = pass.start(session.gl, session.device.budget, kWidth, kHeight, design_with(1).terrain.style,
-                                         TerrainOutput::color_and_distance);
+    const gl::GlError error =
+        pass.start(session.gl, session.device.budget, kWidth, kHeight, design_with(1), TerrainOutput::color_and_distance);
     EXPECT_NE(error.sentence.view(), "");
     EXPECT_FALSE(pass.is_started());
     session.gl.seal();

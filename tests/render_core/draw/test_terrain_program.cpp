@@ -61,6 +61,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                                                                           design::kUncertaintyOverlays);
                 variant.baked = pages > 0;
                 variant.coast = pages > 1;
+                variant.air = pages == 1 && session.device.capability.gl.calls == effects::CallClass::es3;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
@@ -68,7 +69,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kHeightRange) {
+            if (n != kHeightRange && (n < kTerrainAir || session.device.capability.gl.calls == effects::CallClass::es3)) {
                 EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
             }
         session.gl.seal();
@@ -88,14 +89,18 @@ TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {
 }
 
 TEST(TerrainProgram, TheCheapestOutputThatShowsTheStyle) {
-    TerrainStyle style;
+    design::DesignSettings design;
+    TerrainStyle& style = design.terrain.style;
     style.sketch.silhouettes = 1;
-    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::code);
-    EXPECT_EQ(output_of(style, {}, false), TerrainOutput::color);
+    EXPECT_EQ(output_of(design, true), TerrainOutput::code);
+    design.sky.air.is_shown = true;
+    EXPECT_EQ(output_of(design, true), TerrainOutput::color_and_distance);
+    design.sky.air.is_shown = false;
+    EXPECT_EQ(output_of(design, false), TerrainOutput::color);
     style.sketch.contours = 1;
-    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::color_and_distance);
+    EXPECT_EQ(output_of(design, true), TerrainOutput::color_and_distance);
     style.sketch.silhouettes = 0;
-    EXPECT_EQ(output_of(style, {}, true), TerrainOutput::color);
+    EXPECT_EQ(output_of(design, true), TerrainOutput::color);
 }
 
 TEST(TerrainProgram, CodesCompileInBothLanes) {

@@ -11,6 +11,13 @@
 namespace tedavis::effects::test_effect_catalogue {
 namespace {
 
+const char* name_of(Need need) {
+    return need == Need::depth24_target       ? "24-bit depth off screen"
+           : need == Need::half_float_texture ? "textures of half floats"
+           : need == Need::second_picture     ? "a second picture off screen, ES 3"
+                                              : "";
+}
+
 /// The table of the module's README, from the code.
 std::string table() {
     std::ostringstream text;
@@ -18,8 +25,7 @@ std::string table() {
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectEntry& entry = entry_of(static_cast<Effect>(n));
         text << "| `" << entry.name << "` | " << kContributionNames[static_cast<std::size_t>(entry.contribution)] << " | "
-             << (entry.need == Need::nothing ? "" : "24-bit depth off screen") << " | " << entry.bound << " | " << entry.cost
-             << " | ";
+             << name_of(entry.need) << " | " << entry.bound << " | " << entry.cost << " | ";
         for (const Effect replacement : entry.replacements)
             if (replacement != Effect::count_) text << "`" << entry_of(replacement).name << "` ";
         text << "|\n";
@@ -43,14 +49,17 @@ TEST(EffectCatalogue, NamesAreUniqueAndFoundAgain) {
     EXPECT_EQ(effect_of(""), Effect::count_);
 }
 
-/// Whatever may be taken away has something in its place that never is, or nothing is lost that others show.
+/// What stands in needs nothing. For content it cannot be taken away either: nothing is lost that others show.
 TEST(EffectCatalogue, WhatStandsInIsAlwaysPossible) {
-    for (std::size_t n = 0; n < kEffectCount; ++n)
-        for (const Effect replacement : entry_of(static_cast<Effect>(n)).replacements) {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectEntry& entry = entry_of(static_cast<Effect>(n));
+        for (const Effect replacement : entry.replacements) {
             if (replacement == Effect::count_) continue;
             EXPECT_EQ(entry_of(replacement).need, Need::nothing);
+            if (entry.contribution != Contribution::content) continue;
             EXPECT_FALSE(entry_of(replacement).may_be_forbidden);
         }
+    }
     for (const Effect always : {Effect::terrain, Effect::warning_colors}) EXPECT_FALSE(entry_of(always).may_be_forbidden);
 }
 
@@ -67,6 +76,15 @@ TEST(EffectCatalogue, ADeviceHasWhatItsFileSays) {
     device.depth24_targets = false;
     EXPECT_FALSE(has(device, Need::depth24_target));
     EXPECT_TRUE(has(device, Need::nothing));
+    device.gl.calls = CallClass::es3;
+    EXPECT_TRUE(has(device, Need::half_float_texture));
+    EXPECT_FALSE(has(device, Need::second_picture));
+    device.off_screen_pictures = 2;
+    EXPECT_TRUE(has(device, Need::second_picture));
+    device.gl.calls = CallClass::sc2;
+    EXPECT_FALSE(has(device, Need::half_float_texture));
+    EXPECT_FALSE(has(device, Need::second_picture));
+    EXPECT_EQ(lack_of(Need::half_float_texture), "the device has no textures of half floats");
     EXPECT_EQ(lack_of(Need::depth24_target), "the device has no 24-bit depth off screen");
 }
 

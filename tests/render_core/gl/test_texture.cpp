@@ -66,6 +66,18 @@ TEST_P(TextureTest, TakesItsBytesFromTheLine) {
     EXPECT_EQ(line_.use.in_use, 0u);
 }
 
+TEST_P(TextureTest, HalfFloatsAreOfES3Only) {
+    const bool is_es3 = at_.device.capability.gl.calls == effects::CallClass::es3;
+    auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba16f, TextureFilter::linear, 2, 2});
+    ASSERT_EQ(texture.ok(), is_es3);
+    if (!is_es3) return;
+    EXPECT_EQ(line_.use.in_use, 32u);
+    const std::uint16_t half = 0x3800, texels[] = {half, 0, 0, 0, half, 0, 0, 0, half, 0, 0, 0, half, 0, 0, 0};
+    ASSERT_TRUE(texture.value().upload(at_.gl, {0, 0, 2, 2}, texels));
+    EXPECT_NEAR(show(texture.value())[0], 127.5, 0.6);
+    texture.value().destroy(at_.gl);
+}
+
 TEST_P(TextureTest, LargerThanTheDeviceIsRefusedAndTakesNothing) {
     line_.bytes = 1u << 30;
     const auto texture =

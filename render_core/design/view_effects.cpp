@@ -1,0 +1,31 @@
+#include "render_core/design/view_effects.hpp"
+
+#include "render_core/design/config_values.hpp"
+
+namespace tedavis::design {
+namespace {
+
+constexpr std::string_view kLayers[] = {"terrain", "data", "all"};
+
+void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
+    if (!section.present()) return;
+    field.blur_px = section.number("blur_px", 0.5, kMostBlur_px, 4);
+    field.focus_near_m = section.number("focus_near_m", 0, 1e6, field.focus_near_m);
+    field.focus_far_m = section.number("focus_far_m", 1, 1e6, field.focus_far_m);
+    if (field.focus_near_m >= field.focus_far_m) fault_of(section, "focus_far_m", "must be farther than focus_near_m");
+    if (section.has("focus_role"))
+        field.focus_role = static_cast<scene::LayerRole>(
+            section.choice("focus_role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
+    const std::size_t layers = section.choice("layers", kLayers, 2);
+    field.on_terrain = layers != 1;
+    field.on_data = layers != 0;
+}
+
+}  // namespace
+
+void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
+    effects.antialiasing = section.boolean("antialiasing", effects.antialiasing);
+    read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
+}
+
+}  // namespace tedavis::design

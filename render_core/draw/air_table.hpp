@@ -1,0 +1,73 @@
+/// What air does on the way to the eye, as a texture that programs with shaders/air.frag read: by the ray's angle above the
+/// horizon and by the distance, so that all that is in view at one moment shares it.
+///
+/// Rows stand closest at the horizon, columns at equal ratios of 1 km + distance up to 800 km, the last one for rays that leave
+/// the air. Light is scaled so that the sky at the horizon, square to the sun, has the brightness that the design asks for, and
+/// hardly more towards the sun: symbols must be seen there. Computed again when the eye has changed its height by kHeightStep_m
+/// or the sun its elevation by kSunStep_rad; by their rounded values, so that a frame does not depend on those before it.
+///
+/// Memory    half floats from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/design/design_settings.hpp"
+#include "render_core/earth/atmosphere.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/texture.hpp"
+
+namespace tedavis::draw {
+
+/// What a frame tells the programs of its air. Without a map there is none.
+struct AirFrame {
+    const gl::Texture* map = nullptr;
+    double molecule_light = 0, aerosol_light = 0;  ///< of the horizon before phase functions, of the most that is wanted
+    glm::dvec3 towards_sun{0, 0, 1}, up{0, 0, 1};  ///< unit vectors, ECEF
+    double dip_rad = 0;                            ///< of the visible horizon
+    double eye_height_m = 0;                       ///< above the sea
+    double share = 1;                              ///< 0..1 of the air's effect: less on the way to the map
+};
+
+/// Of every program that is built with AIR.
+inline constexpr std::size_t kAirUniforms = 4;
+inline constexpr const char* kAirUniformNames[kAirUniforms] = {"air_map", "air_sun", "air_up", "air_look"};
+inline constexpr std::uint32_t kAirUnit = 9;  ///< beyond those of smaller devices, which have no such programs
+
+/// The program must be in use; `first` is the place of kAirUniformNames in its list. Columns of `axes`: in what frame its rays
+/// are.
+void set_air_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const AirFrame& air,
+                      const glm::dmat3& axes = glm::dmat3(1.0));
+
+class AirTable {
+public:
+    static constexpr std::uint32_t kRows = 64, kColumns = 64, kBlocks = 3;
+    static constexpr double kHeightStep_m = 8, kSunStep_rad = 0.25 / 57.29577951308232;
+
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
+    [[nodiscard]] bool is_started() const { return texture_.valid(); }
+    void update(gl::Gl& gl, const design::AirSettings& settings, double eye_height_m, double sun_elevation_rad);
+    /// The map and its light; the rest of the frame is the caller's.
+    [[nodiscard]] AirFrame frame() const;
+    void destroy(gl::Gl& gl) { texture_.destroy(gl); }
+
+    /// Sine of the elevation that a row stands for, and the distance of a column; the last column has none.
+    [[nodiscard]] static double sine_of_row(double row, double dip_rad) noexcept;
+    [[nodiscard]] static double distance_of_column_m(double column) noexcept;
+
+private:
+    void upload_row(gl::Gl& gl, std::uint32_t row, earth::AirWay way, double scale) const;
+
+    gl::Texture texture_;
+    bool is_known_ = false;
+    design::AirSettings settings_;
+    long long height_step_ = 0, sun_step_ = 0;
+    double molecule_light_ = 0, aerosol_light_ = 0;
+};
+
+/// Nearest IEEE 754 binary16 of a number 0..65504, ties to even.
+[[nodiscard]] std::uint16_t half_of(double value) noexcept;
+
+}  // namespace tedavis::draw

@@ -1,0 +1,75 @@
+#include "render_core/draw/view_effects_pass.hpp"
+
+#include <cmath>
+
+#include "render_core/base/check.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/draw/shader_texts.hpp"
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+enum Uniform : std::size_t { kScene, kSceneSize, kFocus, kUniforms };
+
+}  // namespace
+
+double distance_code(double distance_m) noexcept {
+    return std::fmin(std::log2(1 + distance_m / kDistanceCodeStart_m) / kDistanceCodeOctaves, 254.0 / 255);
+}
+
+gl::GlError ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths) {
+    static constexpr const char* kNames[kUniforms] = {"scene", "scene_size", "focus"};
+    base::FixedString<kMaxShaderText> fragment(blurs ? "#define BLUR 1\n" : "");
+    if (smooths) fragment.append("#define SMOOTH 1\n");
+    fragment.append(shader_text(k_view_effects_frag));
+    auto built = gl::build_program(
+        gl, {"view effects", shader_text(k_screen_vert), fragment.view(),
+             base::Span<const gl::AttributeBinding>(kScreenAttributes), base::Span<const char* const>(kNames), true});
+    if (!built.ok()) return built.error();
+    programs_[blurs ? 1 : 0][smooths ? 1 : 0] = built.value();
+    return {};
+}
+
+gl::GlError ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                                   const design::ViewEffects& effects) {
+    const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::linear, width_px, height_px};
+    auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
+    if (!target.ok()) return target.error();
+    target_ = static_cast<gl::RenderTarget&&>(target.value());
+    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    for (const bool blurs : {false, true})
+        for (const bool smooths : {false, true}) {
+            if ((blurs && effects.depth_of_field.blur_px <= 0) || (smooths && !effects.antialiasing) || (!blurs && !smooths))
+                continue;
+            if (gl::GlError error = build_program(gl, blurs, smooths); !error.sentence.empty()) return error;
+        }
+    return {};
+}
+
+void ViewEffectsPass::finish(gl::Gl& gl, const base::Surface& surface, const ViewEffectsInput& input) {
+    const gl::Program& program = programs_[input.blurs ? 1 : 0][input.smooths ? 1 : 0];
+    TEDAVIS_CHECK(program.valid());
+    gl::bind_surface(gl, surface);
+    gl->Disable(GL_DEPTH_TEST);
+    gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_BLEND);
+    target_.color().bind(gl, 0);
+    program.use(gl);
+    const gl::TextureSettings& size = target_.color().settings();
+    gl->Uniform1i(program.uniform(kScene), 0);
+    gl->Uniform2f(program.uniform(kSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
+    gl->Uniform3f(program.uniform(kFocus), static_cast<float>(input.focus.near_m), static_cast<float>(input.focus.far_m),
+                  static_cast<float>(input.focus.blur_px));
+    grid_.draw(gl);
+}
+
+void ViewEffectsPass::destroy(gl::Gl& gl) {
+    for (auto& some : programs_)
+        for (gl::Program& program : some) program.destroy(gl);
+    grid_.destroy(gl);
+    target_.destroy(gl);
+}
+
+}  // namespace tedavis::draw

@@ -1,0 +1,58 @@
+/// Effects on the finished picture of the scene, before symbology: depth of field and smoothed edges, in one pass.
+///
+/// The scene is drawn into this pass's picture instead of the surface; its alpha codes distances where a frame blurs. Blur after
+/// Potmesil, Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981, gathered at every
+/// pixel.
+///
+/// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
+#pragma once
+
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/design/view_effects.hpp"
+#include "render_core/draw/screen_grid.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+/// What is sharp, as distances from the eye.
+struct FocusRange {
+    bool is_known = false;
+    double near_m = 0, far_m = 0;
+    double blur_px = 0;  ///< radius infinitely far
+};
+
+struct ViewEffectsInput {
+    bool blurs = false, smooths = false;
+    FocusRange focus;
+};
+
+/// Code of a distance as shaders write it into alpha, 0..254/255.
+[[nodiscard]] double distance_code(double distance_m) noexcept;
+
+/// What alpha takes of a distance's code: from the first to the second. Nothing of it (1, 1), all of it (0, 1), or one code.
+struct DistanceLeft {
+    double least = 1, most = 1;
+
+    [[nodiscard]] bool is_left() const { return least < 1; }
+};
+
+class ViewEffectsPass {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                                    const design::ViewEffects& effects);
+    [[nodiscard]] bool is_started() const { return target_.valid(); }
+    [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
+    /// Puts the target's picture on the surface, whole. At least one effect is asked for, and was at start().
+    void finish(gl::Gl& gl, const base::Surface& surface, const ViewEffectsInput& input);
+    void destroy(gl::Gl& gl);
+
+private:
+    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool blurs, bool smooths);
+
+    gl::RenderTarget target_;
+    ScreenGrid grid_;
+    gl::Program programs_[2][2];  ///< the second blurs; the second smooths
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,49 @@
+#include "render_core/design/view_effects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tedavis::design::test_view_effects {
+namespace {
+
+/// Empty where the text is accepted.
+std::string read(const std::string& text, ViewEffects& effects) {
+    base::ConfigReader reader(text, "d.toml");
+    read_view_effects(reader.root(), effects);
+    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+}
+
+TEST(ViewEffects, NothingIsAskedForByDefault) {
+    ViewEffects effects;
+    EXPECT_EQ(read("", effects), "");
+    EXPECT_FALSE(effects.antialiasing);
+    EXPECT_EQ(effects.depth_of_field.blur_px, 0);
+}
+
+TEST(ViewEffects, AreWhatTheFileSays) {
+    ViewEffects effects;
+    EXPECT_EQ(read("antialiasing = true\n[depth_of_field]\nblur_px = 3\nfocus_near_m = 500\nfocus_far_m = 4000\n"
+                   "layers = \"data\"\nfocus_role = \"storm_cell\"\n",
+                   effects),
+              "");
+    EXPECT_TRUE(effects.antialiasing);
+    EXPECT_EQ(effects.depth_of_field.blur_px, 3);
+    EXPECT_EQ(effects.depth_of_field.focus_near_m, 500);
+    EXPECT_EQ(effects.depth_of_field.focus_far_m, 4000);
+    EXPECT_EQ(effects.depth_of_field.focus_role, scene::LayerRole::storm_cell);
+    EXPECT_FALSE(effects.depth_of_field.on_terrain);
+    EXPECT_TRUE(effects.depth_of_field.on_data);
+}
+
+TEST(ViewEffects, WhatHasNoMeaningIsRefused) {
+    ViewEffects effects;
+    for (const char* text :
+         {"[depth_of_field]\nblur_px = 0\n", "[depth_of_field]\nblur_px = 9\n",
+          "[depth_of_field]\nfocus_near_m = 5000\nfocus_far_m = 4000\n", "[depth_of_field]\nlayers = \"symbology\"\n",
+          "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "bloom = true\n"})
+        EXPECT_NE(read(text, effects).find("d.toml:"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace tedavis::design::test_view_effects
