@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -74,15 +75,32 @@ void require_other_file(const std::string& output, const std::vector<std::string
     }
 }
 
-void require_replaceable(const std::string& output, std::string_view beginning, const std::string& kind) {
+void require_replaceable(const std::string& output, const BeginsAsOwn& is_own, const std::string& kind) {
+    constexpr std::size_t kLooked = 64;
     std::error_code not_there;
     if (!std::filesystem::is_regular_file(output, not_there)) return;
-    std::string found(beginning.size(), '\0');
+    std::string found(kLooked, '\0');
     std::ifstream file(output, std::ios::binary);
     const bool is_empty = file.is_open() && file.peek() == std::ifstream::traits_type::eof();
     file.read(found.data(), static_cast<std::streamsize>(found.size()));
-    if (!is_empty && (!file || found != beginning))
+    found.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    if (!is_empty && !is_own(found))
         throw UserError(output + ": is there already and is no " + kind + "; name another output, or remove this file first");
+}
+
+void require_replaceable(const std::string& output, std::string_view beginning, const std::string& kind) {
+    require_replaceable(
+        output, [&](std::string_view found) { return found.substr(0, beginning.size()) == beginning; }, kind);
+}
+
+void require_replaceable_log(const std::string& output) {
+    const auto is_candump = [](std::string_view found) {
+        const std::size_t seconds = found.find_first_not_of("0123456789", 1),
+                          part = found.find_first_not_of("0123456789", seconds + 1);
+        return found.substr(0, 1) == "(" && seconds > 1 && seconds < found.size() && found[seconds] == '.' &&
+               part > seconds + 1 && part < found.size() && found.substr(part, 2) == ") ";
+    };
+    require_replaceable(output, is_candump, "candump log");
 }
 
 }  // namespace tedavis::host_sim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,10 @@ void require_other_file(const std::string& output, const std::vector<std::string
 /// Throws UserError where the output would replace a file that does not begin as results of its kind do, which the sentence names
 /// ("scene database"). Empty files make room; what is no file is left to whoever writes.
 void require_replaceable(const std::string& output, std::string_view beginning, const std::string& kind);
+/// The same, told from the first bytes, at most 64.
+using BeginsAsOwn = std::function<bool(std::string_view)>;
+void require_replaceable(const std::string& output, const BeginsAsOwn& is_own, const std::string& kind);
+/// The same of candump logs, which do not say who wrote them: the first line begins with a time in brackets.
+void require_replaceable_log(const std::string& output);
 
 }  // namespace tedavis::host_sim

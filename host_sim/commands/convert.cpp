@@ -108,6 +108,8 @@ void say_what_was_done(Console& console, const ImportedFile& file, const Cleanin
 int run_convert(const ConvertOptions& options, Console& console) {
     check_options(options);
     require_other_file(options.output, {options.flight});
+    require_replaceable_log(options.output);
+    require_replaceable(options.output + ".json", "{\n  \"source\": ", "report of a conversion");
     ImportedFile file = import_flight_file(options.flight);
     const ImportedFile about{file.format, {}, file.notes};
     RecordedFlight flight = choose_aircraft(std::move(file), options.aircraft, options.flight);

@@ -116,11 +116,19 @@ void write_scene(const SceneDraft& scene, AtomicFile& file) {
     (void)OpenScene(file.part_path());
 }
 
+void require_replaceable_results(const std::string& folder) {
+    require_replaceable_log(folder + "/flight.log");
+    require_replaceable(folder + "/flight.switches", "# tedavis switch log ", "switch log");
+    require_replaceable(folder + "/scene.sdb", {scene::kSdbMagic, sizeof scene::kSdbMagic}, "scene database");
+    require_replaceable(folder + "/scenario.json", "{\n  \"synthetic\": ", "description of a generated flight");
+}
+
 }  // namespace
 
 int run_scenario_build(const ScenarioBuildOptions& options, Console& console) {
     const std::string path = resolve_config(options.scenario, "scenarios");
     const Scenario scenario = parse_scenario(read_file(path), path);
+    require_replaceable_results(options.output);
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const bus::SwitchConfig panel = panel_of(scenario);
     const GeoidEgm96 geoid = GeoidEgm96::installed();

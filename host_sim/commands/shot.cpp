@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/input_file.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -30,6 +31,8 @@ flight::PhaseStatus stated_phase(const std::string& name) {
 
 int run_shot(const ShotOptions& options, Console& console) {
     require_png_name(options.output);
+    require_replaceable(options.output, "\x89PNG\r\n\x1a\n", "PNG picture");
+    require_replaceable(record_path(options.output), "{\"frame\":", "record of a picture");
     const flight::PhaseStatus phase = stated_phase(options.phase);
     DisplaySession session(options.picture, false);
     AircraftPose pose = options.pose;

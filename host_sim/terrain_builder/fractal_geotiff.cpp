@@ -18,6 +18,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr int kTile = 256;
+constexpr const char *kMadeBy = "TIFFTAG_SOFTWARE", *kMaker = "tedavis terrain fractal";
 
 using Dataset = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
 
@@ -30,6 +31,17 @@ void require_space(const std::string& path, std::uint32_t posts, FractalNumbers 
     if (!error && space.available < bytes)
         throw UserError(path + ": needs " + std::to_string(bytes >> 20) + " MiB, but its disk has only " +
                         std::to_string(space.available >> 20) + " MiB left; give a smaller --size or another disk");
+}
+
+/// Rasters are what people have: only what says that it was made here makes room for the next.
+void require_own(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return;
+    GDALAllRegister();
+    const Dataset found(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    const char* const maker = found == nullptr ? nullptr : found->GetMetadataItem(kMadeBy);
+    if (maker == nullptr || std::string(maker) != kMaker)
+        throw UserError(path + ": is there already and is no generated terrain; name another output, or remove this file first");
 }
 
 Dataset create(const std::string& path, std::uint32_t posts, FractalNumbers numbers) {
@@ -51,6 +63,7 @@ Dataset create(const std::string& path, std::uint32_t posts, FractalNumbers numb
     OGRSpatialReference wgs84;
     wgs84.importFromEPSG(4326);
     file->SetSpatialRef(&wgs84);
+    file->SetMetadataItem(kMadeBy, kMaker);
     return file;
 }
 
@@ -81,9 +94,10 @@ bool write_tiles(GDALDataset& file, std::uint32_t posts, const FractalTerrain& t
 
 void write_fractal_geotiff(const std::string& path, std::uint32_t posts, std::uint64_t seed, FractalNumbers numbers,
                            const FractalProgress& progress) {
+    const QuietGdal quiet;
+    require_own(path);
     AtomicFile file(path);
     require_space(path, posts, numbers);
-    const QuietGdal quiet;
     bool written = false;
     {
         const Dataset raster = create(file.part_path(), posts, numbers);

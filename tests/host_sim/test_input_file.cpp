@@ -80,6 +80,22 @@ TEST(InputFile, AnOutputMayNotReplaceAnInput) {
         "is also an input");
 }
 
+TEST(InputFile, ALogReplacesLogsOnly) {
+    const test_support::TemporaryFolder folder;
+    for (const char* const other :
+         {"(a note)\n", "(12) can0", "1780322400.0 can0", "(.5) x", "(5.) x", "(5.5)x", "(1780322400.000000"}) {
+        folder.write("mine.log", other);
+        test_support::expect_user_error([&] { require_replaceable_log(folder.file("mine.log")); },
+                                        "mine.log: is there already and is no candump log");
+        EXPECT_EQ(folder.read("mine.log"), other);
+    }
+    folder.write("own.log", "(1780322400.000000) can0 137#0902000000000000\n");
+    folder.write("short.log", "(0.0) v 1#");
+    folder.write("empty.log", "");
+    for (const char* const name : {"own.log", "short.log", "empty.log", "none.log"})
+        EXPECT_NO_THROW(require_replaceable_log(folder.file(name))) << name;
+}
+
 TEST(InputFile, AnOutputReplacesItsOwnKindOnly) {
     const test_support::TemporaryFolder folder;
     const auto require = [&](const char* name) { require_replaceable(folder.file(name), "MAGIC", "such database"); };

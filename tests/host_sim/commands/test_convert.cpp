@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "bus/candump/candump_log_source.hpp"
@@ -113,6 +114,18 @@ TEST_F(ConvertCommand, ConvertsToTheSameBytesAgain) {
     const std::string first = place_.read("f.log");
     (void)convert(csv("height_msl_m", "2000"));
     EXPECT_EQ(place_.read("f.log"), first);
+}
+
+TEST_F(ConvertCommand, OtherFilesAreNotReplaced) {
+    const std::string mine = "my own notes\n";
+    for (const char* const name : {"f.log", "f.log.json"}) {
+        place_.write(name, mine);
+        expect_user_error([&] { (void)convert(csv("height_msl_m", "2000")); },
+                          std::string(name) + ": is there already and is no");
+        EXPECT_EQ(place_.read(name), mine);
+        std::filesystem::remove(place_.file(name));
+    }
+    EXPECT_EQ(place_.entries(), 1u) << "only the flight itself";
 }
 
 TEST_F(ConvertCommand, LeavesNothingWhereItRefuses) {

@@ -70,6 +70,26 @@ TEST(ScenarioCommand, EqualSeedsGiveEqualBytesAndTheOptionReplacesTheFiles) {
     EXPECT_NE(place.read("a/scene.sdb"), place.read("c/scene.sdb"));
 }
 
+TEST(ScenarioCommand, ReplacesItsOwnFilesOnly) {
+    const test_support::TemporaryFolder place;
+    const std::string mine = "my own notes\n";
+    EXPECT_EQ(build({"default", place.file("a"), {}}).code, 0);
+    EXPECT_EQ(build({"default", place.file("a"), {}}).code, 0);
+    const std::string log = place.read("a/flight.log");
+    for (const char* const name : {"flight.log", "flight.switches", "scene.sdb", "scenario.json"}) {
+        const std::string before = place.read(std::string("a/") + name);
+        place.write(std::string("a/") + name, mine);
+        expect_user_error(
+            [&] {
+                (void)build({"default", place.file("a"), 8});
+            },
+            std::string("a/") + name + ": is there already and is no");
+        EXPECT_EQ(place.read(std::string("a/") + name), mine);
+        place.write(std::string("a/") + name, before);
+    }
+    EXPECT_EQ(place.read("a/flight.log"), log) << "the others stay as they were";
+}
+
 TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
     const test_support::TemporaryFolder place;
     std::string text = read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml");

@@ -74,6 +74,20 @@ TEST(Shot, EqualPosesGiveEqualPictures) {
     }
 }
 
+TEST(Shot, OtherFilesAreNotReplaced) {
+    ShotOptions options = shot();
+    options.output = files().folder.file("mine.png");
+    const std::string mine = "{\"my\": \"own\"}\n";
+    for (const char* const name : {"mine.png", "mine.json"}) {
+        files().folder.write(name, mine);
+        test_support::expect_user_error([&] { static_cast<void>(taken(options)); },
+                                        std::string(name) + ": is there already and is no");
+        EXPECT_EQ(files().folder.read(name), mine);
+        std::filesystem::remove(files().folder.file(name));
+    }
+    EXPECT_EQ(taken(options).at("hash"), taken(options).at("hash")) << "a picture makes room for the next";
+}
+
 TEST(Shot, NamesThePhase) {
     ShotOptions options = shot();
     options.phase = "approach.final";

@@ -287,6 +287,24 @@ TEST_F(TerrainCommand, FractalTerrainIsARasterThatBuilds) {
         "--type bits: unknown; choose float32 or int16");
 }
 
+TEST_F(TerrainCommand, FractalTerrainReplacesItsOwnRastersOnly) {
+    TerrainFractalOptions options;
+    options.size = 100;
+    options.output = place_.file("f.tif");
+    const auto make = [&] { return run_command([&](Console& console) { return run_terrain_fractal(options, console); }).code; };
+    const std::string dem = place_.read("r.tif");
+    for (const std::string& other : {std::string("my own notes\n"), dem}) {
+        place_.write("f.tif", other);
+        expect_user_error([&] { (void)make(); }, "f.tif: is there already and is no generated terrain");
+        EXPECT_EQ(place_.read("f.tif"), other);
+    }
+    std::filesystem::remove(options.output);
+    EXPECT_EQ(make(), 0);
+    const std::string first = place_.read("f.tif");
+    EXPECT_EQ(make(), 0);
+    EXPECT_EQ(place_.read("f.tif"), first);
+}
+
 TEST_F(TerrainCommand, NotesOfTheRasterReachTheUser) {
     test_support::RasterFile two;
     two.bands = 2;
