@@ -93,7 +93,15 @@ void build_chevron(const Painter& painter, const Ladder& ladder, int degrees) {
     painter.polyline(corners, kWarningColor, 3);
 }
 
-/// A long line at elevation zero over the whole box.
+/// Where the picture's own horizon is seen: above and below the ladder too, and through the heading's tape, but not behind
+/// legends that stand below the attitude.
+Rect horizon_box(const Layout& layout) {
+    const Rect& box = layout.attitude;
+    const bool has_legends_below = layout.data_legends[1].y >= box.bottom();
+    return {box.x, layout.screen.y, box.width, (has_legends_below ? box : layout.heading).bottom() - layout.screen.y};
+}
+
+/// A long line at elevation zero wherever it is seen.
 void build_horizon(const Painter& painter, const SymbologyInput& input) {
     const Ladder ladder(input);
     const ProjectedPoint middle = ladder.at(0, 0);
@@ -101,7 +109,7 @@ void build_horizon(const Painter& painter, const SymbologyInput& input) {
     const double wide = ladder.tangent_of(painter.layout().screen.width + painter.layout().screen.height);
     const ProjectedPoint left = ladder.at(0, -wide), right = ladder.at(0, wide);
     if (!left.in_front || !right.in_front) return;
-    painter.batch().set_clip(painter.layout().attitude);
+    painter.batch().set_clip(horizon_box(painter.layout()));
     painter.line(left.at, right.at);
     painter.batch().lift_clip();
 }
@@ -118,7 +126,7 @@ float support_within(const Rect& box, const Point& center, const Point& directio
     return x * direction.x + y * direction.y;
 }
 
-/// A strip of the other side with the horizon's line, when the horizon itself is out of the picture: it is never lost.
+/// A strip of the other side with the horizon's line, when the horizon itself is out of sight: it is never lost, and never twice.
 void build_permanent_horizon(const Painter& painter, const SymbologyInput& input) {
     const glm::dmat3& axes = input.view.body_axes;
     // Down component of a screen point's ray: the horizon is where it vanishes.
@@ -130,8 +138,8 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
     const bool in_ground = distance > 0;
     const Point to_ground{static_cast<float>(across / slope), static_cast<float>(below / slope)};
     const Point to_horizon{in_ground ? -to_ground.x : to_ground.x, in_ground ? -to_ground.y : to_ground.y};
-    // Where it cuts off less than a corner of the box it is hardly seen.
-    const float seen_to = support_within(painter.layout().attitude, center, to_horizon) - painter.text_px();
+    // Where it cuts off less than a corner it is hardly seen.
+    const float seen_to = support_within(horizon_box(painter.layout()), center, to_horizon) - painter.text_px();
     if (std::fabs(distance) <= static_cast<double>(seen_to)) return;
     const float limit = reach_within(box, center) - painter.text_px();
     const Point along{to_ground.y, -to_ground.x};

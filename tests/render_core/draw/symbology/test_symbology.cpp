@@ -89,7 +89,10 @@ TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
                         input.decisions[piece.element].show = show;
                         BatchStore store;
                         piece.build(Painter(store.batch, layout), input);
-                        expect_inside(store.batch, layout.*piece.box, piece.name);
+                        // The horizon's line alone is drawn wherever the picture's own is seen.
+                        const Rect& box = layout.*piece.box;
+                        const Rect seen{box.x, 0, box.width, layout.heading.bottom()};
+                        expect_inside(store.batch, piece.build == build_attitude ? seen : box, piece.name);
                         EXPECT_EQ(store.batch.use().refused, 0u);
                     }
                 }
@@ -256,11 +259,12 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
                 const Layout layout = make_layout(screen.width, screen.height, 96);
                 BatchStore store;
                 build_attitude(Painter(store.batch, layout), input);
-                // Either the line at zero elevation is inside the box or a strip of the other side is.
+                // Either the line at zero elevation is seen, behind the heading's tape too, or a strip of the other side is.
+                const Rect seen{layout.attitude.x, 0, layout.attitude.width, layout.heading.bottom()};
                 int line_inside = 0;
                 for (double azimuth = -90; azimuth <= 90; azimuth += 0.5) {
                     const ProjectedPoint at = project(input.view, direction_of(base::radians(10 + azimuth), 0));
-                    line_inside += at.in_front && layout.attitude.contains(at.at) ? 1 : 0;
+                    line_inside += at.in_front && seen.contains(at.at) ? 1 : 0;
                 }
                 const bool strip = has_color(store.batch, input.sky) || has_color(store.batch, input.ground);
                 EXPECT_TRUE(line_inside > 0 || strip) << screen.width << " " << pitch << " " << roll;
@@ -276,11 +280,30 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
     EXPECT_FALSE(has_color(up.batch, high.sky));
     EXPECT_TRUE(has_color(down.batch, low.sky));
     EXPECT_FALSE(has_color(down.batch, low.ground));
-    // Beyond the ladder, but in the picture: one horizon is enough.
-    BatchStore level;
-    const SymbologyInput raised = scene_input(scene_state(10, 14, 0), 1024, 768);
-    build_attitude(Painter(level.batch, make_layout(1024, 768, 96)), raised);
-    EXPECT_FALSE(has_color(level.batch, raised.ground));
+}
+
+TEST(Symbology, TheStripStandsInOnlyForAHorizonThatIsOutOfSight) {
+    const Layout layout = make_layout(1024, 768, 96);
+    const double focal = 512 / std::tan(base::radians(30));
+    // Past the ladder, behind the heading's tape, and above the attitude: still in the picture.
+    for (const double pitch : {14.0, 16.5, 18.5, -19.5}) {
+        const SymbologyInput input = scene_input(scene_state(10, pitch, 0), 1024, 768);
+        BatchStore store;
+        build_attitude(Painter(store.batch, layout), input);
+        EXPECT_FALSE(has_color(store.batch, input.ground) || has_color(store.batch, input.sky)) << pitch;
+        const double y = 384 + focal * std::tan(base::radians(pitch));
+        int across = 0;  // corners of the horizon's line over the whole width
+        for (const QuadVertex& vertex : store.batch.vertices())
+            if (std::abs(static_cast<double>(vertex.y) - y) < 3 && std::abs(vertex.x - 512) > 220) ++across;
+        EXPECT_GE(across, 4) << pitch;
+    }
+    for (const double pitch : {23.0, -26.0}) {
+        const SymbologyInput input = scene_input(scene_state(10, pitch, 0), 1024, 768);
+        BatchStore store;
+        build_attitude(Painter(store.batch, layout), input);
+        EXPECT_EQ(has_color(store.batch, input.ground), pitch > 0) << pitch;
+        EXPECT_EQ(has_color(store.batch, input.sky), pitch < 0) << pitch;
+    }
 }
 
 TEST(Symbology, ChevronsAppearOnlyInUnusualAttitudes) {
