@@ -61,6 +61,7 @@ draw::GlyphStyle value_style(const design::DataElement& element, const scene::At
     set_range(element, attribute, style);
     style.opacity = element.opacity;
     style.fading = element.uncertainty == ElementUncertainty::transparency ? element.uncertainty_strength : 0;
+    style.greying = element.uncertainty == ElementUncertainty::saturation ? element.uncertainty_strength : 0;
     style.directions = has_classes ? kDirectionsOfClasses : 0;
     style.is_colored = element.by_color.is_used();
     style.plain = element.color;

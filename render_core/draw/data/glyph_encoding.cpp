@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render_core/base/units.hpp"
+#include "render_core/design/grey_of.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/placement.hpp"
 
@@ -18,8 +19,8 @@ using scene::SelectedGlyph;
 using scene::ValueState;
 using scene::WindState;
 
-constexpr double kSignShare = 0.5;                                       // of signs, of the full size
-constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.5;  // of the full size
+constexpr double kSignShare = 0.5;                                        // of signs, of the full size
+constexpr double kBarWidth = 0.3, kSolidWidth = 0.6, kArrowWidth = 0.26;  // of the full size
 constexpr double kStem_px = 2, kFootWidth_px = 12, kFootHeight_px = 4;
 
 GlyphShape shape_of(GlyphForm form) {
@@ -141,7 +142,9 @@ private:
         return faded(style_.is_colored ? design::scale_color(scale_, value) : style_.plain, summary);
     }
     [[nodiscard]] design::Color faded(design::Color color, const GlyphSummary& summary) const {
-        const double lost = summary.state == ValueState::missing ? 0 : style_.fading * summary.uncertainty.level();
+        const double level = summary.state == ValueState::missing ? 0 : summary.uncertainty.level();
+        const double lost = style_.fading * level;
+        if (style_.greying > 0) color = design::blended(color, design::grey_of(color), style_.greying * level);
         color.alpha = static_cast<std::uint8_t>(std::lround(color.alpha * style_.opacity * (1 - lost)));
         return color;
     }

@@ -37,6 +37,7 @@ struct GlyphStyle {
     double least_share = 0.35;               ///< the smallest size, of the full one
     double opacity = 1;
     double fading = 0;             ///< 0..1: what the opacity of the least sure loses
+    double greying = 0;            ///< 0..1: how grey the least sure is, as light as it was
     std::uint32_t directions = 0;  ///< of arrows, evenly round the compass from north on; 0: as they are
     bool is_colored = true;
     design::Color plain{235, 235, 235};  ///< of signs, and of all where there is no colour by value

@@ -16,7 +16,7 @@ using glm::vec3;
 
 constexpr float kRim = 0.05f;  // of a flat shape, as a share of its length
 constexpr float kHalf = 0.5f;
-constexpr float kShaftRadius = 0.12f, kTipRadius = 0.34f, kTipBegin = 0.05f;                    // of arrows
+constexpr float kShaftRadius = 0.14f, kTipRadius = 0.4f, kTipBegin = 0.12f;                     // of arrows
 constexpr float kInnerRing = 0.34f, kBarHalf = 0.09f, kCrossReach = 0.45f, kPlusReach = 0.19f;  // of signs' bars
 constexpr int kRoundSides = 16;
 constexpr std::uint8_t kFull = 255;

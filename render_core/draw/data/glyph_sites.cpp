@@ -12,6 +12,17 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// Of points that say nothing but where they are: all of one size, and nobody knows how sure.
+constexpr scene::AttributeEntry alike() {
+    scene::AttributeEntry entry{};
+    entry.scale = scene::AttributeScale::quantitative;
+    entry.of = scene::AttributeOf::point;
+    entry.maximum = 1;
+    return entry;
+}
+constexpr scene::AttributeEntry kAlikeEntry = alike();
+const scene::Attribute kAlike{&kAlikeEntry, {}, {}, {}, {}, {}};
+
 bool is_wind(const scene::Layer& layer) {
     return layer.entry->role == scene::LayerRole::wind && layer.find("east") != nullptr && layer.find("north") != nullptr;
 }
@@ -51,7 +62,8 @@ const scene::Attribute* glyph_attribute(const design::DataElement& element, cons
     if (is_wind(layer)) return layer.find("east");
     if (element.by_color.is_used()) return layer.find(element.by_color.attribute.view());
     if (!element.size_attribute.view().empty()) return layer.find(element.size_attribute.view());
-    return layer.attributes.empty() ? nullptr : &layer.attributes[0];
+    if (!layer.attributes.empty()) return &layer.attributes[0];
+    return layer.entry->shape == scene::LayerShape::points ? &kAlike : nullptr;
 }
 
 scene::GlyphValues glyph_values(const scene::Layer& layer, const scene::Attribute& attribute) {
@@ -143,6 +155,7 @@ scene::GlyphSite GlyphSites::post(const ElementInput& input, std::uint32_t n) co
 }
 
 scene::FieldValue GlyphSites::value_of_point(const scene::Attribute& attribute, std::uint32_t n) const {
+    if (&attribute == &kAlike) return {kAlikeEntry.maximum, scene::Uncertainty(), scene::ValueState::valid};
     std::uint32_t index = n;
     if (attribute.entry->of == scene::AttributeOf::feature && !layer_->starts.empty()) {
         const auto* const after = std::upper_bound(layer_->starts.begin(), layer_->starts.end(), n);

@@ -20,7 +20,8 @@ inline constexpr double kPointGlyph_m = 400;     ///< across, of points, where t
 inline constexpr double kShareOfSpacing = 0.85;  ///< the same of grids: of the distance of posts, at most kMostGridGlyph_m
 inline constexpr double kMostGridGlyph_m = 900;
 
-/// Which attribute glyphs show; null where the layer has none for them.
+/// Which attribute glyphs show; of points without any one that is the same everywhere, and as unsure as can be; null where the
+/// layer has none for them.
 [[nodiscard]] const scene::Attribute* glyph_attribute(const design::DataElement& element, const scene::Layer& layer);
 [[nodiscard]] scene::GlyphValues glyph_values(const scene::Layer& layer, const scene::Attribute& attribute);
 /// True when values or uncertainties are others at another time.

@@ -64,11 +64,12 @@ bool TubeSolids::start(base::Arena& arena, std::uint32_t rings) {
 ElementCount TubeSolids::add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
     way_.plan(input, most_points(batch, input));
+    const PlaceAccuracy worst = worst_accuracy(input.layer);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         way_.read(feature, line_);
         const scene::TubeCounts made = scene::make_tube(line_.points(), glm::dvec3(0), rings_);
         keep_upright({rings_.data(), made.rings});
-        const Work work{batch, mesh, input, feature, {rings_.data(), made.rings}};
+        const Work work{batch, mesh, input, feature, {rings_.data(), made.rings}, worst};
         const std::uint32_t drawn = add_layer(work, Layer::sides);
         if (drawn > 0 && has_rim(input)) add_layer(work, Layer::rim);
         if (drawn > 0 && has_margin(input)) add_layer(work, Layer::margin);
@@ -163,9 +164,8 @@ TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) 
     const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
     PlaceAccuracy accuracy = place_accuracy(work.input.layer, of);
     // Where neither the point nor the layer states it: it is not the best.
-    const PlaceAccuracy worst = worst_accuracy(work.input.layer);
-    if (!(accuracy.level_m > 0)) accuracy.level_m = worst.level_m;
-    if (!(accuracy.height_m > 0)) accuracy.height_m = worst.height_m;
+    if (!(accuracy.level_m > 0)) accuracy.level_m = work.worst.level_m;
+    if (!(accuracy.height_m > 0)) accuracy.height_m = work.worst.height_m;
     return {accuracy.level_m, accuracy.height_m > 0 ? accuracy.height_m : accuracy.level_m};
 }
 

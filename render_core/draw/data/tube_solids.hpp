@@ -39,6 +39,7 @@ private:
         const ElementInput& input;
         std::uint32_t feature;
         base::Span<const scene::TubeRing> rings;
+        PlaceAccuracy worst;  ///< of the layer
     };
     enum class Layer : std::uint8_t { sides, rim, margin };
     [[nodiscard]] std::uint32_t most_points(const SolidBatch& batch, const ElementInput& input) const;

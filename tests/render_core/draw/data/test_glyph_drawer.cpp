@@ -167,7 +167,7 @@ TEST(GlyphDrawer, ArrowsPointWhereTheirDirectionDoes) {
             const Box box = box_of(pixels);
             const double focal_px = level_frame().view.focal_px;
             EXPECT_NEAR(box.right + 1 - box.left, 0.6 * focal_px, 3) << device;
-            EXPECT_NEAR(box.top + 1 - box.bottom, 0.3 * 0.68 * focal_px, 5) << device;
+            EXPECT_NEAR(box.top + 1 - box.bottom, 0.3 * 0.8 * focal_px, 5) << device;
             const auto height_at = [&](int column) {
                 int rows = 0;
                 for (int row = 0; row < static_cast<int>(kHeight); ++row)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <GeographicLib/LocalCartesian.hpp>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
@@ -249,6 +250,26 @@ TEST(GlyphEncoding, SmallOnesArePlain) {
     EXPECT_EQ(shape_of_one(small, GlyphValues::wind, style), GlyphShape::plain_arrow);
     style.form = GlyphForm::sphere;
     EXPECT_EQ(shape_of_one(small, GlyphValues::wind, style), GlyphShape::plain_sphere);
+}
+
+TEST(GlyphEncoding, TheLessSureAreGreyerAndAsLight) {
+    GlyphStyle style = wind_style();
+    style.form = GlyphForm::sphere;
+    style.greying = 0.8;
+    SelectedGlyph sure = glyph_of(20), unsure = glyph_of(20), missing = glyph_of(20);
+    sure.summary.uncertainty = scene::Uncertainty::from_level(0);
+    unsure.summary.uncertainty = scene::Uncertainty();
+    missing.summary.state = ValueState::missing;
+    const auto color = [&](const SelectedGlyph& glyph) {
+        const GlyphInstance made = Encoded({glyph}, GlyphValues::number, style).only();
+        return std::array<int, 4>{made.rgba[0], made.rgba[1], made.rgba[2], made.rgba[3]};
+    };
+    EXPECT_EQ(color(sure), (std::array<int, 4>{200, 0, 0, 255}));
+    const double luma = 0.2126 * 200;
+    EXPECT_NEAR(color(unsure)[0], 0.2 * 200 + 0.8 * luma, 1);
+    EXPECT_NEAR(color(unsure)[1], 0.8 * luma, 1);
+    EXPECT_EQ(color(unsure)[3], 255) << "it does not fade";
+    EXPECT_EQ(color(missing)[0], style.missing.red) << "what is missing has no certainty to lose";
 }
 
 TEST(GlyphEncoding, TheLessSureFadeAndLieInOrder) {

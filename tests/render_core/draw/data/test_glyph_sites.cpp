@@ -165,6 +165,14 @@ TEST(GlyphSites, WhatTheLayerDoesNotHaveGivesNone) {
     ElementOfTest test(test_support::small_points());
     test.element.by_color.attribute = "smoke";
     EXPECT_FALSE(FilledField(test, 0).begun);
+    host_sim::LayerDraft bare = test_support::small_points();
+    bare.attributes.clear();
+    ElementOfTest alike(bare);
+    const FilledField places(alike, 0);
+    EXPECT_TRUE(places.begun) << "points that say nothing but where they are";
+    EXPECT_EQ(places.field.given(), 3u);
+    EXPECT_EQ(places.all().missing, 0u);
+    EXPECT_FALSE(places.all().uncertainty.is_known());
     ElementOfTest empty(test_support::small_meshes());
     EXPECT_FALSE(FilledField(empty, 0).begun) << "no attribute at all";
 }
