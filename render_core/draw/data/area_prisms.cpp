@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <string_view>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -15,25 +14,11 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostWidened = 2;  // of the widening, where a corner is sharp
-
-/// A height over something.
-struct Limit {
-    double m = kNone;  ///< NaN: not known
-    scene::HeightDatum datum = scene::HeightDatum::msl;
-};
 
 struct Corner {
     double latitude_rad, longitude_rad;
 };
-
-scene::HeightDatum datum_of(const scene::Layer& layer, std::string_view attribute, std::uint32_t feature) {
-    const scene::Attribute* const datum = layer.find(attribute);
-    const double code = value_or_nan(layer, attribute, feature);
-    if (datum == nullptr || !(code >= 0)) return layer.entry->height_datum;
-    return datum->class_name(static_cast<std::uint32_t>(code)) == "ground" ? scene::HeightDatum::ground : scene::HeightDatum::msl;
-}
 
 /// One area: its corners on the ellipsoid, what it reaches from and to.
 class Prism {
@@ -106,10 +91,9 @@ private:
 
     void take_limits() {
         const scene::Layer& layer = input_.layer;
-        floor_ = {value_or_nan(layer, "floor", feature_), datum_of(layer, "floor_datum", feature_)};
-        ceiling_ = {value_or_nan(layer, "ceiling", feature_), datum_of(layer, "ceiling_datum", feature_)};
-        const double height = value_or_nan(layer, "height", feature_);
-        if (std::isnan(ceiling_.m) && !std::isnan(height)) ceiling_ = {height, scene::HeightDatum::ground};
+        const AreaLimits stated = area_limits(layer, feature_);
+        floor_ = stated.floor;
+        ceiling_ = stated.ceiling;
         if (const scene::Attribute* const size = layer.find(input_.element.size_attribute.view()); size != nullptr) {
             const double value = value_or_nan(layer, input_.element.size_attribute.view(), feature_);
             const double largest = static_cast<double>(size->entry->maximum);
@@ -120,7 +104,7 @@ private:
         if (std::isnan(ceiling_.m)) ceiling_ = {kUnknownCeiling_m, scene::HeightDatum::msl};
     }
 
-    [[nodiscard]] Placed over(const Corner& at, const Limit& limit) {
+    [[nodiscard]] Placed over(const Corner& at, const HeightLimit& limit) {
         Ground& ground = input_.ground;
         Placed result;
         result.height_m = limit.m;
@@ -149,7 +133,7 @@ private:
         return true;
     }
 
-    bool add_cap(const Limit& limit, bool faces_up) {
+    bool add_cap(const HeightLimit& limit, bool faces_up) {
         const std::uint32_t first = mesh_.vertex_count();
         for (std::size_t n = 0; n < count_; ++n) {
             const Placed at = over(corner(n), limit);
@@ -172,7 +156,7 @@ private:
     LocalAxes axes_;
     glm::dvec2 metres_{1}, moved_{0};
     std::size_t count_ = 0;
-    Limit floor_, ceiling_;
+    HeightLimit floor_, ceiling_;
 };
 
 /// Where the area may reach to as well.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/billboard_look.hpp"
 #include "render_core/draw/data/icons.hpp"
 #include "render_core/draw/data/placement.hpp"
@@ -19,7 +20,8 @@ namespace {
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
 /// Stems are longer where a line of the symbology, the horizon above all, leaves no room; but not those of obstacles, of which
 /// each is as high as it looks.
-constexpr float kStem = BillboardSheet::kStem, kStems[] = {kStem, kStem + 2.5f, kStem + 5}, kOnTheSpot = 0;
+constexpr float kStem = BillboardSheet::kStem, kOnTheSpot = 0;
+constexpr float kStems[] = {kStem, kStem + 1.25f, kStem + 2.5f, kStem + 3.75f, kStem + 5, kStem + 6.25f, kStem + 7.5f};
 constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 constexpr float kHalo_px = 1.5f;
@@ -28,7 +30,12 @@ constexpr float kStem_px = 1;
 constexpr design::Color kStemColor{170, 170, 175};
 /// Rim and strokes of an icon, dashes, name with halo: four each.
 constexpr std::size_t kMostVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31);
+constexpr std::size_t kMostLineVertices = 4 * 2 * 31;  // of another line
 constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
+
+/// Of a name, beside its icon.
+enum class Side : std::uint8_t { none, right, left, above };
+constexpr Side kSides[] = {Side::right, Side::left, Side::above};
 
 /// Middle of an area's corners, in the plane of the first one.
 scene::ScenePoint middle_of(const ElementInput& input, const scene::Run& run) {
@@ -87,6 +94,39 @@ void offer_features(BillboardSheet& sheet, const ElementInput& input) {
     }
 }
 
+/// Airspaces stand there with what they reach from and to, as on charts.
+bool has_limits(const scene::Layer& layer) {
+    return layer.entry->role == scene::LayerRole::no_go || layer.entry->role == scene::LayerRole::airspace;
+}
+
+/// At the top where it has limits: there it is seen from afar.
+Placed place_of(const ElementInput& input, std::uint32_t feature, const scene::ScenePoint& anchor) {
+    if (!has_limits(input.layer)) return placed(input, anchor);
+    const HeightLimit ceiling = area_limits(input.layer, feature).ceiling;
+    if (ceiling.datum == scene::HeightDatum::ground && std::isfinite(ceiling.m))
+        return placed_over_ground(input, anchor.latitude_rad, anchor.longitude_rad, ceiling.m);
+    return placed(input, anchor.latitude_rad, anchor.longitude_rad, ceiling.m);
+}
+
+/// Lines beside the icon: its name, and under it what it reaches from and to.
+class Label {
+public:
+    void add(const BillboardText& line) {
+        if (!line.empty()) static_cast<void>(lines_.try_push_back(line));
+    }
+    [[nodiscard]] bool empty() const { return lines_.empty(); }
+    [[nodiscard]] std::size_t size() const { return lines_.size(); }
+    [[nodiscard]] std::string_view line(std::size_t n) const { return lines_[n].view(); }
+    [[nodiscard]] float width_px(float size_px) const {
+        float widest = 0;
+        for (const BillboardText& line : lines_) widest = std::max(widest, text_width_px(line.view(), size_px));
+        return widest;
+    }
+
+private:
+    base::FixedVector<BillboardText, 2> lines_;
+};
+
 class Billboard {
 public:
     Billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature)
@@ -95,21 +135,28 @@ public:
     bool add(bool with_name) {
         scene::ScenePoint anchor;
         if (!anchor_of(input_, feature_, anchor)) return false;
-        const Placed place = placed(input_, anchor);
+        const Placed place = place_of(input_, feature_, anchor);
         if (!place.is_known) return false;
         spot_ = sheet_.spot(place.place);
-        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
+        if (!spot_.is_ahead || !sheet_.has_room(kMostVertices + kMostLineVertices, kMostLinkVertices)) return false;
         const BillboardLook look = billboard_look(input_, feature_);
         half_px_ = 0.5f * icon_px();
-        const BillboardText name = with_name ? billboard_name(input_, feature_, look) : BillboardText(look.is_unsure ? "?" : "");
-        const float side = find_side(name.view());
-        if (std::isnan(side) || !claim(box(name.view(), side), place.place)) return false;
+        const Label label = label_of(with_name, look);
+        Side side = Side::none;
+        if (!find_side(label, side) || !claim(box(label, side), place.place)) return false;
         if (input_.element.link) add_link(anchor, place, look);
-        draw(name.view(), side, look);
+        draw(label, side, look);
         return true;
     }
 
 private:
+    [[nodiscard]] Label label_of(bool with_name, const BillboardLook& look) const {
+        Label label;
+        label.add(with_name ? billboard_name(input_, feature_, look) : BillboardText(look.is_unsure ? "?" : ""));
+        if (with_name && has_limits(input_.layer)) label.add(limits_text(input_.layer, feature_));
+        return label;
+    }
+
     [[nodiscard]] float icon_px() const {
         const float least = kLeastIcon * sheet_.text_px(), greatest = kGreatestIcon * sheet_.text_px();
         const design::DataElement& element = input_.element;
@@ -130,28 +177,40 @@ private:
         middle_ = {spot_.at.x, stem > kOnTheSpot ? spot_.at.y - stem * sheet_.text_px() - half_px_ : spot_.at.y};
     }
 
-    /// Box of the icon, with the stem where it is short, and with a name on the side: 1 right, -1 left, 0 without one.
-    [[nodiscard]] Rect box(std::string_view name, float side) const {
+    [[nodiscard]] float line_px() const { return kNameSize * sheet_.text_px(); }
+
+    /// Box of the icon, with the stem where it is short, and with the label on a side.
+    [[nodiscard]] Rect box(const Label& label, Side side) const {
         const float gap = kGap * sheet_.text_px(), half = half_px_ + gap;
         Rect result{middle_.x - half, middle_.y - half, 2 * half, stem_ == kStem ? spot_.at.y - middle_.y + half : 2 * half};
-        if (side == 0) return result;
-        const float width = text_width_px(name, kNameSize * sheet_.text_px()) + gap;
+        if (side == Side::none) return result;
+        const float width = label.width_px(line_px()) + gap, height = line_px() * static_cast<float>(label.size());
+        if (side == Side::above) {
+            result.y -= height;
+            result.height += height;
+            result.x = std::min(result.x, middle_.x - 0.5f * (width + gap));
+            result.width = std::max(result.width, width + gap);
+            return result;
+        }
+        const float more = std::max(0.5f * height - half, 0.0f);
+        result.y -= more;
+        result.height = std::max(result.height + more, height);
         result.width += width;
-        if (side < 0) result.x -= width;
+        if (side == Side::left) result.x -= width;
         return result;
     }
 
-    /// NaN where there is no room.
-    [[nodiscard]] float find_side(std::string_view name) {
+    /// False where there is no room, not even without the name.
+    [[nodiscard]] bool find_side(const Label& label, Side& found) {
         const base::Span<const float> stems = base::Span<const float>(kStems).subspan(0, is_obstacle() ? 1 : std::size(kStems));
         for (const float stem : stems)
-            for (const float side : {1.0f, -1.0f})
-                if (set_stem(stem); !name.empty() && sheet_.is_free(box(name, side))) return side;
+            for (const Side side : kSides)
+                if (set_stem(stem); !label.empty() && sheet_.is_free(box(label, side))) return found = side, true;
+        found = Side::none;
         for (const float stem : stems)
-            if (set_stem(stem); sheet_.is_free(box(name, 0))) return 0;
-        if (!is_obstacle()) return std::numeric_limits<float>::quiet_NaN();
+            if (set_stem(stem); sheet_.is_free(box(label, Side::none))) return true;
         set_stem(kOnTheSpot);
-        return 0;
+        return is_obstacle();
     }
 
     [[nodiscard]] bool claim(const Rect& room, const glm::dvec3& place) const {
@@ -165,7 +224,18 @@ private:
         sheet_.link(foot, spot_, look.color);
     }
 
-    void draw(std::string_view name, float side, const BillboardLook& look) const {
+    /// Where a line of the label is anchored.
+    [[nodiscard]] Point line_spot(const Label& label, std::size_t n, Side side) const {
+        const float beside = half_px_ + kGap * sheet_.text_px(), from_top = (static_cast<float>(n) + 0.5f) * line_px(),
+                    height = line_px() * static_cast<float>(label.size());
+        if (side == Side::above) return {middle_.x, middle_.y - beside - height + from_top};
+        return {middle_.x + (side == Side::right ? beside : -beside), middle_.y - 0.5f * height + from_top};
+    }
+    [[nodiscard]] static TextAnchor line_anchor(Side side) {
+        return side == Side::right ? TextAnchor::left : side == Side::left ? TextAnchor::right : TextAnchor::center;
+    }
+
+    void draw(const Label& label, Side side, const BillboardLook& look) const {
         QuadBatch& batch = sheet_.signs();
         const float text_px = sheet_.text_px();
         if (stem_ > kOnTheSpot)
@@ -174,10 +244,10 @@ private:
         static_cast<void>(draw_icon(batch, icon_of(input_.layer, feature_), middle_, half_px_, look.color));
         if (const float rim = look.rim(); rim > 0)
             static_cast<void>(draw_dashed_rim(batch, middle_, half_px_ + 0.5f * kGap * text_px, look.color, rim));
-        if (side == 0) return;
-        const Point at{middle_.x + side * (half_px_ + kGap * text_px), middle_.y};
-        const TextStyle style{kNameSize * text_px, look.text, kHalo_px, {0, 0, 0, look.text.alpha}};
-        static_cast<void>(batch.text(name, at, side > 0 ? TextAnchor::left : TextAnchor::right, style));
+        if (side == Side::none) return;
+        const TextStyle style{line_px(), look.text, kHalo_px, {0, 0, 0, look.text.alpha}};
+        for (std::size_t n = 0; n < label.size(); ++n)
+            static_cast<void>(batch.text(label.line(n), line_spot(label, n, side), line_anchor(side), style));
     }
 
     BillboardSheet& sheet_;

@@ -68,24 +68,27 @@ TEST(Billboards, WhatIsBehindFarOrNowhereIsHiddenAndCounted) {
 }
 
 TEST(Billboards, TheNearestHasTheRoomAndTheHigherClassComesSooner) {
-    host_sim::LayerDraft layer =
-        layer_of({BillboardRoom::point(3000, 0, 900), BillboardRoom::point(2000, 0, 933), BillboardRoom::point(3010, 5, 900)});
+    std::vector<scene::ScenePoint> points{BillboardRoom::point(3000, 0, 900), BillboardRoom::point(2000, 0, 933)};
+    for (int n = 1; n < 8; ++n) points.push_back(BillboardRoom::point(3000 + 10 * n, 5, 900));
+    host_sim::LayerDraft layer = layer_of(points);
     ElementOfTest test(layer);
     BillboardRoom room;
     ElementCount count = built(room, test);
-    EXPECT_EQ(count.drawn, 2u) << "one of them on a longer stem";
-    EXPECT_EQ(count.hidden, 1u);
+    EXPECT_GT(count.drawn, 1u) << "some on longer stems";
+    EXPECT_GT(count.hidden, 1u);
+    EXPECT_EQ(count.all(), 9u);
+    const std::uint32_t with_room = count.drawn;
     EXPECT_NEAR(room.drawn()[0].distance_m, 2000, 20);
     host_sim::AttributeDraft kind;
     kind.name = "kind";
     kind.scale = scene::AttributeScale::ordinal;
     kind.of = scene::AttributeOf::feature;
     kind.classes = {"village", "town"};
-    kind.values = {0, 0, 1};
+    kind.values = {0, 0, 1, 0, 0, 0, 0, 0, 0};
     layer.attributes.push_back(kind);
     ElementOfTest classed(layer);
     count = built(room, classed);
-    EXPECT_EQ(count.drawn, 2u);
+    EXPECT_NEAR(count.drawn, with_room, 1);
     EXPECT_NEAR(room.drawn()[0].distance_m, 3010, 30) << "half of 3010 m is less than 2000 m";
 }
 
@@ -224,6 +227,47 @@ TEST(Billboards, AnObstacleIsAsHighAsItLooks) {
     EXPECT_EQ(place.build(kOver).drawn, 1u);
     EXPECT_LT(place.icon().y, free.y - 20) << "others are lifted";
     EXPECT_GT(place.room.glyph_vertices(), 0u);
+}
+
+TEST(Billboards, ANameFindsRoomAboveItsIconOrOnALongerStem) {
+    Mast free(scene::LayerRole::place), above(scene::LayerRole::place), lifted(scene::LayerRole::place);
+    EXPECT_EQ(free.build({}).drawn, 1u);
+    const std::size_t letters = free.room.glyph_vertices();
+    EXPECT_GT(letters, 0u);
+    const Rect right{28, -18, 300, 18}, left{-328, -18, 300, 18}, ceiling{-324, -400, 648, 330};
+    EXPECT_EQ(above.build({right, left, ceiling}).drawn, 1u);
+    EXPECT_EQ(above.room.glyph_vertices(), letters);
+    EXPECT_NEAR(above.icon().y, free.icon().y, 0.1) << "the stem is the short one";
+    EXPECT_EQ(lifted.build({{-324, -32, 648, 20}}).drawn, 1u);
+    EXPECT_EQ(lifted.room.glyph_vertices(), letters);
+    EXPECT_LT(lifted.icon().y, free.icon().y - 20);
+}
+
+TEST(Billboards, AnAirspaceStandsAtItsTopWithItsLimits) {
+    host_sim::LayerDraft zone = layer_of({BillboardRoom::point(3000, -500, 0), BillboardRoom::point(3000, 500, 0),
+                                          BillboardRoom::point(4000, 500, 0), BillboardRoom::point(4000, -500, 0)},
+                                         {"Range"});
+    zone.shape = scene::LayerShape::areas;
+    zone.role = scene::LayerRole::no_go;
+    zone.starts = {0, 4};
+    BillboardRoom room;
+    ElementOfTest bare(zone);
+    EXPECT_EQ(built(room, bare).drawn, 1u);
+    const std::size_t name_alone = room.glyph_vertices();
+    host_sim::AttributeDraft ceiling;
+    ceiling.name = "ceiling";
+    ceiling.of = scene::AttributeOf::feature;
+    ceiling.values = {900};
+    zone.attributes.push_back(ceiling);
+    ElementOfTest limited(zone);
+    EXPECT_EQ(built(room, limited).drawn, 1u);
+    EXPECT_GT(room.glyph_vertices(), name_alone + 8 * 8) << "?-2953 MSL";
+    const BillboardSheet::Spot top = room.sheet.spot(placed(limited.input(), BillboardRoom::point(3500, 0, 900)).place);
+    const Rect stem = room.bounds([](const QuadVertex& vertex) { return vertex.distance_m > 0; });
+    EXPECT_NEAR(stem.bottom(), top.at.y, 4) << "at the ceiling";
+    limited.element.detail = 0;
+    EXPECT_EQ(built(room, limited).drawn, 1u);
+    EXPECT_EQ(room.glyph_vertices(), 0u);
 }
 
 TEST(Billboards, AnObstacleWithoutRoomIsCounted) {
