@@ -36,7 +36,7 @@ LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square, int f
     const LandingStrip& strip = scenario.strip;
     layer.grid = square.shape(LocalPlane(strip.latitude_rad, strip.longitude_rad), 1, static_cast<std::uint32_t>(frames));
     for (int frame = 0; frame < frames; ++frame) layer.times_ns.push_back(scenario.start.ns + frame * kInterval_ns);
-    layer.data_time_ns = scenario.start.ns;
+    layer.data_time_ns = layer.times_ns.back();  // all of it is measured, nothing forecast
     layer.valid_until_ns = layer.times_ns.back() + kValidIntervals * kInterval_ns;
     return layer;
 }

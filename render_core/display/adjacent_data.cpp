@@ -60,13 +60,13 @@ AdjacentData plan_adjacent_data(const SpatialData& data, const design::AdjacentV
     return planned;
 }
 
-void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DataStyle& style,
+void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DesignSettings& design,
                          draw::DataLegends& legends) noexcept {
     if (data.state != GroundDataState::shown) return;
     const draw::AdjacentInput& maps = data.maps;
     const bool is_uncertainty = maps.view.shows == design::AdjacentShows::uncertainty;
-    draw::DataLegend legend = is_uncertainty ? uncertainty_legend_of(*maps.layer, *maps.attribute, time, style)
-                                             : legend_of(*maps.layer, *maps.attribute, time, style);
+    draw::DataLegend legend = is_uncertainty ? uncertainty_legend_of(*maps.layer, *maps.attribute, time, design)
+                                             : legend_of(*maps.layer, *maps.attribute, time, design);
     legend.scale = maps.view.scale;
     if (is_uncertainty) add_sign(draw::kUnknownText, draw::SampleLook::cut_stripes, kMapGround, maps.sign, legend);
     add_sign("MISSING", draw::SampleLook::dots, kMapGround, maps.sign, legend);

@@ -20,7 +20,7 @@ struct AdjacentData {
                                               design::Color sign) noexcept;
 
 /// The scale of the maps, where they are shown and no other legend says the same.
-void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DataStyle& style,
+void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DesignSettings& design,
                          draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

@@ -59,11 +59,19 @@ bool is_graded(const scene::AttributeEntry& attribute) {
     return attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0);
 }
 
-/// Own and data time by the rule that ages the uncertainty (GridField::age): within its times a layer has no age.
-std::int64_t data_time_of(const scene::Layer& layer, std::int64_t now_ns) {
-    if (layer.times_ns.empty()) return layer.entry->data_time_ns;
-    const std::int64_t first = layer.times_ns[0], last = layer.times_ns[layer.times_ns.size() - 1];
-    return now_ns < first ? first : now_ns > last ? last : now_ns;
+/// Beyond its times a layer is as old as the nearest of them, by the rule that ages the uncertainty (GridField::age). Within them
+/// what comes after the layer's own time is a forecast made then, and what comes before it was measured at the step before.
+void set_time(const scene::Layer& layer, std::int64_t now_ns, draw::DataLegend& legend) {
+    legend.data_time_ns = layer.entry->data_time_ns;
+    const auto& times = layer.times_ns;
+    if (times.empty()) return;
+    const std::int64_t first = times[0], last = times[times.size() - 1],
+                       own = legend.data_time_ns == scene::kNoTime ? first : legend.data_time_ns;
+    legend.data_time_ns = now_ns < first ? first : last;
+    if (now_ns < first || now_ns > last) return;
+    legend.is_forecast = now_ns >= own && last > own;
+    if (legend.is_forecast) legend.data_time_ns = own;
+    for (std::size_t n = 0; !legend.is_forecast && n < times.size() && times[n] <= now_ns; ++n) legend.data_time_ns = times[n];
 }
 
 /// Of a sample in the middle of the scale.
@@ -126,25 +134,28 @@ LegendSample sure_sample(const design::GroundData& ground, Color color) {
 }
 
 /// What the overlay's sample says: the least sure, or all that is less sure than its threshold.
-base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const scene::AttributeEntry& attribute) {
+base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const scene::AttributeEntry& attribute,
+                                   design::HeightUnit heights) {
     const bool is_line = overlay.technique == UncertaintyOverlay::contour || overlay.technique == UncertaintyOverlay::halo;
-    if (!is_line) return full_uncertainty_text(attribute);
+    if (!is_line) return full_uncertainty_text(attribute, heights);
     base::FixedString<15> text(">");
-    text.append(uncertainty_text(attribute, overlay.threshold).view());
+    text.append(uncertainty_text(attribute, overlay.threshold, heights).view());
     return text;
 }
 
-void add_uncertainty(const design::GroundData& ground, const scene::AttributeEntry& attribute, Color color, Color plain,
+void add_uncertainty(const design::DesignSettings& design, const scene::AttributeEntry& attribute, Color color, Color plain,
                      draw::DataLegend& legend) {
+    const design::GroundData& ground = design.data.ground;
+    const design::HeightUnit heights = design.symbology.legend_unit;
     const bool is_known = attribute.uncertainty_kind != scene::UncertaintyKind::none;
     const bool has_look = ground.uncertainty.technique != IntrinsicUncertainty::none,
                has_overlay = ground.overlay.technique != UncertaintyOverlay::none;
     LegendSample overlay = overlay_sample(ground.overlay, color);
-    overlay.text = overlay_text(ground.overlay, attribute);
+    overlay.text = overlay_text(ground.overlay, attribute, heights);
     if (is_known && (has_look || has_overlay)) {
         static_cast<void>(legend.uncertainty.try_push_back(sure_sample(ground, color)));
         LegendSample unsure = has_look ? unsure_sample(ground.uncertainty, color, plain) : overlay;
-        if (has_look) unsure.text = full_uncertainty_text(attribute);
+        if (has_look) unsure.text = full_uncertainty_text(attribute, heights);
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, color, plain, SampleLook::cut_stripes)));
@@ -164,7 +175,20 @@ base::FixedString<31> legend_title(std::string_view layer, std::string_view attr
 
 }  // namespace
 
-base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept {
+ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept {
+    const std::string_view unit = field_text(attribute.unit);
+    if (unit == "rad") return {base::degrees(1), "DEG"};
+    if (unit == "m/s" && heights == design::HeightUnit::feet) {
+        const bool is_vertical = field_text(attribute.name).find("vertical") != std::string_view::npos;
+        return is_vertical ? ShownUnit{1 / base::kMpsPerFootPerMinute, "FT/MIN"} : ShownUnit{1 / base::kMpsPerKnot, "KT"};
+    }
+    ShownUnit shown;
+    append_upper(shown.name, unit);
+    return shown;
+}
+
+base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level,
+                                       design::HeightUnit heights) noexcept {
     const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
     char number[16];
     if (is_graded(attribute)) {
@@ -172,16 +196,16 @@ base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, d
         std::snprintf(number, sizeof number, "%.0f %%", 100 * level);
         return number;
     }
-    std::snprintf(number, sizeof number, "\xC2\xB1%.3g", level * double{attribute.uncertainty_full});
+    const ShownUnit shown = is_percent ? ShownUnit{1, "%"} : shown_unit(attribute, heights);
+    std::snprintf(number, sizeof number, "\xC2\xB1%.3g", level * double{attribute.uncertainty_full} * shown.factor);
     base::FixedString<15> text(number);
-    const std::string_view unit = is_percent ? "%" : field_text(attribute.unit);
-    if (!unit.empty()) text.append(" ");
-    append_upper(text, unit);
+    if (!shown.name.empty()) text.append(" ");
+    text.append(shown.name.view());
     return text;
 }
 
-base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept {
-    return uncertainty_text(attribute, 1);
+base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept {
+    return uncertainty_text(attribute, 1, heights);
 }
 
 bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept {
@@ -192,14 +216,14 @@ bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEn
 }
 
 draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, const flight::FlightTime& time,
-                           const design::DataStyle& style) noexcept {
+                           const design::DesignSettings& design) noexcept {
     draw::DataLegend legend;
     const scene::AttributeEntry& entry = *attribute.entry;
     const std::string_view layer_title = field_text(layer.entry->title);
     legend.title = legend_title(layer_title, title_of(entry), field_text(entry.unit));
-    const bool is_angle = field_text(entry.unit) == "rad";
-    legend.factor = is_angle ? base::degrees(1) : 1;
-    append_upper(legend.unit, is_angle ? "deg" : field_text(entry.unit));
+    const ShownUnit shown = shown_unit(entry, design.symbology.legend_unit);
+    legend.factor = shown.factor;
+    legend.unit = shown.name;
     if (entry.scale != scene::AttributeScale::quantitative)
         for (std::uint32_t n = 0; n < entry.class_count; ++n) {
             base::FixedString<23> name;
@@ -207,12 +231,12 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
             if (!legend.class_names.try_push_back(name)) break;
         }
     append_upper(legend.source, short_name(field_text(layer.entry->source)));
-    legend.data_time_ns = data_time_of(layer, time.is_date ? time.utc.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0]);
+    set_time(layer, time.is_date ? time.utc.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0], legend);
     legend.has_time = legend.data_time_ns != scene::kNoTime;
     legend.has_age = legend.has_time && time.is_confirmed;
     if (!legend.has_age) return legend;
     legend.age = base::Duration{time.utc.ns - legend.data_time_ns};
-    legend.is_stale = legend.age > base::Duration::from_seconds(style.stale_after_s);
+    legend.is_stale = !legend.is_forecast && legend.age > base::Duration::from_seconds(design.data.stale_after_s);
     return legend;
 }
 
@@ -241,13 +265,13 @@ void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use,
 }
 
 draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
-                                       const flight::FlightTime& time, const design::DataStyle& style) noexcept {
-    draw::DataLegend legend = legend_of(layer, attribute, time, style);
+                                       const flight::FlightTime& time, const design::DesignSettings& design) noexcept {
+    draw::DataLegend legend = legend_of(layer, attribute, time, design);
     legend.title.append(" \xC2\xB1");
     legend.class_names.clear();
     const scene::AttributeEntry& entry = *attribute.entry;
-    const double full = static_cast<double>(entry.uncertainty_full);
-    legend.factor = full;
+    if (entry.uncertainty_kind == scene::UncertaintyKind::percent) legend.factor = 1;
+    legend.factor *= static_cast<double>(entry.uncertainty_full);
     if (entry.uncertainty_kind == scene::UncertaintyKind::percent) legend.unit = "%";
     if (!is_graded(entry)) return legend;
     legend.factor = 100;
@@ -281,11 +305,11 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     if (plan.ground != GroundDataState::shown || slice == nullptr || slice->attribute() == nullptr) return;
     const design::GroundData& ground = design.data.ground;
     const Color plain = design.terrain.style.plain, color = sample_color(ground, plain);
-    draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), time, design.data);
+    draw::DataLegend legend = legend_of(*slice->layer(), *slice->attribute(), time, design);
     legend.scale = ground.scale;
     keep_named_classes(*slice->attribute(), slice->classes_in_use(), legend);
     if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
-    add_uncertainty(ground, *slice->attribute()->entry, color, plain, legend);
+    add_uncertainty(design, *slice->attribute()->entry, color, plain, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
     if (slice->attribute()->entry->scale != scene::AttributeScale::quantitative) return add_legend(legend, legends);
     static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));

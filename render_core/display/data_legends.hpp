@@ -12,23 +12,34 @@ namespace tedavis::display {
 /// Title, unit, class names, data time, age and source of an attribute: what an entry says whatever the technique. The age is
 /// known while the time is confirmed. Scale, uncertainty and signs are left to the caller.
 [[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
-                                         const flight::FlightTime& time, const design::DataStyle& style) noexcept;
+                                         const flight::FlightTime& time, const design::DesignSettings& design) noexcept;
+
+/// The unit that pilots read: degrees of radians, and where heights are feet, knots of metres per second, or feet per minute
+/// where the attribute's name says that they are vertical. Others as they are.
+struct ShownUnit {
+    double factor = 1;  ///< the number in this unit of one of the attribute's
+    base::FixedString<15> name;
+};
+[[nodiscard]] ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept;
 
 /// With a nominal palette: the classes in use (bit n: class n) that the palette names, each with its colour.
 void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use, draw::DataLegend& legend) noexcept;
 
-/// A level 0..1 in the attribute's unit: "±2 M/S", "±20 %"; of the full scale where the source has classes of its own: "50 %",
-/// and "UNSURE" for 1.
-[[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level) noexcept;
+/// A level 0..1 in the attribute's shown unit: "±4 KT", "±20 %"; of the full scale where the source has classes of its own: "50
+/// %", and "UNSURE" for 1.
+[[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level,
+                                                     design::HeightUnit heights) noexcept;
 /// What counts as the least sure.
-[[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute) noexcept;
+[[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute,
+                                                          design::HeightUnit heights) noexcept;
 
 /// "GUST": the shortest that names what is shown.
 [[nodiscard]] base::FixedString<31> attribute_title(const scene::AttributeEntry& attribute) noexcept;
 
 /// Of the uncertainty itself as a value 0..1, in its unit: "GUST ±".
 [[nodiscard]] draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
-                                                     const flight::FlightTime& time, const design::DataStyle& style) noexcept;
+                                                     const flight::FlightTime& time,
+                                                     const design::DesignSettings& design) noexcept;
 
 /// "MEMBER 3/9": the legend's part of an ensemble.
 [[nodiscard]] base::FixedString<15> member_text(std::uint32_t member, std::uint32_t count) noexcept;

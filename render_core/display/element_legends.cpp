@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render_core/design/grey_of.hpp"
+#include "render_core/display/sign_legend.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -16,6 +17,7 @@ struct LegendFrame {
 };
 
 Color middle_color(const design::DataScale& scale) {
+    if (!scale.breaks.empty()) return color_of_class(scale, scale.breaks.size() / 2);
     const auto& stops = scale.palette.stops;
     return scale_color(scale, 0.5 * (stops[0].value + stops.back().value));
 }
@@ -28,14 +30,15 @@ draw::LegendSample sample_of(std::string_view text, Color color) {
 }
 
 /// What fades, at its surest and at its least sure; the unknown looks as the least sure does.
-void add_fading(const design::DataElement& element, const scene::AttributeEntry& attribute, Color ground,
+void add_fading(const design::DataElement& element, const scene::AttributeEntry& attribute, const design::DesignSettings& design,
                 draw::DataLegend& legend) {
     const bool greys = element.uncertainty == ElementUncertainty::saturation;
     if (!greys && element.uncertainty != ElementUncertainty::transparency) return;
     const Color color = middle_color(legend.scale);
-    const Color faded = blended(color, greys ? grey_of(color) : ground, element.uncertainty_strength);
+    const Color faded = blended(color, greys ? grey_of(color) : design.terrain.style.plain, element.uncertainty_strength);
     static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
-    static_cast<void>(legend.uncertainty.try_push_back(sample_of(full_uncertainty_text(attribute).view(), faded)));
+    static_cast<void>(legend.uncertainty.try_push_back(
+        sample_of(full_uncertainty_text(attribute, design.symbology.legend_unit).view(), faded)));
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, faded)));
 }
 
@@ -44,10 +47,10 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     if (!encoding.is_used()) return;
     const scene::Attribute* const attribute = report.layer->find(encoding.attribute.view());
     if (attribute == nullptr) return;
-    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design.data);
+    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design);
     legend.scale = encoding.scale;
     keep_named_classes(*attribute, UINT32_MAX, legend);
-    add_fading(*report.element, *attribute->entry, frame.design.terrain.style.plain, legend);
+    add_fading(*report.element, *attribute->entry, frame.design, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
     add_legend(legend, legends);
 }
@@ -56,7 +59,7 @@ void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& fram
     if (!is_glyph_uncertainty(report.element->uncertainty) || report.slot == GlyphElements::kSlots) return;
     const scene::Attribute* const attribute = draw::glyph_attribute(*report.element, *report.layer);
     if (attribute == nullptr) return;
-    draw::DataLegend legend = uncertainty_legend_of(*report.layer, *attribute, frame.time, frame.design.data);
+    draw::DataLegend legend = uncertainty_legend_of(*report.layer, *attribute, frame.time, frame.design);
     legend.scale = uncertainty_scale(*report.element);
     static_cast<void>(legend.signs.try_push_back(sample_of(draw::kUnknownText, draw::GlyphStyle().unknown)));
     add_legend(legend, legends);
@@ -77,6 +80,7 @@ void add_element_legends(const ElementReports& reports, const design::DesignSett
         add_colors(report, report.element->by_second_color, frame, legends);
         add_uncertainty_glyphs(report, frame, legends);
     }
+    add_sign_legend(reports, design, legends);
 }
 
 }  // namespace tedavis::display

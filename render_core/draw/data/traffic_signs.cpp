@@ -17,7 +17,6 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr design::Color kStale{150, 150, 150};
 constexpr float kHalf = 0.7f, kGap = 0.3f, kSize = 0.85f;  // of the text's size: the diamond, round it, its texts
 constexpr float kLine_px = 2, kHalo_px = 1.5f;
 constexpr float kTouch_px = 0.25f;  // texts touch the diamond's box; rounding must not make that an overlap
@@ -90,7 +89,7 @@ private:
         if (!spot_.is_ahead) return false;
         look_ = billboard_look(input_, feature_);
         look_.is_unsure = look_.is_unsure || (shows_circle() && !(state_.accuracy.level_m > 0));
-        if (state_.is_stale) look_.color = {kStale.red, kStale.green, kStale.blue, look_.color.alpha};
+        if (state_.is_stale) look_.color = {kStaleTraffic.red, kStaleTraffic.green, kStaleTraffic.blue, look_.color.alpha};
         return true;
     }
 

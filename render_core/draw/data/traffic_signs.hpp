@@ -13,6 +13,7 @@
 namespace tedavis::draw {
 
 inline constexpr double kVelocityLine_s = 30, kShownAge_s = 5, kShownClimb_mps = 2.54;  // 500 feet a minute
+inline constexpr design::Color kStaleTraffic{150, 150, 150};
 inline constexpr double kFarthestTraffic_m = 60'000;
 
 /// The nearest first: what would cover a nearer one, and what terrain stands before, is hidden, and counted.

@@ -8,6 +8,12 @@
 namespace tedavis::draw {
 namespace {
 
+/// Entries that stand at this detail: an entry without a scale is the last.
+std::size_t count_at(const DataLegends& legends, LegendDetail detail) {
+    const bool ends_without = !legends.empty() && !legends.back().has_scale && detail >= LegendDetail::scales_alone;
+    return legends.size() - (ends_without ? 1 : 0);
+}
+
 /// Areas are columns of five texts, or rows of several entries.
 bool is_row(const Rect& area, float text_px) { return area.width > 8 * text_px; }
 
@@ -15,7 +21,7 @@ bool is_row(const Rect& area, float text_px) { return area.width > 8 * text_px; 
 class Filling {
 public:
     Filling(const DataLegends& legends, const Layout& layout, LegendDetail detail)
-        : legends_(legends), layout_(layout), detail_(detail) {
+        : legends_(legends), layout_(layout), detail_(detail), count_(count_at(legends, detail)) {
         plan_.detail = detail;
         for (const Rect& area : layout.data_legends) {
             if (area.empty()) continue;
@@ -27,6 +33,7 @@ public:
         plan_.cut = legends.size() - plan_.shown;
     }
     [[nodiscard]] const DataLegendPlan& plan() const { return plan_; }
+    [[nodiscard]] bool has_all() const { return plan_.shown == count_; }
 
 private:
     void place(const Rect& box) { plan_.boxes[plan_.shown++] = box; }
@@ -34,7 +41,7 @@ private:
     void fill_column(const Rect& area) {
         const float t = layout_.text_px;
         float y = area.y;
-        while (plan_.shown < legends_.size()) {
+        while (plan_.shown < count_) {
             const float height = data_legend_height(legends_[plan_.shown], detail_) * t;
             if (y + height > area.bottom() + (kLegendEntryGap + 0.01f) * t) return;
             place({area.x, y, area.width, height - kLegendEntryGap * t});
@@ -46,7 +53,7 @@ private:
     void fill_row(const Rect& area) {
         if (detail_ != LegendDetail::scale) return;
         const float t = layout_.text_px, pitch = (area.width + kLegendEntryGap * t) / 3;
-        for (int n = 0; n < 3 && plan_.shown < legends_.size(); ++n)
+        for (int n = 0; n < 3 && plan_.shown < count_; ++n)
             place({area.x + pitch * static_cast<float>(n), area.y, pitch - kLegendEntryGap * t,
                    (data_legend_height(legends_[plan_.shown], detail_) - kLegendEntryGap) * t});
     }
@@ -54,6 +61,7 @@ private:
     const DataLegends& legends_;
     const Layout& layout_;
     LegendDetail detail_;
+    std::size_t count_;
     DataLegendPlan plan_;
 };
 
@@ -78,14 +86,15 @@ DataLegendNeed data_legend_need(const DataLegends& legends) noexcept {
         need.shortest += data_legend_height(legend, LegendDetail::scale);
     }
     // The last one needs no gap.
-    if (need.entries > 0) need.whole -= kLegendEntryGap, need.shortest -= kLegendEntryGap;
+    if (need.whole > 0) need.whole -= kLegendEntryGap;
+    if (need.shortest > 0) need.shortest -= kLegendEntryGap;
     return need;
 }
 
 DataLegendPlan plan_data_legends(const DataLegends& legends, const Layout& layout) noexcept {
     for (std::size_t n = 0; n + 1 < kLegendDetails; ++n) {
         const Filling filling(legends, layout, static_cast<LegendDetail>(n));
-        if (filling.plan().cut == 0) return filling.plan();
+        if (filling.has_all()) return filling.plan();
     }
     return Filling(legends, layout, LegendDetail::scale).plan();
 }
@@ -111,6 +120,7 @@ base::FixedString<31> time_and_age(const DataLegend& legend) noexcept {
     }
     if (legend.is_stale) text.append("STALE ");
     if (legend.age.ns < 0) text.append("IN ");
+    if (legend.is_forecast) text.append("+");
     text.append(span_text(legend.age.ns < 0 ? -legend.age.ns : legend.age.ns).view());
     return text;
 }

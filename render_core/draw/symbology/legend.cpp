@@ -16,7 +16,7 @@ using design::Color;
 // In texts.
 constexpr float kTitle = 1.2f;
 constexpr float kPad = 0.55f;  // half a number stands beyond the ends of a scale
-constexpr float kSample = 1.0f;
+constexpr float kSample = 1.0f, kTightSample = 0.85f;
 constexpr float kBand = 1.0f;
 constexpr float kTallestBar = 7, kShortestBar = 2;
 constexpr float kInset = 0.3f;
@@ -83,17 +83,19 @@ public:
     LegendBuilder(const Painter& painter, const LegendInput& legend)
         : painter_(painter), legend_(legend), scale_(scale_of(legend)), t_(painter.text_px()) {}
 
-    /// In texts, with a bar so high.
-    [[nodiscard]] static float height(const LegendInput& legend, float bar) {
-        float sum = 3 * kSample + 2 * kInset;
+    /// In texts, with a bar and samples so high.
+    [[nodiscard]] static float height(const LegendInput& legend, float bar, float sample) {
+        float sum = 3 * sample + 2 * kInset;
         if (legend.tint) sum += kTitle + 2 * kPad - kInset + bar;
-        return sum + bands_of(legend);
+        return sum + bands_of(legend, sample);
     }
 
     void build() {
         const Rect& box = painter_.layout().legend;
-        const float bar = std::min(kTallestBar * t_, box.height - height(legend_, 0) * t_);
-        const float whole = height(legend_, 0) * t_ + (legend_.tint ? bar : 0);
+        constexpr float kRounding = 0.01f;
+        sample_ = box.height >= (height(legend_, kShortestBar, kSample) - kRounding) * t_ ? kSample : kTightSample;
+        const float bar = std::min(kTallestBar * t_, box.height - height(legend_, 0, sample_) * t_);
+        const float whole = height(legend_, 0, sample_) * t_ + (legend_.tint ? bar : 0);
         plate_ = {box.x, box.bottom() - whole, box.width, whole};
         y_ = plate_.y;
         painter_.batch().box(plate_, kTapeGround);
@@ -103,10 +105,10 @@ public:
     }
 
 private:
-    [[nodiscard]] static float bands_of(const LegendInput& legend) {
+    [[nodiscard]] static float bands_of(const LegendInput& legend, float sample_height) {
         if (!legend.bands) return 0;
         const float notes = legend.bands_lowered_m <= 0 ? 0.0f : legend.accuracy_assumed ? 2.0f : 1.0f;
-        return kTitle + 2 * kPad + kBand * static_cast<float>(legend.warning_bands.size()) + kSample * notes;
+        return kTitle + 2 * kPad + kBand * static_cast<float>(legend.warning_bands.size()) + sample_height * notes;
     }
     [[nodiscard]] Rect sample(float y, float height) const { return {plate_.x + kInset * t_, y, kSampleWidth * t_, height}; }
 
@@ -170,11 +172,11 @@ private:
 
     /// Returns where the sample stands.
     Rect build_sample(std::string_view name, Color color) {
-        const Rect at = sample(y_ + 0.1f * t_, (kSample - 0.2f) * t_);
+        const Rect at = sample(y_ + 0.1f * sample_ * t_, 0.8f * sample_ * t_);
         painter_.batch().box(at, color);
         painter_.batch().frame(at, painter_.stroke_px(), kScaleColor);
         note(name, at.center().y);
-        y_ += kSample * t_;
+        y_ += sample_ * t_;
         return at;
     }
 
@@ -209,7 +211,7 @@ private:
     }
 
     void remark(std::string_view text) {
-        const Rect row{plate_.x, y_, plate_.width, kSample * t_};
+        const Rect row{plate_.x, y_, plate_.width, sample_ * t_};
         painter_.fitted_text(text, row, TextAnchor::center, kNumberSize, kScaleColor);
         y_ += row.height;
     }
@@ -231,7 +233,7 @@ private:
     Scale scale_;
     float t_;
     Rect plate_;
-    float y_ = 0;
+    float y_ = 0, sample_ = kSample;
 };
 
 }  // namespace
@@ -242,8 +244,8 @@ LegendNeed legend_need(const SymbologyInput& input) noexcept {
     need.adjacent = adjacent_need(input.adjacent);
     if (!input.shown.legend) return need;
     if (input.legend.ground) {
-        need.terrain_most = LegendBuilder::height(input.legend, kTallestBar);
-        need.terrain_least = LegendBuilder::height(input.legend, kShortestBar);
+        need.terrain_most = LegendBuilder::height(input.legend, kTallestBar, kSample);
+        need.terrain_least = LegendBuilder::height(input.legend, kShortestBar, kTightSample);
     }
     need.data = data_legend_need(input.data_legends);
     return need;

@@ -37,6 +37,7 @@ std::size_t named_classes(const DataLegend& legend, LegendDetail detail) {
 }
 
 float scale_height(const DataLegend& legend, LegendDetail detail) {
+    if (!legend.has_scale) return 0;
     const std::size_t named = named_classes(legend, detail);
     if (named > 0) return kRow * static_cast<float>(named + (named < legend.class_names.size() ? 1 : 0));
     if (detail != LegendDetail::whole || !legend.class_names.empty()) return kBar + kNumbers;
@@ -62,9 +63,10 @@ Rows rows_of(const DataLegend& legend, LegendDetail detail) {
     rows.time = legend.has_time && detail < LegendDetail::scale;
     // With the word beside them time and age are too long for one.
     rows.age = rows.time && legend.is_stale && detail < LegendDetail::uncertainty_line;
-    rows.line = detail == LegendDetail::uncertainty_line && !legend.uncertainty.empty();
+    rows.line = (detail == LegendDetail::uncertainty_line || detail == LegendDetail::scales_alone) && !legend.uncertainty.empty();
     rows.uncertainty = detail < LegendDetail::uncertainty_line ? legend.uncertainty.size() : 0;
-    rows.signs = detail < LegendDetail::without_signs ? legend.signs.size() : 0;
+    const LegendDetail first_without = legend.has_scale ? LegendDetail::without_signs : LegendDetail::scales_alone;
+    rows.signs = detail < first_without ? legend.signs.size() : 0;
     rows.source = detail < LegendDetail::without_source && !legend.source.empty();
     return rows;
 }
@@ -82,10 +84,10 @@ double nice_step(double least) {
     return step;
 }
 
-/// With as many decimals, at most three, as numbers of this step need.
+/// With as many decimals, at most three, as numbers of this step need; limits in one unit are rarely round in another.
 ShortText number_text(double value, double step) {
     int decimals = 0;
-    for (double left = std::fabs(step); decimals < 3 && std::fabs(left - std::round(left)) > 1e-6 * left; left *= 10) ++decimals;
+    for (double left = std::fabs(step); decimals < 3 && std::fabs(left - std::round(left)) > 1e-4 * left; left *= 10) ++decimals;
     char text[24];
     const double kept = limited(value, -9'999'999, 9'999'999);
     std::snprintf(text, sizeof text, "%.*f", decimals, std::fabs(kept) < 0.5 * std::pow(10, -decimals) ? 0 : kept);
@@ -133,16 +135,20 @@ public:
         painter_.batch().box(box_, kTapeGround);
         build_title(cut);
         if (has_part_row(legend_, detail_)) build_centred(legend_.part.view(), false);
+        if (legend_.has_scale) build_scale();
+        build_rows();
+    }
+
+private:
+    void build_scale() {
         if (named_classes(legend_, detail_) > 0)
             build_names();
         else if (detail_ == LegendDetail::whole)
             build_upright();
         else
             build_flat();
-        build_rows();
     }
 
-private:
     [[nodiscard]] Rect row(float height) {
         const Rect at{box_.x, y_, box_.width, height * t_};
         y_ += at.height;
@@ -292,6 +298,8 @@ private:
 
     void build_sample(const LegendSample& sample, std::string_view text) {
         const Rect at = row(kRow);
+        if (sample.look == SampleLook::words)
+            return painter_.fitted_text(text, at, TextAnchor::center, kText, kScaleColor, TextRim::none);
         const Rect swatch{at.x + kInset * t_, at.y + 0.08f * t_, kSampleWidth * t_, at.height - 0.16f * t_};
         draw::build_sample(painter_, sample, swatch);
         build_text(text, {swatch.right(), at.y, at.right() - swatch.right(), at.height});
@@ -335,6 +343,7 @@ private:
 }  // namespace
 
 float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept {
+    if (!legend.has_scale && detail >= LegendDetail::scales_alone) return 0;
     return kTitle + (has_part_row(legend, detail) ? kRow : 0) + scale_height(legend, detail) +
            kRow * static_cast<float>(rows_of(legend, detail).count()) + kPad + kLegendEntryGap;
 }

@@ -71,6 +71,28 @@ void washed(QuadBatch& batch, const Rect& in, double share, Color color, Color o
     }
 }
 
+void sign(QuadBatch& batch, const LegendSample& sample, const Rect& in) {
+    const float half = in.height / 2;
+    const Point middle = in.center();
+    if (sample.look == SampleLook::dashed_rim)
+        static_cast<void>(draw_dashed_rim(batch, middle, 0.8f * half, sample.color, static_cast<float>(sample.share)));
+    else
+        static_cast<void>(draw_icon(batch, sample.icon, middle, 0.85f * half, sample.color));
+    if (sample.look == SampleLook::crossed_icon)
+        batch.line({middle.x - half, middle.y + half}, {middle.x + half, middle.y - half}, 2, sample.color);
+}
+
+/// Of looks that stand on something else than the data's colour.
+Color ground_of(const LegendSample& sample) {
+    switch (sample.look) {
+        case SampleLook::margin:
+        case SampleLook::icon:
+        case SampleLook::crossed_icon:
+        case SampleLook::dashed_rim: return sample.under;
+        default: return sample.color;
+    }
+}
+
 void fill(QuadBatch& batch, const LegendSample& sample, const Rect& in, float stroke_px) {
     const auto share = static_cast<float>(sample.share);
     switch (sample.look) {
@@ -84,6 +106,11 @@ void fill(QuadBatch& batch, const LegendSample& sample, const Rect& in, float st
         case SampleLook::washed: washed(batch, in, sample.share, sample.color, sample.under); break;
         case SampleLook::mesh: grid(batch, in, in.height * (0.4f + 0.6f * share), stroke_px, sample.under); break;
         case SampleLook::rim: batch.frame(in.shrunk(stroke_px), 2 * stroke_px, sample.under); break;
+        case SampleLook::margin: batch.box(in.shrunk(in.height / 4), sample.color); break;
+        case SampleLook::icon:
+        case SampleLook::crossed_icon:
+        case SampleLook::dashed_rim: sign(batch, sample, in); break;
+        case SampleLook::words: break;
     }
 }
 
@@ -91,7 +118,7 @@ void fill(QuadBatch& batch, const LegendSample& sample, const Rect& in, float st
 
 void build_sample(const Painter& painter, const LegendSample& sample, const Rect& box) {
     QuadBatch& batch = painter.batch();
-    batch.box(box, sample.color);
+    batch.box(box, ground_of(sample));
     const Rect inside = box.shrunk(painter.stroke_px());
     batch.set_clip(inside);
     fill(batch, sample, inside, painter.stroke_px());

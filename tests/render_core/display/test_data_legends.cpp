@@ -35,7 +35,7 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     host_sim::LayerDraft named = layer;
     named.attributes[0].title = "K";
     EXPECT_EQ(entry_of(named, kDate_ns).title.view(), "AIR") << "a title that is the unit says nothing";
-    EXPECT_EQ(draw::time_and_age(entry).view(), "22:30Z 0 MIN") << "within its times it has no age";
+    EXPECT_EQ(draw::time_and_age(entry).view(), "22:00Z +30 MIN") << "a forecast, said then";
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + kHour_ns + 12 * kMinute_ns)).view(), "23:00Z 12 MIN");
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns + 2 * kHour_ns)).view(), "23:00Z STALE 60 MIN");
     EXPECT_EQ(draw::time_and_age(entry_of(layer, kDate_ns - 40 * kMinute_ns)).view(), "22:00Z IN 40 MIN") << "a forecast";
@@ -44,6 +44,41 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     const flight::FlightTime unconfirmed{{kDate_ns + kHour_ns + 12 * kMinute_ns}, true, false};
     EXPECT_EQ(draw::time_and_age(legend_of(loaded.layer(), loaded.attribute(), unconfirmed, {})).view(), "23:00Z AGE ?")
         << "UTC that was lost goes on, but tells no age";
+}
+
+TEST(DataLegends, WithinItsTimesALayerSaysWhenItWasMadeOrMeasured) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.times_ns = {kDate_ns, kDate_ns + kHour_ns};
+    const auto text = [&](std::int64_t own_ns, std::int64_t now_ns) {
+        layer.data_time_ns = own_ns;
+        const draw::DataLegend entry = entry_of(layer, now_ns);
+        EXPECT_FALSE(entry.is_stale);
+        return std::string(draw::time_and_age(entry).view());
+    };
+    const std::int64_t now = kDate_ns + 25 * kMinute_ns;
+    EXPECT_EQ(text(kDate_ns - kHour_ns, now), "21:00Z +85 MIN") << "however long ago, it is valid now";
+    EXPECT_EQ(text(kDate_ns, now), "22:00Z +25 MIN");
+    EXPECT_EQ(text(scene::kNoTime, now), "22:00Z +25 MIN");
+    EXPECT_EQ(text(kDate_ns + kHour_ns, now), "22:00Z 25 MIN") << "the last that was measured";
+    EXPECT_EQ(text(kDate_ns + 10 * kMinute_ns, now), "22:10Z +15 MIN") << "measured until then, and a forecast beyond";
+}
+
+TEST(DataLegends, NumbersAreInTheUnitThatPilotsRead) {
+    host_sim::LayerDraft layer = test_support::small_grid();
+    layer.attributes[0].unit = "m/s";
+    const auto shown = [&](const char* name, design::HeightUnit heights) {
+        layer.attributes[0].name = name;
+        const LoadedScene loaded(layer);
+        return shown_unit(*loaded.attribute().entry, heights);
+    };
+    const ShownUnit knots = shown("speed", design::HeightUnit::feet);
+    EXPECT_EQ(knots.name.view(), "KT");
+    EXPECT_NEAR(knots.factor * 1852, 3600, 1e-9) << "a nautical mile an hour";
+    const ShownUnit climb = shown("vertical_speed", design::HeightUnit::feet);
+    EXPECT_EQ(climb.name.view(), "FT/MIN");
+    EXPECT_NEAR(climb.factor * 5.08, 1000, 1e-9);
+    EXPECT_EQ(shown("speed", design::HeightUnit::metres).name.view(), "M/S");
+    EXPECT_EQ(shown("speed", design::HeightUnit::metres).factor, 1);
 }
 
 TEST(DataLegends, TitlesSayNothingTwice) {
@@ -113,11 +148,11 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
         entry.uncertainty_kind = kind;
         entry.uncertainty_full = full;
         std::snprintf(entry.unit, sizeof entry.unit, "%s", unit);
-        return std::string(full_uncertainty_text(entry).view());
+        return std::string(full_uncertainty_text(entry, design::HeightUnit::feet).view());
     };
     EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 4, "m/s"),
               "\xC2\xB1"
-              "4 M/S");
+              "7.78 KT");
     EXPECT_EQ(text(scene::UncertaintyKind::interval, 2.5f, "K"),
               "\xC2\xB1"
               "2.5 K");
@@ -128,7 +163,7 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
     EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNSURE");
     scene::AttributeEntry classes{};
     classes.uncertainty_kind = scene::UncertaintyKind::ordinal;
-    EXPECT_EQ(uncertainty_text(classes, 0.5).view(), "50 %");
+    EXPECT_EQ(uncertainty_text(classes, 0.5, design::HeightUnit::feet).view(), "50 %");
 }
 
 TEST(DataLegends, APaletteOfAnotherUnitIsNoticed) {

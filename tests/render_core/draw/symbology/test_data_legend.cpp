@@ -30,6 +30,9 @@ TEST(DataLegend, TimeAndAgeSayHowOldDataAreOrHowFarAhead) {
     EXPECT_EQ(text(0), "13:05Z 0 MIN");
     EXPECT_EQ(text(12 * kMinute_ns + 59), "13:05Z 12 MIN");
     EXPECT_EQ(text(-40 * kMinute_ns), "13:05Z IN 40 MIN");
+    legend.is_forecast = true;
+    EXPECT_EQ(text(12 * kMinute_ns), "13:05Z +12 MIN");
+    legend.is_forecast = false;
     EXPECT_EQ(text(100 * kMinute_ns), "13:05Z 1 H");
     EXPECT_EQ(text(50 * 60 * kMinute_ns), "13:05Z 2 D");
     legend.is_stale = true;
@@ -51,6 +54,42 @@ std::vector<DataLegends> mixed_lists() {
                                 {classed_wind(4), wind(), land_cover(16), wind()}})
         lists.push_back(list_of(entries));
     return lists;
+}
+
+/// An entry without a scale.
+DataLegend signs(std::size_t rows) {
+    DataLegend legend;
+    legend.has_scale = false;
+    legend.title = "SIGNS";
+    for (std::size_t n = 0; n < rows; ++n) {
+        LegendSample sample;
+        sample.text = whole_number(static_cast<double>(n)).view();
+        EXPECT_TRUE(legend.signs.try_push_back(sample));
+    }
+    return legend;
+}
+
+TEST(DataLegend, SignsWithoutAScaleAreLeftOutBeforeAnythingElseIsShortened) {
+    SymbologyInput input = test_support::scene_input(test_support::scene_state(30, 2, 0), 1024, 768);
+    input.legend.highest = 2000;
+    const auto planned = [&](const DataLegends& legends, std::uint32_t width, std::uint32_t height = 768) {
+        input.data_legends = legends;
+        return plan_data_legends(legends, make_layout(width, height, 96, legend_need(input)));
+    };
+    for (const std::uint32_t width : {640u, 1024u, 1366u}) {
+        const DataLegendPlan alone = planned(list_of({wind(), classed_wind(4)}), width);
+        const DataLegendPlan with = planned(list_of({wind(), classed_wind(4), signs(10)}), width);
+        ASSERT_EQ(alone.cut, 0u);
+        EXPECT_GE(with.shown, 2u);
+        EXPECT_EQ(with.shown + with.cut, 3u);
+        const bool shortens = with.detail >= LegendDetail::scales_alone && alone.detail < LegendDetail::uncertainty_line;
+        EXPECT_FALSE(shortens && with.detail > LegendDetail::scales_alone) << width;
+    }
+    EXPECT_EQ(planned(list_of({wind(), signs(4)}), 1366).cut, 0u) << "with a second column there is room";
+    EXPECT_EQ(planned(list_of({wind(), classed_wind(5), land_cover(16), signs(10)}), 640, 480).cut, 1u);
+    EXPECT_EQ(planned(list_of({signs(3)}), 1366).cut, 0u);
+    EXPECT_GT(data_legend_height(signs(3), LegendDetail::uncertainty_line), 3);
+    EXPECT_EQ(data_legend_height(signs(3), LegendDetail::scales_alone), 0);
 }
 
 struct Screen {

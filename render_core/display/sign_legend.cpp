@@ -1,0 +1,162 @@
+#include "render_core/display/sign_legend.hpp"
+
+#include "render_core/display/data_legends.hpp"
+#include "render_core/draw/data/billboard_look.hpp"
+#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/traffic_signs.hpp"
+
+namespace tedavis::display {
+namespace {
+
+using design::Color;
+using design::DataTechnique;
+using design::ElementUncertainty;
+using draw::LegendSample;
+using draw::SampleLook;
+using scene::LayerRole;
+
+constexpr Color kUnderSigns{0, 0, 0};
+/// As the hull of a tube and the margin of an area are drawn over the ground.
+constexpr double kMarginShare = 0.35;
+
+class Signs {
+public:
+    explicit Signs(const design::DesignSettings& design) : ground_(design.terrain.style.plain) {
+        legend_.has_scale = false;
+        legend_.title = "SIGNS";
+    }
+
+    void add(const ElementReport& report) {
+        const design::DataElement& element = *report.element;
+        switch (element.technique) {
+            case DataTechnique::prism: return add_area(report);
+            case DataTechnique::tube:
+            case DataTechnique::space_time: return add_tube(report);
+            case DataTechnique::billboard: return add_billboard(report);
+            case DataTechnique::solid: return add_margin(report, "PLACE", element.color);
+            case DataTechnique::barbs: return add_words("BARB 10 KT"), add_words("PENNANT 50 KT");
+            case DataTechnique::diagram: return add_words("BARS LEAST-MOST");
+            default: return;
+        }
+    }
+
+    [[nodiscard]] const draw::DataLegend& legend() const { return legend_; }
+
+private:
+    void add_sample(const LegendSample& sample) {
+        for (const LegendSample& known : legend_.signs)
+            if (known.text == sample.text) return;
+        static_cast<void>(legend_.signs.try_push_back(sample));
+    }
+
+    LegendSample& begin(std::string_view text, SampleLook look, Color color) {
+        made_ = {};
+        made_.text.append(text);
+        made_.look = look;
+        made_.color = color;
+        made_.under = ground_;
+        return made_;
+    }
+
+    void add_icon(std::string_view text, SampleLook look, draw::Icon icon, Color color) {
+        begin(text, look, color).under = kUnderSigns;
+        made_.icon = icon;
+        add_sample(made_);
+    }
+
+    void add_words(std::string_view text) {
+        begin(text, SampleLook::words, ground_);
+        add_sample(made_);
+    }
+
+    /// "ROUTE 95 %", "NO-GO EDGE ?": how sure a place is, where the element shows it.
+    void add_margin(const ElementReport& report, std::string_view name, Color color) {
+        const ElementUncertainty shown = report.element->uncertainty;
+        if (shown != ElementUncertainty::widening && shown != ElementUncertainty::ellipsoid) return;
+        base::FixedString<15> text(name);
+        text.append(draw::states_accuracy(*report.layer) ? " 95 %" : " \xC2\xB1 ?");
+        LegendSample& sample = begin(text.view(), SampleLook::margin, color);
+        sample.under = blended(ground_, color, kMarginShare);
+        add_sample(sample);
+    }
+
+    void add_area(const ElementReport& report) {
+        const LayerRole role = report.layer->entry->role;
+        if (report.element->by_color.is_used() || (role != LayerRole::no_go && role != LayerRole::airspace)) return;
+        const Color color = report.element->color;
+        add_sample(begin(role == LayerRole::no_go ? "NO-GO" : "AIRSPACE", SampleLook::plain, color));
+        add_margin(report, "EDGE", color);
+    }
+
+    void add_tube(const ElementReport& report) {
+        const design::DataElement& element = *report.element;
+        const Color color = element.by_color.is_used() ? Color{200, 200, 200} : element.color;
+        if (!element.by_color.is_used()) add_sample(begin("FLIGHT", SampleLook::plain, color));
+        add_margin(report, "FLIGHT", color);
+        if (element.technique == DataTechnique::space_time) add_words("HEIGHT: TIME");
+        const scene::Attribute* const size = report.layer->find(element.size_attribute.view());
+        if (size == nullptr) return;
+        base::FixedString<15> text("WIDTH: ");
+        text.append(attribute_title(*size->entry).view());
+        add_words(text.view());
+    }
+
+    void add_billboard(const ElementReport& report) {
+        const design::DataElement& element = *report.element;
+        const LayerRole role = report.layer->entry->role;
+        if (role == LayerRole::traffic) add_traffic(element);
+        add_rim(element);
+        add_margin(report, "PLACE", element.color);
+        if (role == LayerRole::obstacle) add_obstacles(report);
+    }
+
+    void add_rim(const design::DataElement& element) {
+        if (element.uncertainty == ElementUncertainty::none || element.uncertainty == ElementUncertainty::ellipsoid) return;
+        if (element.uncertainty == ElementUncertainty::dashed_rim) {
+            begin("LESS SURE", SampleLook::dashed_rim, element.color).under = kUnderSigns;
+            made_.share = 1 - (1 - draw::kLeastDashes) * element.uncertainty_strength;
+            add_sample(made_);
+        }
+        add_words("? UNKNOWN");
+    }
+
+    void add_traffic(const design::DataElement& element) {
+        add_icon("TRAFFIC", SampleLook::icon, draw::Icon::traffic, element.color);
+        add_icon("NOT HEARD", SampleLook::crossed_icon, draw::Icon::traffic, draw::kStaleTraffic);
+    }
+
+    /// Of the kinds that there are.
+    void add_obstacles(const ElementReport& report) {
+        const scene::Layer& layer = *report.layer;
+        const scene::Attribute* const kind = layer.find("kind");
+        for (std::uint32_t n = 0; kind != nullptr && n < kind->entry->class_count; ++n)
+            for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
+                if (draw::value_or_nan(layer, "kind", feature) != n) continue;
+                base::FixedString<15> name;
+                for (const char letter : kind->class_name(n)) {
+                    const char upper = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+                    name.append(std::string_view(&upper, 1));
+                }
+                add_icon(name.view(), SampleLook::icon, draw::icon_of(layer, feature), report.element->color);
+                break;
+            }
+    }
+
+    Color ground_;
+    LegendSample made_;
+    draw::DataLegend legend_;
+};
+
+}  // namespace
+
+void add_sign_legend(const ElementReports& reports, const design::DesignSettings& design, draw::DataLegends& legends) noexcept {
+    Signs signs(design);
+    for (const bool obstacles : {false, true})
+        for (const ElementReport& report : reports) {
+            if (report.state != ElementState::shown || report.layer == nullptr) continue;
+            if ((report.layer->entry->role == LayerRole::obstacle) == obstacles) signs.add(report);
+        }
+    if (!signs.legend().signs.empty()) static_cast<void>(legends.try_push_back(signs.legend()));
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,128 @@
+#include "render_core/display/sign_legend.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render_core/display/element_legends.hpp"
+#include "tests/support/grey_palettes.hpp"
+#include "tests/support/loaded_scene.hpp"
+
+namespace tedavis::display::test_sign_legend {
+namespace {
+
+using design::DataTechnique;
+using design::ElementUncertainty;
+using scene::LayerRole;
+
+host_sim::LayerDraft layer_of(LayerRole role, scene::LayerShape shape, float accuracy_m = 0) {
+    host_sim::LayerDraft layer;
+    layer.name = "one";
+    layer.role = role;
+    layer.shape = shape;
+    layer.position_accuracy_m = accuracy_m;
+    for (int n = 0; n < 3; ++n) layer.points.push_back({0.8 + 0.001 * n, 0.17 + 0.001 * (n % 2), 100, 0, scene::kNoTime});
+    if (shape != scene::LayerShape::points) layer.starts = {0, 3};
+    return layer;
+}
+
+/// What the entry says of one element over one layer, a row after a ";".
+std::string said(const host_sim::LayerDraft& layer, const design::DataElement& element,
+                 ElementState state = ElementState::shown) {
+    const test_support::LoadedScene loaded(layer);
+    ElementReport report;
+    report.state = state;
+    report.element = &element;
+    report.layer = &loaded.layer();
+    report.count.drawn = 1;
+    ElementReports reports;
+    EXPECT_TRUE(reports.try_push_back(report));
+    draw::DataLegends legends;
+    add_sign_legend(reports, {}, legends);
+    std::string text;
+    if (legends.empty()) return text;
+    EXPECT_FALSE(legends[0].has_scale);
+    for (const draw::LegendSample& sample : legends[0].signs) text += std::string(sample.text.view()) + ";";
+    return text;
+}
+
+design::DataElement element_of(DataTechnique technique, ElementUncertainty uncertainty = ElementUncertainty::none) {
+    design::DataElement element;
+    element.technique = technique;
+    element.uncertainty = uncertainty;
+    return element;
+}
+
+TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {
+    const auto no_go = element_of(DataTechnique::prism, ElementUncertainty::widening);
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), no_go), "NO-GO;EDGE 95 %;");
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go), "NO-GO;EDGE \xC2\xB1 ?;") << "nobody knows";
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), element_of(DataTechnique::prism)), "NO-GO;");
+    const auto tube = element_of(DataTechnique::tube, ElementUncertainty::widening);
+    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), tube), "FLIGHT;FLIGHT 95 %;");
+    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines), element_of(DataTechnique::space_time)),
+              "FLIGHT;HEIGHT: TIME;");
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go, ElementState::out_of_date), "");
+    EXPECT_EQ(said(layer_of(LayerRole::building, scene::LayerShape::areas), no_go), "") << "a house is a house";
+}
+
+TEST(SignLegend, WidthsSayWhatTheyStandFor) {
+    host_sim::LayerDraft way = layer_of(LayerRole::trajectory, scene::LayerShape::lines);
+    host_sim::AttributeDraft wind;
+    wind.name = "wind";
+    wind.title = "Wind";
+    wind.of = scene::AttributeOf::point;
+    wind.values = {1, 2, 3};
+    way.attributes.push_back(wind);
+    auto tube = element_of(DataTechnique::tube);
+    tube.size_attribute = "wind";
+    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;");
+}
+
+TEST(SignLegend, SignsOfObstaclesAndTraffic) {
+    host_sim::LayerDraft masts = layer_of(LayerRole::obstacle, scene::LayerShape::points);
+    host_sim::AttributeDraft kind;
+    kind.name = "kind";
+    kind.scale = scene::AttributeScale::nominal;
+    kind.of = scene::AttributeOf::feature;
+    kind.classes = {"mast", "turbine", "crane"};
+    kind.values = {2, 0, 2};
+    masts.attributes.push_back(kind);
+    EXPECT_EQ(said(masts, element_of(DataTechnique::billboard)), "MAST;CRANE;") << "those that there are";
+    EXPECT_EQ(said(masts, element_of(DataTechnique::billboard, ElementUncertainty::dashed_rim)),
+              "LESS SURE;? UNKNOWN;MAST;CRANE;");
+    EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard)),
+              "TRAFFIC;NOT HEARD;");
+    EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points), element_of(DataTechnique::billboard)), "");
+    for (const DataTechnique technique : {DataTechnique::billboard, DataTechnique::solid})
+        EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points, 500),
+                       element_of(technique, ElementUncertainty::ellipsoid)),
+                  "PLACE 95 %;");
+}
+
+TEST(SignLegend, StandsBehindTheScales) {
+    const test_support::LoadedScene loaded(layer_of(LayerRole::no_go, scene::LayerShape::areas));
+    const test_support::LoadedScene air(test_support::small_scene());
+    auto no_go = element_of(DataTechnique::prism), spheres = element_of(DataTechnique::spheres);
+    spheres.by_color.attribute = "temperature";
+    spheres.by_color.scale.palette = test_support::grey_palette();
+    ElementReports reports;
+    ElementReport report;
+    report.state = ElementState::shown;
+    report.count.drawn = 1;
+    report.element = &no_go;
+    report.layer = &loaded.layer();
+    EXPECT_TRUE(reports.try_push_back(report));
+    report.element = &spheres;
+    report.layer = &air.scene().layers()[0];
+    report.slot = 0;
+    EXPECT_TRUE(reports.try_push_back(report));
+    draw::DataLegends legends;
+    add_element_legends(reports, {}, {}, legends);
+    ASSERT_EQ(legends.size(), 2u);
+    EXPECT_TRUE(legends[0].has_scale);
+    EXPECT_FALSE(legends[1].has_scale);
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_sign_legend
