@@ -114,6 +114,11 @@ public:
     void add(const BillboardText& line) {
         if (!line.empty()) static_cast<void>(lines_.try_push_back(line));
     }
+    void drop_first() {
+        const Label whole = *this;
+        lines_.clear();
+        for (std::size_t n = 1; n < whole.size(); ++n) add(whole.lines_[n]);
+    }
     [[nodiscard]] bool empty() const { return lines_.empty(); }
     [[nodiscard]] std::size_t size() const { return lines_.size(); }
     [[nodiscard]] std::string_view line(std::size_t n) const { return lines_[n].view(); }
@@ -141,7 +146,7 @@ public:
         if (!spot_.is_ahead || !sheet_.has_room(kMostVertices + kMostLineVertices, kMostLinkVertices)) return false;
         const BillboardLook look = billboard_look(input_, feature_);
         half_px_ = 0.5f * icon_px();
-        const Label label = label_of(with_name, look);
+        Label label = label_of(with_name, look);
         Side side = Side::none;
         if (!find_side(label, side) || !claim(box(label, side), place.place)) return false;
         if (input_.element.link) add_link(anchor, place, look);
@@ -200,12 +205,19 @@ private:
         return result;
     }
 
-    /// False where there is no room, not even without the name.
-    [[nodiscard]] bool find_side(const Label& label, Side& found) {
-        const base::Span<const float> stems = base::Span<const float>(kStems).subspan(0, is_obstacle() ? 1 : std::size(kStems));
+    /// True where the whole label has room.
+    [[nodiscard]] bool find_side_of(const Label& label, base::Span<const float> stems, Side& found) {
         for (const float stem : stems)
             for (const Side side : kSides)
-                if (set_stem(stem); !label.empty() && sheet_.is_free(box(label, side))) return found = side, true;
+                if (set_stem(stem); sheet_.is_free(box(label, side))) return found = side, true;
+        return false;
+    }
+
+    /// False where there is no room, not even without the label, which keeps what of it has room: of an airspace its limits.
+    [[nodiscard]] bool find_side(Label& label, Side& found) {
+        const base::Span<const float> stems = base::Span<const float>(kStems).subspan(0, is_obstacle() ? 1 : std::size(kStems));
+        for (; !label.empty(); label.drop_first())
+            if (find_side_of(label, stems, found)) return true;
         found = Side::none;
         for (const float stem : stems)
             if (set_stem(stem); sheet_.is_free(box(label, Side::none))) return true;

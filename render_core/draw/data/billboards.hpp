@@ -6,9 +6,10 @@
 /// has size_m (kIconSize_m where the design names none) at its distance, within the same limits. `link` leads a line down to the
 /// ground. Classes of an ordinal attribute "kind" come first, the higher the sooner: each counts as half the distance; then
 /// comes the nearer. The name of what would cover one that came before, or the symbology, goes to its other side, then above it,
-/// then both up on a longer stem; then it stands without its name, then it is hidden; so is what terrain stands before. Obstacles have no longer
-/// stems, which would read as their heights: after their names they lose the stem, and stand on the spot, under the symbology.
-/// Stems are thin and grey. `detail`: the share of the features that have their names, those that come first.
+/// then both up on a longer stem; then it stands without its name (an airspace with its limits alone), then it is hidden; so is
+/// what terrain stands before. Obstacles have no longer stems, which would read as their heights: after their names they lose the
+/// stem, and stand on the spot, under the symbology. Stems are thin and grey. `detail`: the share of the features that have their
+/// names, those that come first.
 ///
 /// Pure but for the ground that is asked: at most once a candidate and link. Bounded.
 #pragma once

@@ -265,6 +265,14 @@ TEST(Billboards, AnAirspaceStandsAtItsTopWithItsLimits) {
     const BillboardSheet::Spot top = room.sheet.spot(placed(limited.input(), BillboardRoom::point(3500, 0, 900)).place);
     const Rect stem = room.bounds([](const QuadVertex& vertex) { return vertex.distance_m > 0; });
     EXPECT_NEAR(stem.bottom(), top.at.y, 4) << "at the ceiling";
+    BillboardRoom walls;
+    const Rect taken = room.bounds([](const QuadVertex& vertex) { return vertex.extent_x < 0; });
+    zone.names = {"A name that is far too long for"};
+    ElementOfTest wordy(zone);
+    EXPECT_TRUE(walls.batch.box({0, 0, top.at.x - 30, 600}, {}));
+    EXPECT_TRUE(walls.batch.box({top.at.x + taken.width + 40, 0, 800, 600}, {}));
+    EXPECT_EQ(built(room, wordy, &walls.batch).drawn, 1u);
+    EXPECT_EQ(room.glyph_vertices(), 2 * 4 * 9u) << "?-2953 MSL";
     limited.element.detail = 0;
     EXPECT_EQ(built(room, limited).drawn, 1u);
     EXPECT_EQ(room.glyph_vertices(), 0u);
