@@ -23,7 +23,6 @@ void read_share(ConfigSection& section, std::string_view key, double& share) { s
 void read_texture(ConfigSection section, TerrainStyle& style) {
     read_technique(section, kTerrainTextureNames, style.texture);
     read_color(section, "plain_color", style.plain);
-    style.line_spacing_m = section.number("line_spacing_m", 10, 100'000, style.line_spacing_m);
 }
 
 DirectedLight read_light(ConfigSection section, DirectedLight light) {
@@ -100,10 +99,20 @@ bool reads_light(const TerrainStyle& style) {
            style.texture == TerrainTexture::local_relief || style.texture == TerrainTexture::openness;
 }
 
+void read_grid(ConfigSection section, GridSettings& grid) {
+    if (!section.present()) return;
+    if (section.has("spacing_m") && section.has("spacing_nm"))
+        fault_of(section, "spacing_nm", "stands beside spacing_m; state one of them");
+    grid.spacing_m = section.has("spacing_nm") ? section.number("spacing_nm", 0.01, 60, 1) * base::kMetresPerNauticalMile
+                                               : section.number("spacing_m", 10, 100'000, 1000);
+    read_color(section, "color", grid.line);
+    grid.strength = section.number("strength", 0.05, 1, grid.strength);
+}
+
 }  // namespace
 
-const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {
-    "plain", "hypsometric", "slope", "local_relief", "openness", "image", "material", "lines"};
+const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {"plain",    "hypsometric", "slope",   "local_relief",
+                                                                             "openness", "image",       "material"};
 const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
                                                                          "phong", "light_map", "aperture"};
 
@@ -122,7 +131,7 @@ bool fits_pixel_code(const TerrainStyle& style) noexcept {
                            shade.technique == TerrainShade::lights;
     return (style.texture == TerrainTexture::plain || style.texture == TerrainTexture::hypsometric) && one_light &&
            !(shade.baked_normals && shade.technique != TerrainShade::none) && !has_colored_light(shade) && !shade.cast_shadows &&
-           shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch);
+           shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch) && style.grid.spacing_m == 0;
 }
 
 bool has_lines(const SketchSettings& sketch) noexcept { return sketch.silhouettes > 0 || draws_on_ground(sketch); }
@@ -152,13 +161,15 @@ bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
            a.shade.baked_normals == b.shade.baked_normals && on(a.shade.ambient_occlusion, b.shade.ambient_occlusion) &&
            on(a.shade.openness, b.shade.openness) && on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) &&
            on(s.valleys, t.valleys) && on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) &&
-           s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling);
+           s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling) &&
+           on(a.grid.spacing_m, b.grid.spacing_m);
 }
 
 void read_terrain_style(ConfigSection& terrain, TerrainStyle& style) {
     read_texture(terrain.section("texture"), style);
     read_shade(terrain.section("shade"), style.shade);
     read_sketch(terrain.section("sketch"), style.sketch);
+    read_grid(terrain.section("grid"), style.grid);
 }
 
 }  // namespace tedavis::design

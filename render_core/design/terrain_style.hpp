@@ -24,9 +24,8 @@ enum class TerrainTexture : std::uint8_t {
     openness,      ///< the openness palette over positive openness (Doneus 2013)
     image,         ///< the drape baked into the database; plain where it has none. On slopes it does not stretch: terrain.frag
     material,      ///< rock, scree, grass and snow by slope and height
-    lines,         ///< a grid of meridians and parallels on the plain colour
 };
-inline constexpr std::size_t kTerrainTextures = 8;
+inline constexpr std::size_t kTerrainTextures = 7;
 extern const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames;
 
 /// Its colours stand for values of the palette, and need a legend.
@@ -85,12 +84,20 @@ struct SketchSettings {
     double stroke_spacing_px = 7;     ///< of hatches and stipples on the screen, up to a factor of two
 };
 
+/// Lines of known spacing along meridians and parallels over the ground: a depth cue. To the north they stand exactly so far
+/// apart; to the east so at the middle latitude of the terrain, elsewhere by the ratio of the latitudes' cosines.
+struct GridSettings {
+    double spacing_m = 0;  ///< 0: none
+    Color line{0, 0, 0};
+    double strength = 0.65;  ///< 0..1
+};
+
 struct TerrainStyle {
     TerrainTexture texture = TerrainTexture::hypsometric;
     Color plain{0xD8, 0xD2, 0xC4};
-    double line_spacing_m = 1000;  ///< of the grid of `lines`
     ShadeSettings shade;
     SketchSettings sketch;
+    GridSettings grid;
 };
 static_assert(std::is_trivially_copyable_v<TerrainStyle>);
 

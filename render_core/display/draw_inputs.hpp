@@ -21,12 +21,12 @@ struct DrawContext {
     const FrameRecord& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;
     double haze_per_m = 0;                           ///< as planned; 0 for none
-    draw::AirFrame air{};                            ///< as planned
-    draw::FocusRange focus{};                        ///< as planned
-    draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
     double map_share = 0;                            ///< of the way from 3D to the map, 0..1
     bool is_free_view = false;                       ///< the eye is nobody's
     draw::HeightSpan heights{};                      ///< of the whole database
+    draw::AirFrame air{};                            ///< as planned
+    draw::FocusRange focus{};                        ///< as planned
+    draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
 };
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);

@@ -76,6 +76,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
         asked.add(Effect::aerial_perspective);
     else if (design.sky.haze_distance_m > 0)
         asked.add(Effect::haze);
+    if (style.grid.spacing_m > 0) asked.add(Effect::surface_grid);
     if (design.data.ground.is_shown) asked.add(Effect::ground_data);
     if (design.data.adjacent.is_shown) asked.add(Effect::adjacent);
     if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
@@ -96,6 +97,7 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         possible.terrain.style.texture = design::TerrainTexture::plain;
     possible.sky.air.is_shown = design.sky.air.is_shown && stands_in(Effect::aerial_perspective) == Effect::aerial_perspective;
     if (possible.sky.air.is_shown || device.forbidden.has(Effect::haze)) possible.sky.haze_distance_m = 0;
+    if (device.forbidden.has(Effect::surface_grid)) possible.terrain.style.grid.spacing_m = 0;
     if (device.forbidden.has(Effect::ground_data)) possible.data.ground.is_shown = false;
     if (device.forbidden.has(Effect::adjacent)) possible.data.adjacent.is_shown = false;
     if (stands_in(Effect::depth_of_field) != Effect::depth_of_field) possible.effects.depth_of_field.blur_px = 0;
@@ -140,6 +142,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::drape] = drape_call(facts.drape);
     input[Effect::aerial_perspective] = air_call(facts);
     input[Effect::haze] = haze_call(facts);
+    input[Effect::surface_grid] = {Kind::called, ""};
     input[Effect::ground_data] = ground_call(facts.ground_data);
     input[Effect::adjacent] = adjacent_call(facts);
     input[Effect::depth_of_field] = focus_call(facts);

@@ -39,7 +39,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          "unknown_color",
                                                          "haze_color",
                                                          "pixel",
-                                                         "grid_lines",
+                                                         "grid_window",
+                                                         "grid_look",
+                                                         "grid_spacing",
                                                          "lights",
                                                          "light",
                                                          "light_color",
@@ -78,7 +80,6 @@ constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "#define TEXTURE_OPENNESS 1\n#define PALETTE 1\n",
     "#define TEXTURE_IMAGE 1\n",
     "#define TEXTURE_MATERIAL 1\n#define STROKES 1\n",
-    "#define TEXTURE_LINES 1\n#define STROKES 1\n",
 };
 constexpr const char* kUncertaintyDefines[design::kIntrinsicUncertainties] = {
     "",
@@ -175,7 +176,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add(kTextureDefines[static_cast<std::size_t>(style.texture)]);
     const design::SketchSettings& sketch = style.sketch;
     add_shade(defines, style.shade, sketch.hatching > 0 || sketch.stippling > 0 || (sketch.contours > 0 && sketch.illuminated));
-    const bool strokes_by_texture = style.texture == TerrainTexture::material || style.texture == TerrainTexture::lines;
+    const bool strokes_by_texture = style.texture == TerrainTexture::material;
     const bool strokes_by_sketch = sketch.hatching > 0 || sketch.stippling > 0;
     add_sketch(defines, sketch, strokes_by_texture);
     if (variant.ground_data) {
@@ -192,6 +193,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
         const bool is_there = variant.maps[n] && (variant.baked || map == BakedMap::drape);
         defines.add_if(is_there && (needs_map(style, map) || (coast && map == BakedMap::light)), kMapDefines[n]);
     }
+    defines.add_if(style.grid.spacing_m > 0, "#define SURFACE_GRID 1\n");
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.flat, "#define FLAT 1\n");

@@ -12,7 +12,6 @@ namespace {
 // Strokes on the ground are told apart over so many metres before their coordinates begin again; a power of two, as all sizes
 // of strokes are.
 constexpr double kGroundPeriod_m = 131072;
-constexpr double kLinesPerPeriod = 128;
 
 void set_vec3(gl::Gl& gl, GLint location, const glm::dvec3& v) {
     gl->Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
@@ -86,14 +85,23 @@ GroundSize common_cell(const terrain::Lattice& lattice) {
             step_lat * earth::meridian_radius_m(latitude)};
 }
 
-void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style) {
-    const bool lines = style.texture == design::TerrainTexture::lines;
-    const double period_m = lines ? style.line_spacing_m * kLinesPerPeriod : kGroundPeriod_m;
+void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of) {
     const GroundSize cell = common_cell(of.lattice);
     const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
     gl->Uniform4f(program.uniform(kStrokeWindow), static_cast<float>(cell.east_m), static_cast<float>(cell.north_m),
-                  static_cast<float>(std::fmod(posts.i0 * cell.east_m, period_m)),
-                  static_cast<float>(std::fmod(posts.j0 * cell.north_m, period_m)));
+                  static_cast<float>(std::fmod(posts.i0 * cell.east_m, kGroundPeriod_m)),
+                  static_cast<float>(std::fmod(posts.j0 * cell.north_m, kGroundPeriod_m)));
+}
+
+/// Lines of a chunk by its posts, from the nearest line before its first one.
+void set_grid(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::GridSettings& grid) {
+    const GroundSize cell = common_cell(of.lattice);
+    const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
+    const double east = cell.east_m / grid.spacing_m, north = cell.north_m / grid.spacing_m;
+    const double first_east = posts.i0 * east, first_north = posts.j0 * north;
+    gl->Uniform4f(program.uniform(kGridWindow), static_cast<float>(east), static_cast<float>(north),
+                  static_cast<float>(first_east - std::floor(first_east)),
+                  static_cast<float>(first_north - std::floor(first_north)));
 }
 
 /// Of so many posts, in the middle of a chunk.
@@ -143,7 +151,10 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
     gl->Uniform2f(program.uniform(kContour), number(1 / sketch.contour_interval_m), static_cast<float>(sketch.contour_index));
     gl->Uniform2f(program.uniform(kStrokes), number(sketch.hatching), number(sketch.stippling));
     gl->Uniform2f(program.uniform(kPixel), number(1 / focal_px), number(sketch.stroke_spacing_px));
-    gl->Uniform1f(program.uniform(kGridLines), number(1 / style.line_spacing_m));
+    const design::Color line = style.grid.line;
+    gl->Uniform4f(program.uniform(kGridLook), static_cast<float>(line.red) / 255.0f, static_cast<float>(line.green) / 255.0f,
+                  static_cast<float>(line.blue) / 255.0f, number(style.grid.strength));
+    gl->Uniform1f(program.uniform(kGridSpacing), number(style.grid.spacing_m));
 }
 
 void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span) {
@@ -160,7 +171,8 @@ void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUnifo
     set_to_local(gl, program.uniform(kToLocal), local[0], local[1], local[2]);
     if (program.uniform(kLights) >= 0) set_lights(gl, program.uniform(kLights), of, style.shade, local);
     if (program.uniform(kLift) >= 0) set_lift(gl, program, of);
-    if (program.uniform(kStrokeWindow) >= 0) set_strokes(gl, program, of, style);
+    if (program.uniform(kStrokeWindow) >= 0) set_strokes(gl, program, of);
+    if (program.uniform(kGridWindow) >= 0) set_grid(gl, program, of, style.grid);
 }
 
 void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,

@@ -24,6 +24,7 @@ enum class Effect : std::uint8_t {
     plain_color,
     aerial_perspective,
     haze,
+    surface_grid,
     ground_data,
     adjacent,
     depth_of_field,

@@ -14,7 +14,7 @@
 
 namespace tedavis::gl {
 
-inline constexpr std::size_t kMaxUniforms = 56;
+inline constexpr std::size_t kMaxUniforms = 64;
 
 struct AttributeBinding {
     const char* name;

@@ -20,8 +20,10 @@ uniform vec4 drape_origin;       // first texel of the page; width of a texel in
 uniform sampler2D palette;       // colour by the texture's quantity
 uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
 #endif
-#ifdef TEXTURE_LINES
-uniform float grid_lines;        // lines a metre
+#ifdef SURFACE_GRID
+uniform vec4 grid_look;          // colour and strength of the lines
+uniform float grid_spacing;      // m
+VARYING vec2 v_grid;
 #endif
 uniform vec3 plain_color;
 uniform vec3 sea_color;
@@ -181,11 +183,6 @@ void main() {
     cover = mix(cover, vec3(0.93, 0.95, 0.97), smoothstep(2600.0, 2900.0, v_height + 400.0 * grain));
     cover = mix(cover, vec3(0.62, 0.57, 0.50), smoothstep(0.10, 0.15, steep));
     color = mix(cover, vec3(0.43, 0.40, 0.38), smoothstep(0.22, 0.32, steep)) * (1.0 + 0.2 * grain);
-#elif defined(TEXTURE_LINES)
-    vec2 cell = (fract(v_ground * grid_lines + 0.5) - 0.5) / grid_lines;
-    float along_meridian = line_at(cell.x, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m), 0.8);
-    float along_parallel = line_at(cell.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m), 0.8);
-    color = mix(color, color * 0.35, max(along_meridian, along_parallel));
 #endif
 #ifdef COAST
     // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1.
@@ -365,6 +362,14 @@ void main() {
 #endif
 #endif
     color = mix(color, line_color, ink);
+#endif
+
+    // -- lines of known spacing; they fade before they would stand closer than a few pixels
+#ifdef SURFACE_GRID
+    vec2 from_line = (fract(v_grid + 0.5) - 0.5) * grid_spacing;
+    vec2 line_reach_m = vec2(reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m), reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
+    vec2 lines = clamp(1.3 - abs(from_line) / line_reach_m, 0.0, 1.0) * clamp(grid_spacing / line_reach_m * 0.2 - 0.8, 0.0, 1.0);
+    color = mix(color, grid_look.rgb, grid_look.a * max(lines.x, lines.y));
 #endif
 
     // -- what is not known, whatever the style: hatched on the screen

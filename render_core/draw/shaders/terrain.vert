@@ -17,6 +17,11 @@ uniform vec4 stroke_window;    // metres east and south, modulo a whole number o
 VARYING vec2 v_ground;
 #endif
 
+#ifdef SURFACE_GRID
+uniform vec4 grid_window;      // lines east and south of the first one = place * xy + zw
+VARYING vec2 v_grid;
+#endif
+
 VARYING float v_height;
 VARYING vec2 v_class;          // sea, void
 VARYING vec3 v_normal;         // east, north, up
@@ -47,6 +52,9 @@ void main() {
 #endif
 #ifdef GROUND_DATA
     v_data = place * data_window.xy + data_window.zw;
+#endif
+#ifdef SURFACE_GRID
+    v_grid = place * grid_window.xy + grid_window.zw;
 #endif
 #ifdef STROKES
     v_ground = place * stroke_window.xy + stroke_window.zw;

@@ -44,6 +44,20 @@ TEST(TerrainStyle, EveryNameIsReadAsItsTechnique) {
     }
 }
 
+TEST(TerrainStyle, TheGridStatesItsSpacingInOneUnit) {
+    EXPECT_EQ(read("[terrain]\n").style.grid.spacing_m, 0);
+    EXPECT_EQ(read("[terrain.grid]\n").style.grid.spacing_m, 1000);
+    const ReadStyle miles = read("[terrain.grid]\nspacing_nm = 0.5\ncolor = '#102030'\nstrength = 0.3\n");
+    EXPECT_EQ(miles.error, "");
+    EXPECT_EQ(miles.style.grid.spacing_m, 926);
+    EXPECT_EQ(miles.style.grid.line, (Color{0x10, 0x20, 0x30}));
+    EXPECT_EQ(miles.style.grid.strength, 0.3);
+    EXPECT_FALSE(fits_pixel_code(miles.style));
+    EXPECT_FALSE(same_programs(miles.style, TerrainStyle{}));
+    EXPECT_NE(read("[terrain.grid]\nspacing_nm = 1\nspacing_m = 100\n").error.find("state one of them"), std::string::npos);
+    EXPECT_NE(read("[terrain.grid]\nspacing_m = 0\n").error, "");
+}
+
 TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
     const ReadStyle got = read(
         "[terrain.shade]\ntechnique = 'lights'\n[[terrain.shade.light]]\nazimuth_deg = 180\nelevation_deg = 30\nweight = 0.5\n"

@@ -23,6 +23,7 @@ design::DesignSettings design_with_everything() {
     design.terrain.style.shade.follows_sun = true;
     design.terrain.style.texture = design::TerrainTexture::image;
     design.sky.haze_distance_m = 50'000;
+    design.terrain.style.grid.spacing_m = 1000;
     design.data.ground.is_shown = design.data.adjacent.is_shown = true;
     return design;
 }
@@ -48,7 +49,7 @@ protected:
 
 TEST_F(EffectCalls, WhatIsThereAndHasAPlaceIsCalledFor) {
     for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::silhouettes, Effect::moving_sun, Effect::drape,
-                                Effect::haze, Effect::ground_data, Effect::adjacent})
+                                Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent})
         EXPECT_EQ(call(effect).kind, Kind::called) << effects::entry_of(effect).name;
     facts_.asked = asked_effects([] {
         design::DesignSettings plain;
@@ -102,12 +103,14 @@ TEST(PossibleDesign, IsTheDesignWithWhatStandsIn) {
     const design::SketchSettings sketch = possible_design(design, device).terrain.style.sketch;
     EXPECT_EQ(sketch.silhouettes, 0);
     EXPECT_EQ(sketch.ridges, 0.7) << "the stronger of both";
-    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::ground_data, Effect::adjacent})
+    for (const Effect effect :
+         {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent})
         device.forbidden.add(effect);
     const design::DesignSettings bare = possible_design(design, device);
     EXPECT_FALSE(bare.terrain.style.shade.follows_sun);
     EXPECT_EQ(bare.terrain.style.texture, design::TerrainTexture::plain);
     EXPECT_EQ(bare.sky.haze_distance_m, 0);
+    EXPECT_EQ(bare.terrain.style.grid.spacing_m, 0);
     EXPECT_FALSE(bare.data.ground.is_shown);
     EXPECT_FALSE(bare.data.adjacent.is_shown);
 }

@@ -1,6 +1,7 @@
 // The lines of drawn terrain lie where its shape puts them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
@@ -58,6 +59,52 @@ TEST(TerrainDrawer, SuggestiveContoursLieWhereSlopesAwayFromTheEyeTurnBack) {
     for (std::uint32_t y = 2; y + 2 < RasterScene::kHeight; ++y)
         for (std::uint32_t x = 20; x + 20 < RasterScene::kWidth; ++x) elsewhere += is_ink(x, y) && on_lines.count(y) == 0 ? 1 : 0;
     EXPECT_EQ(elsewhere, 0) << "blots";
+}
+
+/// On level ground seen from above: lines of the grid every so many metres along meridians and parallels, and nothing in between.
+TEST(TerrainDrawer, TheSurfaceGridHasItsSpacing) {
+    RasterScene scene(test_support::make_raster(257, 257, [](std::uint32_t, std::uint32_t) { return 1000.0f; }));
+    constexpr double kPosts = 6.5;
+    const glm::dvec3 middle = scene.post(128, 128);
+    const double east_m = glm::distance(scene.post(129, 128), middle), north_m = glm::distance(scene.post(128, 129), middle);
+    design::DesignSettings design = clear_design();
+    design.terrain.style.texture = design::TerrainTexture::plain;
+    design.terrain.style.plain = {255, 255, 255};
+    design.terrain.style.shade.technique = design::TerrainShade::none;
+    design.terrain.style.grid = {kPosts * east_m, {200, 0, 0}, 1.0};
+    const TerrainDrawInput input = lit_from_above(scene.view(128, 128, 4000, 0, -90));
+    ChunkDrawing drawing(scene, design);
+    const ChunkPicture picture = drawing.draw(input, 0.5);
+    const auto least_green = [&](double i, double j) {
+        const auto i0 = static_cast<std::uint32_t>(i), j0 = static_cast<std::uint32_t>(j);
+        const glm::dvec3 at = scene.post(i0, j0) + (i - i0) * (scene.post(i0 + 1, j0) - scene.post(i0, j0)) +
+                              (j - j0) * (scene.post(i0, j0 + 1) - scene.post(i0, j0));
+        const auto pixel = pixel_of(input.view, at);
+        if (!pixel || pixel->x < 3 || pixel->y < 3 || pixel->x > RasterScene::kWidth - 4 || pixel->y > RasterScene::kHeight - 4)
+            return -1;
+        int least = 255;
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) least = std::min(least, int{picture.at(pixel->x + x, pixel->y + y).green});
+        return least;
+    };
+    const double row_posts = kPosts * east_m / north_m;
+    int lines = 0;
+    for (int k = 1; k < 35; ++k) {
+        const double column = k * kPosts, row = k * row_posts;
+        const double between_rows = row_posts * (std::floor(128 / row_posts) + 0.5);
+        const double between_columns = kPosts * (std::floor(128 / kPosts) + 0.5);
+        if (const int green = least_green(column, between_rows); green >= 0) {
+            EXPECT_LT(green, 120) << "meridian " << k;
+            EXPECT_GT(least_green(column + 0.5 * kPosts, between_rows), 250) << "beside it";
+            ++lines;
+        }
+        if (const int green = least_green(between_columns, row); green >= 0) {
+            EXPECT_LT(green, 120) << "parallel " << k;
+            EXPECT_GT(least_green(between_columns, row + 0.5 * row_posts), 250) << "beside it";
+            ++lines;
+        }
+    }
+    EXPECT_GE(lines, 8);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ std::vector<TerrainStyle> styles() {
         style.sketch.suggestive_contours = texture % 4 == 2 ? 1 : 0;
         style.sketch.hatching = texture % 4 == 3 ? 1 : 0;
         style.sketch.stippling = texture % 5 == 0 ? 1 : 0;
+        style.grid.spacing_m = texture % 2 == 0 ? 1852 : 0;
         all.push_back(style);
     }
     return all;

@@ -12,6 +12,7 @@ namespace {
 
 TEST(DataFrame, ItsUniformsAreThoseOfTheSharedShaders) {
     std::string texts(shader_text(k_data_light_vert));
+    texts += shader_text(k_air_frag);
     texts += shader_text(k_data_color_frag);
     std::set<std::string> names;
     for (const char* name : kDataUniformNames) {
