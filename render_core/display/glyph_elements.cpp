@@ -15,6 +15,7 @@ using design::DataTechnique;
 using design::ElementUncertainty;
 
 constexpr std::uint32_t kSitesAhead = 4096;  // a frame, of the field that will be shown next
+constexpr double kBarSlenderness = 3;        // bars are as large as they are high, and take that much less of the picture
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
 constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
 
@@ -245,6 +246,7 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     if (slot.element->technique == DataTechnique::barbs) return plan_barbs(slot, frame);
     scene::GlyphSettings settings;
     settings.detail = slot.element->detail;
+    if (slot.element->technique == DataTechnique::bars) settings.coarsest *= kBarSlenderness;
     settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);

@@ -45,7 +45,7 @@ void GlyphSelection::set_view(const GlyphField& field, const GlyphView& view, co
     field_ = &field;
     settings_ = settings;
     settings_.most_drawn = std::min<std::uint32_t>(settings.most_drawn, static_cast<std::uint32_t>(glyphs_.size()));
-    const double coarser = std::pow(kCoarsestGlyphs, 1 - std::fmin(std::fmax(settings.detail, 0), 1));
+    const double coarser = std::pow(settings.coarsest, 1 - std::fmin(std::fmax(settings.detail, 0), 1));
     settings_.least_px = settings.least_px * coarser;
     settings_.cell_px = std::fmax(settings.cell_px, settings.least_px) * coarser;
     focal_px_ = view.focal_px;

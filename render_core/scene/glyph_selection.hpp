@@ -31,15 +31,16 @@ struct GlyphView {
     double near_m = 1, far_m = 400000;
 };
 
+inline constexpr double kCoarsestGlyphs = 8;
+
 struct GlyphSettings {
     double least_px = 6;   ///< at full detail
     double cell_px = 24;   ///< at full detail, at least least_px
     double most_px = 160;  ///< nothing is drawn larger, however near
-    double detail = 1;     ///< 0..1: at 0 least_px and cell_px are kCoarsestGlyphs times as large
+    double detail = 1;     ///< 0..1: at 0 least_px and cell_px are `coarsest` times as large
+    double coarsest = kCoarsestGlyphs;
     std::uint32_t most_drawn = 0xFFFFFFFFu;
 };
-inline constexpr double kCoarsestGlyphs = 8;
-
 struct SelectedGlyph {
     GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
     float size_m = 0;      ///< across, as it is to be drawn

@@ -6,9 +6,12 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/area_limits.hpp"
+#include "render_core/draw/data/cell_motion.hpp"
+#include "render_core/draw/data/feature_importance.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/outer_outline.hpp"
 #include "render_core/scene/polygon_triangles.hpp"
 
 namespace tedavis::draw {
@@ -44,17 +47,49 @@ public:
         return add_sides() && add_cap(ceiling_, true) && add_cap(floor_, false);
     }
 
+    /// After build(): from the foremost place of the outline on, as high as the eye where the prism is as high.
+    [[nodiscard]] CellFront front(double toward_rad) {
+        const glm::dvec2 way(std::sin(toward_rad), std::cos(toward_rad));
+        glm::dvec2 middle(0);
+        for (std::size_t n = 0; n < count_; ++n) middle += mesh_.corners()[n] / static_cast<double>(count_);
+        double ahead_m = 0;
+        for (std::size_t n = 0; n < count_; ++n) ahead_m = std::max(ahead_m, glm::dot(mesh_.corners()[n] - middle, way));
+        const Corner at = on_ellipsoid(middle + way * ahead_m);
+        const Placed low = over(at, floor_), high = over(at, ceiling_);
+        const double eye_m = earth::from_ecef(input_.eye).height.m;
+        const double height_m = std::clamp(eye_m, low.height_m, std::max(low.height_m, high.height_m));
+        return {earth::to_ecef({at.latitude_rad, at.longitude_rad, {height_m}}), toward_rad, low.is_known && high.is_known};
+    }
+
 private:
     bool take_corners(const scene::Run& run) {
-        for (std::uint32_t n = 0; n < run.count; ++n) {
-            const glm::dvec2 from = flat(input_.layer.points[run.first + n]);
-            const glm::dvec2 to = flat(input_.layer.points[run.first + (n + 1) % run.count]);
-            const double parts = std::max(1.0, std::ceil(glm::distance(from, to) / kLongestSide_m));
-            for (double part = 0; part < parts; ++part) {
-                if (count_ == scene::kMostPolygonCorners) return false;
-                mesh_.corners()[count_++] = from + (to - from) * (part / parts) + moved_;
-            }
+        const base::Span<glm::dvec2> corners = mesh_.corners();
+        if (run.count > corners.size()) return false;
+        for (std::uint32_t n = 0; n < run.count; ++n) corners[n] = flat(input_.layer.points[run.first + n]);
+        count_ = scene::simplify_outwards({corners.data(), run.count}, kMostOutlineGrowth * (1 - input_.element.detail));
+        return cut_sides();
+    }
+
+    static double parts_of(const glm::dvec2& from, const glm::dvec2& to) {
+        return std::max(1.0, std::ceil(glm::distance(from, to) / kLongestSide_m));
+    }
+
+    /// From the last to the first, for there are never fewer corners than before.
+    bool cut_sides() {
+        const base::Span<glm::dvec2> corners = mesh_.corners();
+        const glm::dvec2 first = corners[0];
+        double all = 0;
+        for (std::size_t n = 0; n < count_; ++n) all += parts_of(corners[n], n + 1 < count_ ? corners[n + 1] : first);
+        if (!(all <= static_cast<double>(corners.size()))) return false;
+        auto end = static_cast<std::size_t>(all);
+        glm::dvec2 to = first;
+        for (std::size_t n = count_; n-- > 0;) {
+            const glm::dvec2 from = corners[n];
+            const double parts = parts_of(from, to);
+            for (double part = parts - 1; part >= 0; --part) corners[--end] = from + (to - from) * (part / parts) + moved_;
+            to = from;
         }
+        count_ = static_cast<std::size_t>(all);
         return true;
     }
 
@@ -63,10 +98,10 @@ private:
         return {east * metres_.x, (point.latitude_rad - first_.latitude_rad) * metres_.y};
     }
 
-    [[nodiscard]] Corner corner(std::size_t n) const {
-        const glm::dvec2& at = mesh_.corners()[n % count_];
+    [[nodiscard]] Corner on_ellipsoid(const glm::dvec2& at) const {
         return {first_.latitude_rad + at.y / metres_.y, first_.longitude_rad + at.x / metres_.x};
     }
+    [[nodiscard]] Corner corner(std::size_t n) const { return on_ellipsoid(mesh_.corners()[n % count_]); }
 
     /// Every side goes outwards; corners go along the middle of their two sides' normals.
     void widen(double by_m) {
@@ -171,15 +206,25 @@ void add_margin(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, s
     if (Prism(mesh, input, feature).build(accuracy_m)) mesh.add_to(batch);
 }
 
+/// Buildings alone: nothing that must not be entered is ever left out.
+bool is_left_out(const ElementInput& input, std::uint32_t feature) {
+    return input.layer.entry->role == scene::LayerRole::building && is_unimportant(input, "height", feature);
+}
+
 }  // namespace
 
 ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         batch.set_look(look_of(input), input.layer.entry->data_time_ns);
-        const bool is_drawn = Prism(mesh, input, feature).build(0) && mesh.add_to(batch);
+        Prism prism(mesh, input, feature);
+        const bool is_drawn = !is_left_out(input, feature) && prism.build(0) && mesh.add_to(batch);
         ++(is_drawn ? count.drawn : count.hidden);
-        if (is_drawn) add_margin(batch, mesh, input, feature);
+        if (!is_drawn) continue;
+        const double toward_rad = value_or_nan(input.layer, "toward", feature);
+        if (prisms_move(input.layer) && has_motion(input, feature))
+            add_motion_arrow(batch, mesh, input, feature, prism.front(toward_rad));
+        add_margin(batch, mesh, input, feature);
     }
     return count;
 }

@@ -276,8 +276,9 @@ ElementCount add_billboards(BillboardSheet& sheet, const ElementInput& input) {
     offer_features(sheet, input);
     const base::Span<const BillboardCandidate> ranked = sheet.ranked();
     const auto named = static_cast<std::size_t>(std::ceil(input.element.detail * static_cast<double>(ranked.size())));
+    const std::size_t shown = input.layer.entry->role == scene::LayerRole::place ? named : ranked.size();
     ElementCount count;
-    for (std::size_t n = 0; n < ranked.size(); ++n)
+    for (std::size_t n = 0; n < shown; ++n)
         if (Billboard(sheet, input, ranked[n].feature).add(n < named)) ++count.drawn;
     count.hidden = input.layer.entry->feature_count - count.drawn;
     return count;

@@ -9,7 +9,7 @@
 /// then both up on a longer stem; then it stands without its name (an airspace with its limits alone), then it is hidden; so is
 /// what terrain stands before. Obstacles have no longer stems, which would read as their heights: after their names they lose the
 /// stem, and stand on the spot, under the symbology. Stems are thin and grey. `detail`: the share of the features that have their
-/// names, those that come first.
+/// names, those that come first; places without one are left out, everything else keeps its icon.
 ///
 /// Pure but for the ground that is asked: at most once a candidate and link. Bounded.
 #pragma once

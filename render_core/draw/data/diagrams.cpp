@@ -16,8 +16,8 @@ constexpr double kFarthest_m = 60'000;
 constexpr float kStem = BillboardSheet::kStem, kMargin = 0.3f, kNameSize = 0.75f;  // of the text's size
 constexpr float kLine_px = 1.6f;
 constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
-/// Plate, frame, axis; a line and a cross each sample; a name with its halo: four each.
-constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 4 * kMostProfileSamples + 2 * 31);
+/// Plate, frame, axis; a line, a reach and a cross or a knot each sample; a name with its halo: four each.
+constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 5 * kMostProfileSamples + 2 * 31);
 constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 design::Color with_alpha(design::Color color, std::uint8_t alpha) {
@@ -65,7 +65,11 @@ public:
         : sheet_(sheet),
           input_(input),
           first_(first),
-          count_(std::min<std::uint32_t>(run_at(input.layer, first), kMostProfileSamples)) {}
+          count_(std::min<std::uint32_t>(run_at(input.layer, first), kMostProfileSamples)),
+          knots_(share_of_detail(count_)) {}
+
+    /// Whether its points have fewer knots than they are.
+    [[nodiscard]] bool is_aggregate() const { return knots_ < count_; }
 
     /// Points that it shows: none where it has no room.
     [[nodiscard]] std::uint32_t add() {
@@ -88,6 +92,11 @@ public:
     }
 
 private:
+    /// At least one.
+    [[nodiscard]] std::uint32_t share_of_detail(std::size_t count) const {
+        const double share = std::ceil(input_.element.detail * static_cast<double>(count));
+        return std::max(1u, static_cast<std::uint32_t>(share));
+    }
     [[nodiscard]] QuadBatch& batch() const { return sheet_.signs(); }
 
     [[nodiscard]] std::uint32_t lowest() const {
@@ -133,8 +142,8 @@ private:
     void draw_bars() {
         std::size_t count = 0;
         for (const scene::Attribute& attribute : input_.layer.attributes) count += is_quantity(attribute) ? 1 : 0;
-        count = std::min(count, kMostDiagramBars);
         if (count == 0) return draw_cross(inner_.center());
+        count = share_of_detail(std::min(count, kMostDiagramBars));
         const float step = inner_.width / static_cast<float>(count);
         float x = inner_.x + 0.2f * step;
         for (const scene::Attribute& attribute : input_.layer.attributes) {
@@ -153,39 +162,77 @@ private:
         static_cast<void>(batch().box({x, inner_.bottom() - height, width, height}, look_.color));
     }
 
-    [[nodiscard]] Point on_profile(const scene::Attribute& attribute, std::uint32_t n) const {
-        const auto height_of = [&](std::uint32_t k) { return input_.layer.points[k].height_m; };
-        float low = height_of(first_), high = low;
-        for (std::uint32_t k = first_; k < first_ + count_; ++k) {
-            low = std::fmin(low, height_of(k));
-            high = std::fmax(high, height_of(k));
+    /// What a profile's height reaches from and to.
+    struct Heights {
+        float low, high;
+    };
+    [[nodiscard]] Heights heights() const {
+        Heights reach{input_.layer.points[first_].height_m, input_.layer.points[first_].height_m};
+        for (std::uint32_t n = first_; n < first_ + count_; ++n) {
+            reach.low = std::fmin(reach.low, input_.layer.points[n].height_m);
+            reach.high = std::fmax(reach.high, input_.layer.points[n].height_m);
         }
-        const float up = high > low && !std::isnan(height_of(n)) ? (height_of(n) - low) / (high - low) : 0;
-        const float right = is_missing(attribute, n) ? 0.5f : share_of(attribute, n);
-        return {inner_.x + right * inner_.width, inner_.bottom() - up * inner_.height};
+        return reach;
     }
 
-    /// A line from sample to sample; none to and from missing ones.
+    /// Neighbours of a profile that have one knot: shares of the diagram.
+    struct Knot {
+        float up = 0, mean = 0, least = 1, most = 0;
+        std::uint32_t unsure = 0, values = 0, missing = 0;  ///< the least sure one; how many
+    };
+    [[nodiscard]] Knot knot(const scene::Attribute& attribute, const Heights& reach, std::uint32_t n) const {
+        Knot knot;
+        const std::uint32_t begin = first_ + n * count_ / knots_, end = first_ + (n + 1) * count_ / knots_;
+        knot.unsure = begin;
+        for (std::uint32_t k = begin; k < end; ++k) {
+            if (encoded_uncertainty(input_, k).code() > encoded_uncertainty(input_, knot.unsure).code()) knot.unsure = k;
+            const float height = input_.layer.points[k].height_m;
+            const bool has_height = reach.high > reach.low && !std::isnan(height);
+            knot.up += (has_height ? (height - reach.low) / (reach.high - reach.low) : 0) / static_cast<float>(end - begin);
+            if (is_missing(attribute, k)) {
+                ++knot.missing;
+                continue;
+            }
+            const float share = share_of(attribute, k);
+            knot.mean += (share - knot.mean) / static_cast<float>(++knot.values);
+            knot.least = std::min(knot.least, share);
+            knot.most = std::max(knot.most, share);
+        }
+        return knot;
+    }
+    [[nodiscard]] Point at(const Knot& knot, float right) const {
+        return {inner_.x + right * inner_.width, inner_.bottom() - knot.up * inner_.height};
+    }
+
+    /// A line from knot to knot; none to and from missing ones.
     void draw_profile() {
         const scene::Attribute* const attribute = profile_attribute(input_);
         if (attribute == nullptr) return draw_cross(inner_.center());
-        for (std::uint32_t n = first_; n < first_ + count_; ++n) {
-            const Point at = on_profile(*attribute, n);
-            if (is_missing(*attribute, n)) {
-                draw_cross(at);
-                continue;
-            }
-            const float half = 0.14f * sheet_.text_px();
-            const BillboardLook look = billboard_look(input_, n);
-            static_cast<void>(batch().box({at.x - half, at.y - half, 2 * half, 2 * half}, look.color));
-            const bool goes_on = n + 1 < first_ + count_ && !is_missing(*attribute, n + 1);
-            if (goes_on) static_cast<void>(batch().line(at, on_profile(*attribute, n + 1), kLine_px, look.color));
+        const Heights reach = heights();
+        Knot before;
+        for (std::uint32_t n = 0; n < knots_; ++n) {
+            const Knot here = knot(*attribute, reach, n);
+            draw_knot(here);
+            const BillboardLook look = billboard_look(input_, here.unsure);
+            if (before.values > 0 && here.values > 0)
+                static_cast<void>(batch().line(at(before, before.mean), at(here, here.mean), kLine_px, look.color));
+            before = here;
         }
+    }
+
+    void draw_knot(const Knot& knot) {
+        if (knot.missing > 0) draw_cross(at(knot, knot.values > 0 ? 0 : 0.5f));
+        if (knot.values == 0) return;
+        const BillboardLook look = billboard_look(input_, knot.unsure);
+        const Point middle = at(knot, knot.mean);
+        const float half = 0.14f * sheet_.text_px();
+        static_cast<void>(batch().box({middle.x - half, middle.y - half, 2 * half, 2 * half}, look.color));
+        if (knot.values > 1) static_cast<void>(batch().line(at(knot, knot.least), at(knot, knot.most), kLine_px, look.color));
     }
 
     BillboardSheet& sheet_;
     const ElementInput& input_;
-    std::uint32_t first_, count_;
+    std::uint32_t first_, count_, knots_;
     Rect plate_, inner_;
     BillboardLook look_;
 };
@@ -202,8 +249,11 @@ ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input) {
         if (distance_m <= kFarthest_m) sheet.offer({distance_m, first});
     }
     ElementCount count;
-    for (const BillboardCandidate& candidate : sheet.ranked()) count.drawn += Diagram(sheet, input, candidate.feature).add();
-    count.hidden = all - count.drawn;
+    for (const BillboardCandidate& candidate : sheet.ranked()) {
+        Diagram diagram(sheet, input, candidate.feature);
+        (diagram.is_aggregate() ? count.aggregated : count.drawn) += diagram.add();
+    }
+    count.hidden = all - count.drawn - count.aggregated;
     return count;
 }
 

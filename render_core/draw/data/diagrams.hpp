@@ -7,6 +7,10 @@
 /// of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross stands where
 /// a value is missing. The nearest come first; what would cover another billboard, and what terrain stands before, is hidden.
 ///
+/// `detail`: below 1 a profile has fewer knots, each the mean of as many neighbours, with a line from the least to the largest of
+/// them and a cross on the axis where one is missing; its knots count as aggregated. A point alone has fewer of its bars, the
+/// first.
+///
 /// Pure but for the ground that is asked, once a diagram. Bounded.
 #pragma once
 

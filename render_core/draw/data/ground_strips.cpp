@@ -5,8 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/data/feature_importance.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
+#include "render_core/draw/data/way_weights.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -203,40 +205,65 @@ public:
         half_m_ = 0.5 * width_of(input_, feature_);
         color_ = encoded_color(input_, input_.element.by_color, feature_);
         unsure_ = encoded_uncertainty(input_, feature_);
-        for (std::uint32_t n = 0; n + 1 < run_.count; ++n)
-            if (!add_leg(n)) return false;
+        glm::dvec2 in(0);
+        for (Leg leg{0, next_kept(0)}; leg.from + 1 < run_.count;) {
+            const Leg next{leg.to, next_kept(leg.to)};
+            if (!add_leg(leg, half_at(in, way(leg)), half_at(way(leg), way(next)))) return false;
+            in = way(leg);
+            leg = next;
+        }
         return vertices() == 0 || mesh_.add_to(batch_);
     }
 
 private:
     static constexpr double kMostSteps = 2000;  // of a leg: what is longer is cut into longer steps
     static constexpr double kMostMitre = 2;
+    static constexpr std::uint32_t kLongestLeg = 64;  // points of the line
+
+    /// Between two points that are kept.
+    struct Leg {
+        std::uint32_t from, to;
+    };
 
     [[nodiscard]] const scene::ScenePoint& point(std::uint32_t n) const { return input_.layer.points[run_.first + n]; }
-    [[nodiscard]] glm::dvec2 way(std::uint32_t n) const { return flat(point(n), point(n + 1)); }
+    [[nodiscard]] glm::dvec2 way(const Leg& leg) const { return flat(point(leg.from), point(leg.to)); }
     [[nodiscard]] std::uint32_t vertices() const { return has_begun_ ? mesh_.vertex_count() : 0; }
 
+    /// The farthest point to which the way may be straight; the last one from itself.
+    [[nodiscard]] std::uint32_t next_kept(std::uint32_t from) const {
+        const double most_m = kMostStraightened_m * (1 - input_.element.detail);
+        const std::uint32_t end = std::min(run_.count, from + kLongestLeg);
+        std::uint32_t to = std::min(from + 1, run_.count - 1);
+        while (most_m > 0 && to + 1 < end && is_straight({from, to + 1}, most_m)) ++to;
+        return to;
+    }
+
+    [[nodiscard]] bool is_straight(const Leg& leg, double most_m) const {
+        const WayPoint begin{}, end{glm::dvec3(way(leg), 0)};
+        for (std::uint32_t n = leg.from + 1; n < leg.to; ++n)
+            if (distance_from_way({glm::dvec3(way({leg.from, n}), 0)}, begin, end) > most_m) return false;
+        return true;
+    }
+
     /// Across the middle of both legs' directions, as wide as the legs.
-    [[nodiscard]] glm::dvec2 half_at(std::uint32_t n) const {
-        const glm::dvec2 in = n > 0 ? right_of(way(n - 1)) : glm::dvec2(0);
-        const glm::dvec2 out = n + 1 < run_.count ? right_of(way(n)) : glm::dvec2(0);
-        const glm::dvec2 middle = in + out;
+    [[nodiscard]] glm::dvec2 half_at(const glm::dvec2& way_in, const glm::dvec2& way_out) const {
+        const glm::dvec2 in = right_of(way_in), out = right_of(way_out), middle = in + out;
         const double square = glm::dot(middle, middle);
         if (!(square > 0)) return out * half_m_;
         const double mitre = glm::length(in) > 0 && glm::length(out) > 0 ? std::min(2 / std::sqrt(square), kMostMitre) : 1;
         return middle * (half_m_ * mitre / std::sqrt(square));
     }
 
-    bool add_leg(std::uint32_t n) {
-        const double length_m = glm::length(way(n));
+    bool add_leg(const Leg& leg, const glm::dvec2& half_from, const glm::dvec2& half_to) {
+        const double length_m = glm::length(way(leg));
         if (!(length_m > 0)) return true;  // points on each other
         const double steps = std::clamp(std::ceil(length_m / kLongestStep_m), 1.0, kMostSteps);
-        const glm::dvec2 across = right_of(way(n)) * half_m_;
-        Section from = section(input_, point(n), half_at(n));
+        const glm::dvec2 across = right_of(way(leg)) * half_m_;
+        Section from = section(input_, point(leg.from), half_from);
         for (double step = 1; step <= steps; ++step) {
             const bool is_last = step == steps;
-            const scene::ScenePoint middle = is_last ? point(n + 1) : between(point(n), point(n + 1), step / steps);
-            const Section to = section(input_, middle, is_last ? half_at(n + 1) : across);
+            const scene::ScenePoint middle = is_last ? point(leg.to) : between(point(leg.from), point(leg.to), step / steps);
+            const Section to = section(input_, middle, is_last ? half_to : across);
             if (!from.is_known || !to.is_known || !add_part(from, to)) return false;
             from = to;
         }
@@ -295,8 +322,10 @@ ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput&
 ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
     batch.set_look(look_on_ground(input), input.layer.entry->data_time_ns);
-    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature)
-        ++(Ribbon(batch, mesh, input, feature).build() ? count.drawn : count.hidden);
+    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        const bool is_drawn = !is_unimportant(input, "width", feature) && Ribbon(batch, mesh, input, feature).build();
+        ++(is_drawn ? count.drawn : count.hidden);
+    }
     return count;
 }
 

@@ -16,6 +16,9 @@ namespace {
 
 constexpr design::Color kBand{240, 240, 240};
 constexpr int kBands = 7;  // ICAO Annex 14, 6.2: bands of a seventh of the height
+constexpr int kFewestBands = 3, kFewestSides = 4;
+constexpr double kGuyReach = 0.45, kJibReach = 0.8, kRotorReach = 0.38, kArmReach = 0.1;  // of the height
+constexpr int kSpanParts = 8;
 
 /// Where an obstacle stands: heights over the ellipsoid.
 struct Stand {
@@ -42,9 +45,10 @@ Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double
 /// Puts one obstacle together in a mesh.
 class Shape {
 public:
-    Shape(SolidMesh& mesh, const Stand& stand, design::Color color)
+    Shape(SolidMesh& mesh, const Stand& stand, design::Color color, double detail)
         : mesh_(mesh),
           stand_(stand),
+          detail_(detail),
           axes_(local_axes(stand.latitude_rad, stand.longitude_rad)),
           color_(color),
           foot_(stand.at(stand.foot_m)),
@@ -54,6 +58,7 @@ public:
     void set_uncertainty(scene::Uncertainty uncertainty) { uncertainty_ = uncertainty; }
 
     void add(Icon icon) {
+        if (detail_ < kShapesFrom) return add_body(icon);
         switch (icon) {
             case Icon::mast: return add_mast();
             case Icon::turbine: return add_turbine();
@@ -64,15 +69,36 @@ public:
         }
     }
 
+private:
+    /// Radii at foot and top that hold the whole shape, whichever way it turns.
+    [[nodiscard]] glm::dvec2 body_radii_m(Icon icon) const {
+        const auto round = [&](double reach, double more_m) { return glm::dvec2(reach * height_m_ + more_m); };
+        switch (icon) {
+            case Icon::mast: return {kGuyReach * height_m_ + mast_radius_m(), mast_radius_m()};
+            case Icon::turbine: return round(kRotorReach, 0);
+            case Icon::chimney: return {0.05 * height_m_, 0.03 * height_m_};
+            case Icon::crane: return round(kJibReach, crane_half_m());
+            case Icon::pole: return round(kArmReach, 0.25);
+            default: return {std::max(1.0, 0.08 * height_m_), std::max(0.3, 0.02 * height_m_)};
+        }
+    }
+    void add_body(Icon icon) {
+        const int sides = kFewestSides + static_cast<int>(8 * detail_);
+        const glm::dvec2 radii_m = body_radii_m(icon) / std::cos(base::kPi / sides);  // the middles of its sides are as far out
+        paint(0);
+        rod(0, height_m_, radii_m.x, radii_m.y, sides);
+    }
+    [[nodiscard]] double mast_radius_m() const { return std::max(0.3, height_m_ / 120); }
+    [[nodiscard]] double crane_half_m() const { return std::max(0.5, height_m_ / 60); }
+
     void add_pole() {
         paint(0);
         rod(0, height_m_, 0.25, 0.15, 6);
-        const double arm_m = 0.1 * height_m_;
+        const double arm_m = kArmReach * height_m_;
         add_frustum(mesh_, at(0.97 * height_m_) - axes_.east * arm_m, at(0.97 * height_m_) + axes_.east * arm_m, 0.15, 0.15, 4,
                     axes_.up);
     }
 
-private:
     void paint(int band) {
         mesh_.set_color(band % 2 == 0 ? color_ : design::Color{kBand.red, kBand.green, kBand.blue, color_.alpha}, uncertainty_);
     }
@@ -82,8 +108,10 @@ private:
     }
 
     void add_banded(double foot_radius_m, double top_radius_m, int sides) {
-        for (int band = 0; band < kBands; ++band) {
-            const double low = static_cast<double>(band) / kBands, high = static_cast<double>(band + 1) / kBands;
+        const double more = (detail_ - kShapesFrom) / (1 - kShapesFrom);
+        const int bands = kFewestBands + 2 * static_cast<int>(0.5 * (kBands - kFewestBands) * more);
+        for (int band = 0; band < bands; ++band) {
+            const double low = static_cast<double>(band) / bands, high = static_cast<double>(band + 1) / bands;
             paint(band);
             rod(low * height_m_, high * height_m_, foot_radius_m + (top_radius_m - foot_radius_m) * low,
                 foot_radius_m + (top_radius_m - foot_radius_m) * high, sides);
@@ -92,22 +120,21 @@ private:
 
     /// A slender tower and two rings of three guys.
     void add_mast() {
-        const double radius_m = std::max(0.3, height_m_ / 120);
-        add_banded(radius_m, radius_m, 4);
+        add_banded(mast_radius_m(), mast_radius_m(), 4);
         paint(1);
-        constexpr double kReach = 0.45, kGuy_m = 0.03;
+        constexpr double kGuy_m = 0.03;
         for (const double share : {0.6, 0.95})
             for (int n = 0; n < 3; ++n) {
                 const double turn = 2 * base::kPi * n / 3;
                 const glm::dvec3 out = axes_.north * std::cos(turn) + axes_.east * std::sin(turn);
-                add_frustum(mesh_, foot_ + out * (kReach * share * height_m_), at(share * height_m_), kGuy_m, kGuy_m, 3,
+                add_frustum(mesh_, foot_ + out * (kGuyReach * share * height_m_), at(share * height_m_), kGuy_m, kGuy_m, 3,
                             axes_.up);
             }
     }
 
     /// A tower and three blades, one of them straight up: its tip is the top. The rotor faces west.
     void add_turbine() {
-        constexpr double kHub = 0.62;
+        constexpr double kHub = 1 - kRotorReach;
         const double hub_m = kHub * height_m_, blade_m = height_m_ - hub_m;
         paint(1);
         rod(0, hub_m, 0.016 * height_m_, 0.010 * height_m_, 8);
@@ -126,10 +153,10 @@ private:
     }
 
     void add_crane() {
-        const double half_m = std::max(0.5, height_m_ / 60), jib_m = 0.9 * height_m_;
+        const double half_m = crane_half_m(), jib_m = 0.9 * height_m_;
         add_banded(half_m, half_m, 4);
         paint(0);
-        const double long_m = 0.8 * height_m_, short_m = 0.3 * height_m_;
+        const double long_m = kJibReach * height_m_, short_m = 0.3 * height_m_;
         add_frustum(mesh_, at(jib_m) - axes_.east * short_m, at(jib_m) + axes_.east * long_m, half_m, 0.6 * half_m, 4, axes_.up);
         for (const double reach_m : {0.9 * long_m, -0.9 * short_m})
             add_frustum(mesh_, at(height_m_), at(jib_m) + axes_.east * reach_m, 0.1, 0.1, 3, axes_.north);
@@ -137,6 +164,7 @@ private:
 
     SolidMesh& mesh_;
     const Stand& stand_;
+    double detail_;
     LocalAxes axes_;
     design::Color color_;
     scene::Uncertainty uncertainty_ = scene::Uncertainty::from_code(0);
@@ -204,7 +232,7 @@ private:
         if (!(span_m > 0)) return;
         const bool sags = stands_ || run_.count == 2 || sag_m_ > 0;
         const double sag_m = !sags ? 0 : sag_m_ > 0 ? sag_m_ : span_m / kSagShare;
-        const int parts = sags ? 8 : 1;
+        const int parts = sags ? 1 + static_cast<int>((kSpanParts - 1) * input_.element.detail) : 1;
         const LocalAxes axes = local_axes(from.latitude_rad, from.longitude_rad);
         glm::dvec3 before = begin;
         for (int n = 1; n <= parts; ++n) {
@@ -233,7 +261,8 @@ ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const Eleme
             stand_of(input, input.layer.points[feature], value_or_nan(input.layer, "height", feature), kUnknownObstacle_m);
         bool is_drawn = stand.is_known();
         if (is_drawn) {
-            Shape shape(mesh, stand, stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing);
+            Shape shape(mesh, stand, stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing,
+                        input.element.detail);
             shape.set_uncertainty(encoded_uncertainty(input, feature));
             shape.add(icon_of(input.layer, feature));
             is_drawn = add_rimmed(batch, mesh, input);

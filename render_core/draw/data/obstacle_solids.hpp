@@ -12,6 +12,10 @@
 /// What is thinner than a pixel does not vanish: a rim of kLeastHalf_px in the same colour, or the element's halo, goes round
 /// what is opaque; it says where the thing is, not how thick.
 ///
+/// `detail`: no obstacle is ever left out. From 1 down to kShapesFrom there are fewer bands; below, each is one body of its true
+/// height that contains its shape, guys and all that a rotor or a jib may sweep. Cables have fewer straight parts, none of them
+/// below the true one.
+///
 /// Pure but for the ground that is asked. Bounded.
 #pragma once
 
@@ -21,6 +25,7 @@
 namespace tedavis::draw {
 
 inline constexpr double kUnknownObstacle_m = 100, kPole_m = 20, kCable_m = 0.05, kSagShare = 30;
+inline constexpr double kShapesFrom = 0.5;
 inline constexpr float kLeastHalf_px = 1.0f;
 
 /// A point or a line is drawn or hidden as a whole.

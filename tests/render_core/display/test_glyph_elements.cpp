@@ -86,6 +86,21 @@ TEST(GlyphElements, AllSitesAreCountedInBothLanes) {
     }
 }
 
+/// Which are as large as the spheres that stand for themselves.
+TEST(GlyphElements, BarsOfLittleDetailAreMeansOfSeveral) {
+    const auto count = [](DataTechnique technique, double detail) {
+        GlyphView view;
+        view.element.technique = technique;
+        view.element.detail = detail;
+        EXPECT_TRUE(view.add());
+        return view.plan(kStart_ns);
+    };
+    const draw::ElementCount spheres = count(DataTechnique::spheres, 0.2), bars = count(DataTechnique::bars, 0.2);
+    EXPECT_GT(bars.aggregated, spheres.aggregated);
+    EXPECT_EQ(bars.all(), 12u);
+    EXPECT_EQ(count(DataTechnique::bars, 1).aggregated, 0u) << "all detail: each itself";
+}
+
 TEST(GlyphElements, ThePictureOfAnInstantDoesNotDependOnWhereTheRunBegan) {
     const std::int64_t then = kStart_ns + 305 * 1'000'000'000LL;
     std::vector<std::uint8_t> expected;

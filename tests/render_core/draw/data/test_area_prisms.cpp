@@ -144,8 +144,9 @@ TEST(AreaPrisms, CellsGoWithTheirSpeedFromTheTimeOfTheData) {
     static_cast<void>(add_area_prisms(later.batch, later.mesh, test.input()));
     const auto middle = [](const SolidBatch& batch) {
         glm::dvec3 sum(0);
-        for (const SolidVertex& vertex : batch.vertices()) sum += glm::dvec3(vertex.place_m);
-        return batch.pieces()[0].anchor + sum / static_cast<double>(batch.vertices().size());
+        const base::Span<const SolidVertex> cell = batch.vertices().subspan(0, batch.pieces()[0].vertices);
+        for (const SolidVertex& vertex : cell) sum += glm::dvec3(vertex.place_m);
+        return batch.pieces()[0].anchor + sum / static_cast<double>(cell.size());
     };
     const glm::dvec3 gone = middle(later.batch) - middle(still.batch);
     const LocalAxes axes = local_axes(base::radians(kLatitude_deg), base::radians(kLongitude_deg));
@@ -183,6 +184,103 @@ TEST(AreaPrisms, AnUncertainPlaceReachesFarther) {
     EXPECT_NEAR(test_support::volume_m3(room.batch, room.batch.pieces()[1]), 1400.0 * 1400 * 1000, 4e6);
     EXPECT_LT(room.batch.pieces()[1].look.opacity, room.batch.pieces()[0].look.opacity);
     EXPECT_TRUE(room.batch.pieces()[1].look.is_mixed);
+}
+
+/// Of a piece seen from above: the area that its upper faces cover.
+double covered_m2(const SolidBatch& batch, const SolidPiece& piece) {
+    const glm::dvec3 up = earth::up_at(piece.anchor);
+    double area = 0;
+    for (std::uint32_t n = 0; n + 2 < piece.indices; n += 3) {
+        const auto at = [&](std::uint32_t k) {
+            return glm::dvec3(batch.vertices()[piece.first_vertex + batch.indices()[piece.first_index + n + k]].place_m);
+        };
+        area += std::max(0.0, 0.5 * glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), up));
+    }
+    return area;
+}
+
+/// With 40 corners.
+host_sim::LayerDraft disk() {
+    host_sim::LayerDraft layer = square();
+    const scene::ScenePoint middle = layer.points[0];
+    const double across = layer.points[1].longitude_rad - middle.longitude_rad;
+    const double along = layer.points[3].latitude_rad - middle.latitude_rad;
+    layer.points.clear();
+    for (int n = 0; n < 40; ++n) {
+        scene::ScenePoint at = middle;
+        at.longitude_rad += across * std::cos(base::kPi * n / 20);
+        at.latitude_rad += along * std::sin(base::kPi * n / 20);
+        layer.points.push_back(at);
+    }
+    layer.starts = {0, 40};
+    bind(layer, "floor", 1000);
+    bind(layer, "ceiling", 2000);
+    return layer;
+}
+
+TEST(AreaPrisms, WithLittleDetailTheyHaveFewerCornersAndCoverMore) {
+    ElementOfTest test(disk());
+    double least = base::kPi * 1e6 * 0.99;
+    std::size_t before = 1u << 20;
+    for (const double detail : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+        test.element.detail = detail;
+        SolidRoomOfTest room;
+        EXPECT_EQ(add_area_prisms(room.batch, room.mesh, test.input()).drawn, 1u);
+        const double area = covered_m2(room.batch, room.batch.pieces()[0]);
+        EXPECT_GE(area, least) << detail;
+        EXPECT_LE(area, base::kPi * 1e6 * (1 + kMostOutlineGrowth * (1 - detail)) * 1.002);
+        EXPECT_LE(room.batch.vertices().size(), before);
+        least = area * 0.999;
+        before = room.batch.vertices().size();
+    }
+    EXPECT_LT(before, 40u) << "of 40 corners there is about a box left";
+}
+
+TEST(AreaPrisms, WithLittleDetailLowBuildingsAreLeftOutAndNothingElse) {
+    for (const scene::LayerRole role : {scene::LayerRole::building, scene::LayerRole::no_go}) {
+        host_sim::LayerDraft layer = square();
+        layer.role = role;
+        layer.points.insert(layer.points.end(), layer.points.begin(), layer.points.begin() + 4);
+        layer.starts = {0, 4, 8};
+        bind(layer, "height", 6);
+        layer.attributes.back().values.push_back(30);
+        ElementOfTest test(layer);
+        test.element.detail = 0.25;
+        SolidRoomOfTest room;
+        const ElementCount count = add_area_prisms(room.batch, room.mesh, test.input());
+        EXPECT_EQ(count.hidden, role == scene::LayerRole::building ? 1u : 0u);
+        EXPECT_EQ(count.all(), 2u);
+    }
+}
+
+TEST(AreaPrisms, TheArrowOfACellBeginsAtItsFront) {
+    host_sim::LayerDraft layer = square();
+    layer.role = scene::LayerRole::storm_cell;
+    bind(layer, "floor", 1000);
+    bind(layer, "ceiling", 2000);
+    bind(layer, "speed", 12);
+    bind(layer, "toward", static_cast<float>(base::radians(90)));
+    ElementOfTest test(layer);
+    SolidRoomOfTest room;
+    static_cast<void>(add_area_prisms(room.batch, room.mesh, test.input()));
+    ASSERT_EQ(room.batch.pieces().size(), 3u) << "the cell, the arrow and its rim";
+    const LocalAxes axes = local_axes(base::radians(kLatitude_deg), base::radians(kLongitude_deg));
+    const auto reach = [&](const SolidPiece& piece, double sign) {
+        double farthest = -1e9;
+        for (std::uint32_t n = 0; n < piece.vertices; ++n) {
+            const glm::dvec3 at = piece.anchor + glm::dvec3(room.batch.vertices()[piece.first_vertex + n].place_m);
+            farthest = std::max(farthest, sign * glm::dot(at, axes.east));
+        }
+        return sign * farthest;
+    };
+    const double front = reach(room.batch.pieces()[0], 1);
+    EXPECT_NEAR(reach(room.batch.pieces()[1], -1), front, 2);
+    EXPECT_NEAR(reach(room.batch.pieces()[1], 1), front + 12 * 300, 5);
+    layer.role = scene::LayerRole::airspace;
+    ElementOfTest airspace(layer);
+    room.batch.clear();
+    static_cast<void>(add_area_prisms(room.batch, room.mesh, airspace.input()));
+    EXPECT_EQ(room.batch.pieces().size(), 1u) << "what stands has none";
 }
 
 }  // namespace

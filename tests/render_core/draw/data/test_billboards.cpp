@@ -99,15 +99,19 @@ TEST(Billboards, DetailIsTheShareThatHasNames) {
         points.push_back(BillboardRoom::point(4000, -1500 + 1000 * n, 1000));
         names.emplace_back("Ort");
     }
-    ElementOfTest test(layer_of(points, names));
-    BillboardRoom room;
-    std::size_t before = 0;
-    for (const double detail : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        test.element.detail = detail;
-        EXPECT_EQ(built(room, test).drawn, 4u);
-        EXPECT_EQ(room.glyph_vertices(), static_cast<std::size_t>(detail * 4) * 3 * 2 * 4) << "letters, their halo, corners";
-        EXPECT_GE(room.glyph_vertices(), before);
-        before = room.glyph_vertices();
+    for (const scene::LayerRole role : {scene::LayerRole::obstacle, scene::LayerRole::place}) {
+        host_sim::LayerDraft layer = layer_of(points, names);
+        layer.role = role;
+        ElementOfTest test(layer);
+        BillboardRoom room;
+        for (const double detail : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            test.element.detail = detail;
+            const auto named = static_cast<std::uint32_t>(detail * 4);
+            const ElementCount count = built(room, test);
+            EXPECT_EQ(count.drawn, role == scene::LayerRole::place ? named : 4u) << "no obstacle is ever left out";
+            EXPECT_EQ(count.all(), 4u);
+            EXPECT_EQ(room.glyph_vertices(), std::size_t{named} * 3 * 2 * 4) << "letters, their halo, corners";
+        }
     }
 }
 

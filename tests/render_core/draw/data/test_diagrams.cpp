@@ -129,5 +129,54 @@ TEST(Diagrams, WithoutAnAttributeTheySaySo) {
     EXPECT_EQ(diagrams.shapes(kMissingColor).size(), 2u);
 }
 
+TEST(Diagrams, WithLittleDetailAKnotIsTheMeanOfItsNeighbours) {
+    host_sim::LayerDraft layer = samples({BillboardRoom::point(4000, 0, 800), BillboardRoom::point(4000, 0, 1000),
+                                          BillboardRoom::point(4000, 0, 1200), BillboardRoom::point(4000, 0, 1400)});
+    bind(layer, "temperature", {290, 270, 280, kMissing});
+    ElementOfTest test(layer);
+    test.element.detail = 0.25;
+    BillboardRoom room;
+    const ElementCount count = add_diagrams(room.sheet, test.input());
+    EXPECT_EQ(count.aggregated, 4u);
+    EXPECT_EQ(count.drawn + count.hidden, 0u);
+    Diagrams whole(layer);
+    const auto middles = [](const std::vector<Rect>& all) {
+        std::vector<Rect> knots;
+        for (const Rect& one : all)
+            if (one.width <= 8 && one.height <= 8) knots.push_back(one);
+        return knots;
+    };
+    const std::vector<Rect> three = middles(whole.shapes(whole.test.element.color));
+    Diagrams one(layer);
+    one.room.begin();
+    one.test.element.detail = 0.25;
+    static_cast<void>(add_diagrams(one.room.sheet, one.test.input()));
+    const std::vector<Rect> mean = middles(one.shapes(one.test.element.color));
+    ASSERT_EQ(three.size(), 3u);
+    ASSERT_EQ(mean.size(), 1u);
+    EXPECT_NEAR(mean[0].center().x, (three[0].center().x + three[1].center().x + three[2].center().x) / 3, 0.5);
+    const std::vector<Rect> all = one.shapes(one.test.element.color);
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Rect& line) {
+        return std::abs(line.width - (three[0].center().x - three[1].center().x)) < 4;
+    })) << "from the least to the largest";
+    EXPECT_EQ(one.shapes(kMissingColor).size(), 2u) << "one of them is missing";
+}
+
+TEST(Diagrams, WithLittleDetailAPointHasItsFirstBars) {
+    host_sim::LayerDraft layer = samples({BillboardRoom::point(4000, 0, 1000), BillboardRoom::point(9000, 90000, 1000)});
+    for (const char* const name : {"a", "b", "c", "d"}) bind(layer, name, {1, 2});
+    const auto bars = [&](double detail) {
+        Diagrams diagrams(layer);
+        diagrams.room.begin();
+        diagrams.test.element.detail = detail;
+        EXPECT_EQ(add_diagrams(diagrams.room.sheet, diagrams.test.input()).drawn, 1u);
+        const std::vector<Rect> all = diagrams.shapes(diagrams.test.element.color);
+        return std::count_if(all.begin(), all.end(), [](const Rect& bar) { return bar.width >= 6; });
+    };
+    EXPECT_EQ(bars(1), 4);
+    EXPECT_EQ(bars(0.5), 2);
+    EXPECT_EQ(bars(0), 1);
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_diagrams

@@ -178,5 +178,74 @@ TEST(Cables, WhatCannotBePlacedIsHidden) {
     EXPECT_EQ(room.batch.use().refused, 0u);
 }
 
+/// Vertices of the first piece, to ECEF.
+std::vector<glm::dvec3> places_of(const SolidBatch& batch) {
+    std::vector<glm::dvec3> places;
+    const SolidPiece& piece = batch.pieces()[0];
+    for (std::uint32_t n = 0; n < piece.vertices; ++n)
+        places.push_back(piece.anchor + glm::dvec3(batch.vertices()[piece.first_vertex + n].place_m));
+    return places;
+}
+
+/// How far outside of the first piece, which bends inwards nowhere, a place is.
+double outside_m(const SolidBatch& batch, const glm::dvec3& place) {
+    const SolidPiece& piece = batch.pieces()[0];
+    const auto at = [&](std::uint32_t n) {
+        return piece.anchor + glm::dvec3(batch.vertices()[piece.first_vertex + batch.indices()[piece.first_index + n]].place_m);
+    };
+    double outside = -1e9;
+    for (std::uint32_t n = 0; n + 2 < piece.indices; n += 3) {
+        const glm::dvec3 normal = glm::cross(at(n + 1) - at(n), at(n + 2) - at(n));
+        if (glm::length(normal) > 1e-9) outside = std::max(outside, glm::dot(place - at(n), normal / glm::length(normal)));
+    }
+    return outside;
+}
+
+TEST(ObstacleSolids, WithLittleDetailABodyContainsTheShape) {
+    for (const std::string& kind : kKinds)
+        for (const double detail : {0.0, 0.2, 0.45}) {
+            ElementOfTest test(obstacle(kind, 120));
+            SolidRoomOfTest whole, body;
+            static_cast<void>(add_obstacle_points(whole.batch, whole.mesh, test.input()));
+            test.element.detail = detail;
+            EXPECT_EQ(add_obstacle_points(body.batch, body.mesh, test.input()).drawn, 1u) << "none is left out";
+            EXPECT_LT(body.batch.vertices().size(), whole.batch.vertices().size()) << kind;
+            for (const glm::dvec3& place : places_of(whole.batch)) EXPECT_LT(outside_m(body.batch, place), 0.7) << kind << detail;
+        }
+}
+
+/// Control: the body of a pole holds no mast with its guys.
+TEST(ObstacleSolids, AnotherOnesBodyDoesNotContainIt) {
+    ElementOfTest mast(obstacle("mast", 120)), pole(obstacle("pole", 120));
+    pole.element.detail = 0.2;
+    SolidRoomOfTest whole, body;
+    static_cast<void>(add_obstacle_points(whole.batch, whole.mesh, mast.input()));
+    static_cast<void>(add_obstacle_points(body.batch, body.mesh, pole.input()));
+    double most = -1e9;
+    for (const glm::dvec3& place : places_of(whole.batch)) most = std::max(most, outside_m(body.batch, place));
+    EXPECT_GT(most, 30);
+}
+
+TEST(Cables, WithLittleDetailNoPartIsBelowTheTrueOne) {
+    const host_sim::LayerDraft layer =
+        cable({scene_point(46.8, 9.8, 30), scene_point(46.803, 9.8, 30)}, scene::HeightDatum::ground);
+    ElementOfTest test(layer);
+    double before = 0;
+    for (const double detail : {1.0, 0.6, 0.3, 0.0}) {
+        test.element.detail = detail;
+        SolidRoomOfTest room;
+        EXPECT_EQ(add_cables(room.batch, room.mesh, test.input()).drawn, 1u);
+        double lowest = 1e9;  // of what lies between the poles
+        for (const glm::dvec3& place : places_of(room.batch)) {
+            const earth::Geodetic at = earth::from_ecef(place);
+            const double along = (base::degrees(at.latitude_rad) - 46.8) / 0.003;
+            if (along < 0.01 || along > 0.99) continue;
+            lowest = std::min(lowest, at.height.m);
+        }
+        EXPECT_GE(lowest, before) << detail;
+        before = lowest;
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_obstacle_solids
