@@ -93,6 +93,20 @@ private:
     std::set<std::string> files_;
 };
 
+FlownHistory read_history(ConfigSection section) {
+    FlownHistory flown;
+    flown.seconds = section.number("seconds", kHistoryStep_s, 600);
+    flown.speed_mps = section.number("speed_mps", 1, 300);
+    flown.turn_deg_per_s = section.number("turn_deg_per_s", -6, 6, 0);
+    flown.climb_mps = section.number("climb_mps", -50, 50, 0);
+    flown.wind_mps = section.number("wind_mps", 0, 100);
+    flown.wind_from_deg = section.number("wind_from_deg", 0, 360);
+    flown.temperature_c = section.number("temperature_c", -90, 60);
+    flown.accuracy_m = section.number("accuracy_m", 0, 100'000);
+    flown.accuracy_before_m = section.number("accuracy_before_m", 0, 100'000, flown.accuracy_m);
+    return flown;
+}
+
 void read_views(ConfigSection root, SheetPlan& plan) {
     const std::size_t count = root.table_count("view");
     if (count > kMostViews) root.fault("view", "no more than 64 tables [[view]] are read");
@@ -101,19 +115,21 @@ void read_views(ConfigSection root, SheetPlan& plan) {
         const std::string name(section.text("name"));
         AircraftPose pose = read_pose(section);
         if (section.has("time")) pose.time = read_time(section);
+        if (section.has("flown")) pose.flown = read_history(section.section("flown"));
         if (name.empty() || !plan.views.emplace(name, pose).second)
             section.fault("name", "must be there, and of this view alone");
     }
 }
 
 void read_groups(ConfigSection root, const std::string& file_name, SheetPlan& plan) {
-    if (const std::string other(root.text("groups_of", "")); !other.empty()) {
+    const std::string other(root.text("groups_of", ""));
+    if (!other.empty())
         plan.groups_of = stated_config(other, "sheets", file_name);
-        return;
-    }
-    plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
+    else
+        plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
     const std::size_t groups = root.table_count("group");
-    if (groups == 0 || groups > kMostGroups) root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
+    if ((groups == 0 && other.empty()) || groups > kMostGroups)
+        root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
     GroupReader reader(root.number("little_detail", 0, 0.99, 0));
     for (std::size_t i = 0; i < groups && i < kMostGroups; ++i) plan.groups.push_back(reader.read(root.table_at("group", i)));
 }
@@ -168,7 +184,7 @@ SheetPlan read_sheet_plan(const std::string& path) {
         throw UserError(path + ": 'groups_of' names " + plan.groups_of +
                         ", which has no groups of its own; name the sheet that has");
     plan.columns = other.columns;
-    plan.groups = other.groups;
+    plan.groups.insert(plan.groups.begin(), other.groups.begin(), other.groups.end());
     require_views(plan, path);
     return plan;
 }

@@ -35,7 +35,7 @@ struct SheetPlan {
     bool symbology = false;          ///< PictureOptions::symbology
     AircraftPose pose;
     std::map<std::string, AircraftPose> views;  ///< with times of their own, or kPosedTime: the sheet's
-    std::string groups_of;                      ///< path of the sheet whose groups are shown instead of own ones; empty: own ones
+    std::string groups_of;  ///< path of the sheet whose groups are shown before own ones; empty: own ones alone
     std::vector<Group> groups;
 
     [[nodiscard]] std::size_t picture_count() const;

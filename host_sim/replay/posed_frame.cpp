@@ -1,6 +1,9 @@
 #include "host_sim/replay/posed_frame.hpp"
 
+#include <memory>
+
 #include "platform/clock/monotonic_clock.hpp"
+#include "render_core/flight/flown_way.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -12,9 +15,11 @@ double milliseconds_since(base::Time start) { return (platform::monotonic_now() 
 FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const flight::PhaseStatus& phase) {
     FrameResult result;
     const base::Time start = platform::monotonic_now();
+    const auto way = std::make_unique<flight::FlownWay>();
+    for (const AircraftPose& before : poses_before(pose)) way->step(posed_aircraft(before, session.display()), before.time);
     const flight::AircraftState state = posed_aircraft(pose, session.display());
     session.display().settle(state, phase, pose.time);
-    session.display().update(state, phase, pose.time);
+    session.display().update(state, phase, pose.time, pose.flown.seconds > 0 ? way.get() : nullptr);
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();
     result.timing.total_ms = milliseconds_since(start);

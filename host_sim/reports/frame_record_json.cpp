@@ -41,7 +41,8 @@ Json signals_json(const display::FrameRecord& record) {
 Json data_json(const display::FrameRecord& record) {
     Json json = Json::object();
     for (const display::DataRecord& type : record.data)
-        json[text(type.type.view())] = {{"drawn", type.drawn}, {"aggregated", type.aggregated}, {"hidden", type.hidden}};
+        json[text(type.type.view())] = {
+            {"drawn", type.drawn}, {"aggregated", type.aggregated}, {"hidden", type.hidden}, {"out_of_view", type.out_of_view}};
     return json;
 }
 

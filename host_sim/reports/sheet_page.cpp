@@ -71,6 +71,7 @@ Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) 
             {"file", picture.file},
             {"hash", record.at("hash")},
             {"triangles", record.at("terrain").at("triangles")},
+            {"data", record.at("data")},
             {"flags", record.at("flags")},
             {"effects", record.at("effects")}};
 }

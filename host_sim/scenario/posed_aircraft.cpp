@@ -5,6 +5,8 @@
 
 namespace tedavis::host_sim {
 
+constexpr double kFreezing_k = 273.15;
+
 using base::radians;
 using flight::Signal;
 
@@ -27,6 +29,13 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
     set(Signal::true_heading, earth::wrap_heading(radians(pose.heading_deg)));
     set(Signal::pitch, radians(pose.pitch_deg));
     set(Signal::roll, radians(pose.roll_deg));
+    if (pose.flown.seconds > 0) {
+        set(Signal::wind_speed, pose.flown.wind_mps);
+        set(Signal::wind_direction, radians(pose.flown.wind_from_deg));
+        set(Signal::outside_temperature, pose.flown.temperature_c + kFreezing_k);
+        set(Signal::horizontal_accuracy, pose.flown.accuracy_m);
+        set(Signal::vertical_accuracy, pose.flown.accuracy_m);
+    }
     state[Signal::height_above_terrain] = display.height_above_terrain(own, pose.time);
     return state;
 }

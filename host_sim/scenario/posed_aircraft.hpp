@@ -1,6 +1,7 @@
 /// An aircraft that stands still in the air where the user puts it, for single pictures.
 #pragma once
 
+#include "host_sim/scenario/flown_history.hpp"
 #include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
@@ -13,10 +14,12 @@ struct AircraftPose {
     double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
     base::Time time = kPosedTime;
+    FlownHistory flown{};  ///< by which it stands there
 };
 
-/// Everything about it is known and fresh at the pose's time. The geoid and the height above the ground come from the display's
-/// terrain; throws UserError where it has none and the EGM96 grid is not installed.
+/// With a history wind, temperature and accuracies are measured, too. Everything about it is known and fresh at the pose's time.
+/// The geoid and the height above the ground come from the display's terrain; throws UserError where it has none and the EGM96
+/// grid is not installed.
 [[nodiscard]] flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display);
 
 }  // namespace tedavis::host_sim

@@ -7,6 +7,7 @@
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/billboards.hpp"
 #include "render_core/draw/data/diagrams.hpp"
+#include "render_core/draw/data/feature_sight.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
@@ -206,6 +207,7 @@ void DataElements::plan(const ElementFrame& frame) {
     }
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
+    judge_sight(frame);
     glyphs_.begin_plan();
     plan_glyphs(frame, nullptr);
     is_uploaded_ = is_uploaded_ && !has_changed_;
@@ -247,6 +249,18 @@ void DataElements::begin_scene_reports(const design::DataElement& element) {
                 if (is_glyph_technique(element.technique) && glyphs_.add(element, layer)) reports_.back().slot = slot;
             }
     if (reports_.size() == before && !element.layer.view().empty()) begin_report(element, nullptr);
+}
+
+/// Glyphs, signs and surfaces count by themselves what is not in view.
+void DataElements::judge_sight(const ElementFrame& frame) {
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        ElementReport& report = reports_[n];
+        const DataTechnique technique = report.element->technique;
+        const bool counts_itself =
+            is_glyph_technique(technique) || is_billboard(technique) || technique == DataTechnique::isosurface;
+        const bool is_judged = report.state == ElementState::shown && !counts_itself;
+        report.out_of_view = is_judged ? draw::count_out_of_view(input_of(n, frame), frame.view) : 0;
+    }
 }
 
 /// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.

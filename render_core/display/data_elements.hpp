@@ -43,6 +43,8 @@ struct ElementReport {
     const scene::Layer* layer = nullptr;  ///< null where the scene has none
     draw::ElementCount count;
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
+    /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
+    std::uint32_t out_of_view = 0;
 };
 /// Whether an element stands over the picture as signs, which take what room the symbology leaves.
 [[nodiscard]] bool is_sign_technique(design::DataTechnique technique) noexcept;
@@ -110,6 +112,7 @@ private:
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
     void begin_scene_reports(const design::DataElement& element);
     void plan_own_winds(const ElementFrame& frame);
+    void judge_sight(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);

@@ -1,5 +1,7 @@
 #include "render_core/display/frame_notes.hpp"
 
+#include <algorithm>
+
 namespace tedavis::display {
 namespace {
 
@@ -34,6 +36,20 @@ void note_aspects(const ElementReport& report, FrameRecord& record) {
     if (element.uncertainty == design::ElementUncertainty::none) return;
     record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]),
                                  element.detail, 1};
+}
+
+/// What is out of view counts as nothing else; of what is not told apart, the drawn ones are taken to be out of it first.
+void note_count(const ElementReport& report, DataRecord& type) {
+    if (report.state != ElementState::shown) {
+        type.hidden += report.count.all();
+        return;
+    }
+    const std::uint32_t drawn_out = std::min(report.out_of_view, report.count.drawn);
+    const std::uint32_t aggregated_out = std::min(report.out_of_view - drawn_out, report.count.aggregated);
+    type.drawn += report.count.drawn - drawn_out;
+    type.aggregated += report.count.aggregated - aggregated_out;
+    type.hidden += report.count.hidden;
+    type.out_of_view += drawn_out + aggregated_out;
 }
 
 }  // namespace
@@ -72,10 +88,7 @@ void note_elements(const ElementReports& reports, FrameRecord& record) {
         if (report.layer == nullptr) continue;
         DataRecord* const type = record_of(scene::name_of(report.layer->entry->role), record);
         if (type == nullptr) continue;
-        const bool is_shown = report.state == ElementState::shown;
-        type->drawn += is_shown ? report.count.drawn : 0;
-        type->aggregated += is_shown ? report.count.aggregated : 0;
-        type->hidden += is_shown ? report.count.hidden : report.count.all();
+        note_count(report, *type);
     }
 }
 

@@ -61,6 +61,7 @@ struct DataRecord {
     std::uint32_t drawn = 0;
     std::uint32_t aggregated = 0;  ///< within what stands for several
     std::uint32_t hidden = 0;
+    std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
 };
 
 struct FrameRecord {

@@ -19,7 +19,18 @@ struct UnsurePlace {
     PlaceAccuracy accuracy;  ///< 0: nobody knows, or nothing is known of it now
 };
 
+bool is_own(const ElementInput& input) { return input.element.own == design::OwnData::trail; }
+
+/// Where the own ship is now: the end of its way.
+UnsurePlace own_place(const ElementInput& input, std::uint32_t feature) {
+    const scene::Run run = input.layer.points_of(feature);
+    if (feature + 1 < input.layer.entry->feature_count || run.count == 0) return {};
+    const std::uint32_t last = run.first + run.count - 1;
+    return {input.layer.points[last], place_accuracy(input.layer, {feature, last})};
+}
+
 UnsurePlace place_of(const ElementInput& input, std::uint32_t feature) {
+    if (is_own(input)) return own_place(input, feature);
     if (!is_traffic(input.layer)) {
         const scene::LayerEntry& entry = *input.layer.entry;
         return {input.layer.points[feature],
@@ -33,6 +44,7 @@ UnsurePlace place_of(const ElementInput& input, std::uint32_t feature) {
 
 bool has_ellipsoids(const ElementInput& input) {
     if (input.element.uncertainty != design::ElementUncertainty::ellipsoid) return false;
+    if (is_own(input)) return input.layer.entry->feature_count > 0;
     if (is_traffic(input.layer)) return states_accuracy(input.layer);
     const scene::LayerShape shape = input.layer.entry->shape;
     const bool has_places = shape == scene::LayerShape::points || shape == scene::LayerShape::meshes;
@@ -44,6 +56,7 @@ std::uint32_t add_place_ellipsoids(SolidBatch& batch, SolidMesh& mesh, const Ele
     SolidLook look = look_of(input);
     look.opacity *= kOpacity * static_cast<float>(input.element.uncertainty_strength);
     look.is_mixed = true;
+    look.is_hollow = is_own(input);  // whoever is in it looks out of it
     batch.set_look(look, input.layer.entry->data_time_ns);
     std::uint32_t count = 0;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {

@@ -1,7 +1,8 @@
 /// Where things may be: translucent ellipsoids round the places of a layer, by its position and height accuracies (95 %).
 ///
-/// Round points, models, and other aircraft (traffic_state.hpp). Without a height accuracy they are spheres; without a position
-/// accuracy there are none, for nobody knows how large. Pure but for the ground that is asked. Bounded.
+/// Round points, models, other aircraft (traffic_state.hpp), and the own ship at the end of its way. Without a height accuracy
+/// they are spheres; without a position accuracy there are none, for nobody knows how large. Pure but for the ground that is
+/// asked. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"

@@ -72,12 +72,14 @@ vec3 with_overlay(vec3 color, vec4 data, vec3 n, vec3 ray, float facing, vec2 gr
     return mix(color, data_ink(color), data_mesh(min(data.y, 1.0), n, ray, facing, ground, pixel_m));
 #else
     float away = abs(data_from_threshold(n, ray, facing, pixel_m));
+    // A dark rim sets either off from whatever is under it.
 #ifdef DATA_HALO
-    color = mix(color, data_overlay_color, data_overlay.x * 0.8 * exp(-0.012 * away * away));
-#endif
-    // A dark rim sets the line off from whatever is under it.
+    color = mix(color, 0.15 * data_overlay_color, data_overlay.x * 0.7 * exp(-0.004 * away * away));
+    return mix(color, data_overlay_color, data_overlay.x * exp(-0.04 * away * away));
+#else
     color = mix(color, 0.15 * data_overlay_color, data_overlay.x * clamp(3.5 - away, 0.0, 1.0));
     return mix(color, data_overlay_color, data_overlay.x * clamp(2.0 - away, 0.0, 1.0));
+#endif
 #endif
 }
 #endif

@@ -129,5 +129,23 @@ TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {
     EXPECT_EQ(record.bytes.cpu_budget, 100u);
 }
 
+TEST(FrameNotes, WhatIsOutOfViewIsNotDrawn) {
+    const LayerOf areas(scene::LayerRole::no_go), ways(scene::LayerRole::trajectory);
+    ElementReports reports;
+    ElementReport area = areas.report({4, 0, 2}), way = ways.report({10, 30, 0});
+    area.out_of_view = 3;
+    way.out_of_view = 25;
+    ASSERT_TRUE(reports.try_push_back(area));
+    ASSERT_TRUE(reports.try_push_back(way));
+    FrameRecord record;
+    note_elements(reports, record);
+    EXPECT_EQ(record.data[0].drawn, 1u);
+    EXPECT_EQ(record.data[0].hidden, 2u);
+    EXPECT_EQ(record.data[0].out_of_view, 3u);
+    EXPECT_EQ(record.data[1].drawn, 0u);
+    EXPECT_EQ(record.data[1].aggregated, 15u);
+    EXPECT_EQ(record.data[1].out_of_view, 25u);
+}
+
 }  // namespace
 }  // namespace tedavis::display::test_frame_notes

@@ -129,8 +129,8 @@ TEST(GlyphSites, GlyphsAreAsLargeAsPostsAreApartOrAsTheDesignSays) {
     const double spacing = base::radians(0.01) * earth::prime_vertical_radius_m(base::radians(47)) * std::cos(base::radians(47));
     EXPECT_NEAR(FilledField(test, 0).all().size_m, kShareOfSpacing * spacing, 1);
     host_sim::LayerDraft coarse = wind_draft();
-    coarse.grid.step_lon_rad *= 10;
-    coarse.grid.step_lat_rad *= 10;
+    coarse.grid.step_lon_rad *= 25;
+    coarse.grid.step_lat_rad *= 25;
     ElementOfTest wide(coarse);
     EXPECT_NEAR(FilledField(wide, 0).all().size_m, kMostGridGlyph_m, 1e-3);
     test.element.size_m = 77;

@@ -93,5 +93,33 @@ TEST(PlaceEllipsoids, GoWithTheTraffic) {
     EXPECT_EQ(add_place_ellipsoids(built.room.batch, built.room.mesh, built.test.input()), 0u) << "gone for long";
 }
 
+TEST(PlaceEllipsoids, TheOwnShipHasOneAtTheEndOfItsWay) {
+    host_sim::LayerDraft layer;
+    layer.name = "own_trail";
+    layer.shape = scene::LayerShape::lines;
+    layer.role = scene::LayerRole::trajectory;
+    layer.height_datum = scene::HeightDatum::ellipsoid;
+    for (int n = 0; n < 5; ++n) layer.points.push_back(test_support::scene_point(46.8 + 0.01 * n, 9.8, 2000));
+    layer.starts = {0, 2, 5};
+    host_sim::AttributeDraft accuracy;
+    accuracy.name = "position_accuracy";
+    accuracy.of = scene::AttributeOf::point;
+    accuracy.values = {900, 900, 900, 900, 120};
+    layer.attributes.push_back(accuracy);
+    ElementOfTest test(layer);
+    test.element.uncertainty = ElementUncertainty::ellipsoid;
+    const auto built = [&] {
+        SolidRoomOfTest room;
+        const std::uint32_t count = add_place_ellipsoids(room.batch, room.mesh, test.input());
+        return std::pair<std::uint32_t, double>(count,
+                                                count == 0 ? 0 : test_support::volume_m3(room.batch, room.batch.pieces()[0]));
+    };
+    EXPECT_EQ(built().first, 0u) << "control: a way that is not the own one has no one place";
+    test.element.own = design::OwnData::trail;
+    const auto [count, volume] = built();
+    EXPECT_EQ(count, 1u);
+    EXPECT_NEAR(volume, 4.0 / 3 * base::kPi * 120 * 120 * 120, 0.2 * 4.0 / 3 * base::kPi * 120 * 120 * 120);
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_place_ellipsoids
