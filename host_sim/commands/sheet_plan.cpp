@@ -155,6 +155,16 @@ void require_views(const SheetPlan& plan, const std::string& file_name) {
     }
 }
 
+/// Of what two sheets name.
+void require_own_names(const SheetPlan& plan, const std::string& file_name) {
+    std::set<std::string> files;
+    for (const SheetPlan::Group& group : plan.groups)
+        for (const SheetPlan::Picture& picture : group.pictures)
+            if (!files.insert(picture.file).second)
+                throw UserError(file_name + ": picture '" + picture.title + "' would be the second '" + picture.file +
+                                "', which is in " + plan.groups_of + " too; name the design's file differently");
+}
+
 }  // namespace
 
 SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) {
@@ -186,6 +196,7 @@ SheetPlan read_sheet_plan(const std::string& path) {
     plan.columns = other.columns;
     plan.groups.insert(plan.groups.begin(), other.groups.begin(), other.groups.end());
     require_views(plan, path);
+    require_own_names(plan, path);
     return plan;
 }
 

@@ -25,6 +25,7 @@ constexpr float kStems[] = {kStem, kStem + 1.25f, kStem + 2.5f, kStem + 3.75f, k
 constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 constexpr float kHalo_px = 1.5f;
+constexpr double kMostOfAll = 1e9;
 /// Of stems, which lead to a sign and are nothing that stands there; links have the element's colour.
 constexpr float kStem_px = 1;
 constexpr design::Color kStemColor{170, 170, 175};
@@ -275,10 +276,13 @@ private:
 ElementCount add_billboards(BillboardSheet& sheet, const ElementInput& input) {
     offer_features(sheet, input);
     const base::Span<const BillboardCandidate> ranked = sheet.ranked();
-    const auto named = static_cast<std::size_t>(std::ceil(input.element.detail * static_cast<double>(ranked.size())));
-    const std::size_t shown = input.layer.entry->role == scene::LayerRole::place ? named : ranked.size();
+    const double detail = input.element.detail;
+    const auto named = static_cast<std::size_t>(std::ceil(detail * static_cast<double>(ranked.size())));
+    const bool are_places = input.layer.entry->role == scene::LayerRole::place;
+    const std::size_t shown = are_places ? named : ranked.size();
+    const double most = are_places && detail < 1 ? std::ceil(kMostPlaces * detail) : kMostOfAll;
     ElementCount count;
-    for (std::size_t n = 0; n < shown; ++n)
+    for (std::size_t n = 0; n < shown && count.drawn < most; ++n)
         if (Billboard(sheet, input, ranked[n].feature).add(n < named)) ++count.drawn;
     count.hidden = input.layer.entry->feature_count - count.drawn;
     return count;

@@ -9,7 +9,8 @@
 /// then both up on a longer stem; then it stands without its name (an airspace with its limits alone), then it is hidden; so is
 /// what terrain stands before. Obstacles have no longer stems, which would read as their heights: after their names they lose the
 /// stem, and stand on the spot, under the symbology. Stems are thin and grey. `detail`: the share of the features that have their
-/// names, those that come first; places without one are left out, everything else keeps its icon.
+/// names, those that come first; places without one are left out, and so are
+/// more than kMostPlaces * detail of them; everything else keeps its icon.
 ///
 /// Pure but for the ground that is asked: at most once a candidate and link. Bounded.
 #pragma once
@@ -21,6 +22,7 @@ namespace tedavis::draw {
 
 inline constexpr double kIconSize_m = 80;
 inline constexpr double kFarthestBillboard_m = 80'000;
+inline constexpr double kMostPlaces = 24;  ///< of a picture with less than all detail
 /// Of the text's size.
 inline constexpr float kLeastIcon = 1.0f, kGreatestIcon = 2.2f;
 

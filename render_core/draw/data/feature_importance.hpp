@@ -8,7 +8,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kMostLeftOut = 0.6;
+inline constexpr double kMostLeftOut = 0.8;
 
 [[nodiscard]] bool is_unimportant(const ElementInput& input, std::string_view attribute, std::uint32_t feature);
 

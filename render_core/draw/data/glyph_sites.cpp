@@ -78,7 +78,8 @@ bool glyphs_change(const scene::Layer& layer, const scene::Attribute& attribute)
 
 std::uint32_t glyph_count(const design::DataElement& element, const scene::Layer& layer) {
     if (layer.entry->shape != scene::LayerShape::grid) return layer.entry->point_count;
-    const auto slices = static_cast<std::uint32_t>(std::max<std::size_t>(1, element.heights_m.size()));
+    const double heights = std::ceil(element.detail * static_cast<double>(element.heights_m.size()));
+    const auto slices = static_cast<std::uint32_t>(std::max(1.0, heights));
     return layer.entry->grid.columns * layer.entry->grid.rows * slices;
 }
 

@@ -4,6 +4,8 @@
 /// Points have one each. Wind comes from the attributes "east" and "north" of layers of that role; else the value is that of the
 /// element's colour, of its size, or of the layer's first attribute.
 ///
+/// `detail`: the share of the heights that have sites, the first ones; at least one.
+///
 /// Elements with link lines ask the ground how far below each site it is.
 ///
 /// Pure but for the ground that is asked. Memory  none. Thread  the ground's.

@@ -115,10 +115,26 @@ TEST(SheetPlan, AnotherSheetsPicturesAreShownFromViewsOfItsOwn) {
         test_support::expect_user_error([&] { (void)read_sheet_plan(path); }, words);
     };
     refused(head, "third.toml: picture 'A' asks for the view 'near'");
-    refused(head + view("near", 9) + kGroup + picture("A", "a"), "third.toml:");
+    refused(head + view("near", 9) + kGroup + picture("A", "a"), "would be the second 'a.png'");
+    const SheetPlan more = read_sheet_plan(folder.write("more.toml", head + view("near", 9) + kGroup + picture("B", "b")));
+    EXPECT_EQ(more.picture_count(), 2u);
+    EXPECT_EQ(more.groups[1].pictures[0].title, "B") << "its own come last";
     std::string third = head + view("near", 9);
     third.replace(third.find("first"), 5, "second");
     refused(third, "second.toml, which has no groups of its own");
+}
+
+TEST(SheetPlan, AViewMayHaveBeenFlownTo) {
+    const std::string flown =
+        "[view.flown]\nseconds = 90\nspeed_mps = 50\nwind_mps = 7\nwind_from_deg = 200\n"
+        "temperature_c = 3\naccuracy_m = 25\n";
+    const SheetPlan plan =
+        parse_sheet_plan(kHead + view("near", 4) + flown + kGroup + picture("A", "a") + "view = 'near'\n", "d");
+    const FlownHistory& history = plan.pose_of(plan.groups[0].pictures[0]).flown;
+    EXPECT_EQ(history.seconds, 90);
+    EXPECT_EQ(history.wind_from_deg, 200);
+    EXPECT_EQ(history.accuracy_before_m, 25) << "as at the end";
+    EXPECT_EQ(plan.pose.flown.seconds, 0) << "others have flown nothing";
 }
 
 TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {

@@ -69,6 +69,7 @@ TEST(SheetPage, JsonHoldsWhatScriptsRelyOn) {
     EXPECT_EQ(picture.at("hash"), "0123456789abcdef");
     EXPECT_EQ(picture.at("triangles"), 12345);
     EXPECT_EQ(picture.at("flags"), nlohmann::json({"terrain.coarse", "vertical_speed.missing"}));
+    EXPECT_TRUE(picture.at("data").is_object()) << "the counts of each type";
     EXPECT_EQ(picture.at("effects").at(0).at("replaced_by"), "lambert");
     EXPECT_EQ(json.at("pictures").at(3).at("group"), "Second");
 }

@@ -26,8 +26,8 @@ TEST(FeatureImportance, GrowsStricterAsTheDetailFalls) {
         return count;
     };
     EXPECT_EQ(kept(1), 4);
-    EXPECT_EQ(kept(0.5), 3) << "below 6 m";
-    EXPECT_EQ(kept(0), 2) << "below 12 m; one is unknown, and stays";
+    EXPECT_EQ(kept(0.5), 3) << "below 8 m";
+    EXPECT_EQ(kept(0), 2) << "below 16 m; one is unknown, and stays";
     EXPECT_EQ(kept(0, "width"), 4) << "nothing says what is important";
 }
 

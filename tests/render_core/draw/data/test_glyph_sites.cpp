@@ -124,6 +124,16 @@ TEST(GlyphSites, WithoutGroundTheyHaveNoPlace) {
     EXPECT_EQ(filled.field.given(), 6u) << "counted all the same";
 }
 
+TEST(GlyphSites, LittleDetailHasTheFirstHeights) {
+    ElementOfTest test(wind_draft());
+    for (const double height_m : {200.0, 400.0, 600.0, 800.0}) ASSERT_TRUE(test.element.heights_m.try_push_back(height_m));
+    for (const auto& [detail, heights] : {std::pair<double, std::uint32_t>{1, 4}, {0.6, 3}, {0.25, 1}, {0, 1}}) {
+        test.element.detail = detail;
+        EXPECT_EQ(FilledField(test, 0).field.given(), heights * 6) << detail;
+        EXPECT_EQ(glyph_count(test.element, test.input().layer), heights * 6);
+    }
+}
+
 TEST(GlyphSites, GlyphsAreAsLargeAsPostsAreApartOrAsTheDesignSays) {
     ElementOfTest test(wind_draft());
     const double spacing = base::radians(0.01) * earth::prime_vertical_radius_m(base::radians(47)) * std::cos(base::radians(47));
