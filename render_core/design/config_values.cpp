@@ -18,4 +18,8 @@ Color required_color(base::ConfigSection& section, std::string_view key) {
     return parsed.color;
 }
 
+void read_color(base::ConfigSection& section, std::string_view key, Color& color) {
+    if (section.has(key)) color = required_color(section, key);
+}
+
 }  // namespace tedavis::design

@@ -15,6 +15,9 @@ void fault_of(base::ConfigSection& section, std::string_view key, std::string_vi
 /// Black after a fault.
 [[nodiscard]] Color required_color(base::ConfigSection& section, std::string_view key);
 
+/// Absent it stays.
+void read_color(base::ConfigSection& section, std::string_view key, Color& color);
+
 /// The key "technique", one of the names of an enumeration's values; absent it stays.
 template <class Enum, std::size_t N>
 void read_technique(base::ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {

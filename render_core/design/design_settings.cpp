@@ -7,10 +7,6 @@ namespace {
 
 using base::ConfigSection;
 
-void read_color(ConfigSection& section, std::string_view key, Color& color) {
-    if (section.has(key)) color = required_color(section, key);
-}
-
 void read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double& angle_rad) {
     angle_rad = base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
 }

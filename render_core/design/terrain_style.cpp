@@ -10,10 +10,6 @@ using base::ConfigSection;
 
 constexpr std::string_view kNormalNames[] = {"mesh", "baked"};
 
-void read_color(ConfigSection& section, std::string_view key, Color& color) {
-    if (section.has(key)) color = required_color(section, key);
-}
-
 double read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double angle_rad) {
     return base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
 }

@@ -25,6 +25,10 @@ void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     effects.antialiasing = section.boolean("antialiasing", effects.antialiasing);
+    effects.lighting = static_cast<PanelLighting>(section.choice(
+        "lighting", {kPanelLightingNames.data(), kPanelLightingNames.size()}, static_cast<std::size_t>(effects.lighting)));
+    read_color(section, "dusk_color", effects.dusk);
+    read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
 }
 

@@ -2,6 +2,9 @@
 ///
 ///     [effects]
 ///     antialiasing = true
+///     lighting = "auto"           # the panel's: "day", "dusk", "night", or by the sun of place and date
+///     dusk_color = "#b8aa98"      # what white becomes at dusk
+///     night_color = "#584c40"
 ///     [effects.depth_of_field]
 ///     blur_px = 5                 # radius of the blur of what is infinitely far
 ///     focus_near_m = 2000         # sharp from here
@@ -12,7 +15,12 @@
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "render_core/base/config_reader.hpp"
+#include "render_core/design/color.hpp"
 #include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::design {
@@ -26,8 +34,15 @@ struct DepthOfField {
     bool on_terrain = true, on_data = true;
 };
 
+/// The brightness of the whole display. Every colour is multiplied, symbols and warnings too, so that what stands out by day does
+/// so at night.
+enum class PanelLighting : std::uint8_t { day, dusk, night, automatic };
+inline constexpr std::array<std::string_view, 4> kPanelLightingNames{"day", "dusk", "night", "auto"};
+
 struct ViewEffects {
     bool antialiasing = false;
+    PanelLighting lighting = PanelLighting::day;
+    Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
 };
 

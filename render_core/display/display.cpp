@@ -48,6 +48,8 @@ gl::GlError Display::start_drawers() {
     if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, settings_.width_px, settings_.height_px);
         !error.sentence.empty())
         return error;
+    if (settings_.design.effects.lighting != design::PanelLighting::day)
+        if (gl::GlError error = dimmer_.start(gl_, settings_.device.budget); !error.sentence.empty()) return error;
     return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
 }
 
@@ -55,6 +57,7 @@ void Display::stop() {
     gl_.retire();
     quad_drawer_.destroy(gl_);
     passes_.destroy(gl_);
+    dimmer_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
 }
@@ -131,6 +134,8 @@ void Display::plan_effects() {
     }
     focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
     facts.focus = focus_;
+    panel_ = panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
+    facts.panel = panel_;
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
     plan_ = effects::plan_effects(effect_calls(facts), settings_.device.capability);
@@ -311,6 +316,7 @@ void Display::draw(base::Surface& surface) {
     }
     const draw::TerrainDrawResult drawn = passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, terrain_has_void_});
     if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
+    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) dimmer_.draw(gl_, panel_.white);
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_elements(elements_.reports(), record_);
     note_drawn(drawn, settings_.device.budget, record_);

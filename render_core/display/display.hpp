@@ -16,11 +16,13 @@
 #include "render_core/display/eye.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/display/view_transition.hpp"
+#include "render_core/draw/dimmer.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/effects/device.hpp"
@@ -128,6 +130,8 @@ private:
     MapsBeside maps_beside_;
     DataElements elements_;
     ScenePasses passes_;
+    draw::Dimmer dimmer_;
+    PanelLight panel_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
     effects::EffectSet asked_;  ///< by the design as it was handed over

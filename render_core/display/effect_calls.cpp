@@ -52,6 +52,14 @@ EffectCall focus_call(const EffectFacts& facts) {
     return {Kind::called, "", blur_bound(facts.focus, facts.nearest_m, facts.farthest_m)};
 }
 
+EffectCall panel_call(const PanelLight& panel) {
+    if (!panel.has_date) return {Kind::no_input, "the time of the flight is no date"};
+    const glm::dvec3& white = panel.white;
+    const double darkest = std::fmin(white.x, std::fmin(white.y, white.z));
+    if (darkest >= 1) return {Kind::not_called_for, "it is day"};
+    return {Kind::called, "", 1 - darkest};
+}
+
 EffectCall silhouette_call(const EffectFacts& facts) {
     if (facts.is_near) return {Kind::called, ""};
     return {Kind::not_called_for, "seen from so far away depths hardly differ"};
@@ -80,6 +88,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.data.ground.is_shown) asked.add(Effect::ground_data);
     if (design.data.adjacent.is_shown) asked.add(Effect::adjacent);
     if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
+    if (design.effects.lighting != design::PanelLighting::day) asked.add(Effect::panel_lighting);
     if (design.effects.antialiasing) asked.add(Effect::antialiasing);
     return asked;
 }
@@ -101,6 +110,7 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
     if (device.forbidden.has(Effect::ground_data)) possible.data.ground.is_shown = false;
     if (device.forbidden.has(Effect::adjacent)) possible.data.adjacent.is_shown = false;
     if (stands_in(Effect::depth_of_field) != Effect::depth_of_field) possible.effects.depth_of_field.blur_px = 0;
+    if (device.forbidden.has(Effect::panel_lighting)) possible.effects.lighting = design::PanelLighting::day;
     if (stands_in(Effect::antialiasing) != Effect::antialiasing) possible.effects.antialiasing = false;
     return possible;
 }
@@ -146,11 +156,12 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::ground_data] = ground_call(facts.ground_data);
     input[Effect::adjacent] = adjacent_call(facts);
     input[Effect::depth_of_field] = focus_call(facts);
+    input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         if (!facts.asked.has(static_cast<Effect>(n)))
             input.calls[n] = {};
-        else if (!facts.decisions.show_terrain)
+        else if (!facts.decisions.show_terrain && static_cast<Effect>(n) != Effect::panel_lighting)
             input.calls[n] = {Kind::not_called_for, kRemoved};
     }
     return input;

@@ -7,6 +7,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_decisions.hpp"
+#include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_light.hpp"
 #include "render_core/display/terrain_scene.hpp"
@@ -38,6 +39,7 @@ struct EffectFacts {
     double nearest_m = 0;  ///< nothing is nearer to the eye
     design::AirSettings air{};
     draw::FocusRange focus{};
+    PanelLight panel{};
     bool is_forced = false;  ///< PlanInput::is_forced
 };
 

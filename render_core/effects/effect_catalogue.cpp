@@ -53,6 +53,8 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "the widest blur between the nearest ground and the farthest", "a picture off screen, and a pass of seventeen taps"},
     {Effect::antialiasing, "antialiasing", Contribution::geometry, Need::second_picture, true,
      "one pixel, where anything has an edge", "a picture off screen, and a pass of five taps; four more at edges"},
+    {Effect::panel_lighting, "panel_lighting", Contribution::color, Need::nothing, true, "1 - the darkest factor",
+     "a blended pass over the display"},
 }};
 
 constexpr bool is_in_order() {

@@ -29,6 +29,7 @@ enum class Effect : std::uint8_t {
     adjacent,
     depth_of_field,
     antialiasing,
+    panel_lighting,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);

@@ -36,12 +36,20 @@ TEST(ViewEffects, AreWhatTheFileSays) {
     EXPECT_TRUE(effects.depth_of_field.on_data);
 }
 
+TEST(ViewEffects, ThePanelsLightingHasItsColours) {
+    ViewEffects effects;
+    EXPECT_EQ(read("lighting = \"auto\"\nnight_color = \"#402010\"\n", effects), "");
+    EXPECT_EQ(effects.lighting, PanelLighting::automatic);
+    EXPECT_EQ(effects.night, (Color{0x40, 0x20, 0x10}));
+    EXPECT_EQ(effects.dusk, (Color{0xB8, 0xAA, 0x98})) << "as it was";
+}
+
 TEST(ViewEffects, WhatHasNoMeaningIsRefused) {
     ViewEffects effects;
     for (const char* text :
          {"[depth_of_field]\nblur_px = 0\n", "[depth_of_field]\nblur_px = 9\n",
           "[depth_of_field]\nfocus_near_m = 5000\nfocus_far_m = 4000\n", "[depth_of_field]\nlayers = \"symbology\"\n",
-          "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "bloom = true\n"})
+          "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "lighting = \"quad\"\n", "bloom = true\n"})
         EXPECT_NE(read(text, effects).find("d.toml:"), std::string::npos) << text;
 }
 

@@ -147,6 +147,17 @@ TEST_F(EffectCalls, BlurIsBoundedByNearestAndFarthestGround) {
     EXPECT_EQ(call(Effect::depth_of_field).kind, Kind::not_called_for);
 }
 
+TEST_F(EffectCalls, ThePanelIsDimmedWithOrWithoutTerrain) {
+    facts_.asked.add(Effect::panel_lighting);
+    EXPECT_EQ(call(Effect::panel_lighting).kind, Kind::not_called_for) << "by day";
+    facts_.panel.white = {0.9, 0.8, 0.7};
+    EXPECT_NEAR(call(Effect::panel_lighting).bound, 0.3, 1e-12);
+    decisions_.show_terrain = false;
+    EXPECT_EQ(call(Effect::panel_lighting).kind, Kind::called);
+    facts_.panel = {{1, 1, 1}, false};
+    EXPECT_EQ(call(Effect::panel_lighting).kind, Kind::no_input);
+}
+
 TEST(PossibleDesign, HasNoViewEffectsWhereThereIsNoSecondPicture) {
     design::DesignSettings design;
     design.effects.antialiasing = true;
