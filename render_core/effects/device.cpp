@@ -116,6 +116,7 @@ base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string
     device.width_px = static_cast<std::uint32_t>(root.integer("width_px", 64, kMaxEdgePx));
     device.height_px = static_cast<std::uint32_t>(root.integer("height_px", 64, kMaxEdgePx));
     device.frame_rate_hz = root.number("frame_rate_hz", 1, 240);
+    device.deadline_ms = root.number("deadline_ms", 0, 10'000, 0);
     device.triangle_budget = static_cast<std::uint32_t>(root.integer("triangle_budget", 1000, 100'000'000));
     device.max_chunk_slots = static_cast<std::uint32_t>(root.integer("max_chunk_slots", 8, 65536));
     device.attribute_pages = static_cast<std::uint32_t>(root.integer("attribute_pages", 0, 1024, 0));

@@ -48,6 +48,7 @@ struct DeviceSettings {
     std::uint32_t width_px = 0;  ///< default picture size
     std::uint32_t height_px = 0;
     double frame_rate_hz = 0;
+    double deadline_ms = 0;                        ///< of a frame, held where the costs are known; 0: none
     std::uint32_t triangle_budget = 0;             ///< terrain triangles a frame
     std::uint32_t max_chunk_slots = 0;             ///< terrain chunks resident at once, drawn ones and their ancestors
     std::uint32_t attribute_pages = 0;             ///< baked pages resident at once; 0: none are read, vertex normals must do

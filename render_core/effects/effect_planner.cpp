@@ -7,6 +7,15 @@ bool is_possible(Effect effect, const EffectSet& forbidden, const DeviceCapabili
     return !forbidden.has(effect) && has(device, entry_of(effect).need);
 }
 
+/// What takes the place of an effect that is too dear: the first of its list that a running display can turn to.
+Effect reserve_of(Effect effect, const PlanInput& input, const DeviceCapability& device) {
+    for (const Effect replacement : entry_of(effect).replacements)
+        if (replacement != Effect::count_ && is_possible(replacement, input.forbidden, device) &&
+            input.in_reserve.has(replacement) && !input.too_costly.has(replacement))
+            return replacement;
+    return Effect::count_;
+}
+
 PlannedEffect plan_call(Effect effect, const EffectCall& call, const EffectSet& forbidden, const DeviceCapability& device) {
     using Kind = EffectCall::Kind;
     PlannedEffect planned;
@@ -27,6 +36,15 @@ PlannedEffect plan_call(Effect effect, const EffectCall& call, const EffectSet& 
     if (stands_in != effect) planned.replaced_by = stands_in;
     if (planned.state == PlanState::run && planned.reason.empty()) planned.reason = "asked for by the design";
     return planned;
+}
+
+/// After what the device can do: its reasons go before those of the time.
+void give_up_if_too_costly(Effect effect, const PlanInput& input, const DeviceCapability& device, PlannedEffect& planned) {
+    if (planned.state != PlanState::run || !input.too_costly.has(effect)) return;
+    const Effect reserve = reserve_of(effect, input, device);
+    planned.state = reserve == Effect::count_ ? PlanState::skipped : PlanState::replaced;
+    planned.reason = "the time does not suffice";
+    planned.replaced_by = reserve;
 }
 
 bool is_unseen(const PlanInput& input, const FramePlan& plan, Effect effect, double color_left) {
@@ -79,8 +97,11 @@ double FramePlan::unseen_color() const {
 
 FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) noexcept {
     FramePlan plan;
-    for (std::size_t n = 0; n < kEffectCount; ++n)
-        plan.effects_[n] = plan_call(static_cast<Effect>(n), input.calls[n], input.forbidden, device);
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const auto effect = static_cast<Effect>(n);
+        plan.effects_[n] = plan_call(effect, input.calls[n], input.forbidden, device);
+        give_up_if_too_costly(effect, input, device, plan.effects_[n]);
+    }
     // From the smallest bound on, so that as many as possible stay under the one sum.
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const Effect effect = least_seen(input, plan, kUnseenColor - plan.unseen_color());

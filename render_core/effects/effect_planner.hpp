@@ -1,5 +1,6 @@
 /// Which effects a frame computes: those that are asked for, that the scene and the view call for, and that the device can do.
-/// Everything else is replaced or left out, each for a reason that the frame's record tells.
+/// Everything else is replaced or left out, each for a reason that the frame's record tells. So is what the time does not suffice
+/// for.
 ///
 /// Pure. Thread  any. Memory  none; the plan is of fixed size.
 #pragma once
@@ -37,6 +38,7 @@ struct PlannedEffect {
 /// Effects that may not run, whatever the device can do.
 class EffectSet {
 public:
+    void add(const EffectSet& effects) { bits_ |= effects.bits_; }
     void add(Effect effect) { bits_ |= 1u << static_cast<unsigned>(effect); }
     [[nodiscard]] bool has(Effect effect) const { return (bits_ >> static_cast<unsigned>(effect) & 1u) != 0; }
 
@@ -48,6 +50,8 @@ private:
 struct PlanInput {
     std::array<EffectCall, kEffectCount> calls{};
     EffectSet forbidden;     ///< by the device's file
+    EffectSet too_costly;    ///< for the frame's deadline; replaced by what is in reserve, or left out
+    EffectSet in_reserve;    ///< what can take another's place within a running display: its programs are there
     bool is_forced = false;  ///< nothing is left out for being unseen: what a picture without this planner would cost
 
     [[nodiscard]] EffectCall& operator[](Effect effect) { return calls[static_cast<std::size_t>(effect)]; }

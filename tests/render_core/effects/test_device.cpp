@@ -117,6 +117,14 @@ TEST(Device, ARequiredLineOfTheOtherKindIsMissing) {
     EXPECT_NE(refusal(wrong_kind).find("'font_atlas' of kind \"gpu\""), std::string::npos);
 }
 
+TEST(Device, MayHaveADeadline) {
+    const auto with = read_device_settings("deadline_ms = 33.0\n" + good(), "x.toml");
+    ASSERT_TRUE(with.ok()) << with.error().sentence.c_str();
+    EXPECT_EQ(with.value().deadline_ms, 33);
+    EXPECT_EQ(shipped_device("es2-small").deadline_ms, 0) << "none unless it is stated";
+    EXPECT_NE(refusal("deadline_ms = -1\n" + good()).find("deadline_ms"), std::string::npos);
+}
+
 TEST(Device, CallExceptionsAreRead) {
     const std::string text = replaced(
         good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"DrawRangeElements\"]\nnever = [\"GenerateMipmap\", \"Finish\"]");

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "render_core/effects/quality_ladder.hpp"
 #include "tests/support/device_files.hpp"
 
 namespace tedavis::effects::test_effect_catalogue {
@@ -18,14 +19,18 @@ const char* name_of(Need need) {
                                               : "";
 }
 
+std::string rung_of(Effect effect) { return given_up_from(effect) == kNever ? "" : std::to_string(given_up_from(effect)); }
+
 /// The table of the module's README, from the code.
 std::string table() {
     std::ostringstream text;
-    text << "| effect | shows | needs | bound of what is seen | cost | in its place |\n|---|---|---|---|---|---|\n";
+    text << "| effect | shows | needs | bound of what is seen | cost | grows with | given up from rung | in its place "
+            "|\n|---|---|---|---|---|---|---|---|\n";
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectEntry& entry = entry_of(static_cast<Effect>(n));
         text << "| `" << entry.name << "` | " << kContributionNames[static_cast<std::size_t>(entry.contribution)] << " | "
-             << name_of(entry.need) << " | " << entry.bound << " | " << entry.cost << " | ";
+             << name_of(entry.need) << " | " << entry.bound << " | " << entry.cost << " | "
+             << kCostThingNames[static_cast<std::size_t>(thing_of(entry.effect))] << " | " << rung_of(entry.effect) << " | ";
         for (const Effect replacement : entry.replacements)
             if (replacement != Effect::count_) text << "`" << entry_of(replacement).name << "` ";
         text << "|\n";

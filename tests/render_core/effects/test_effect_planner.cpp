@@ -76,6 +76,45 @@ TEST_F(EffectPlanner, WithoutItsInputSomethingElseStandsInWhateverTheDeviceCanDo
     EXPECT_EQ(plan()[Effect::ground_data].reason, "there is no scene");
 }
 
+TEST_F(EffectPlanner, WhatTheTimeDoesNotSufficeForIsReplacedByWhatIsInReserve) {
+    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_.too_costly.add(Effect::silhouettes);
+    input_.in_reserve.add(Effect::ridges);
+    const PlannedEffect planned = plan()[Effect::silhouettes];
+    EXPECT_EQ(planned.state, PlanState::replaced);
+    EXPECT_EQ(planned.replaced_by, Effect::ridges);
+    EXPECT_EQ(planned.reason, "the time does not suffice");
+    EXPECT_TRUE(plan().runs(Effect::ridges));
+    EXPECT_FALSE(plan().runs(Effect::silhouettes));
+}
+
+TEST_F(EffectPlanner, WithoutAReserveWhatTheTimeDoesNotSufficeForIsLeftOut) {
+    input_[Effect::silhouettes] = input_[Effect::haze] = {Kind::called, ""};
+    input_.too_costly.add(Effect::silhouettes);
+    input_.too_costly.add(Effect::haze);
+    for (const Effect effect : {Effect::silhouettes, Effect::haze}) {
+        EXPECT_EQ(plan()[effect].state, PlanState::skipped);
+        EXPECT_EQ(plan()[effect].reason, "the time does not suffice");
+        EXPECT_EQ(plan()[effect].replaced_by, Effect::count_);
+    }
+    EXPECT_FALSE(plan().runs(Effect::ridges)) << "its programs are not there";
+    EXPECT_EQ(plan().unseen_color(), 0) << "it is not left out for being unseen";
+    input_.in_reserve.add(Effect::ridges);
+    input_.too_costly.add(Effect::ridges);
+    EXPECT_FALSE(plan().runs(Effect::ridges)) << "too dear itself";
+}
+
+TEST_F(EffectPlanner, WhatTheDeviceOrTheViewSaysGoesBeforeTheTime) {
+    input_.too_costly.add(Effect::silhouettes);
+    input_.in_reserve.add(Effect::ridges);
+    input_[Effect::silhouettes] = {Kind::not_called_for, "seen from above"};
+    EXPECT_EQ(plan()[Effect::silhouettes].reason, "seen from above");
+    EXPECT_FALSE(plan().runs(Effect::ridges));
+    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_.forbidden.add(Effect::silhouettes);
+    EXPECT_EQ(plan()[Effect::silhouettes].reason, "forbidden by the device's file");
+}
+
 TEST_F(EffectPlanner, ColourIsLeftOutUpToOneStepOfEightBits) {
     input_[Effect::haze] = {Kind::called, "", kUnseenColor};
     EXPECT_EQ(plan()[Effect::haze].state, PlanState::skipped);

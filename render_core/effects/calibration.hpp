@@ -1,0 +1,42 @@
+/// The costs of one device on one machine, as `tedavis calibrate` measured them: a file beside the device's.
+///
+///     device = "es3-mid"              name in the device file
+///     renderer = "llvmpipe (...)"     as the driver calls itself
+///     width_px = 1024                 of the picture
+///     height_px = 768
+///     date = "2026-11-22T22:57:48Z"   when it was measured; said, not read
+///     [cost.terrain]                  one table for every effect of the catalogue, and for each of kOverheadNames
+///     fixed_ms = 0.4                  the three of them from 0 on
+///     ms_per_megapixel = 6.1
+///     ms_per_thousand = 0.03
+///
+/// Memory  reading allocates (start-up only); the result is plain data. Failure  one sentence with file and line.
+#pragma once
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/effects/cost_model.hpp"
+
+namespace tedavis::effects {
+
+/// For whom costs were measured.
+struct CalibrationSubject {
+    base::FixedString<31> device;
+    base::FixedString<127> renderer;
+    std::uint32_t width_px = 0, height_px = 0;
+};
+
+struct Calibration {
+    CalibrationSubject subject;
+    base::FixedString<31> date;
+    CostTable costs;
+};
+
+/// A file without one of the tables, or with costs below 0, is refused.
+[[nodiscard]] base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name);
+/// Also one that was measured for another device, renderer or size than `display`.
+[[nodiscard]] base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name,
+                                                                            const CalibrationSubject& display);
+
+}  // namespace tedavis::effects

@@ -1,0 +1,70 @@
+#include "render_core/effects/frame_budget.hpp"
+
+#include <cmath>
+
+namespace tedavis::effects {
+namespace {
+
+constexpr double kLeastFactor = 0.5, kMostFactor = 4;
+constexpr double kMeasuredWeight = 1.0 / 16;  // of one frame: a single late one is no trend
+
+Quality quality_on(std::size_t rung, const TerrainTolerance& tolerance) {
+    return {tau_px_on(rung, tolerance.design_px, tolerance.coarse_px), kLadder[rung].detail_factor};
+}
+
+}  // namespace
+
+void FrameBudget::hold(double deadline_ms, const CostTable& costs, const GovernorSettings& settings) {
+    deadline_ms_ = deadline_ms;
+    costs_ = costs;
+    settings_ = settings;
+    measured_factor_ = 1;
+    governor_ = FrameGovernor();
+}
+
+double FrameBudget::tau_factor(const TerrainTolerance& tolerance) const {
+    return tau_px_on(governor_.rung(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
+}
+
+std::array<double, kRungs> FrameBudget::costs_of_rungs(const PlanInput& input, const DeviceCapability& device,
+                                                       const FrameCounters& counters, const TerrainTolerance& tolerance) const {
+    const Quality now = quality_on(governor_.rung(), tolerance);
+    std::array<double, kRungs> ms{};
+    for (std::size_t rung = 0; rung < kRungs; ++rung) {
+        PlanInput on_rung = input;
+        on_rung.too_costly.add(given_up_on(rung));
+        const FrameCounters there = counters_at(counters, now, quality_on(rung, tolerance));
+        ms[rung] = measured_factor_ * modelled_ms(costs_, plan_effects(on_rung, device), there);
+    }
+    return ms;
+}
+
+FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, const FrameCounters& counters,
+                            const TerrainTolerance& tolerance, base::Time now) {
+    report_ = {};
+    report_.deadline_ms = deadline_ms_;
+    input.too_costly.add(given_up_);
+    if (is_held()) {
+        const GovernorDecision decision =
+            governor_.decide({now, deadline_ms_, costs_of_rungs(input, device, counters, tolerance)}, settings_);
+        report_.rung = decision.rung;
+        report_.changed = decision.changed;
+        report_.why = decision.why;
+        input.too_costly.add(given_up_on(decision.rung));
+    } else if (deadline_ms_ > 0) {
+        report_.why = GovernorWhy::cost_unknown;
+    }
+    FramePlan plan = plan_effects(input, device);
+    if (costs_.is_known) report_.predicted_ms = measured_factor_ * modelled_ms(costs_, plan, counters);
+    report_.is_missed = is_held() && report_.predicted_ms > deadline_ms_;
+    return plan;
+}
+
+void FrameBudget::note_measured(double ms) {
+    if (!(report_.predicted_ms > 0) || !(ms > 0)) return;
+    if (ms > report_.predicted_ms && ms <= deadline_ms_) return;
+    const double factor = measured_factor_ * ms / report_.predicted_ms;
+    measured_factor_ += kMeasuredWeight * (std::fmin(std::fmax(factor, kLeastFactor), kMostFactor) - measured_factor_);
+}
+
+}  // namespace tedavis::effects
