@@ -142,6 +142,7 @@ void read_limits(ConfigSection degradation, ConfigSection attitude, DesignSettin
     limits.vertical_accuracy_m = degradation.number("vertical_accuracy_m", 0.1, 10'000, limits.vertical_accuracy_m);
     limits.terrain_error_px = degradation.number("terrain_error_px", 0.1, 1000, limits.terrain_error_px);
     limits.terrain_removed_px = degradation.number("terrain_removed_px", 1, 10'000, limits.terrain_removed_px);
+    limits.show_reduced = degradation.boolean("show_reduced", limits.show_reduced);
     read_angle(attitude, "pitch_up_deg", 5, 90, design.unusual_attitude.pitch_up_rad);
     read_angle(attitude, "pitch_down_deg", 5, 90, design.unusual_attitude.pitch_down_rad);
     read_angle(attitude, "roll_deg", 15, 180, design.unusual_attitude.roll_rad);

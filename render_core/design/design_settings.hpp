@@ -87,6 +87,7 @@ struct DegradationLimits {
     double terrain_error_px = 4;  ///< terrain that the device's budgets force to be coarser is said to be coarse
     /// Terrain whose error, as far as haze lets it be seen, is larger is not shown while finer chunks are being read.
     double terrain_removed_px = 500;
+    bool show_reduced = false;  ///< a notice says where the picture is reduced for the frame's deadline
 };
 
 /// Beyond these angles the picture changes to recovery: chevrons, no flight path, no warning colours.

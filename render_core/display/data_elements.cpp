@@ -283,8 +283,16 @@ void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* 
     for (ElementReport& report : reports_)
         if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
             is_sign_technique(report.element->technique) == (sheet != nullptr))
-            report.count =
-                glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet});
+            plan_glyphs_of(report, frame, sheet);
+}
+
+/// Fields may be sampled more sparsely; what stands for one thing each may not.
+void DataElements::plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+    const scene::LayerRole role = report.layer->entry->role;
+    const bool is_sampled = role == scene::LayerRole::field || role == scene::LayerRole::wind || role == scene::LayerRole::sample;
+    report.detail_factor = is_sampled ? frame.detail_factor : 1;
+    report.count = glyphs_.plan(
+        report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet, report.detail_factor});
 }
 
 /// A full list has counted the refusal itself.
@@ -345,6 +353,15 @@ draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const dr
         case DataTechnique::isosurface: return isosurfaces_.add(batch, mesh_, input);
         default: return {};
     }
+}
+
+ElementCounters DataElements::counters() const {
+    ElementCounters counters;
+    if (shown_ == 0) return counters;
+    for (const ElementReport& report : reports_)
+        if (report.state == ElementState::shown && report.slot == GlyphElements::kSlots) counters.features += report.count.drawn;
+    counters.glyphs = glyphs_.glyphs();
+    return counters;
 }
 
 void DataElements::prepare(gl::Gl& gl) {

@@ -45,6 +45,7 @@ struct ElementReport {
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
     /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
     std::uint32_t out_of_view = 0;
+    double detail_factor = 1;                  ///< of the element's detail, as shown
 };
 /// Whether an element stands over the picture as signs, which take what room the symbology leaves.
 [[nodiscard]] bool is_sign_technique(design::DataTechnique technique) noexcept;
@@ -61,6 +62,12 @@ struct ElementFrame {
     design::Color missing;
     flight::FlightTime time;
     OwnFlightFrame own{};
+    double detail_factor = 1;  ///< of the detail of glyphs of fields
+};
+
+/// What the planned frame draws.
+struct ElementCounters {
+    std::uint32_t features = 0, glyphs = 0;
 };
 
 /// What signs need besides.
@@ -95,6 +102,7 @@ public:
     /// From the eye to the nearest and the farthest of what is shown of a role's surfaces; after plan(). False where there is
     /// none.
     [[nodiscard]] bool distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const;
+    [[nodiscard]] ElementCounters counters() const;
 
     /// Uploads what is new; before draw().
     void prepare(gl::Gl& gl);
@@ -116,6 +124,7 @@ private:
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);
+    void plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
 
     GlyphElements glyphs_;

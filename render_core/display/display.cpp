@@ -115,6 +115,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
+    conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
     transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);
     decide(now);
     begin_record(now);
@@ -126,8 +127,14 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
 }
 
 void Display::plan_effects() {
-    EffectFacts facts{asked_,           settings_.device.forbidden, decisions_,         is_near(),          record_.light.source,
-                      terrain_.drape(), data_plan_.ground,          maps_beside_.state, maps_beside_.drawn, eye_.haze_per_m};
+    EffectFacts facts{asked_, settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
+    facts.is_near = is_near();
+    facts.light = record_.light.source;
+    facts.drape = terrain_.drape();
+    facts.ground_data = data_plan_.ground;
+    facts.adjacent = maps_beside_.state;
+    facts.adjacent_maps = maps_beside_.drawn;
+    facts.haze_per_m = eye_.haze_per_m;
     if (decisions_.show_terrain && !elements_.has_anything()) {
         facts.nearest_m = terrain_.nearest_m(eye_.view);
         facts.farthest_m = terrain_.farthest_m(eye_.view);
@@ -138,7 +145,17 @@ void Display::plan_effects() {
     facts.panel = panel_;
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
-    plan_ = effects::plan_effects(effect_calls(facts), settings_.device.capability);
+    count();
+    plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
+}
+
+void Display::count() {
+    const ElementCounters elements = elements_.counters();
+    counters_.megapixels = settings_.width_px * 1e-6 * settings_.height_px;
+    counters_.triangles = record_.terrain.triangles;
+    counters_.maps = maps_beside_.drawn;
+    counters_.elements = elements.features;
+    counters_.glyphs = elements.glyphs;
 }
 
 void Display::decide(base::Time now) {
@@ -225,13 +242,14 @@ double Display::undulation_m(const earth::Geodetic& place) const {
 }
 
 void Display::plan_terrain() {
-    record_.terrain.tau_px = settings_.design.terrain.tau_px;
+    const double tau_factor = frame_budget_.tau_factor(terrain_tolerance());
+    record_.terrain.tau_px = settings_.design.terrain.tau_px * tau_factor;
     if (!decisions_.show_terrain) {
         terrain_.rest();
         return;
     }
     widen_bands();
-    const TerrainPlan plan = terrain_.plan(eye_, settings_.design);
+    const TerrainPlan plan = terrain_.plan(eye_, settings_.design, tau_factor);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
         return;
@@ -263,8 +281,12 @@ void Display::widen_bands() {
 void Display::plan_elements(const flight::FlownWay* way) {
     const bool are_shown = elements_.is_started() && decisions_.show_terrain;
     TerrainGround ground(terrain_, eye_.view);
-    const ElementFrame frame{
-        ground, eye_.view, settings_.design.terrain.unknown, record_.flight_time, {way, &state_, record_.time}};
+    const ElementFrame frame{ground,
+                             eye_.view,
+                             settings_.design.terrain.unknown,
+                             record_.flight_time,
+                             {way, &state_, record_.time},
+                             frame_budget_.detail_factor()};
     if (are_shown)
         elements_.plan(frame);
     else
@@ -318,6 +340,7 @@ void Display::draw(base::Surface& surface) {
     if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
     if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) dimmer_.draw(gl_, panel_.white);
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
+    note_budget(frame_budget_.report(), record_);
     note_elements(elements_.reports(), record_);
     note_drawn(drawn, settings_.device.budget, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;

@@ -25,8 +25,9 @@
 #include "render_core/draw/dimmer.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/effects/device.hpp"
-#include "render_core/effects/effect_planner.hpp"
+#include "render_core/effects/frame_budget.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {
@@ -87,6 +88,16 @@ public:
     /// Height above the terrain below a position; missing outside the database or over voids.
     [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now);
 
+    /// Of this display; costs measured for another subject say nothing of it.
+    [[nodiscard]] effects::CalibrationSubject calibration_subject() const {
+        return {settings_.device.name, gl_.driver().renderer, settings_.width_px, settings_.height_px};
+    }
+    /// Holds no deadline until it is told one, with costs.
+    [[nodiscard]] effects::FrameBudget& frame_budget() { return frame_budget_; }
+
+    /// Of the planned frame.
+    [[nodiscard]] const effects::FrameCounters& counters() const { return counters_; }
+
     [[nodiscard]] const FrameRecord& record() const { return record_; }
     [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
     [[nodiscard]] gl::Gl& gl() { return gl_; }
@@ -111,6 +122,7 @@ private:
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void plan_effects();
+    void count();
     void widen_bands();
     void begin_record(base::Time now);
     void give_up_terrain(TerrainSource reason);
@@ -119,6 +131,9 @@ private:
     void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
     [[nodiscard]] DrawContext context() const;
+    [[nodiscard]] effects::TerrainTolerance terrain_tolerance() const {
+        return {settings_.design.terrain.tau_px, settings_.design.degradation.terrain_error_px};
+    }
     void put_symbology();
 
     DisplaySettings settings_;
@@ -135,6 +150,8 @@ private:
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
     effects::EffectSet asked_;  ///< by the design as it was handed over
+    effects::FrameBudget frame_budget_;
+    effects::FrameCounters counters_;
     effects::FramePlan plan_;
     draw::FocusRange focus_;
     bool effects_are_forced_ = false;

@@ -59,7 +59,7 @@ struct DisplayDecisions {
     /// faces north and no terrain is drawn).
     flight::Signal view_heading = flight::Signal::count_;
     std::array<ElementDecision, kElementCount> elements{};
-    base::FixedVector<Notice, 12> notices;               ///< most urgent first
+    base::FixedVector<Notice, 14> notices;               ///< most urgent first
     base::FixedVector<base::FixedString<47>, 32> flags;  ///< "signal.state" or a name
 
     [[nodiscard]] const ElementDecision& operator[](Element element) const { return elements[static_cast<std::size_t>(element)]; }

@@ -93,6 +93,49 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     return asked;
 }
 
+design::DesignSettings with_effect(const design::DesignSettings& design, Effect effect) noexcept {
+    constexpr double kBlur_px = 4;
+    design::DesignSettings with = design;
+    if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
+    if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
+    if (effect == Effect::antialiasing) with.effects.antialiasing = true;
+    return with;
+}
+
+design::DesignSettings without_effect(const design::DesignSettings& design, Effect effect) noexcept {
+    design::DesignSettings without = design;
+    design::TerrainStyle& style = without.terrain.style;
+    switch (effect) {
+        case Effect::warning_colors: without.warning_colors = false; break;
+        case Effect::silhouettes: style.sketch.silhouettes = 0; break;
+        case Effect::ridges: style.sketch.ridges = 0; break;
+        case Effect::moving_sun: style.shade.follows_sun = false; break;
+        case Effect::drape:
+            if (style.texture == design::TerrainTexture::image) style.texture = design::TerrainTexture::plain;
+            break;
+        case Effect::aerial_perspective: without.sky.air.is_shown = false; break;
+        case Effect::haze: without.sky.haze_distance_m = 0; break;
+        case Effect::surface_grid: style.grid.spacing_m = 0; break;
+        case Effect::ground_data: without.data.ground.is_shown = false; break;
+        case Effect::adjacent: without.data.adjacent.is_shown = false; break;
+        case Effect::depth_of_field: without.effects.depth_of_field.blur_px = 0; break;
+        case Effect::antialiasing: without.effects.antialiasing = false; break;
+        case Effect::panel_lighting: without.effects.lighting = design::PanelLighting::day; break;
+        case Effect::terrain:
+        case Effect::fixed_light:
+        case Effect::plain_color:
+        case Effect::count_: break;
+    }
+    return without;
+}
+
+effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept {
+    effects::EffectSet reserve;
+    if (possible.terrain.style.sketch.ridges > 0) reserve.add(Effect::ridges);
+    reserve.add(Effect::fixed_light);
+    return reserve;
+}
+
 design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device) {
     const auto stands_in = [&](Effect effect) { return possible_effect(effect, device.forbidden, device.capability); };
     design::DesignSettings possible = design;
@@ -101,17 +144,12 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         if (stands_in(Effect::silhouettes) == Effect::ridges) sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
         sketch.silhouettes = 0;
     }
-    if (device.forbidden.has(Effect::moving_sun)) possible.terrain.style.shade.follows_sun = false;
-    if (device.forbidden.has(Effect::drape) && possible.terrain.style.texture == design::TerrainTexture::image)
-        possible.terrain.style.texture = design::TerrainTexture::plain;
-    possible.sky.air.is_shown = design.sky.air.is_shown && stands_in(Effect::aerial_perspective) == Effect::aerial_perspective;
-    if (possible.sky.air.is_shown || device.forbidden.has(Effect::haze)) possible.sky.haze_distance_m = 0;
-    if (device.forbidden.has(Effect::surface_grid)) possible.terrain.style.grid.spacing_m = 0;
-    if (device.forbidden.has(Effect::ground_data)) possible.data.ground.is_shown = false;
-    if (device.forbidden.has(Effect::adjacent)) possible.data.adjacent.is_shown = false;
-    if (stands_in(Effect::depth_of_field) != Effect::depth_of_field) possible.effects.depth_of_field.blur_px = 0;
-    if (device.forbidden.has(Effect::panel_lighting)) possible.effects.lighting = design::PanelLighting::day;
-    if (stands_in(Effect::antialiasing) != Effect::antialiasing) possible.effects.antialiasing = false;
+    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
+                                Effect::panel_lighting})
+        if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
+    for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing})
+        if (stands_in(effect) != effect) possible = without_effect(possible, effect);
+    if (possible.sky.air.is_shown) possible.sky.haze_distance_m = 0;
     return possible;
 }
 
@@ -144,6 +182,7 @@ double blur_bound(const draw::FocusRange& focus, double nearest_m, double farthe
 effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     effects::PlanInput input;
     input.forbidden = facts.forbidden;
+    input.in_reserve = facts.in_reserve;
     input.is_forced = facts.is_forced;
     input[Effect::terrain] = {Kind::called, "terrain in view"};
     input[Effect::warning_colors] = warning_call(facts.decisions);

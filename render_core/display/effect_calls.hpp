@@ -21,11 +21,20 @@ namespace tedavis::display {
 /// Effects that a design asks for, whether or not they are possible.
 [[nodiscard]] effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept;
 
+/// The design as if it asked for an effect that needs nothing but to be asked for: air, blur of what is out of focus, smooth
+/// edges. Others change nothing.
+[[nodiscard]] design::DesignSettings with_effect(const design::DesignSettings& design, effects::Effect effect) noexcept;
+/// The design as if it did not ask for an effect.
+[[nodiscard]] design::DesignSettings without_effect(const design::DesignSettings& design, effects::Effect effect) noexcept;
+
+/// What can take another's place in a running display of this design, as possible_design() gives it: what is compiled in anyway.
+[[nodiscard]] effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept;
+
 /// The design with what a device cannot do, or must not, in the way that stands for it there.
 [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device);
 
 struct EffectFacts {
-    effects::EffectSet asked, forbidden;
+    effects::EffectSet asked, forbidden, in_reserve;
     const DisplayDecisions& decisions;
     bool is_near = false;  ///< the eye is among what it sees, not far above as the map's
     LightSource light = LightSource::fixed;

@@ -302,6 +302,7 @@ private:
         if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
             notice(NoticeLevel::information, "ORTHOGRAPHIC VIEW");
         if (is_flat()) notice(NoticeLevel::information, "FLAT - NO RELIEF");
+        if (conditions_.is_reduced) notice(NoticeLevel::information, "PICTURE REDUCED");
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");
     }

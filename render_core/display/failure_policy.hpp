@@ -34,6 +34,7 @@ struct DisplayConditions {
     bool terrain_is_coarse = false;     ///< budgets allow no better than the design's limit of error
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
+    bool is_reduced = false;            ///< for the frame's deadline, and the design asks that this is said
     bool is_map = false;                ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 

@@ -31,11 +31,12 @@ void note_effect(const ElementReport& report, FrameRecord& record) {
 
 void note_aspects(const ElementReport& report, FrameRecord& record) {
     const design::DataElement& element = *report.element;
-    if (report.state != ElementState::shown || element.detail <= record.data_aspect.detail) return;
-    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), element.detail, 1};
+    const double detail = element.detail * report.detail_factor;
+    if (report.state != ElementState::shown || detail <= record.data_aspect.detail) return;
+    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), detail, 1};
     if (element.uncertainty == design::ElementUncertainty::none) return;
-    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]),
-                                 element.detail, 1};
+    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]), detail,
+                                 1};
 }
 
 /// What is out of view counts as nothing else; of what is not told apart, the drawn ones are taken to be out of it first.
@@ -67,6 +68,7 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
     terrain.tau_reached_px = plan.lod.tau_reached_px;
     terrain.limit = Name(terrain::to_string(plan.lod.reason));
     terrain.pending = plan.pending;
+    terrain.triangles = plan.lod.triangles;
     if (plan.lod.tau_reached_px > terrain.tau_px) flag("terrain.tau_raised", record);
     if (plan.has_void) flag("terrain.void", record);
     if (plan.is_late) flag("terrain.late", record);
@@ -90,6 +92,12 @@ void note_elements(const ElementReports& reports, FrameRecord& record) {
         if (type == nullptr) continue;
         note_count(report, *type);
     }
+}
+
+void note_budget(const effects::BudgetReport& report, FrameRecord& record) {
+    record.governor = {report.deadline_ms, report.predicted_ms, static_cast<std::uint32_t>(report.rung), report.changed,
+                       effects::to_string(report.why)};
+    if (report.is_missed) flag("deadline.missed", record);
 }
 
 void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record) {

@@ -6,16 +6,19 @@
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/terrain_scene.hpp"
+#include "render_core/effects/frame_budget.hpp"
 
 namespace tedavis::display {
 
 /// Once, however often it is raised. A full list counts what it refuses.
 void flag(std::string_view name, FrameRecord& record);
 
-/// Asks for record.terrain.tau_px.
+/// Asks for record.terrain.tau_px. Triangles are those planned until note_drawn().
 void note_terrain(const TerrainPlan& plan, FrameRecord& record);
 /// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
 void note_elements(const ElementReports& reports, FrameRecord& record);
+/// With the flag deadline.missed where it was.
+void note_budget(const effects::BudgetReport& report, FrameRecord& record);
 /// After the terrain is noted among the effects.
 void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
 

@@ -64,6 +64,15 @@ struct DataRecord {
     std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
 };
 
+/// How the frame's deadline was held (effects::BudgetReport).
+struct GovernorRecord {
+    double deadline_ms = 0;   ///< 0: none is held
+    double predicted_ms = 0;  ///< modelled cost of the frame; 0: not known
+    std::uint32_t rung = 0;   ///< of effects::kLadder; 0: the design's own picture
+    bool changed = false;     ///< with this frame
+    base::FixedString<63> why;
+};
+
 struct FrameRecord {
     std::uint64_t frame = 0;
     base::Time time;
@@ -81,6 +90,7 @@ struct FrameRecord {
     std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
     base::FixedVector<DataRecord, 16> data;
     ByteRecord bytes;
+    GovernorRecord governor;
     base::FixedVector<EffectRecord, 32> effects;
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
 };

@@ -230,7 +230,7 @@ draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameI
         draw::glyph_values(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer)) == scene::GlyphValues::wind;
     const bool is_shown = is_wind && frame.sheet != nullptr;
     scene::GlyphSettings settings;
-    settings.detail = slot.element->detail;
+    settings.detail = slot.element->detail * frame.detail_factor;
     settings.least_px = settings.cell_px = is_shown ? draw::barb_spacing_px(*frame.sheet) : 1;
     settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMostCandidates);
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
@@ -245,7 +245,7 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     show(slot, frame);
     if (slot.element->technique == DataTechnique::barbs) return plan_barbs(slot, frame);
     scene::GlyphSettings settings;
-    settings.detail = slot.element->detail;
+    settings.detail = slot.element->detail * frame.detail_factor;
     if (slot.element->technique == DataTechnique::bars) settings.coarsest *= kBarSlenderness;
     settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);

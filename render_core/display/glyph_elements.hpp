@@ -25,6 +25,7 @@ struct GlyphFrameInput {
     std::int64_t time_ns = 0;  ///< of the source where it has a date
     bool has_date = false;
     draw::BillboardSheet* sheet = nullptr;  ///< of the frame, for wind barbs
+    double detail_factor = 1;               ///< of the element's detail
 };
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;
@@ -49,6 +50,8 @@ public:
     void begin_plan();
     [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);
 
+    /// Of the planned frame, but for barbs.
+    [[nodiscard]] std::uint32_t glyphs() const { return static_cast<std::uint32_t>(batch_.instances().size()); }
     /// For how many sites the n-th element has room; others are merged.
     [[nodiscard]] std::uint32_t sites_of(std::size_t n) const { return slots_[n].fields[0].most_sites(); }
 

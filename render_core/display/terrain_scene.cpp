@@ -134,9 +134,9 @@ std::uint32_t TerrainScene::parts_in_view() const {
     return std::max(slots / 2, slots - std::min(slots, roots + kSlotsBeside));
 }
 
-terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& design, const Eye& eye) const {
+terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& design, const Eye& eye, double tau_factor) const {
     terrain::LodSettings lod;
-    lod.tau_px = design.terrain.tau_px;
+    lod.tau_px = design.terrain.tau_px * tau_factor;
     lod.max_triangles = device_->triangle_budget;
     lod.max_chunks = device_->max_chunk_slots * 2 / 3;  // the others hold ancestors
     if (device_->terrain_ms > 0) lod.max_ms = device_->terrain_ms;
@@ -154,8 +154,8 @@ terrain::View TerrainScene::over_ground(terrain::View view) {
     return view;
 }
 
-TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design) {
-    const terrain::LodSettings lod = lod_settings(design, eye);
+TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design, double tau_factor) {
+    const terrain::LodSettings lod = lod_settings(design, eye, tau_factor);
     store_.begin_frame();
     const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(eye.view)), needed_soon(lod, parts_in_view()),
                                                       SelectionKind::ideal, selected_);

@@ -64,8 +64,9 @@ public:
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
 
-    /// Chooses the chunks of this frame from what is there, and asks for what the view needs.
-    [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design);
+    /// Chooses the chunks of this frame from what is there, and asks for what the view needs. `tau_factor`: of the error
+    /// that the design allows.
+    [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design, double tau_factor = 1);
     /// The slice of the scene that colours the ground; null for none. After start(). False where the device has no room for it.
     [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) { return drawer_.set_ground_data(gl, slice); }
     /// Posts across and down that such a slice may have; 0 where the design did not ask for any.
@@ -103,7 +104,8 @@ private:
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;
     void decide_drape(const design::DesignSettings& design);
-    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye) const;
+    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye,
+                                                    double tau_factor) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
     [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
 

@@ -73,6 +73,7 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValues) {
     EXPECT_EQ(file.degradation.vertical_accuracy_m, built_in.degradation.vertical_accuracy_m);
     EXPECT_EQ(file.degradation.terrain_error_px, built_in.degradation.terrain_error_px);
     EXPECT_EQ(file.degradation.terrain_removed_px, built_in.degradation.terrain_removed_px);
+    EXPECT_EQ(file.degradation.show_reduced, built_in.degradation.show_reduced);
     EXPECT_EQ(file.widening.enabled, built_in.widening.enabled);
     EXPECT_EQ(file.widening.coverage, built_in.widening.coverage);
     EXPECT_EQ(file.widening.position_accuracy_m, built_in.widening.position_accuracy_m);

@@ -294,6 +294,25 @@ TEST_F(DataElementsTest, GlyphsAreCountedWhole) {
     EXPECT_EQ(elements_.reports()[0].count.all(), 12u) << "posts of the lowest level";
 }
 
+TEST_F(DataElementsTest, OnlyFieldsMayBeSampledMoreSparsely) {
+    ask_for("air", DataTechnique::spheres).heights_m.clear();
+    ask_for("zones", DataTechnique::prism);
+    plan();
+    const ElementCounters all = elements_.counters();
+    EXPECT_EQ(all.features, 2u);
+    EXPECT_GT(all.glyphs, 0u);
+    ElementFrame frame{ground_, frame_.view, {255, 0, 255}, flight::time_of_source(kNow)};
+    frame.detail_factor = 0.01;
+    elements_.plan(frame);
+    EXPECT_LE(elements_.counters().glyphs, all.glyphs);
+    EXPECT_EQ(elements_.counters().features, 2u) << "what may not be flown into stays";
+    EXPECT_EQ(elements_.reports()[0].detail_factor, 0.01);
+    EXPECT_EQ(elements_.reports()[1].detail_factor, 1);
+    EXPECT_EQ(elements_.reports()[0].count.all(), 12u) << "none is lost: they are merged or said to be hidden";
+    elements_.rest();
+    EXPECT_EQ(elements_.counters().features + elements_.counters().glyphs, 0u);
+}
+
 TEST_F(DataElementsTest, MoreGlyphsThanSlotsAreRefused) {
     for (std::size_t n = 0; n <= GlyphElements::kSlots; ++n) ask_for("air", DataTechnique::spheres);
     plan();

@@ -44,7 +44,7 @@ protected:
     [[nodiscard]] effects::EffectCall call(Effect effect) const { return effect_calls(facts_)[effect]; }
 
     DisplayDecisions decisions_;
-    EffectFacts facts_{{}, {}, decisions_};
+    EffectFacts facts_{{}, {}, {}, decisions_};
 };
 
 TEST_F(EffectCalls, WhatIsThereAndHasAPlaceIsCalledFor) {
@@ -60,6 +60,37 @@ TEST_F(EffectCalls, WhatIsThereAndHasAPlaceIsCalledFor) {
     for (const Effect effect : {Effect::silhouettes, Effect::moving_sun, Effect::drape, Effect::haze, Effect::ground_data,
                                 Effect::adjacent, Effect::ridges, Effect::plain_color})
         EXPECT_EQ(call(effect).kind, Kind::not_asked_for) << effects::entry_of(effect).name;
+}
+
+TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
+    design::DesignSettings design = design_with_everything();
+    EXPECT_TRUE(effects_in_reserve(design).has(Effect::ridges));
+    design.terrain.style.sketch.ridges = 0;
+    EXPECT_FALSE(effects_in_reserve(design).has(Effect::ridges));
+    EXPECT_FALSE(effects_in_reserve(design).has(Effect::plain_color));
+}
+
+TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
+    design::DesignSettings whole = design_with_everything();
+    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing}) {
+        EXPECT_FALSE(asked_effects(whole).has(effect));
+        whole = with_effect(whole, effect);
+    }
+    const effects::EffectSet asked = asked_effects(whole);
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
+        const auto left_out = static_cast<Effect>(n);
+        const effects::EffectSet without = asked_effects(without_effect(whole, left_out));
+        for (std::size_t m = 0; m < effects::kEffectCount; ++m) {
+            const auto effect = static_cast<Effect>(m);
+            const bool always = effect == Effect::terrain || effect == Effect::warning_colors;
+            EXPECT_EQ(without.has(effect), asked.has(effect) && (effect != left_out || always))
+                << effects::entry_of(effect).name << " without " << effects::entry_of(left_out).name;
+        }
+    }
+    EXPECT_FALSE(without_effect(whole, Effect::warning_colors).warning_colors);
+    const design::DesignSettings air = with_effect(whole, Effect::aerial_perspective);
+    EXPECT_TRUE(asked_effects(air).has(Effect::aerial_perspective));
+    EXPECT_TRUE(asked_effects(without_effect(air, Effect::aerial_perspective)).has(Effect::haze)) << "as before";
 }
 
 TEST_F(EffectCalls, WithoutTerrainNothingIsCalledFor) {

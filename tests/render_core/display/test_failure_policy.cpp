@@ -283,6 +283,13 @@ TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
     EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE")) << "no data are shown at all";
 }
 
+TEST(FailurePolicy, AReducedPictureIsSaidWhereAskedFor) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "PICTURE REDUCED"));
+    conditions.is_reduced = true;
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "PICTURE REDUCED"));
+}
+
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.phase.switch_fault = true;
@@ -311,6 +318,8 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = static_cast<TerrainSource>((random >> 20) % 4);
         conditions.phase.switch_fault = conditions.phase.disagreement = conditions.generated_flight = true;
+        conditions.terrain_is_coarse = conditions.image_is_missing = conditions.data_are_out_of_date = conditions.is_reduced =
+            true;
         const DisplayDecisions decisions = decide_on(state, conditions);
         const bool known = state.is_valid(Signal::pitch, kPolicyNow) && state.is_valid(Signal::roll, kPolicyNow) &&
                            state.own_ship.state == SignalState::valid && decisions.view_heading != Signal::count_;

@@ -55,6 +55,32 @@ TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
     for (const char* name : {"terrain.tau_raised", "terrain.late", "terrain.failing"}) EXPECT_TRUE(has_flag(other, name)) << name;
 }
 
+TEST(FrameNotes, AMissedDeadlineIsFlagged) {
+    effects::BudgetReport report{33, 40, 5, true, false, effects::GovernorWhy::too_dear};
+    FrameRecord record;
+    note_budget(report, record);
+    EXPECT_EQ(record.governor.deadline_ms, 33);
+    EXPECT_EQ(record.governor.predicted_ms, 40);
+    EXPECT_EQ(record.governor.rung, 5u);
+    EXPECT_TRUE(record.governor.changed);
+    EXPECT_EQ(record.governor.why.view(), "the time does not suffice");
+    EXPECT_FALSE(has_flag(record, "deadline.missed"));
+    report.is_missed = true;
+    note_budget(report, record);
+    EXPECT_TRUE(has_flag(record, "deadline.missed"));
+}
+
+TEST(FrameNotes, ThinnedGlyphsShowLessDetail) {
+    LayerOf wind(scene::LayerRole::wind);
+    ElementReport report = wind.report({3, 0, 0});
+    report.detail_factor = 0.5;
+    ElementReports reports;
+    ASSERT_TRUE(reports.try_push_back(report));
+    FrameRecord record;
+    note_elements(reports, record);
+    EXPECT_EQ(record.data_aspect.detail, 0.5);
+}
+
 TEST(FrameNotes, FeaturesAreCountedByTheirType) {
     const LayerOf obstacles(scene::LayerRole::obstacle), storm(scene::LayerRole::storm_cell);
     ElementReports reports;

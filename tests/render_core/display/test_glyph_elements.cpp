@@ -101,6 +101,22 @@ TEST(GlyphElements, BarsOfLittleDetailAreMeansOfSeveral) {
     EXPECT_EQ(count(DataTechnique::bars, 1).aggregated, 0u) << "all detail: each itself";
 }
 
+TEST(GlyphElements, LessDetailIsFewerGlyphsOfTheSameSites) {
+    GlyphView view;
+    ASSERT_TRUE(view.add());
+    const auto glyphs_at = [&](double detail_factor) {
+        view.glyphs.begin_plan();
+        GlyphFrameInput frame{view.ground, view.frame.view, {255, 0, 255}, kStart_ns, true};
+        frame.detail_factor = detail_factor;
+        EXPECT_EQ(view.glyphs.plan(0, frame).all(), 12u);
+        return view.glyphs.glyphs();
+    };
+    const std::uint32_t all = glyphs_at(1);
+    EXPECT_GT(all, 3u);
+    EXPECT_LT(glyphs_at(0.1), all);
+    EXPECT_EQ(glyphs_at(1), all) << "and back";
+}
+
 TEST(GlyphElements, ThePictureOfAnInstantDoesNotDependOnWhereTheRunBegan) {
     const std::int64_t then = kStart_ns + 305 * 1'000'000'000LL;
     std::vector<std::uint8_t> expected;
