@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host_sim/console.hpp"
+#include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::host_sim {
 
@@ -23,12 +24,15 @@ struct PictureOptions {
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
-    std::optional<PictureSize> size;  ///< nothing: the device's
-    GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
-    std::optional<double> tau_px;     ///< nothing: the design's
-    std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
-    bool force_effects = false;       ///< none is left out for being unseen
-    bool symbology = true;            ///< without it only the legend and the map's own ship and scale are drawn over the terrain
+    std::optional<PictureSize> size;    ///< nothing: the device's
+    GlChoice gl = GlChoice::egl;        ///< the window has a surface of its own
+    std::optional<double> tau_px;       ///< nothing: the design's
+    std::optional<double> detail;       ///< of all data, 0..1; nothing: the design's
+    std::optional<double> deadline_ms;  ///< of a frame; nothing: none
+    std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
+    bool force_effects = false;         ///< none is left out for being unseen
+    effects::EffectSet with, without;   ///< the design is drawn as if it asked for these (display::with_effect), or did not
+    bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 
 struct ReplayOptions {

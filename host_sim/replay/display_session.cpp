@@ -95,12 +95,25 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     const gl::GlError error =
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
     display_->force_effects(options.force_effects);
-    if (error.sentence.empty()) return;
+    if (error.sentence.empty()) return hold_deadline(options);
     throw UserError(with_file(std::string(error.sentence.view()), device, options));
 }
 
+void DisplaySession::hold_deadline(const PictureOptions& options) {
+    effects::Calibration calibration;
+    if (!options.costs.empty()) {
+        const auto read = effects::read_calibration(read_file(options.costs), options.costs, display_->calibration_subject());
+        if (!read.ok()) throw UserError(std::string(read.error().sentence.view()));
+        calibration = read.value();
+    }
+    display_->frame_budget().hold(options.deadline_ms.value_or(0), calibration.costs);
+}
+
 DisplaySession::~DisplaySession() {
-    if (display_) display_->stop();
+    if (display_ && surface_->make_current()) {
+        display_->gl().activate();
+        display_->stop();
+    }
     display_.reset();
     if (surface_) surface_->release_current();
 }
@@ -109,6 +122,11 @@ std::string DisplaySession::gl_description() {
     const gl::DriverFacts& driver = display_->gl().driver();
     return std::string(surface_->backend_name()) + ": " + std::string(driver.renderer.view()) + ", " +
            std::string(driver.version.view());
+}
+
+void DisplaySession::make_current() {
+    if (!surface_->make_current()) throw UserError("the drawing surface was lost; start the command again");
+    display_->gl().activate();
 }
 
 void DisplaySession::draw() {

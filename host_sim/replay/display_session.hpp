@@ -31,6 +31,10 @@ public:
     DisplaySession& operator=(const DisplaySession&) = delete;
 
     [[nodiscard]] display::Display& display() { return *display_; }
+    /// Sessions of one thread draw in turn: this one must have rested before another is opened or takes its turn. Throws
+    /// UserError where the surface is lost.
+    void make_current();
+    void rest() { surface_->release_current(); }
     [[nodiscard]] const effects::DeviceSettings& device() const { return device_; }
     [[nodiscard]] std::uint32_t width() const { return surface_->width(); }
     [[nodiscard]] std::uint32_t height() const { return surface_->height(); }
@@ -51,6 +55,7 @@ private:
     void open_terrain(const std::string& path);
     void open_scene(const std::string& path);
     void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
+    void hold_deadline(const PictureOptions& options);
 
     effects::DeviceSettings device_;
     std::unique_ptr<base::Surface> surface_;

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace tedavis::host_sim {
+namespace {
+
+const std::int64_t kWindow = terrain::StoreSettings().window_frames;
+
+}  // namespace
 
 base::Time FrameApproach::grid_time(std::int64_t frame) const {
     return player_.first() + base::Duration::from_seconds(static_cast<double>(frame) / rate_hz_);
@@ -15,14 +20,62 @@ void FrameApproach::approach(base::Time time) {
     const bool is_on_grid = std::abs(off_grid.ns) <= 1;
     const bool follows = is_on_grid && last_ && frame == *last_ + 1;
     last_ = is_on_grid ? std::optional<std::int64_t>(frame) : std::nullopt;
+    const bool is_governed = display_.frame_budget().is_held();
+    if (follows && is_governed) learn(frame);
     if (follows) return;
-    const std::int64_t window = terrain::StoreSettings().window_frames;
-    for (std::int64_t planned = frame - window; planned < frame; ++planned) {
+    if (is_governed) reach(std::max<std::int64_t>(frame, 0));
+    if (is_governed && is_on_grid) return;
+    const effects::FrameGovernor governor = display_.frame_budget().governor();
+    for (std::int64_t planned = frame - kWindow; planned < frame; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
-        const base::Time instant_time = is_on_grid ? grid : std::max(grid + off_grid, player_.first());
-        const PlayedInstant instant = player_.at(instant_time);
-        display_.approach(instant.aircraft, instant.phase, instant_time, &player_.way());
+        if (is_governed) restore_rung(planned);
+        plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
     }
+    if (is_governed) display_.frame_budget().restore(governor);
+}
+
+/// Plans the frames of the grid before this one, from the last one on whose governor is known.
+void FrameApproach::reach(std::int64_t frame) {
+    effects::FrameBudget& budget = display_.frame_budget();
+    if (rungs_.empty()) {
+        budget.restore(effects::FrameGovernor());
+        learn(0);
+    }
+    const std::int64_t kept = std::min<std::int64_t>(frame, static_cast<std::int64_t>(rungs_.size()) - 1) / kKeepEvery;
+    for (std::int64_t planned = kept * kKeepEvery - kWindow; planned < kept * kKeepEvery; ++planned) {
+        restore_rung(planned);
+        plan(grid_time(std::max<std::int64_t>(planned, 0)));
+    }
+    budget.restore(governors_[static_cast<std::size_t>(kept)]);
+    for (std::int64_t planned = kept * kKeepEvery; planned < frame; ++planned) {
+        plan(grid_time(planned));
+        learn(planned + 1);
+    }
+}
+
+/// The display has planned every frame before this one.
+void FrameApproach::learn(std::int64_t frame) {
+    if (frame != static_cast<std::int64_t>(rungs_.size())) return;
+    const effects::FrameGovernor& governor = display_.frame_budget().governor();
+    rungs_.push_back(static_cast<std::uint8_t>(governor.rung()));
+    if (frame % kKeepEvery == 0) governors_.push_back(governor);
+}
+
+/// The terrain of a frame is chosen by the rung before it; nothing else of the governor matters to it.
+void FrameApproach::restore_rung(std::int64_t frame) {
+    const auto known = static_cast<std::size_t>(std::max<std::int64_t>(frame, 0));
+    display_.frame_budget().restore(effects::FrameGovernor(rungs_[known]));
+}
+
+void FrameApproach::plan(base::Time time) {
+    const PlayedInstant instant = player_.at(time);
+    display_.approach(instant.aircraft, instant.phase, time, &player_.way());
+}
+
+void FrameApproach::forget() {
+    last_.reset();
+    rungs_.clear();
+    governors_.clear();
 }
 
 }  // namespace tedavis::host_sim

@@ -4,10 +4,15 @@
 /// What has arrived of the terrain follows from a short window of frames. Those are the device's own, at its frame rate: before
 /// a frame that does not follow the last one on this grid, the window before it is planned again. The log's first instant stands
 /// for what lies before it.
+///
+/// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
+/// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
+/// every kKeepEvery frames.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
 #include "render_core/display/display.hpp"
@@ -21,14 +26,24 @@ public:
 
     /// Call before the frame of this instant is drawn.
     void approach(base::Time time);
+    /// What was decided holds no more: design, switches or camera are others.
+    void forget();
 
 private:
+    static constexpr std::int64_t kKeepEvery = 16;
     [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
+    void plan(base::Time time);
+    void reach(std::int64_t frame);
+    void learn(std::int64_t frame);
+    void restore_rung(std::int64_t frame);
 
     FlightPlayer& player_;
     display::Display& display_;
     double rate_hz_;
     std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last
+    // Before the frames of the grid, from the log's first on.
+    std::vector<std::uint8_t> rungs_;
+    std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
 };
 
 }  // namespace tedavis::host_sim

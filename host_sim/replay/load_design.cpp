@@ -3,6 +3,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
+#include "render_core/display/effect_calls.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -40,6 +41,11 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
     if (options.detail) set_detail(design.value().data, *options.detail);
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
+        const auto effect = static_cast<effects::Effect>(n);
+        if (options.with.has(effect)) design.value() = display::with_effect(design.value(), effect);
+        if (options.without.has(effect)) design.value() = display::without_effect(design.value(), effect);
+    }
     if (!options.symbology) design.value().symbology = without_instruments(design.value().symbology);
     return design.value();
 }

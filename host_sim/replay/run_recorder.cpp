@@ -76,6 +76,7 @@ void RunRecorder::draw_watched(base::Time time) {
 void RunRecorder::keep() {
     records_.write(result_);
     total_ms_.push_back(result_.timing.total_ms);
+    deadline_.add(result_);
     worst_error_px_ = std::max(worst_error_px_, result_.record.terrain.worst_error_px);
     const double above = instant_.aircraft[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     if (story_.add(result_, above, instant_.aircraft[Signal::ground_speed].value_or(0)))
@@ -96,7 +97,7 @@ int RunRecorder::finish(bool interrupted, Console& console) {
     if (!done.notes.empty())
         console.note("note: " + std::to_string(done.notes.size()) + (done.notes.size() == 1 ? " note" : " notes") +
                      " in summary.json, the first: " + done.notes.front());
-    console.result(options_.output + line, run_summary_json(done, memory));
+    console.result(options_.output + line + deadline_text(done.deadline), run_summary_json(done, memory));
     if (interrupted) return kInterruptedExitCode;
     return session_.terrain_fault().empty() ? 0 : kFaultyInputExitCode;
 }
@@ -118,12 +119,16 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.switches = options_.switches;
     s.width = session_.width();
     s.height = session_.height();
+    s.costs = options_.picture.costs;
+    s.deadline = deadline_.summary();
     s.gl = session_.gl_description();
     const bus::BusCounters counters = player_.counters_of_whole_log();
     s.can = {counters.frames,  counters.decoded,       counters.alien,        counters.errors,
              counters.dropped, player_.broken_lines(), player_.other_lines(), counters.traffic};
     s.interrupted = interrupted;
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
+    if (options_.picture.deadline_ms && options_.picture.costs.empty())
+        s.notes.emplace_back("--deadline: no costs are known, so nothing is reduced; measure them with 'tedavis calibrate'");
     const std::vector<std::string> lines = player_.notes();
     s.notes.insert(s.notes.end(), lines.begin(), lines.end());
     s.notes.insert(s.notes.end(), notes_.begin(), notes_.end());

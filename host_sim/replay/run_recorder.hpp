@@ -44,6 +44,7 @@ private:
     PlayedInstant instant_;
     FrameResult result_;
     std::vector<double> total_ms_;
+    DeadlineTally deadline_;
     std::vector<std::string> notes_;
     double worst_error_px_ = 0;
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew

@@ -60,6 +60,14 @@ Json effects_json(const display::FrameRecord& record) {
     return json;
 }
 
+Json governor_json(const display::GovernorRecord& governor) {
+    return {{"deadline_ms", governor.deadline_ms},
+            {"predicted_ms", governor.predicted_ms},
+            {"rung", governor.rung},
+            {"changed", governor.changed},
+            {"why", text(governor.why.view())}};
+}
+
 Json aspect_json(const display::AspectRecord& aspect) {
     return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
 }
@@ -130,6 +138,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                      {"cpu_budget", record.bytes.cpu_budget},
                      {"gpu_budget", record.bytes.gpu_budget},
                      {"uploaded", record.bytes.uploaded}};
+    json["governor"] = governor_json(record.governor);
     json["effects"] = effects_json(record);
     json["presentation"] = {{"terrain", aspect_json(record.terrain_aspect)},
                             {"data", aspect_json(record.data_aspect)},

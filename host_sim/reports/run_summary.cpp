@@ -26,6 +26,17 @@ Json memory_json(const base::BudgetTable& memory) {
     return lines;
 }
 
+Json governor_json(const DeadlineSummary& deadline) {
+    const auto& apart_s = deadline.least_s_between_changes;
+    return {{"deadline_ms", deadline.deadline_ms},
+            {"frames", deadline.frames},
+            {"within_modelled", deadline.within_modelled},
+            {"within_measured", deadline.within_measured},
+            {"changes", deadline.changes},
+            {"least_s_between_changes", apart_s ? Json(*apart_s) : Json()},
+            {"frames_on_rung", deadline.frames_on_rung}};
+}
+
 Json traffic_json(const bus::TrafficCounts& traffic) {
     return {{"reports", traffic.reports}, {"incomplete", traffic.incomplete}, {"repeated", traffic.repeated},
             {"refused", traffic.refused}, {"outdated", traffic.outdated},     {"no_room", traffic.no_room}};
@@ -58,6 +69,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["switches"] = summary.switches;
     json["size"] = std::to_string(summary.width) + "x" + std::to_string(summary.height);
     json["costs"] = summary.costs;
+    json["governor"] = governor_json(summary.deadline);
     json["gl"] = summary.gl;
     json["version"] = version();
     json["can"] = {{"frames", summary.can.frames},

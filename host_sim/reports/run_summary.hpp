@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bus/state/traffic_table.hpp"
+#include "host_sim/reports/deadline_tally.hpp"
 #include "render_core/base/memory_budget.hpp"
 
 namespace tedavis::host_sim {
@@ -26,6 +27,7 @@ struct RunSummary {
     std::uint64_t gl_calls_outside_device = 0;
     std::string device, design, terrain, scene, log, switches;  ///< as they were named
     std::uint32_t width = 0, height = 0;
+    DeadlineSummary deadline;
     std::string costs;  ///< file of measured costs, or empty
     std::string gl;     ///< surface and the driver's own name
     CanCounts can;

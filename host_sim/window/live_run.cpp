@@ -145,6 +145,7 @@ void LiveRun::aim(const Shown& wanted) {
 
 void LiveRun::draw(const Shown& wanted) {
     aim(wanted);
+    if (shown_ && (shown_->revision != wanted.revision || shown_->mode != wanted.mode)) approach_.forget();
     const base::Time now = shown_time();
     approach_.approach(now);
     const display::FrameRecord& record = recorder_.draw(now).record;

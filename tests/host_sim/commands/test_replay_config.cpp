@@ -56,7 +56,11 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.gl = GlChoice::osmesa;
     options.picture.tau_px = 0.3;
     options.picture.force_effects = true;
+    options.picture.deadline_ms = 16.7;
+    options.picture.costs = "/data/costs.toml";
     const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.picture.deadline_ms, options.picture.deadline_ms);
+    EXPECT_EQ(loaded.picture.costs, options.picture.costs);
     EXPECT_EQ(loaded.switches, options.switches);
     EXPECT_EQ(loaded.switch_config, options.switch_config);
     EXPECT_EQ(loaded.from_s, options.from_s);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "host_sim/replay/display_session.hpp"
@@ -18,6 +19,7 @@ const test_support::FlownFiles& files() {
     return kFiles;
 }
 
+constexpr double kScarce_ms = 3;
 constexpr double kStep_s = 1.0 / 30;  ///< of the device: terrain arrives while frames are drawn
 
 ReplayOptions options(double from_s, double to_s, double step_s) {
@@ -103,6 +105,51 @@ TEST(FrameApproach, OtherStepsMeetTheSameFrames) {
 TEST(FrameApproach, AnInstantIsTheSameHoweverItIsReached) {
     const auto forth = run(options(0.011, 1.811, 0.15), true);
     EXPECT_EQ(differences(forth, run(options(0.011, 1.811, -0.15), true)), 0u);
+}
+
+/// So scarce that the governor changes while terrain arrives, and goes back: after half a second, that two seconds may show it.
+effects::CostTable costs_of_triangles() {
+    effects::CostTable costs;
+    costs.is_known = true;
+    costs[effects::Effect::terrain].ms_per_thousand = 1;
+    return costs;
+}
+
+std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approached, std::size_t* most_rungs = nullptr) {
+    DisplaySession session(asked.picture, false);
+    effects::GovernorSettings settings;
+    settings.dwell = base::Duration::milliseconds(200);
+    session.display().frame_budget().hold(kScarce_ms, costs_of_triangles(), settings);
+    FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
+    const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
+    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
+    std::map<std::int64_t, Frame> frames;
+    std::set<std::uint32_t> rungs;
+    for (std::uint64_t n = 0; n < times.count(); ++n) {
+        if (approached) approach.approach(times.at(n));
+        const PlayedInstant instant = player.at(times.at(n));
+        session.display().update(instant.aircraft, instant.phase, times.at(n));
+        session.draw();
+        const display::FrameRecord& record = session.display().record();
+        frames[times.at(n).ns] = {session.frame_hash(), record.terrain.pending, record.terrain.triangles,
+                                  record.terrain.tau_px + 100.0 * record.governor.rung + (record.governor.changed ? 1000 : 0)};
+        rungs.insert(record.governor.rung);
+    }
+    if (most_rungs != nullptr) *most_rungs = rungs.size();
+    return frames;
+}
+
+TEST(FrameApproach, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
+    std::size_t rungs = 0;
+    const auto all = governed(options(0, 4, kStep_s), true, &rungs);
+    ASSERT_GT(rungs, 1u) << "it has something to decide";
+    for (const double frames : {1.0, 9.0, 33.0, 70.0, 110.0})
+        EXPECT_EQ(differences(all, governed(options(frames * kStep_s, 4, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {7.0, -15.0, -1.0})
+        EXPECT_EQ(differences(all, governed(options(0, 4, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+    EXPECT_GT(differences(all, governed(options(70 * kStep_s, 4, kStep_s), false)), 0u) << "control";
+    const auto between = governed(options(0.011, 3.611, 0.15), true);
+    EXPECT_EQ(differences(between, governed(options(0.011, 3.611, -0.15), true)), 0u);
 }
 
 }  // namespace

@@ -57,8 +57,9 @@ TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
 
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
-    for (const char* key : {"frame", "time_s", "utc", "hash", "phase", "sub_phase", "phase_source", "own_ship", "signals",
-                            "flags", "view", "terrain", "data", "labels", "bytes", "effects", "presentation", "ms", "latency_ms"})
+    for (const char* key :
+         {"frame", "time_s",  "utc",  "hash",   "phase", "sub_phase", "phase_source", "own_ship",     "signals", "flags",
+          "view",  "terrain", "data", "labels", "bytes", "governor",  "effects",      "presentation", "ms",      "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})
@@ -106,6 +107,8 @@ TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
     ASSERT_TRUE(result.record.effects.try_push_back(effect));
     const Json json = parsed(result);
     EXPECT_EQ(json["flags"], Json({"altitude.stale"}));
+    EXPECT_EQ(json["governor"]["deadline_ms"], 0);
+    EXPECT_EQ(json["governor"]["changed"], false);
     EXPECT_EQ(json["effects"][0]["name"], "haze");
     EXPECT_EQ(json["effects"][0]["state"], "replaced");
     EXPECT_EQ(json["effects"][0]["replaced_by"], "tint");

@@ -40,7 +40,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     const Json json = Json::parse(run_summary_json(full_summary(), {}));
     for (const char* key :
          {"frames", "fps_median", "ms_p99", "heap_allocations_after_start", "worst_error_px", "gl_calls_outside_device", "device",
-          "design", "terrain", "scene", "log", "switches", "size", "costs", "gl", "version", "can"})
+          "design", "terrain", "scene", "log", "switches", "size", "costs", "governor", "gl", "version", "can"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["frames"], 17);
     EXPECT_EQ(json["fps_median"], 31.5);
@@ -56,6 +56,9 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
               {"other_lines", 3},
               {"traffic",
                {{"reports", 21}, {"incomplete", 22}, {"repeated", 23}, {"refused", 24}, {"outdated", 25}, {"no_room", 26}}}}));
+    EXPECT_EQ(json["governor"]["frames"], 0);
+    EXPECT_TRUE(json["governor"]["least_s_between_changes"].is_null());
+    EXPECT_EQ(json["governor"]["frames_on_rung"].size(), effects::kRungs);
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
 }

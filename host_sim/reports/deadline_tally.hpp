@@ -1,0 +1,36 @@
+/// How a run held its frames' deadline: by the model, by what this machine measured, and how often the picture changed for it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host_sim/reports/frame_record_json.hpp"
+#include "render_core/effects/quality_ladder.hpp"
+
+namespace tedavis::host_sim {
+
+struct DeadlineSummary {
+    double deadline_ms = 0;  ///< 0: none was held
+    std::uint64_t frames = 0, within_modelled = 0, within_measured = 0;
+    std::uint64_t changes = 0;
+    std::optional<double> least_s_between_changes;  ///< nothing: fewer than two
+    std::array<std::uint64_t, effects::kRungs> frames_on_rung{};
+};
+
+class DeadlineTally {
+public:
+    void add(const FrameResult& result);
+    [[nodiscard]] const DeadlineSummary& summary() const { return summary_; }
+
+private:
+    DeadlineSummary summary_;
+    std::optional<base::Time> last_change_;
+};
+
+/// "; deadline 33 ms: 99.80 % of frames within by the model, 97.10 % as measured, 14 changes at least 2.0 s apart"; empty where
+/// none was held.
+[[nodiscard]] std::string deadline_text(const DeadlineSummary& summary);
+
+}  // namespace tedavis::host_sim
