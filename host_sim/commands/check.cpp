@@ -26,6 +26,7 @@
 #include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::host_sim {
@@ -76,6 +77,12 @@ std::string check_palette(const std::string& path) {
 std::string check_device(const std::string& path) {
     require(effects::read_device_settings(read_file(path), path));
     return "a device";
+}
+
+std::string check_costs(const std::string& path) {
+    const auto read = effects::read_calibration(read_file(path), path);
+    require(read);
+    return "costs of the device " + std::string(read.value().subject.device.view());
 }
 
 std::string check_bus(const std::string& path) {
@@ -206,7 +213,7 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 10> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 11> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
                                                       {"devices", "[[budget]]", check_device},
@@ -215,6 +222,7 @@ constexpr std::array<FolderKind, 10> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"scenarios", "[[leg]]", check_scenario},
                                                       {"scenes", "[[layer]]", check_scene},
                                                       {"sheets", "[[group.picture]]", check_sheet},
+                                                      {"costs", "[cost.terrain]", check_costs},
                                                       {"replays", "[picture]", check_replay_config}}};
 
 /// By the folder it lies in; elsewhere by what only its kind holds.

@@ -2,9 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <map>
@@ -13,9 +11,11 @@
 #include <ostream>
 #include <string>
 
+#include "host_sim/commands/calibrate.hpp"
 #include "host_sim/commands/check.hpp"
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
+#include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/replay_config.hpp"
@@ -49,6 +49,7 @@ struct CommandLine {
     SheetOptions sheet;
     DiffOptions diff;
     CheckOptions check;
+    CalibrateOptions calibrate;
     std::string replay_config;
     std::vector<CLI::Option*> replay_config_holds;  ///< what must not stand beside --config
     bool json = false;
@@ -67,23 +68,6 @@ template <class T>
 CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
     return command->add_option_function<T>(
         name, [&target](const T& value) { target = value; }, help);
-}
-
-/// CLI11's own check lets NaN pass.
-CLI::Validator above_zero() {
-    return {[](std::string& text) {
-                const double value = std::strtod(text.c_str(), nullptr);
-                return value > 0 && std::isfinite(value) ? std::string() : text + " is no number above zero";
-            },
-            "above 0"};
-}
-
-/// CLI11's own check names a largest number of 309 digits.
-CLI::Validator from_zero() {
-    return {[](std::string& text) {
-                return std::strtod(text.c_str(), nullptr) >= 0 ? std::string() : text + " is no number from 0 on";
-            },
-            "from 0"};
 }
 
 template <class Choice>
@@ -113,6 +97,10 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_surface_options(command, picture);
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
+    add_optional(command, "--deadline", picture.deadline_ms,
+                 "milliseconds that a frame may take by the costs of --costs; default: none is held")
+        ->check(above_zero());
+    command->add_option("--costs", picture.costs, "what everything costs on this machine: a file that calibrate wrote");
     command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
 }
 
@@ -235,6 +223,23 @@ void add_shot(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
 }
 
+void add_calibrate(CLI::App& app, CommandLine& line) {
+    CalibrateOptions& o = line.calibrate;
+    CLI::App* command = add_command(app, line, "calibrate", "what every effect costs on this machine, as a file for --costs",
+                                    [&o](Console& console) { return run_calibrate(o, console); });
+    command->add_option("-o", o.output, "the costs to write (.toml); beside it as .json what they were measured from")
+        ->required();
+    add_surface_options(command, o.picture);
+    command->add_option("--design", o.picture.design, "its own effects are measured in it")->capture_default_str();
+    command->add_option_function<std::string>(
+        "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
+        "lat,lon,alt_m,heading,pitch,roll; with --terrain");
+    add_time(command, o.time);
+    command->add_option("--rounds", o.rounds, "frames with and without each effect")
+        ->check(CLI::Range(3, 1000))
+        ->capture_default_str();
+}
+
 void add_sheet(CLI::App& app, CommandLine& line) {
     SheetOptions& o = line.sheet;
     CLI::App* command = add_command(app, line, "sheet", "contact sheet: one labelled picture a technique",
@@ -346,6 +351,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     add_terrain(app, line);
     add_shot(app, line);
     add_sheet(app, line);
+    add_calibrate(app, line);
     add_replay(app, line);
     add_comparisons(app, line);
     if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {

@@ -3,10 +3,8 @@
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/commands/scenario.hpp"
-#include "host_sim/commands/scene.hpp"
+#include "host_sim/commands/own_ground.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
-#include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/new_folder.hpp"
@@ -15,7 +13,6 @@
 #include "host_sim/reports/sheet_page.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/temporary_folder.hpp"
-#include "host_sim/terrain_builder/generated_image.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -72,39 +69,18 @@ SheetJob read_job(const SheetOptions& options) {
     return job;
 }
 
-/// The sheet's own raster, built as `terrain build` does.
+/// The sheet's own raster.
 void build_terrain(SheetJob& job, const std::string& folder, Console& console) {
-    TerrainBuildOptions build;
-    build.rasters = {job.plan.terrain};
-    build.output = folder + "/" + std::filesystem::path(job.plan.terrain).stem().string() + ".tdb";
-    if (job.plan.generated_image) {
-        build.drape = folder + "/generated_image.tif";
-        write_generated_image(build.rasters.front(), build.drape);
-    }
-    Console only_notes = console.without_result();
-    (void)run_terrain_build(build, only_notes);
-    job.picture.terrain = build.output;
+    job.picture.terrain = build_own_terrain({job.plan.terrain, job.plan.generated_image}, folder, console);
     job.has_generated_image = job.plan.generated_image;
 }
 
-/// The sheet's own scene, built as `scene build` or `scenario build` does.
+/// The sheet's own scene.
 void build_scene(SheetJob& job, const std::string& folder, Console& console) {
-    if (!job.plan.scenario.empty()) {
-        ScenarioBuildOptions build;
-        build.scenario = job.plan.scenario;
-        build.output = folder + "/scenario";
-        Console only_notes = console.without_result();
-        (void)run_scenario_build(build, only_notes);
-        job.picture.scene = build.output + "/scene.sdb";
-        return;
-    }
-    if (job.plan.scene.empty()) return;
-    SceneBuildOptions build;
-    build.scene = job.plan.scene;
-    build.output = folder + "/scene.sdb";
-    Console only_notes = console.without_result();
-    (void)run_scene_build(build, only_notes);
-    job.picture.scene = build.output;
+    if (!job.plan.scenario.empty())
+        job.picture.scene = build_own_scenario(job.plan.scenario, folder, console);
+    else if (!job.plan.scene.empty())
+        job.picture.scene = build_own_scene(job.plan.scene, folder, console);
 }
 
 /// A view of its own is of the sheet's own terrain.

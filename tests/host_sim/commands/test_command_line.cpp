@@ -35,7 +35,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_THAT(run({"--version"}).results, HasSubstr("tedavis "));
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command : {"convert", "scenario", "scene", "terrain", "shot", "sheet", "diff", "check"})
+    for (const char* command : {"convert", "scenario", "scene", "terrain", "shot", "sheet", "calibrate", "diff", "check"})
         EXPECT_THAT(help.results, HasSubstr(command));
     EXPECT_EQ(run({"convert", "--help"}).code, 0);
     EXPECT_THAT(run({"terrain", "build", "--help"}).results, HasSubstr("--vertical-datum"));

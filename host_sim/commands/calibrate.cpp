@@ -1,0 +1,95 @@
+#include "host_sim/commands/calibrate.hpp"
+
+#include <ctime>
+#include <filesystem>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/own_ground.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/replay/cost_bench.hpp"
+#include "host_sim/replay/load_design.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/utc_time.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr const char* kRaster = "/configs/data/jacksboro_srtm3.tif";
+constexpr const char* kScenario = "default";
+/// Over that terrain, with data of every kind in view.
+constexpr AircraftPose kPose{36.64, -84.36, 2100, 140, -14, 0};
+constexpr const char* kTime = "2026-06-01T14:02:00Z";
+
+std::string now_as_text() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
+/// Where the bench stands and what lies round it.
+BenchPlace place_of(const CalibrateOptions& options, const std::string& folder, Console& console) {
+    BenchPlace place{options.picture, options.pose.value_or(kPose)};
+    if (!options.picture.terrain.empty() && !options.pose)
+        throw UserError("--terrain: a terrain of your own needs a view of it; add --pose lat,lon,alt_m,heading,pitch,roll");
+    base::Time time = kPosedTime;
+    if (options.picture.terrain.empty()) {
+        place.picture.terrain = build_own_terrain({shipped_root() + kRaster, true}, folder, console);
+        if (place.picture.scene.empty()) place.picture.scene = build_own_scenario(kScenario, folder, console);
+        static_cast<void>(base::parse_utc(kTime, time));
+    }
+    place.pose.time = options.time.value_or(time);
+    return place;
+}
+
+std::string json_path(const std::string& output) { return std::filesystem::path(output).replace_extension(".json").string(); }
+
+void require_toml_name(const std::string& output) {
+    if (std::filesystem::path(output).extension() != ".toml")
+        throw UserError("-o " + output + ": costs are a TOML file; give it a name that ends in .toml");
+}
+
+std::string told(const MeasuredCosts& measured, const std::string& output) {
+    std::string text = output + ": what everything costs on " + std::string(measured.subject.device.view()) + ", " +
+                       std::string(measured.subject.renderer.view());
+    for (const MeasuredCost& cost : measured.costs) {
+        char line[160];
+        std::snprintf(line, sizeof line, "\n  %-14s %8.3f ms +- %.3f", cost.name.c_str(), cost.ms, cost.spread_ms);
+        text += cost.note.empty() ? line : "\n  " + cost.name + ": not measured, " + cost.note;
+    }
+    return text;
+}
+
+}  // namespace
+
+int run_calibrate(const CalibrateOptions& options, Console& console) {
+    require_toml_name(options.output);
+    static_cast<void>(load_design(options.picture));
+    AtomicFile toml(options.output), json(json_path(options.output));
+    const TemporaryFolder temporary;
+    CostBench bench(place_of(options, temporary.path(), console), options.rounds);
+    const InterruptGuard interrupt;
+    MeasuredCosts measured = bench.measure([&](std::size_t done, std::size_t total) {
+        console.progress("costs", done, total);
+        if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    });
+    console.progress_done();
+    measured.date = now_as_text();
+    measured.design = options.picture.design;
+    measured.terrain =
+        options.picture.terrain.empty() ? std::filesystem::path(kRaster).filename().string() : options.picture.terrain;
+    toml.stream() << calibration_toml(measured);
+    json.stream() << calibration_json(measured);
+    toml.seal();
+    json.seal();
+    toml.commit();
+    json.commit();
+    console.result(told(measured, options.output), calibration_json(measured));
+    return 0;
+}
+
+}  // namespace tedavis::host_sim

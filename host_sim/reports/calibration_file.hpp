@@ -1,0 +1,29 @@
+/// The file that effects::read_calibration reads, and the same with what it was measured from as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render_core/effects/calibration.hpp"
+
+namespace tedavis::host_sim {
+
+struct MeasuredCost {
+    std::string name;  ///< of an effect or an overhead
+    effects::CostLine line;
+    double ms = 0, spread_ms = 0;  ///< as measured
+    std::string design;            ///< that called for it
+    std::string note;              ///< why it was not measured; empty: it was
+};
+
+struct MeasuredCosts {
+    effects::CalibrationSubject subject;
+    std::string date, design, terrain;
+    std::uint32_t rounds = 0;
+    std::vector<MeasuredCost> costs;
+};
+
+[[nodiscard]] std::string calibration_toml(const MeasuredCosts& measured);
+[[nodiscard]] std::string calibration_json(const MeasuredCosts& measured);
+
+}  // namespace tedavis::host_sim
