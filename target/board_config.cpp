@@ -26,6 +26,7 @@ public:
         read_switches(root.section("switches"));
         read_database(root.section("terrain"), settings_.terrain);
         read_database(root.section("scene"), settings_.scene);
+        if (base::ConfigSection costs = root.section("costs"); costs.present()) settings_.costs = path_at(costs, "file");
         read_can(root.section("can"));
         read_surface(root.section("surface"));
         const bool touch = root.section("memory").boolean("touch", true);

@@ -9,6 +9,8 @@
 ///     database = "area.tdb"
 ///     [scene]                    absent: no spatial data
 ///     database = "area.sdb"      may be missing at first; a newer revision at its place is taken over in flight
+///     [costs]                    absent: none are known, and the device's deadline_ms is not held
+///     file = "es2-small.costs.toml"   that `tedavis calibrate` wrote on this board
 ///     [can]
 ///     interface = "can0"
 ///     fd = false                 also receive CAN FD frames
@@ -56,6 +58,7 @@ struct BoardSettings {
     bus::SwitchConfig switches;
     Path terrain;  ///< empty: none
     Path scene;    ///< the same
+    Path costs;    ///< the same
     base::FixedString<15> surface;
     std::uint32_t width_px = 0, height_px = 0;
     platform::Residency residency = platform::Residency::touched;

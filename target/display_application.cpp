@@ -4,6 +4,7 @@
 
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
+#include "target/file_text.hpp"
 #include "target/frame_pacer.hpp"
 
 namespace tedavis::target {
@@ -22,6 +23,7 @@ DisplayApplication::~DisplayApplication() {
 BoardError DisplayApplication::start() {
     if (BoardError error = open_surface(); !error.sentence.empty()) return error;
     if (BoardError error = start_display(); !error.sentence.empty()) return error;
+    if (BoardError error = hold_deadline(); !error.sentence.empty()) return error;
     if (BoardError error = start_scene(); !error.sentence.empty()) return error;
     flight_.start(ports_.clocks.live.monotonic());
     started_ = true;
@@ -71,6 +73,19 @@ BoardError DisplayApplication::start_display() {
     return make_board_error({"device '", settings_.device.name.view(), "': ", error.sentence.view()});
 }
 
+BoardError DisplayApplication::hold_deadline() {
+    effects::CostTable costs;
+    if (!settings_.costs.empty()) {
+        const auto text = read_file_text(settings_.costs.c_str());
+        if (!text.ok()) return text.error();
+        const auto read = effects::read_calibration(text.value().view(), settings_.costs.view(), display_.calibration_subject());
+        if (!read.ok()) return make_board_error({read.error().sentence.view()});
+        costs = read.value().costs;
+    }
+    display_.frame_budget().hold(settings_.device.deadline_ms, costs);
+    return {};
+}
+
 /// The first scene comes the way all others do: the display shows what it has until then.
 BoardError DisplayApplication::start_scene() {
     if (settings_.scene.empty()) return {};
@@ -103,11 +118,13 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     FramePacer pacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
     watchdog_.ready();
     while (!stop.requested() && (frames == 0 || report.frames < frames)) {
-        if (draw_frame(clocks.live.monotonic()) != base::SurfaceState::ready) {
+        const base::Time begun = clocks.live.monotonic();
+        if (draw_frame(begun) != base::SurfaceState::ready) {
             ports_.log.write({"the drawing surface was lost; start the program again"});
             report.end = RunEnd::surface_lost;
             break;
         }
+        display_.frame_budget().note_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));

@@ -66,6 +66,7 @@ private:
     [[nodiscard]] BoardError open_terrain();
     [[nodiscard]] BoardError start_display();
     [[nodiscard]] BoardError start_scene();
+    [[nodiscard]] BoardError hold_deadline();
     void take_new_scene();
 
     BoardSettings settings_;

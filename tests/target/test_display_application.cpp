@@ -103,6 +103,37 @@ TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
     EXPECT_THAT(lines.str(), HasSubstr("area.sdb: shows revision 3\n"));
 }
 
+/// Every cost is the same.
+std::string costs_for(const BoardSettings& settings, const std::string& renderer) {
+    std::string text = "device = '" + std::string(settings.device.name.view()) + "'\nrenderer = '" + renderer +
+                       "'\nwidth_px = " + std::to_string(settings.width_px) +
+                       "\nheight_px = " + std::to_string(settings.height_px) + "\n";
+    const auto line = [&](std::string_view name) {
+        text += "[cost." + std::string(name) + "]\nfixed_ms = 9\nms_per_megapixel = 0\nms_per_thousand = 0\n";
+    };
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) line(effects::entry_of(static_cast<effects::Effect>(n)).name);
+    for (const std::string_view name : effects::kOverheadNames) line(name);
+    return text;
+}
+
+TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
+    const test_support::TemporaryFolder folder;
+    settings.device.deadline_ms = 5;
+    (void)start().run(3, stop);
+    EXPECT_EQ(application->display().record().governor.why.view(), "the cost is not known: calibrate this device");
+    const std::string renderer(application->display().calibration_subject().renderer.view());
+    application.reset();
+    settings.costs = Path(folder.write("costs.toml", costs_for(settings, renderer)));
+    (void)start().run(3, stop);
+    EXPECT_GT(application->display().record().governor.predicted_ms, 0);
+    EXPECT_EQ(application->display().record().governor.deadline_ms, 5);
+    application.reset();
+    settings.costs = Path(folder.write("costs.toml", costs_for(settings, "another")));
+    EXPECT_THAT(refusal(), HasSubstr("'another', not for"));
+    settings.costs = Path(folder.file("none.toml"));
+    EXPECT_THAT(refusal(), HasSubstr("none.toml"));
+}
+
 TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {
     EmbeddedFlight recorded;
     the_flight = &recorded;
