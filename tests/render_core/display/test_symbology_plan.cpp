@@ -19,7 +19,8 @@ struct Planned {
     }
     /// False where a legend has no room.
     bool plan() {
-        const DrawContext frame{design_, decisions, eye, record, 2000, 2000, 0, 0, false, heights};
+        DrawContext frame{design_, decisions, eye, record, 2000, 2000};
+        frame.heights = heights;
         plan_symbology({frame, state, kWidth, kHeight, over, data, data_plan, reports}, batch, record);
         return record.flags.empty();
     }
