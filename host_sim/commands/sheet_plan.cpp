@@ -47,7 +47,7 @@ SheetPlan::Picture read_picture(ConfigSection& section) {
     picture.title = read_title(section);
     picture.design = std::string(section.text("design"));
     picture.view = std::string(section.text("view", ""));
-    picture.file = std::filesystem::path(picture.design).stem().string();
+    picture.file = std::string(section.text("name", std::filesystem::path(picture.design).stem().string()));
     return picture;
 }
 
@@ -84,8 +84,7 @@ private:
     void add(SheetPlan::Picture picture, ConfigSection& section, SheetPlan::Group& group) {
         picture.file += ".png";
         if (!files_.insert(picture.file).second || picture.file == "sheet.png")
-            section.fault("design",
-                          "gives a picture '" + picture.file + "', whose name is taken; name the design's file differently");
+            section.fault("design", "gives a picture '" + picture.file + "', whose name is taken; give it another 'name'");
         group.pictures.push_back(std::move(picture));
     }
 
@@ -162,7 +161,7 @@ void require_own_names(const SheetPlan& plan, const std::string& file_name) {
         for (const SheetPlan::Picture& picture : group.pictures)
             if (!files.insert(picture.file).second)
                 throw UserError(file_name + ": picture '" + picture.title + "' would be the second '" + picture.file +
-                                "', which is in " + plan.groups_of + " too; name the design's file differently");
+                                "', which is in " + plan.groups_of + " too; give it another 'name'");
 }
 
 }  // namespace

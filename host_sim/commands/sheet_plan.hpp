@@ -18,7 +18,7 @@ struct SheetPlan {
         std::string design;            ///< shipped name or path
         std::optional<double> detail;  ///< of all its data, instead of the design's
         std::string view;              ///< name of one of `views`; empty: the sheet's pose
-        std::string file;              ///< "lambert.png", from the last part of the design's name; with a detail "barbs_30.png"
+        std::string file;  ///< "lambert.png", by its name, else the last part of the design's; with a detail "barbs_30.png"
     };
     struct Group {
         std::string title;

@@ -57,7 +57,9 @@ std::string design_calling_for(Effect effect) {
         case Effect::haze:
         case Effect::aerial_perspective:
         case Effect::depth_of_field:
-        case Effect::antialiasing: return "default";
+        case Effect::antialiasing:
+        case Effect::panel_lighting: return "default";
+        case Effect::surface_grid: return "styles/line_texture";
         case Effect::ridges: return "styles/ridges_and_valleys";
         case Effect::moving_sun: return "styles/moving_sun";
         case Effect::drape: return "styles/aerial_image";

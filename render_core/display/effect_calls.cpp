@@ -99,6 +99,7 @@ design::DesignSettings with_effect(const design::DesignSettings& design, Effect 
     if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
     if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
     if (effect == Effect::antialiasing) with.effects.antialiasing = true;
+    if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
 
@@ -144,8 +145,8 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         if (stands_in(Effect::silhouettes) == Effect::ridges) sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
         sketch.silhouettes = 0;
     }
-    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
-                                Effect::panel_lighting})
+    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data,
+                                Effect::adjacent, Effect::panel_lighting})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
