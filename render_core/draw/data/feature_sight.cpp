@@ -16,31 +16,44 @@ constexpr double kLowest_m = -500, kHighest_m = 15'000;  // of what has no state
 constexpr int kSides = 5;
 constexpr unsigned kAllSides = (1u << kSides) - 1;
 
+/// Round which the surroundings are mapped: the eye's own place; of eyes far above what they look at, from where the Earth is a
+/// small part of the view.
+glm::dvec3 middle_of(const terrain::View& view) {
+    constexpr double kHighEye_m = 50'000;
+    const double radius_m = earth::kMeanRadius_m, from_centre_m = glm::length(view.eye);
+    const double towards_m = -glm::dot(view.eye, view.forward);
+    const double square = towards_m * towards_m - (from_centre_m * from_centre_m - radius_m * radius_m);
+    if (from_centre_m < radius_m + kHighEye_m || towards_m <= 0 || square < 0) return view.eye;
+    return view.eye + view.forward * (towards_m - std::sqrt(square));
+}
+
 class Sight {
 public:
-    explicit Sight(const terrain::View& view) : eye_(earth::from_ecef(view.eye)), axes_(local_axes(view.eye)) {
+    explicit Sight(const terrain::View& view) : Sight(view, middle_of(view)) {}
+    Sight(const terrain::View& view, const glm::dvec3& middle)
+        : middle_(earth::from_ecef(middle)), from_eye_(middle - view.eye), axes_(local_axes(middle)) {
         const double across = view.half_width_tangent(), along = view.half_height_tangent();
         const glm::dvec3 inwards[kSides] = {view.forward * across + view.right, view.forward * across - view.right,
                                             view.forward * along + view.down, view.forward * along - view.down, view.forward};
         for (int n = 0; n < kSides; ++n) inwards_[n] = glm::normalize(inwards[n]);
-        sine_ = std::sin(eye_.latitude_rad);
-        cosine_ = std::cos(eye_.latitude_rad);
-        across_m_ = earth::prime_vertical_radius_m(eye_.latitude_rad);
-        along_m_ = earth::meridian_radius_m(eye_.latitude_rad);
+        sine_ = std::sin(middle_.latitude_rad);
+        cosine_ = std::cos(middle_.latitude_rad);
+        across_m_ = earth::prime_vertical_radius_m(middle_.latitude_rad);
+        along_m_ = earth::meridian_radius_m(middle_.latitude_rad);
     }
 
     /// A bit a side that the point is beyond, from one height to another, when it has gone so far east and north.
     [[nodiscard]] unsigned beyond(const scene::ScenePoint& point, const glm::dvec2& gone_m, double low_m, double high_m) const {
-        const double north = point.latitude_rad - eye_.latitude_rad;
-        const double east = std::remainder(point.longitude_rad - eye_.longitude_rad, 2 * base::kPi);
+        const double north = point.latitude_rad - middle_.latitude_rad;
+        const double east = std::remainder(point.longitude_rad - middle_.longitude_rad, 2 * base::kPi);
         if (!(std::fabs(north) < kFarthestSight_rad && std::fabs(east) < kFarthestSight_rad)) return 0;
         const double there = cosine_ - north * (sine_ + 0.5 * north * cosine_);  // cosine of its latitude
         const double east_m = across_m_ * there * east + gone_m.x;
         const double north_m = along_m_ * north + 0.5 * across_m_ * sine_ * there * east * east + gone_m.y;
         const double square = east_m * east_m + north_m * north_m;
-        const double sunk_m = square / (across_m_ + along_m_) + eye_.height.m;
+        const double sunk_m = square / (across_m_ + along_m_) + middle_.height.m;
         const double margin_m = kMargin_m + kMarginShare * std::sqrt(square);
-        const glm::dvec3 level = axes_.east * east_m + axes_.north * north_m;
+        const glm::dvec3 level = from_eye_ + axes_.east * east_m + axes_.north * north_m;
         const glm::dvec3 low = level + axes_.up * (low_m - sunk_m), high = level + axes_.up * (high_m - sunk_m);
         unsigned sides = 0;
         for (int n = 0; n < kSides; ++n)
@@ -49,7 +62,8 @@ public:
     }
 
 private:
-    earth::Geodetic eye_;
+    earth::Geodetic middle_;
+    glm::dvec3 from_eye_;
     LocalAxes axes_;
     glm::dvec3 inwards_[kSides]{};
     double sine_ = 0, cosine_ = 1, across_m_ = 1, along_m_ = 1;

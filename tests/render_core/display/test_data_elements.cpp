@@ -298,13 +298,14 @@ TEST_F(DataElementsTest, OnlyFieldsMayBeSampledMoreSparsely) {
     ask_for("air", DataTechnique::spheres).heights_m.clear();
     ask_for("zones", DataTechnique::prism);
     plan();
-    const ElementCounters all = elements_.counters();
-    EXPECT_EQ(all.features, 2u);
-    EXPECT_GT(all.glyphs, 0u);
+    EXPECT_EQ(elements_.counters().features, 2u);
+    EXPECT_GT(elements_.counters().glyphs, 0u);
+    const draw::ElementCount whole = elements_.reports()[0].count;
     ElementFrame frame{ground_, frame_.view, {255, 0, 255}, flight::time_of_source(kNow)};
     frame.detail_factor = 0.01;
     elements_.plan(frame);
-    EXPECT_LE(elements_.counters().glyphs, all.glyphs);
+    EXPECT_LE(elements_.reports()[0].count.drawn, whole.drawn);
+    EXPECT_GE(elements_.reports()[0].count.aggregated, whole.aggregated);
     EXPECT_EQ(elements_.counters().features, 2u) << "what may not be flown into stays";
     EXPECT_EQ(elements_.reports()[0].detail_factor, 0.01);
     EXPECT_EQ(elements_.reports()[1].detail_factor, 1);

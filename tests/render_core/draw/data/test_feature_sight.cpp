@@ -65,6 +65,37 @@ TEST(FeatureSight, NothingThatIsSeenIsEverOutOfView) {
     EXPECT_GT(seen, 300);
 }
 
+/// Maps are seen from thousands of kilometres above, by narrow fields of view.
+TEST(FeatureSight, OnMapsWhatIsSeenIsInViewAndTheRestIsNot) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> off(-0.25, 0.25), height(0, 4000);
+    for (const double range_m : {2500.0, 6000.0, 12'000.0}) {
+        const double latitude = base::radians(46.8), longitude = base::radians(9.8), eye_m = 1000 * range_m;
+        terrain::View view = test_support::free_view(
+            earth::to_ecef({latitude, longitude, {eye_m}}),
+            earth::body_axes(latitude, longitude, base::radians(30), base::radians(-90), 0), 640, 480, 10);
+        view.focal_px = 240 * eye_m / range_m;
+        int out = 0, seen = 0;
+        for (int n = 0; n < 1000; ++n) {
+            const double at_latitude = 46.8 + off(random), at_longitude = 9.8 + off(random), height_m = height(random);
+            const host_sim::LayerDraft layer =
+                way({scene_point(at_latitude, at_longitude, static_cast<float>(height_m)),
+                     scene_point(at_latitude + 0.002, at_longitude, static_cast<float>(height_m))});
+            ElementOfTest test(layer);
+            test.element.technique = design::DataTechnique::ribbon;
+            const bool is_out = count_out_of_view(test.input(), view) == 1;
+            bool any_is_seen = false;
+            for (const scene::ScenePoint& point : layer.points)
+                any_is_seen = any_is_seen || is_seen(view, earth::to_ecef({point.latitude_rad, point.longitude_rad, {height_m}}));
+            EXPECT_FALSE(is_out && any_is_seen) << range_m << ": " << at_latitude << " " << at_longitude;
+            out += is_out ? 1 : 0;
+            seen += any_is_seen ? 1 : 0;
+        }
+        EXPECT_GT(seen, 5) << range_m;
+        EXPECT_GT(out, 0.9 * (1000 - seen)) << "control, " << range_m;
+    }
+}
+
 TEST(FeatureSight, AWayAcrossTheViewIsInItThoughItsEndsAreNot) {
     ElementOfTest test(way({scene_point(46.9, 9.5, 3000), scene_point(46.9, 10.1, 3000)}));
     test.element.technique = design::DataTechnique::ribbon;
