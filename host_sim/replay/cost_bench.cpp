@@ -65,6 +65,9 @@ std::string design_calling_for(Effect effect) {
         case Effect::drape: return "styles/aerial_image";
         case Effect::ground_data: return "data/ground_continuous";
         case Effect::adjacent: return "data/adjacent_uncertainty";
+        case Effect::vertical_lines: return "effects/vertical_lines";
+        case Effect::projections: return "effects/projections";
+        case Effect::curtains: return "effects/curtains";
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:

@@ -45,6 +45,21 @@ bool may_float(DataTechnique technique) {
     }
 }
 
+/// Lines that may have a height of their own.
+bool may_have_cues(DataTechnique technique) {
+    return technique == DataTechnique::tube || technique == DataTechnique::space_time || technique == DataTechnique::ribbon;
+}
+
+void read_cues(ConfigSection& section, DataElement& element) {
+    read_element_cues(section.section("cues"), element.cues);
+    if (!section.has("cues")) return;
+    if (!may_have_cues(element.technique))
+        return fault_of(section, "cues", "are for the techniques 'tube', 'space_time' and 'ribbon'; leave them out here");
+    if (element.technique == DataTechnique::ribbon && element.cues.projection > 0)
+        return fault_of(section, "cues", "has a 'projection', and a ribbon lies on the ground already; leave it out");
+    if (!element.cues.is_any()) fault_of(section, "cues", "asks for nothing; give 'line_spacing_m', 'projection' or 'curtain'");
+}
+
 void read_uncertainty(ConfigSection section, DataElement& element) {
     read_technique(section, kElementUncertaintyNames, element.uncertainty);
     element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
@@ -103,6 +118,7 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     read_uncertainty(section.section("uncertainty"), element);
     if (element.uncertainty == ElementUncertainty::dashed_rim && element.technique != DataTechnique::billboard)
         fault_of(section, "uncertainty", "'dashed_rim' is for the technique 'billboard'; choose another one");
+    read_cues(section, element);
     return element;
 }
 

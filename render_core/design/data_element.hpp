@@ -24,11 +24,13 @@
 ///     technique = "widening"       a name of kElementUncertaintyNames
 ///     strength = 0.8
 ///     levels = 4
+///     [data.element.cues]          of lines that float (element_cues.hpp)
 #pragma once
 
 #include <array>
 
 #include "render_core/design/data_scale.hpp"
+#include "render_core/design/element_cues.hpp"
 #include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::design {
@@ -105,6 +107,7 @@ struct DataElement {
     ElementUncertainty uncertainty = ElementUncertainty::none;
     double uncertainty_strength = 0.85;
     std::uint32_t uncertainty_levels = 0;  ///< 0: continuous
+    ElementCues cues;
 };
 static_assert(std::is_trivially_copyable_v<DataElement>);
 

@@ -154,8 +154,8 @@ bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertic
     const std::uint32_t rings = draw::TubeSolids::rings_for(batch_vertices);
     const draw::IsosurfaceRoom room = draw::IsosurfaceRoom::beside(batch_vertices);
     const std::uint64_t bytes = std::max(draw::TubeSolids::bytes_needed(rings), draw::IsosurfaceSolids::bytes_needed(room));
-    base::Arena for_tubes = memory.carve(bytes), for_isosurfaces = for_tubes;
-    return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room);
+    base::Arena for_tubes = memory.carve(bytes), for_isosurfaces = for_tubes, for_cues = for_tubes;
+    return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room) && cues_.start(for_cues, rings);
 }
 
 bool DataElements::distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const {
@@ -327,6 +327,22 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
         const draw::ElementInput input = input_of(n, frame);
         if (!is_billboard(report.element->technique)) report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
+    }
+    build_cues(batch, moving, frame);
+}
+
+/// In the room that all elements have left. Lines that travel are built every frame, whatever they stand on.
+void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        ElementReport& report = reports_[n];
+        if (report.layer == nullptr || !shows(*report.element, *report.layer)) continue;
+        const design::ElementCues& asked = report.element->cues;
+        for (std::size_t kind = 0; kind < draw::kCues; ++kind) {
+            const auto cue = static_cast<draw::Cue>(kind);
+            const bool travels = cue == draw::Cue::vertical_lines && asked.lines_move != design::LineMotion::still;
+            if (draw::asks_for(asked, cue) && (travels || moves(*report.element, *report.layer)) == moving)
+                report.cues[kind] = cues_.add(batch, mesh_, input_of(n, frame), cue);
+        }
     }
 }
 

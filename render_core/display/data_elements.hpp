@@ -8,6 +8,8 @@
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
+#include <array>
+
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/data_style.hpp"
 #include "render_core/display/glyph_elements.hpp"
@@ -18,6 +20,7 @@
 #include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
+#include "render_core/draw/data/trajectory_cues.hpp"
 #include "render_core/draw/data/tube_solids.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/flight/flight_time.hpp"
@@ -46,6 +49,7 @@ struct ElementReport {
     /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
     std::uint32_t out_of_view = 0;
     double detail_factor = 1;                  ///< of the element's detail, as shown
+    std::array<draw::CueCount, draw::kCues> cues{};
 };
 /// Whether an element stands over the picture as signs, which take what room the symbology leaves.
 [[nodiscard]] bool is_sign_technique(design::DataTechnique technique) noexcept;
@@ -123,6 +127,7 @@ private:
     void judge_sight(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
+    void build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);
     void plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
@@ -134,6 +139,7 @@ private:
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;
+    draw::TrajectoryCues cues_;
     draw::IsosurfaceSolids isosurfaces_;
     OwnFlight own_;
     TrafficLayer traffic_;

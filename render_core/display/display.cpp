@@ -143,6 +143,7 @@ void Display::plan_effects() {
     facts.focus = focus_;
     panel_ = panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
     facts.panel = panel_;
+    facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
     count();

@@ -90,6 +90,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
     if (design.effects.lighting != design::PanelLighting::day) asked.add(Effect::panel_lighting);
     if (design.effects.antialiasing) asked.add(Effect::antialiasing);
+    add_asked_cues(design.data.elements, asked);
     return asked;
 }
 
@@ -122,6 +123,9 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::depth_of_field: without.effects.depth_of_field.blur_px = 0; break;
         case Effect::antialiasing: without.effects.antialiasing = false; break;
         case Effect::panel_lighting: without.effects.lighting = design::PanelLighting::day; break;
+        case Effect::vertical_lines:
+        case Effect::projections:
+        case Effect::curtains: take_out_cue(effect, without.data.elements); break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -146,7 +150,8 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         sketch.silhouettes = 0;
     }
     for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data,
-                                Effect::adjacent, Effect::panel_lighting})
+                                Effect::adjacent, Effect::panel_lighting, Effect::vertical_lines, Effect::projections,
+                                Effect::curtains})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
@@ -198,6 +203,10 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::depth_of_field] = focus_call(facts);
     input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::antialiasing] = {Kind::called, "", 1};
+    for (std::size_t n = 0; n < draw::kCues; ++n) {
+        const Effect effect = effect_of(static_cast<draw::Cue>(n));
+        input[effect] = cue_call(facts.cues[n], facts.forbidden.has(effect));
+    }
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         if (!facts.asked.has(static_cast<Effect>(n)))
             input.calls[n] = {};

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/cue_calls.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/panel_lighting.hpp"
@@ -49,6 +50,7 @@ struct EffectFacts {
     design::AirSettings air{};
     draw::FocusRange focus{};
     PanelLight panel{};
+    CueStates cues{};
     bool is_forced = false;  ///< PlanInput::is_forced
 };
 

@@ -55,6 +55,11 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "one pixel, where anything has an edge", "a picture off screen, and a pass of five taps; four more at edges"},
     {Effect::panel_lighting, "panel_lighting", Contribution::color, Need::nothing, true, "1 - the darkest factor",
      "a blended pass over the display"},
+    {Effect::vertical_lines, "vertical_lines", Contribution::content, Need::nothing, true, "",
+     "twelve triangles a line; those that travel are built every frame"},
+    {Effect::projections, "projections", Contribution::content, Need::nothing, true, "", "two triangles a stretch of 200 m"},
+    {Effect::curtains, "curtains", Contribution::content, Need::nothing, true, "",
+     "two triangles a stretch of 200 m, blended on both sides"},
 }};
 
 constexpr bool is_in_order() {

@@ -30,6 +30,9 @@ enum class Effect : std::uint8_t {
     depth_of_field,
     antialiasing,
     panel_lighting,
+    vertical_lines,
+    projections,
+    curtains,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);

@@ -199,8 +199,7 @@ void add_margin(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, s
     const double accuracy_m = static_cast<double>(input.layer.entry->position_accuracy_m);
     if (input.element.uncertainty != design::ElementUncertainty::widening || !(accuracy_m > 0)) return;
     SolidLook look = look_of(input);
-    constexpr float kShare = 0.35f;
-    look.opacity *= kShare * static_cast<float>(input.element.uncertainty_strength);
+    look.opacity *= kMarginShare * static_cast<float>(input.element.uncertainty_strength);
     look.is_mixed = true;
     batch.set_look(look, input.layer.entry->data_time_ns);
     if (Prism(mesh, input, feature).build(accuracy_m)) mesh.add_to(batch);

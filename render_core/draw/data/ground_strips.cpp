@@ -6,6 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/feature_importance.hpp"
+#include "render_core/draw/data/ground_section.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/draw/data/way_weights.hpp"
@@ -16,66 +17,11 @@ namespace {
 
 constexpr double kSlab_m = 4;  // from a runway's surface down
 constexpr design::Color kPaint{245, 245, 245};
-constexpr float kRaised_px = 2.5f;  // the ground is drawn a pixel or so above or below the true one
 
 SolidLook look_on_ground(const ElementInput& input) {
     SolidLook look = look_of(input);
-    look.raised_px = kRaised_px;
+    look.raised_px = kStripRaised_px;
     return look;
-}
-
-glm::dvec2 metres_per_rad(double latitude_rad) {
-    return {std::cos(latitude_rad) * earth::prime_vertical_radius_m(latitude_rad), earth::meridian_radius_m(latitude_rad)};
-}
-
-/// Metres east and north from one point to another.
-glm::dvec2 flat(const scene::ScenePoint& from, const scene::ScenePoint& to) {
-    const glm::dvec2 metres = metres_per_rad(from.latitude_rad);
-    return {std::remainder(to.longitude_rad - from.longitude_rad, 2 * base::kPi) * metres.x,
-            (to.latitude_rad - from.latitude_rad) * metres.y};
-}
-
-scene::ScenePoint moved(const scene::ScenePoint& from, const glm::dvec2& by_m) {
-    const glm::dvec2 metres = metres_per_rad(from.latitude_rad);
-    scene::ScenePoint result = from;
-    result.longitude_rad += by_m.x / metres.x;
-    result.latitude_rad += by_m.y / metres.y;
-    return result;
-}
-
-/// A line across the strip: level, over the ground.
-struct Section {
-    scene::ScenePoint middle{};
-    glm::dvec2 half{0};  ///< metres east and north to its right end
-    double height_m = 0;
-    bool is_known = false;
-
-    [[nodiscard]] glm::dvec3 at(double share, double down_m = 0) const {
-        const scene::ScenePoint point = moved(middle, half * share);
-        return earth::to_ecef({point.latitude_rad, point.longitude_rad, {height_m - down_m}});
-    }
-};
-
-/// Heights of points between which nothing is stated lie on a line.
-Section section(const ElementInput& input, const scene::ScenePoint& middle, const glm::dvec2& half) {
-    Section result{middle, half};
-    double highest = -1e9;
-    for (const double share : {-1.0, 0.0, 1.0}) {
-        const scene::ScenePoint at = moved(middle, half * share);
-        const double ground_m = input.ground.height_m(at.latitude_rad, at.longitude_rad);
-        if (ground_m > highest) highest = ground_m;
-    }
-    const bool has_ground = highest > -1e9;
-    const Placed stated = placed(input, middle);
-    result.is_known = has_ground || stated.is_known;
-    result.height_m = (has_ground ? highest : stated.height_m) + kStripLift_m;
-    return result;
-}
-
-scene::ScenePoint between(const scene::ScenePoint& from, const scene::ScenePoint& to, double share) {
-    scene::ScenePoint result = moved(from, flat(from, to) * share);
-    result.height_m = from.height_m + (to.height_m - from.height_m) * static_cast<float>(share);
-    return result;
 }
 
 double width_of(const ElementInput& input, std::uint32_t feature) {
@@ -89,12 +35,6 @@ double width_of(const ElementInput& input, std::uint32_t feature) {
     }
 }
 
-/// The right end of a section of unit half width, for a way east and north.
-glm::dvec2 right_of(const glm::dvec2& way) {
-    const double length = glm::length(way);
-    return length > 0 ? glm::dvec2(way.y, -way.x) / length : glm::dvec2(0);
-}
-
 /// A slab from threshold to threshold. Along: a margin, stripes, then dashes of the centre line and gaps in turn, to the middle
 /// and likewise back; across: cells between the edges of its stripes.
 class Runway {
@@ -106,13 +46,13 @@ public:
         if (run_.count < 2) return false;
         first_ = input_.layer.points[run_.first];
         last_ = input_.layer.points[run_.first + run_.count - 1];
-        const glm::dvec2 way = flat(first_, last_);
+        const glm::dvec2 way = flat_way(first_, last_);
         length_m_ = glm::length(way);
         if (!(length_m_ > 4 * kStripes_m) || length_m_ > kLongest_m) return false;
         half_ = right_of(way) * (0.5 * width_of(input_, feature_));
         surface_ = encoded_color(input_, input_.element.by_color, feature_);
         unsure_ = encoded_uncertainty(input_, feature_);
-        const Section begin = at(0);
+        const GroundSection begin = at(0);
         if (!begin.is_known) return false;
         mesh_.begin(begin.at(0));
         return add_parts(begin);
@@ -122,18 +62,20 @@ private:
     static constexpr double kMargin_m = 6, kStripes_m = 30, kLongest_m = 8000;
     static constexpr double kDash_m = 30, kPeriod_m = 50, kMostPeriods = 48;
 
-    [[nodiscard]] Section at(double along_m) const { return section(input_, between(first_, last_, along_m / length_m_), half_); }
+    [[nodiscard]] GroundSection at(double along_m) const {
+        return ground_section(input_, between(first_, last_, along_m / length_m_), half_);
+    }
 
-    bool add_parts(const Section& begin) {
+    bool add_parts(const GroundSection& begin) {
         const double inner_m = length_m_ - 2 * (kMargin_m + kStripes_m);
         const double periods = std::clamp(std::round(inner_m / kPeriod_m), 1.0, kMostPeriods);
         const double period_m = inner_m / periods, gap_m = period_m * (1 - kDash_m / kPeriod_m);
         cap(begin, false);
-        Section from = begin;
+        GroundSection from = begin;
         double along = 0;
         const auto go = [&](double by_m, Paint paint) {
             along += by_m;
-            const Section to = at(along);
+            const GroundSection to = at(along);
             if (!to.is_known) return false;
             part(from, to, paint);
             from = to;
@@ -149,7 +91,7 @@ private:
 
     enum class Paint : std::uint8_t { none, dash, stripes };
 
-    void part(const Section& from, const Section& to, Paint paint) {
+    void part(const GroundSection& from, const GroundSection& to, Paint paint) {
         constexpr int kCells = 15;  // a stripe, a gap, ...
         if (paint == Paint::stripes)
             for (int n = 0; n < kCells; ++n)
@@ -166,12 +108,12 @@ private:
         mesh_.quad(from.at(-1, kSlab_m), to.at(-1, kSlab_m), to.at(1, kSlab_m), from.at(1, kSlab_m));
     }
 
-    void cell(const Section& from, const Section& to, double left, double right, bool painted) {
+    void cell(const GroundSection& from, const GroundSection& to, double left, double right, bool painted) {
         set_paint(painted);
         mesh_.quad(from.at(left), from.at(right), to.at(right), to.at(left));
     }
 
-    void cap(const Section& end, bool faces_on) {
+    void cap(const GroundSection& end, bool faces_on) {
         set_paint(false);
         if (faces_on)
             mesh_.quad(end.at(-1), end.at(1), end.at(1, kSlab_m), end.at(-1, kSlab_m));
@@ -226,7 +168,7 @@ private:
     };
 
     [[nodiscard]] const scene::ScenePoint& point(std::uint32_t n) const { return input_.layer.points[run_.first + n]; }
-    [[nodiscard]] glm::dvec2 way(const Leg& leg) const { return flat(point(leg.from), point(leg.to)); }
+    [[nodiscard]] glm::dvec2 way(const Leg& leg) const { return flat_way(point(leg.from), point(leg.to)); }
     [[nodiscard]] std::uint32_t vertices() const { return has_begun_ ? mesh_.vertex_count() : 0; }
 
     /// The farthest point to which the way may be straight; the last one from itself.
@@ -259,18 +201,18 @@ private:
         if (!(length_m > 0)) return true;  // points on each other
         const double steps = std::clamp(std::ceil(length_m / kLongestStep_m), 1.0, kMostSteps);
         const glm::dvec2 across = right_of(way(leg)) * half_m_;
-        Section from = section(input_, point(leg.from), half_from);
+        GroundSection from = ground_section(input_, point(leg.from), half_from);
         for (double step = 1; step <= steps; ++step) {
             const bool is_last = step == steps;
             const scene::ScenePoint middle = is_last ? point(leg.to) : between(point(leg.from), point(leg.to), step / steps);
-            const Section to = section(input_, middle, is_last ? half_to : across);
+            const GroundSection to = ground_section(input_, middle, is_last ? half_to : across);
             if (!from.is_known || !to.is_known || !add_part(from, to)) return false;
             from = to;
         }
         return true;
     }
 
-    bool add_part(const Section& from, const Section& to) {
+    bool add_part(const GroundSection& from, const GroundSection& to) {
         constexpr std::uint32_t kPartVertices = 4;
         if (vertices() + kPartVertices > SolidMesh::kVertices) {
             if (!mesh_.add_to(batch_)) return false;
@@ -290,10 +232,9 @@ private:
     struct Edges {
         std::uint16_t left = 0, right = 0;
     };
-    /// Normals lean outwards: what raises the strip also widens it, so that it is never too narrow to be seen.
-    [[nodiscard]] Edges edges(const Section& at) {
-        const glm::dvec3 left = at.at(-1), right = at.at(1), up = earth::up_at(left), out = glm::normalize(right - left);
-        return {mesh_.vertex(left, glm::normalize(up - out)), mesh_.vertex(right, glm::normalize(up + out))};
+    [[nodiscard]] Edges edges(const GroundSection& at) {
+        const SectionEnds ends = section_ends(at);
+        return {mesh_.vertex(ends.left, ends.left_normal), mesh_.vertex(ends.right, ends.right_normal)};
     }
 
     SolidBatch& batch_;

@@ -15,11 +15,11 @@
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/ground_section.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 
 namespace tedavis::draw {
 
-inline constexpr double kLongestStep_m = 200, kStripLift_m = 1.0;
 inline constexpr double kMostStraightened_m = 300;
 inline constexpr double kRunwayWidth_m = 30, kRiverWidth_m = 20, kRoadWidth_m = 8;
 

@@ -131,6 +131,14 @@ PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of
     return {stated(kPositionAccuracy, layer.entry->position_accuracy_m), stated(kHeightAccuracy, layer.entry->height_accuracy_m)};
 }
 
+PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const PointOfFeature& of, const PlaceAccuracy& worst) {
+    PlaceAccuracy accuracy = place_accuracy(layer, of);
+    if (!(accuracy.level_m > 0)) accuracy.level_m = worst.level_m;
+    if (!(accuracy.height_m > 0)) accuracy.height_m = worst.height_m;
+    if (!(accuracy.height_m > 0)) accuracy.height_m = accuracy.level_m;
+    return accuracy;
+}
+
 PlaceAccuracy worst_accuracy(const scene::Layer& layer) {
     const auto worst = [&](std::string_view name) {
         const scene::Attribute* const attribute = layer.find(name);

@@ -65,6 +65,8 @@ struct PlaceAccuracy {
     double level_m = 0, height_m = 0;
 };
 [[nodiscard]] PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of);
+/// The same where what is unknown is as bad as the worst, and heights of which nothing is said are as good as places.
+[[nodiscard]] PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const PointOfFeature& of, const PlaceAccuracy& worst);
 /// The largest of these attributes over all points; 0 where no point has one.
 [[nodiscard]] PlaceAccuracy worst_accuracy(const scene::Layer& layer);
 /// False where it is 0 everywhere.

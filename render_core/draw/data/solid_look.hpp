@@ -6,6 +6,9 @@
 
 namespace tedavis::draw {
 
+/// What a margin, in which a thing may be, has of the thing's opacity.
+inline constexpr float kMarginShare = 0.35f;
+
 [[nodiscard]] SolidLook look_of(const ElementInput& input);
 
 }  // namespace tedavis::draw

@@ -15,9 +15,8 @@ constexpr std::uint32_t kBatchVerticesARing = 24, kMostRings = 32768;
 constexpr std::size_t kShareOfRoom = 2;  // one half
 constexpr std::uint64_t kAlignment_bytes = 64;
 constexpr std::size_t kSideIndices = 36;
-constexpr double kPostShare = 0.25;    // of the tube's radius
-constexpr float kMarginShare = 0.35f;  // of the tube's opacity
-constexpr double kSteep = 0.9;         // of a unit tangent upwards, from which on a side cannot well face upwards
+constexpr double kPostShare = 0.25;  // of the tube's radius
+constexpr double kSteep = 0.9;       // of a unit tangent upwards, from which on a side cannot well face upwards
 constexpr TubeColor kRimColor{{16, 16, 20, 255}, scene::Uncertainty::from_code(0)};
 
 /// A ring more for each place where the way turns back on itself.
@@ -162,11 +161,8 @@ RingColors TubeSolids::colors_of(const Work& work, const scene::TubeRing& ring) 
 
 TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) const {
     const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
-    PlaceAccuracy accuracy = place_accuracy(work.input.layer, of);
-    // Where neither the point nor the layer states it: it is not the best.
-    if (!(accuracy.level_m > 0)) accuracy.level_m = work.worst.level_m;
-    if (!(accuracy.height_m > 0)) accuracy.height_m = work.worst.height_m;
-    return {accuracy.level_m, accuracy.height_m > 0 ? accuracy.height_m : accuracy.level_m};
+    const PlaceAccuracy accuracy = cautious_accuracy(work.input.layer, of, work.worst);
+    return {accuracy.level_m, accuracy.height_m};
 }
 
 float TubeSolids::largest_radius_m(const Work& work, Layer layer) const {

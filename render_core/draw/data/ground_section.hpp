@@ -1,0 +1,40 @@
+/// Lines across a strip that lies on the ground, and the strip's way in metres east and north.
+///
+/// A section is level, as high as the highest ground below it, and kStripLift_m over it, for the terrain is drawn within its
+/// tolerance only; where no ground is known it takes the height of its point. Pure but for the ground that is asked.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kLongestStep_m = 200;  ///< from section to section
+inline constexpr double kStripLift_m = 1.0;
+inline constexpr float kStripRaised_px = 2.5f;  ///< the ground is drawn a pixel or so above or below the true one
+
+/// Metres east and north from one point to another; a point so far away; and one between two.
+[[nodiscard]] glm::dvec2 flat_way(const scene::ScenePoint& from, const scene::ScenePoint& to);
+[[nodiscard]] scene::ScenePoint moved(const scene::ScenePoint& from, const glm::dvec2& by_m);
+[[nodiscard]] scene::ScenePoint between(const scene::ScenePoint& from, const scene::ScenePoint& to, double share);
+/// The right end of a section of unit half width, for a way east and north; 0 for no way.
+[[nodiscard]] glm::dvec2 right_of(const glm::dvec2& way);
+
+struct GroundSection {
+    scene::ScenePoint middle{};
+    glm::dvec2 half{0};  ///< metres east and north to its right end
+    double height_m = 0;
+    bool is_known = false;
+
+    [[nodiscard]] glm::dvec3 at(double share, double down_m = 0) const;
+};
+[[nodiscard]] GroundSection ground_section(const ElementInput& input, const scene::ScenePoint& middle, const glm::dvec2& half);
+
+/// A section's ends. Normals lean outwards: what raises the strip also widens it, so that it is never too narrow to be seen.
+struct SectionEnds {
+    glm::dvec3 left{0}, right{0}, left_normal{0}, right_normal{0};
+};
+[[nodiscard]] SectionEnds section_ends(const GroundSection& at);
+
+}  // namespace tedavis::draw

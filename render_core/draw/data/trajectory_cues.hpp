@@ -1,0 +1,48 @@
+/// Cues to the depth of lines that float over the ground (design/element_cues.hpp): vertical lines, the way's projection onto the
+/// ground, and a curtain from the way down to it. They follow the same points as the tube does (tube_way.hpp).
+///
+/// Vertical lines   stand a spacing apart, measured along the way over the ellipsoid from its beginning on; of ways that grow at
+///                  their end (own trail, other aircraft) from their end back. They reach kTickRadii of the tube's radius up and
+///                  down, or down to the ground, and are never thinner than a pixel. Those that move have come as far as the
+///                  frame's time says; those that go away from the viewer part where the way is nearest to the eye.
+/// Projection       a strip on the drawn ground as wide as the tube, of its colour, darker.
+/// Curtain          translucent, from the tube's middle to the ground, with its colours.
+///
+/// What the element says of uncertainty holds for them: colours fade alike, a projection is as wide as a hull, and beside a hull
+/// (`widening`) all are as faint as it is. Nothing is drawn where the way is less than kFloating_m over the ground; projections
+/// and curtains need a ground that is known. They end kNearRadii before the eye, as the tube does.
+///
+/// Counts are lines, and stretches of at most kLongestStep_m; hidden is what has no room. Memory  from an arena, once; may be
+/// shared with other builders. Thread  the ground's. Bounded.
+#pragma once
+
+#include <array>
+
+#include "render_core/draw/data/solid_mesh.hpp"
+#include "render_core/draw/data/tube_way.hpp"
+
+namespace tedavis::draw {
+
+enum class Cue : std::uint8_t { vertical_lines, projection, curtain, count };
+inline constexpr std::size_t kCues = static_cast<std::size_t>(Cue::count);
+inline constexpr double kTickRadii = 3;
+
+[[nodiscard]] bool asks_for(const design::ElementCues& cues, Cue cue);
+
+struct CueCount {
+    std::uint32_t drawn = 0, hidden = 0;
+};
+
+class TrajectoryCues {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t points);
+    [[nodiscard]] bool start(base::Arena& arena, std::uint32_t points);
+
+    [[nodiscard]] CueCount add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, Cue cue);
+
+private:
+    TubeWay way_;
+    TubeLine line_;
+};
+
+}  // namespace tedavis::draw
