@@ -1,5 +1,9 @@
 #include "render_core/display/sign_legend.hpp"
 
+#include <cmath>
+#include <cstdio>
+
+#include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/draw/data/billboard_look.hpp"
 #include "render_core/draw/data/placement.hpp"
@@ -27,6 +31,14 @@ public:
     }
 
     void add(const ElementReport& report) {
+        add_technique(report);
+        add_lines(report);
+    }
+
+    [[nodiscard]] const draw::DataLegend& legend() const { return legend_; }
+
+private:
+    void add_technique(const ElementReport& report) {
         const design::DataElement& element = *report.element;
         switch (element.technique) {
             case DataTechnique::prism: return add_area(report);
@@ -40,9 +52,17 @@ public:
         }
     }
 
-    [[nodiscard]] const draw::DataLegend& legend() const { return legend_; }
+    /// "LINES 0.5 NM": distances are told by them.
+    void add_lines(const ElementReport& report) {
+        if (report.cues[static_cast<std::size_t>(draw::Cue::vertical_lines)].drawn == 0) return;
+        const double spacing_m = report.element->cues.line_spacing_m;
+        const double tenths_nm = 10 * spacing_m / base::kMetresPerNauticalMile;
+        const bool is_miles = std::fabs(tenths_nm - std::round(tenths_nm)) < 1e-6;
+        char text[24];
+        std::snprintf(text, sizeof text, is_miles ? "LINES %.4g NM" : "LINES %.0f M", is_miles ? tenths_nm / 10 : spacing_m);
+        add_words(text);
+    }
 
-private:
     void add_sample(const LegendSample& sample) {
         for (const LegendSample& known : legend_.signs)
             if (known.text == sample.text) return;

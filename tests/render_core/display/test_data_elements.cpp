@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render_core/draw/data/traffic_state.hpp"
@@ -125,6 +126,64 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     EXPECT_EQ(state(0), ElementState::out_of_date);
     elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate)});
     EXPECT_EQ(state(0), ElementState::shown) << "a time that is no date makes nothing invalid";
+}
+
+/// A flight from west to east, a kilometre and a half over the ground, that stands in the scene.
+host_sim::SceneDraft flight_draft() {
+    host_sim::SceneDraft draft = scene_draft();
+    host_sim::LayerDraft flight;
+    flight.name = "flight";
+    flight.shape = scene::LayerShape::lines;
+    flight.role = scene::LayerRole::trajectory;
+    for (int n = 0; n <= 20; ++n) flight.points.push_back(test_support::scene_point(46.78, 9.78 + 0.004 * n, 2100));
+    flight.starts = {0, 21};
+    draft.layers.push_back(flight);
+    return draft;
+}
+
+class CuedElements : public DataElementsTest {
+protected:
+    CuedElements() : DataElementsTest(flight_draft()) {}
+
+    std::size_t pixels_with(const design::ElementCues& cues) {
+        asked_.clear();
+        ask_for("flight", DataTechnique::tube).cues = cues;
+        plan();
+        return drawn_pixels();
+    }
+    [[nodiscard]] draw::CueCount count(draw::Cue cue) const { return elements_.reports()[0].cues[static_cast<std::size_t>(cue)]; }
+};
+
+TEST_F(CuedElements, OnlyWhatIsAskedForIsBuilt) {
+    const std::size_t bare = pixels_with({});
+    for (const draw::CueCount& count : elements_.reports()[0].cues) EXPECT_EQ(count.drawn, 0u);
+    design::ElementCues cues;
+    cues.curtain = 0.5;
+    EXPECT_GT(pixels_with(cues), bare + 50);
+    const auto& counts = elements_.reports()[0].cues;
+    EXPECT_GT(counts[static_cast<std::size_t>(draw::Cue::curtain)].drawn, 0u);
+    EXPECT_EQ(counts[0].drawn + counts[1].drawn, 0u);
+}
+
+TEST_F(CuedElements, LinesTravelWhileTheirWayStands) {
+    design::ElementCues cues;
+    cues.line_spacing_m = 1000;
+    cues.lines_to_ground = true;
+    const auto pictures = [&] {
+        std::vector<std::uint8_t> all[3];
+        static_cast<void>(pixels_with(cues));
+        for (std::size_t n = 0; n < 3; ++n) {
+            const base::Time now{kNow.ns + static_cast<std::int64_t>(n) * 5'000'000'000};
+            elements_.plan({ground_, frame_.view, {255, 0, 255}, flight::time_of_source(now)});
+            static_cast<void>(drawn_pixels());
+            all[n] = session_.pixels();
+        }
+        return std::pair(all[0] == all[1], all[0] == all[2]);
+    };
+    EXPECT_EQ(pictures(), std::pair(true, true)) << "control: they stand";
+    cues.lines_move = design::LineMotion::along;
+    cues.line_speed_mps = 100;
+    EXPECT_EQ(pictures(), std::pair(false, true)) << "a spacing in ten seconds";
 }
 
 /// Eastward across the view for a minute, then at `now`.

@@ -35,6 +35,7 @@ std::string said(const host_sim::LayerDraft& layer, const design::DataElement& e
     report.element = &element;
     report.layer = &loaded.layer();
     report.count.drawn = 1;
+    report.cues[0].drawn = element.cues.line_spacing_m > 0 ? 1 : 0;
     ElementReports reports;
     EXPECT_TRUE(reports.try_push_back(report));
     draw::DataLegends legends;
@@ -51,6 +52,18 @@ design::DataElement element_of(DataTechnique technique, ElementUncertainty uncer
     element.technique = technique;
     element.uncertainty = uncertainty;
     return element;
+}
+
+TEST(SignLegend, VerticalLinesSayHowFarApartTheyAre) {
+    design::DataElement tube = element_of(DataTechnique::tube);
+    const auto flight = layer_of(LayerRole::trajectory, scene::LayerShape::lines);
+    EXPECT_EQ(said(flight, tube), "FLIGHT;");
+    tube.cues.line_spacing_m = 926;
+    EXPECT_EQ(said(flight, tube), "FLIGHT;LINES 0.5 NM;");
+    tube.cues.line_spacing_m = 1000;
+    EXPECT_EQ(said(flight, tube), "FLIGHT;LINES 1000 M;");
+    tube.technique = DataTechnique::ribbon;
+    EXPECT_EQ(said(flight, tube), "LINES 1000 M;");
 }
 
 TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {
