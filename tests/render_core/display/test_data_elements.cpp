@@ -157,18 +157,14 @@ protected:
 TEST_F(CuedElements, OnlyWhatIsAskedForIsBuilt) {
     const std::size_t bare = pixels_with({});
     for (const draw::CueCount& count : elements_.reports()[0].cues) EXPECT_EQ(count.drawn, 0u);
-    design::ElementCues cues;
-    cues.curtain = 0.5;
-    EXPECT_GT(pixels_with(cues), bare + 50);
+    EXPECT_GT(pixels_with({0, false, design::LineMotion::still, 0, 0, 0.5}), bare + 50);
     const auto& counts = elements_.reports()[0].cues;
     EXPECT_GT(counts[static_cast<std::size_t>(draw::Cue::curtain)].drawn, 0u);
     EXPECT_EQ(counts[0].drawn + counts[1].drawn, 0u);
 }
 
 TEST_F(CuedElements, LinesTravelWhileTheirWayStands) {
-    design::ElementCues cues;
-    cues.line_spacing_m = 1000;
-    cues.lines_to_ground = true;
+    design::ElementCues cues{1000, true};
     const auto pictures = [&] {
         std::vector<std::uint8_t> all[3];
         static_cast<void>(pixels_with(cues));
