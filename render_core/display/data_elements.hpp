@@ -48,7 +48,7 @@ struct ElementReport {
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
     /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
     std::uint32_t out_of_view = 0;
-    double detail_factor = 1;                  ///< of the element's detail, as shown
+    double detail_factor = 1;  ///< of the element's detail, as shown
     std::array<draw::CueCount, draw::kCues> cues{};
 };
 /// Whether an element stands over the picture as signs, which take what room the symbology leaves.

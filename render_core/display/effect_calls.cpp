@@ -149,9 +149,9 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         if (stands_in(Effect::silhouettes) == Effect::ridges) sketch.ridges = std::fmax(sketch.ridges, sketch.silhouettes);
         sketch.silhouettes = 0;
     }
-    for (const Effect effect : {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data,
-                                Effect::adjacent, Effect::panel_lighting, Effect::vertical_lines, Effect::projections,
-                                Effect::curtains})
+    for (const Effect effect :
+         {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
+          Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);

@@ -19,6 +19,13 @@ design::DataElement with(const design::ElementCues& cues) {
     return element;
 }
 
+ElementReport report_of(const design::DataElement& element, ElementState state) {
+    ElementReport report;
+    report.state = state;
+    report.element = &element;
+    return report;
+}
+
 design::ElementCues every_cue() { return {1000, true, design::LineMotion::along, 50, 0.5, 0.3}; }
 
 TEST(CueCalls, TheDesignAsksForThemByTheirTables) {
@@ -49,12 +56,12 @@ TEST(CueCalls, WhatADeviceForbidsIsNotBuilt) {
 TEST(CueCalls, StatesAreThoseOfElementsThatAreShown) {
     const design::DataElement element = with(every_cue()), plain = with({});
     ElementReports reports;
-    ASSERT_TRUE(reports.try_push_back({ElementState::out_of_date, &element}));
-    ASSERT_TRUE(reports.try_push_back({ElementState::shown, &plain}));
+    ASSERT_TRUE(reports.try_push_back(report_of(element, ElementState::out_of_date)));
+    ASSERT_TRUE(reports.try_push_back(report_of(plain, ElementState::shown)));
     reports[0].cues[0] = {5, 6};
     EXPECT_FALSE(cue_states(reports)[0].is_shown);
     reports[0].state = ElementState::shown;
-    ASSERT_TRUE(reports.try_push_back({ElementState::shown, &element}));
+    ASSERT_TRUE(reports.try_push_back(report_of(element, ElementState::shown)));
     reports[2].cues[0] = {10, 0};
     const CueState lines = cue_states(reports)[0];
     EXPECT_TRUE(lines.is_shown);
