@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_report.hpp"
 #include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::display {

@@ -38,11 +38,6 @@ Rooms rooms_of(std::uint64_t gpu_bytes) {
     return {room(kStandingQuarters), room(4 - kStandingQuarters)};
 }
 
-/// What faces the eye, in pixels; built every frame.
-bool is_billboard(DataTechnique technique) {
-    return technique == DataTechnique::billboard || technique == DataTechnique::diagram;
-}
-
 bool shows_solids(const scene::Layer& layer) {
     const scene::LayerRole role = layer.entry->role;
     switch (layer.entry->shape) {
@@ -106,27 +101,6 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 }
 
 }  // namespace
-
-bool any_is_out_of_date(const ElementReports& reports) noexcept {
-    for (const ElementReport& report : reports)
-        if (report.state == ElementState::out_of_date) return true;
-    return false;
-}
-
-const char* reason_of(ElementState state) noexcept {
-    switch (state) {
-        case ElementState::shown: return "asked for by the design";
-        case ElementState::no_such_layer: return "the scene has no such layer";
-        case ElementState::not_measured: return "the aircraft has stated nothing to show";
-        case ElementState::wrong_layer: return "the technique does not show layers of this kind";
-        case ElementState::no_room: return "the device has no room for one more";
-        case ElementState::out_of_date: return "the data are not valid at this time";
-        case ElementState::no_terrain: return "no terrain is shown";
-    }
-    return "unknown";
-}
-
-bool is_sign_technique(DataTechnique technique) noexcept { return is_billboard(technique) || technique == DataTechnique::barbs; }
 
 gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
                                 bool with_air) {
@@ -257,7 +231,7 @@ void DataElements::judge_sight(const ElementFrame& frame) {
         ElementReport& report = reports_[n];
         const DataTechnique technique = report.element->technique;
         const bool counts_itself =
-            is_glyph_technique(technique) || is_billboard(technique) || technique == DataTechnique::isosurface;
+            is_glyph_technique(technique) || is_billboard_technique(technique) || technique == DataTechnique::isosurface;
         const bool is_judged = report.state == ElementState::shown && !counts_itself;
         report.out_of_view = is_judged ? draw::count_out_of_view(input_of(n, frame), frame.view) : 0;
     }
@@ -325,7 +299,7 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
         if (is_glyph_technique(report.element->technique)) continue;
         if (moves(*report.element, *report.layer) != moving) continue;
         const draw::ElementInput input = input_of(n, frame);
-        if (!is_billboard(report.element->technique)) report.count = build_element(batch, input);
+        if (!is_billboard_technique(report.element->technique)) report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
     }
     build_cues(batch, moving, frame);
@@ -351,7 +325,7 @@ void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs)
     sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology});
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
-        if (report.state != ElementState::shown || !is_billboard(report.element->technique)) continue;
+        if (report.state != ElementState::shown || !is_billboard_technique(report.element->technique)) continue;
         const draw::ElementInput input = input_of(n, frame);
         report.count = build_billboard(sheet_, input);
     }

@@ -14,87 +14,19 @@
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/built_element.hpp"
 #include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
 #include "tests/support/sent_traffic.hpp"
+#include "tests/support/shown_elements.hpp"
 
 namespace tedavis::display::test_data_elements {
 namespace {
 
 using design::DataTechnique;
-using test_support::GlSession;
+using test_support::kHour_ns;
+using test_support::kNoDate;
+using test_support::kNow;
 
-constexpr base::Time kNoDate{0}, kNow{1'700'000'000'000'000'000};
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
-
-/// Areas that may not be entered, masts and air over 46.8 N 9.8 E.
-host_sim::SceneDraft scene_draft() {
-    host_sim::SceneDraft draft = test_support::small_scene();
-    draft.layers[2].valid_from_ns = kNow.ns;
-    draft.layers[2].valid_until_ns = kNow.ns + kHour_ns;
-    return draft;
-}
-
-class DataElementsTest : public ::testing::Test {
-protected:
-    explicit DataElementsTest(const host_sim::SceneDraft& draft = scene_draft()) : session_("egl", "es3-mid"), scene_(draft) {
-        const std::uint64_t bytes[] = {line(effects::kSceneSolids), line(effects::kSceneGlyphs), line(effects::kSceneBillboards),
-                                       line(effects::kSymbology)};
-        for (std::size_t n = 0; n < 4; ++n) {
-            blocks_[n].resize(bytes[n]);
-            arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
-        }
-        base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).sentence.view(), "");
-        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).sentence.view(), "");
-        session_.gl.seal();
-        const glm::dvec3 eye = earth::to_ecef({base::radians(46.7), base::radians(9.82), {3000}});
-        frame_.view =
-            test_support::free_view(eye, earth::body_axes(base::radians(46.7), base::radians(9.82), 0, 0, 0), 64, 48, 10);
-    }
-    ~DataElementsTest() override {
-        session_.gl.retire();
-        elements_.destroy(session_.gl);
-        typeface_.destroy(session_.gl);
-    }
-    std::uint64_t line(std::string_view name) { return session_.device.budget.find(name)->bytes; }
-    design::DataElement& ask_for(std::string_view layer, DataTechnique technique) {
-        design::DataElement element;
-        element.layer = layer;
-        element.technique = technique;
-        EXPECT_TRUE(asked_.try_push_back(element));
-        return asked_.back();
-    }
-    void plan(base::Time now = kNow) {
-        elements_.set(&scene_.scene(), asked_);
-        elements_.plan({ground_, frame_.view, {255, 0, 255}, flight::time_of_source(now)});
-    }
-    [[nodiscard]] ElementState state(std::size_t n) const { return elements_.reports()[n].state; }
-    /// Pixels that are not the background.
-    std::size_t drawn_pixels() {
-        gl::bind_surface(session_.gl, *session_.surface);
-        session_.gl->ClearColor(0, 0, 0, 1);
-        session_.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        session_.gl->Enable(GL_DEPTH_TEST);
-        elements_.prepare(session_.gl);
-        static_cast<void>(elements_.draw(session_.gl, frame_, {{{10, 100'000}, {}}, 1}, 0));
-        static_cast<void>(elements_.draw_signs(session_.gl, frame_.view.width, frame_.view.height));
-        EXPECT_EQ(session_.gl.denied().total, 0u);
-        const auto pixels = session_.pixels();
-        std::size_t drawn = 0;
-        for (std::size_t n = 0; n < pixels.size(); n += 4) drawn += pixels[n] + pixels[n + 1] + pixels[n + 2] > 0 ? 1 : 0;
-        return drawn;
-    }
-
-    GlSession session_;
-    test_support::LoadedScene scene_;
-    std::vector<unsigned char> blocks_[4];
-    base::Arena arenas_[4];
-    test_support::LevelGround ground_;
-    design::DataElementList asked_;
-    draw::QuadDrawer typeface_;
-    DataElements elements_;
-    draw::DataFrame frame_;
-};
+using DataElementsTest = test_support::ShownElements;
+using test_support::scene_draft;
 
 TEST_F(DataElementsTest, WhatIsAskedForIsDrawnAndCounted) {
     ask_for("zones", DataTechnique::prism);
@@ -126,60 +58,6 @@ TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     EXPECT_EQ(state(0), ElementState::out_of_date);
     elements_.plan({ground_, frame_.view, {}, flight::time_of_source(kNoDate)});
     EXPECT_EQ(state(0), ElementState::shown) << "a time that is no date makes nothing invalid";
-}
-
-/// A flight from west to east, a kilometre and a half over the ground, that stands in the scene.
-host_sim::SceneDraft flight_draft() {
-    host_sim::SceneDraft draft = scene_draft();
-    host_sim::LayerDraft flight;
-    flight.name = "flight";
-    flight.shape = scene::LayerShape::lines;
-    flight.role = scene::LayerRole::trajectory;
-    for (int n = 0; n <= 20; ++n) flight.points.push_back(test_support::scene_point(46.78, 9.78 + 0.004 * n, 2100));
-    flight.starts = {0, 21};
-    draft.layers.push_back(flight);
-    return draft;
-}
-
-class CuedElements : public DataElementsTest {
-protected:
-    CuedElements() : DataElementsTest(flight_draft()) {}
-
-    std::size_t pixels_with(const design::ElementCues& cues) {
-        asked_.clear();
-        ask_for("flight", DataTechnique::tube).cues = cues;
-        plan();
-        return drawn_pixels();
-    }
-    [[nodiscard]] draw::CueCount count(draw::Cue cue) const { return elements_.reports()[0].cues[static_cast<std::size_t>(cue)]; }
-};
-
-TEST_F(CuedElements, OnlyWhatIsAskedForIsBuilt) {
-    const std::size_t bare = pixels_with({});
-    for (const draw::CueCount& count : elements_.reports()[0].cues) EXPECT_EQ(count.drawn, 0u);
-    EXPECT_GT(pixels_with({0, false, design::LineMotion::still, 0, 0, 0.5}), bare + 50);
-    const auto& counts = elements_.reports()[0].cues;
-    EXPECT_GT(counts[static_cast<std::size_t>(draw::Cue::curtain)].drawn, 0u);
-    EXPECT_EQ(counts[0].drawn + counts[1].drawn, 0u);
-}
-
-TEST_F(CuedElements, LinesTravelWhileTheirWayStands) {
-    design::ElementCues cues{1000, true};
-    const auto pictures = [&] {
-        std::vector<std::uint8_t> all[3];
-        static_cast<void>(pixels_with(cues));
-        for (std::size_t n = 0; n < 3; ++n) {
-            const base::Time now{kNow.ns + static_cast<std::int64_t>(n) * 5'000'000'000};
-            elements_.plan({ground_, frame_.view, {255, 0, 255}, flight::time_of_source(now)});
-            static_cast<void>(drawn_pixels());
-            all[n] = session_.pixels();
-        }
-        return std::pair(all[0] == all[1], all[0] == all[2]);
-    };
-    EXPECT_EQ(pictures(), std::pair(true, true)) << "control: they stand";
-    cues.lines_move = design::LineMotion::along;
-    cues.line_speed_mps = 100;
-    EXPECT_EQ(pictures(), std::pair(false, true)) << "a spacing in ten seconds";
 }
 
 /// Eastward across the view for a minute, then at `now`.
