@@ -86,7 +86,7 @@ TEST(CueCalls, WhatIsForbiddenIsToldByThePlanner) {
     ASSERT_TRUE(design.data.elements.try_push_back(with(every_cue())));
     DisplayDecisions decisions;
     decisions.show_terrain = true;
-    EffectFacts facts{asked_effects(design), {}, decisions};
+    EffectFacts facts{asked_effects(design), {}, {}, decisions};
     facts.forbidden.add(Effect::curtains);
     facts.cues[0] = {true, 8, 0};
     const effects::FramePlan plan = effects::plan_effects(effect_calls(facts), {});
