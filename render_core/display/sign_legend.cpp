@@ -23,6 +23,13 @@ constexpr Color kUnderSigns{0, 0, 0};
 /// As the hull of a tube and the margin of an area are drawn over the ground.
 constexpr double kMarginShare = 0.35;
 
+/// Signs over the picture find their room when the legends have theirs.
+bool shows_nothing(const ElementReport& report) {
+    const scene::LayerEntry& layer = *report.layer->entry;
+    if (layer.shape != scene::LayerShape::grid && layer.feature_count == 0) return true;
+    return !is_sign_technique(report.element->technique) && report.count.drawn + report.count.aggregated == 0;
+}
+
 class Signs {
 public:
     explicit Signs(const design::DesignSettings& design) : ground_(design.terrain.style.plain) {
@@ -173,7 +180,7 @@ void add_sign_legend(const ElementReports& reports, const design::DesignSettings
     Signs signs(design);
     for (const bool obstacles : {false, true})
         for (const ElementReport& report : reports) {
-            if (report.state != ElementState::shown || report.layer == nullptr) continue;
+            if (report.state != ElementState::shown || report.layer == nullptr || shows_nothing(report)) continue;
             if ((report.layer->entry->role == LayerRole::obstacle) == obstacles) signs.add(report);
         }
     if (!signs.legend().signs.empty()) static_cast<void>(legends.try_push_back(signs.legend()));

@@ -54,6 +54,14 @@ design::DataElement element_of(DataTechnique technique, ElementUncertainty uncer
     return element;
 }
 
+TEST(SignLegend, WhatIsEmptyHasNoSign) {
+    host_sim::LayerDraft nobody = layer_of(LayerRole::trajectory, scene::LayerShape::lines);
+    nobody.points.clear();
+    nobody.starts = {0};
+    EXPECT_EQ(said(nobody, element_of(DataTechnique::tube)), "");
+    EXPECT_EQ(said(nobody, element_of(DataTechnique::billboard)), "");
+}
+
 TEST(SignLegend, VerticalLinesSayHowFarApartTheyAre) {
     design::DataElement tube = element_of(DataTechnique::tube);
     const auto flight = layer_of(LayerRole::trajectory, scene::LayerShape::lines);
