@@ -73,7 +73,8 @@ void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() 
 
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design, settings_.device);
-    if (!terrain_.set_design(gl_, possible)) return false;
+    const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
+    if (!is_dimmable || !passes_.shows(possible.effects) || !terrain_.set_design(gl_, possible)) return false;
     passes_.forget_design();
     keep_design(design, possible);
     return true;

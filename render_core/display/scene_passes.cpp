@@ -35,7 +35,9 @@ gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, cons
     if (with_air)
         if (gl::GlError error = air_.start(gl, *device.budget.find(effects::kRenderTargets)); !error.sentence.empty())
             return error;
-    if (design.effects.antialiasing || design.effects.depth_of_field.blur_px > 0)
+    smooths_ = design.effects.antialiasing;
+    blurs_ = design.effects.depth_of_field.blur_px > 0;
+    if (smooths_ || blurs_)
         if (gl::GlError error = view_effects_.start(gl, device.budget, width_px, height_px, design.effects);
             !error.sentence.empty())
             return error;

@@ -34,6 +34,10 @@ public:
                                     std::uint32_t width_px, std::uint32_t height_px);
     /// How terrain programs must write; after start().
     [[nodiscard]] draw::TerrainOutput output() const { return output_; }
+    /// Whether what start() built shows the effects of another design, too.
+    [[nodiscard]] bool shows(const design::ViewEffects& effects) const {
+        return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0);
+    }
     /// The next picture is of another design.
     void forget_design() { picture_.forget_design(); }
     /// Leaves the surface bound, without depth test. Returns what the terrain drew.
@@ -52,6 +56,7 @@ private:
     draw::SkyDrawer sky_;
     draw::AirTable air_;
     draw::ViewEffectsPass view_effects_;
+    bool smooths_ = false, blurs_ = false;  ///< there are programs that do
     std::uint32_t width_px_ = 0, height_px_ = 0;
 };
 

@@ -42,6 +42,16 @@ TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
     EXPECT_EQ(target_bytes(), 0u);
 }
 
+TEST_F(ScenePassesStart, EffectsThatWereNotBuiltAreNotShown) {
+    design_.effects.antialiasing = true;
+    ASSERT_EQ(start().sentence.view(), "");
+    EXPECT_TRUE(passes_.shows(design_.effects));
+    EXPECT_TRUE(passes_.shows({})) << "less is no matter";
+    design_.effects.depth_of_field.blur_px = 2;
+    EXPECT_FALSE(passes_.shows(design_.effects));
+    passes_.destroy(session_.gl);
+}
+
 TEST_F(ScenePassesStart, SaysWhichBudgetHasNoRoom) {
     design_.terrain.style.sketch.silhouettes = 1;
     base::BudgetLine* const line = session_.device.budget.find(effects::kRenderTargets);
