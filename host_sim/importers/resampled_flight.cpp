@@ -15,9 +15,9 @@ namespace {
 using flight::Signal;
 
 constexpr double kLongestFlight_days = 7;
-constexpr double kShortestGap_s = 20.0;
-constexpr double kGapFactor = 4.0;    // times the median interval
-constexpr double kSlowest_mps = 3.0;  // below, the track says nothing
+constexpr double kShortestGap_s = 20.0, kLongestLink_s = 600.0;  // limits of the gap limit
+constexpr double kGapFactor = 4.0;                               // times the median interval
+constexpr double kSlowest_mps = 3.0;                             // below, the track says nothing
 constexpr double kLargestBank_rad = base::radians(60.0);
 constexpr double kLargestPitch_rad = base::radians(25.0);
 constexpr double kSlowestForPitch_mps = 10.0;
@@ -92,6 +92,16 @@ struct ResampledFlight::Motion {
     std::vector<double> north_mps, east_mps, up_mps, ground_speed_mps, track_rad;
 };
 
+double gap_limit_s(const RecordedFlight& flight) {
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < flight.fixes.size(); ++i)
+        intervals.push_back((flight.fixes[i].time - flight.fixes[i - 1].time).to_seconds());
+    if (intervals.empty()) return kShortestGap_s;
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    return std::clamp(kGapFactor * *middle, kShortestGap_s, kLongestLink_s);
+}
+
 ResampledFlight::ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid,
                                  const std::string& name)
     : settings_(settings), geoid_(geoid) {
@@ -116,9 +126,7 @@ void ResampledFlight::split(const RecordedFlight& flight, std::vector<std::vecto
     for (std::size_t i = 1; i < flight.fixes.size(); ++i)
         intervals.push_back((flight.fixes[i].time - flight.fixes[i - 1].time).to_seconds());
     if (intervals.empty()) return;
-    std::vector<double> ordered = intervals;
-    std::nth_element(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2), ordered.end());
-    derivation_.gap_limit_s = std::max(kShortestGap_s, kGapFactor * ordered[ordered.size() / 2]);
+    derivation_.gap_limit_s = gap_limit_s(flight);
     parts.push_back({flight.fixes[0]});
     for (std::size_t i = 1; i < flight.fixes.size(); ++i) {
         if (intervals[i - 1] > derivation_.gap_limit_s) {

@@ -35,6 +35,10 @@ struct Derivation {
     std::size_t velocities_not_believed = 0;  ///< recorded speeds that the positions contradict
 };
 
+/// Fixes further apart are not joined: four times the usual interval, but 20 s at least and ten minutes at most, since nobody
+/// knows how it was flown between.
+[[nodiscard]] double gap_limit_s(const RecordedFlight& flight);
+
 class ResampledFlight final : public FlightSource {
 public:
     /// `flight` is clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough, or

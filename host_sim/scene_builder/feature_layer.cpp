@@ -125,6 +125,10 @@ private:
             if (is_other) ++others[static_cast<std::size_t>(feature.shape)];
             return is_other;
         });
+        const auto most = static_cast<std::size_t>(std::max_element(others, std::end(others)) - others);
+        if (source_.features.empty() && others[most] > 0)
+            refuse("its source has " + std::string(shape_name(static_cast<LayerShape>(most))) + " alone, and the role shows " +
+                   std::string(shape_name(shape_)) + "; choose another role or source");
         for (std::size_t shape = 1; shape < 4; ++shape)
             note_count(others[shape], std::string(shape_name(static_cast<LayerShape>(shape))) + " are left out: the role shows " +
                                           std::string(shape_name(shape_)));

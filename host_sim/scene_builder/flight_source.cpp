@@ -67,18 +67,24 @@ private:
         std::optional<ResampledFlight> resampled;
         ResampleSettings settings;
         settings.assume_geometric = true;
-        if (flight.fixes.size() > 1) resampled.emplace(flight, settings, geoid_, path_);
-        const double gap_s = resampled ? resampled->derivation().gap_limit_s : 0;
+        const double gap_s = gap_limit_s(flight);
+        const auto is_joined = [&](const RecordedFix& from, const RecordedFix& to) {
+            return (to.time - from.time).to_seconds() <= gap_s;
+        };
+        const auto joined = std::adjacent_find(flight.fixes.begin(), flight.fixes.end(), is_joined);
+        if (joined != flight.fixes.end()) resampled.emplace(flight, settings, geoid_, path_);
         std::size_t first = 0, lines = 0;
         for (std::size_t n = 1; n <= flight.fixes.size(); ++n) {
             const bool ends = n == flight.fixes.size();
-            if (!ends && (flight.fixes[n].time - flight.fixes[n - 1].time).to_seconds() <= gap_s) continue;
+            if (!ends && is_joined(flight.fixes[n - 1], flight.fixes[n])) continue;
             add_line(flight, resampled, first, n);
             ++lines;
             first = n;
         }
         found_.features.back().fields["is_latest"] = "1";
-        if (lines > 1) note(flight, std::to_string(lines - 1) + " gaps in the recording; nothing is shown there");
+        if (lines > 1)
+            note(flight,
+                 std::to_string(lines - 1) + (lines > 2 ? " gaps" : " gap") + " in the recording; nothing is shown there");
         note_heights(flight);
     }
     void note_cleaning(const RecordedFlight& flight, const CleaningCounts& counts) {

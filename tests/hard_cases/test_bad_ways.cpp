@@ -130,7 +130,7 @@ TEST_P(BadWays, NothingIsDrawnAcrossAGap) {
         broken.push_back(fix);
     }
     const DataPicture gap = drawn(broken);
-    EXPECT_THAT(files_.notes(), HasSubstr("1 gaps in the recording; nothing is shown there"));
+    EXPECT_THAT(files_.notes(), HasSubstr("1 gap in the recording; nothing is shown there"));
     const auto tube_between = [](const DataPicture& picture, double from, double to) {
         const std::vector<earth::Geodetic>& places = DataSite::places_from_above();
         std::size_t count = 0;

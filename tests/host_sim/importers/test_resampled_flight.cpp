@@ -119,6 +119,18 @@ TEST(ResampledFlight, SaysNothingInAGap) {
     EXPECT_NEAR(resampled.derivation().longest_gap_s, 301, 1e-6);
 }
 
+TEST(ResampledFlight, JoinsNothingAcrossMoreThanTenMinutes) {
+    RecordedFlight sparse = circle_flight(1.0, 12);
+    for (std::size_t i = 0; i < 12; ++i) sparse.fixes[i].time = second(300.0 * static_cast<double>(i));
+    EXPECT_EQ(gap_limit_s(sparse), 600);
+    sparse.fixes.resize(2);
+    sparse.fixes[1].time = second(7200);
+    EXPECT_EQ(gap_limit_s(sparse), 600) << "two fixes are no measure of what is usual";
+    test_support::expect_user_error([&] { ResampledFlight(sparse, {}, geoid(), "two"); }, "two: no two fixes");
+    EXPECT_EQ(gap_limit_s(circle_flight(1.0, 12)), 20);
+    EXPECT_EQ(gap_limit_s(circle_flight(10.0, 12)), 40);
+}
+
 TEST(ResampledFlight, CrossesTheAntimeridian) {
     RecordedFlight flight;
     for (int i = 0; i < 20; ++i) {

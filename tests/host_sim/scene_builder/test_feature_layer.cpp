@@ -116,6 +116,9 @@ TEST(FeatureLayer, TheRoleChoosesTheShapeAndTheRestIsSaid) {
     EXPECT_THAT(areas.draft.starts, ElementsAre(0, 5));
     EXPECT_THAT(areas.notes, ::testing::Contains("things: 1 areas have fewer than three points and are left out"));
     EXPECT_EQ(make_feature_layer(layer_of(LayerRole::place), source).draft.points.size(), 1u);
+    source.features = {run(LayerShape::areas, 5, 9)};
+    expect_user_error([&] { (void)make_feature_layer(layer_of(LayerRole::road), source); },
+                      "things: its source has areas alone, and the role shows lines; choose another role or source");
 }
 
 TEST(FeatureLayer, TrajectoriesHaveValuesByPointAndTheirFaultsAreCounted) {

@@ -67,6 +67,15 @@ TEST_F(FlightFiles, PointsHaveTimeHeightAndDerivedSpeeds) {
     EXPECT_TRUE(found.notes.empty());
 }
 
+TEST_F(FlightFiles, FixesHoursApartAreNoLine) {
+    const auto cells = [](int) { return std::string("2000"); };
+    const SourceFeatures found = read(csv("height_msl_m", 2, cells, [](int n) { return 7200 * n; }));
+    ASSERT_EQ(found.features.size(), 2u) << "each stands alone";
+    for (const SourceFeature& feature : found.features) EXPECT_EQ(feature.points.size(), 1u);
+    EXPECT_THAT(found.notes, Contains(HasSubstr("1 gap in the recording")));
+    EXPECT_EQ(read(csv("height_msl_m", 2, cells, [](int n) { return 500 * n; })).features.size(), 1u);
+}
+
 TEST_F(FlightFiles, EllipsoidHeightsBecomeHeightsAboveTheSea) {
     const SourceFeatures found = read(csv("height_ellipsoid_m", 20, [](int) { return "2000"; }));
     const double undulation_m = GeoidEgm96::installed().undulation(base::radians(46.8), base::radians(9.8)).m;
@@ -100,7 +109,7 @@ TEST_F(FlightFiles, GapsEndALine) {
     EXPECT_EQ(found.features[1].points.size(), 15u);
     EXPECT_EQ(found.features[0].fields.at("is_latest"), "0");
     EXPECT_EQ(found.features[1].fields.at("is_latest"), "1");
-    EXPECT_THAT(found.notes, Contains("HB-1234: 1 gaps in the recording; nothing is shown there"));
+    EXPECT_THAT(found.notes, Contains("HB-1234: 1 gap in the recording; nothing is shown there"));
 }
 
 TEST_F(FlightFiles, WhatWasNotFlownIsTakenOutAndCounted) {
