@@ -21,6 +21,16 @@ void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
     field.on_data = layers != 0;
 }
 
+void read_stereo(base::ConfigSection section, Stereo& stereo) {
+    constexpr std::string_view kModes[] = {"side_by_side", "anaglyph", "quad_buffer"};
+    if (!section.present()) return;
+    const std::size_t mode = section.choice("mode", kModes, 0);
+    if (mode == 2) fault_of(section, "mode", "no surface here has a buffer for each eye; choose side_by_side or anaglyph");
+    stereo.mode = mode == 1 ? StereoMode::anaglyph : StereoMode::side_by_side;
+    stereo.base_m = section.number("base_m", 0.01, 1000, stereo.base_m);
+    stereo.screen_m = section.number("screen_m", 1, 1e6, stereo.screen_m);
+}
+
 }  // namespace
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
@@ -30,6 +40,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_color(section, "dusk_color", effects.dusk);
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
+    read_stereo(section.section("stereo"), effects.stereo);
 }
 
 }  // namespace tedavis::design

@@ -11,6 +11,10 @@
 ///     focus_far_m = 15000         # to here, from the eye
 ///     focus_role = "storm_cell"   # instead: as far as the shown layers of this role reach
 ///     layers = "all"              # or "terrain", "data": what is blurred; the others stay sharp
+///     [effects.stereo]
+///     mode = "side_by_side"       # each eye's picture in a half of the screen, squeezed; or "anaglyph": red and cyan glasses
+///     base_m = 2                  # between the eyes; at most a 30th of screen_m, and a sixth of what is nearest
+///     screen_m = 300              # what is so far away lies in the screen's plane, with the symbology
 ///
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
 #pragma once
@@ -39,11 +43,20 @@ struct DepthOfField {
 enum class PanelLighting : std::uint8_t { day, dusk, night, automatic };
 inline constexpr std::array<std::string_view, 4> kPanelLightingNames{"day", "dusk", "night", "auto"};
 
+/// A picture for each eye. In an anaglyph colours are not to be trusted: each eye sees a part of them.
+enum class StereoMode : std::uint8_t { none, side_by_side, anaglyph };
+
+struct Stereo {
+    StereoMode mode = StereoMode::none;
+    double base_m = 2, screen_m = 300;
+};
+
 struct ViewEffects {
     bool antialiasing = false;
     PanelLighting lighting = PanelLighting::day;
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
+    Stereo stereo;
 };
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects);

@@ -322,7 +322,8 @@ void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const Elemen
 
 /// Only what is valid now: what is not shown must take no room from what is.
 void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
-    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology});
+    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
+                  static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard_technique(report.element->technique)) continue;

@@ -45,6 +45,8 @@ struct SignFrame {
     double text_px = 16;                         ///< of the display's ordinary text
     terrain::DrawnSight* sight = nullptr;        ///< over the drawn terrain; null: nothing stands in the way
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
+    std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
+    std::int32_t screen_begins_px = 0;           ///< in such a picture
 };
 
 class DataElements {

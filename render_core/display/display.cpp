@@ -5,7 +5,6 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_calls.hpp"
-#include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
 #include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
@@ -45,7 +44,14 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
 }
 
 gl::GlError Display::start_drawers() {
-    if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, settings_.width_px, settings_.height_px);
+    const bool is_stereo = settings_.design.effects.stereo.mode != design::StereoMode::none;
+    const std::uint32_t width_px = settings_.width_px, height_px = settings_.height_px;
+    const std::uint32_t margin_px = is_stereo ? eye_margin_px(settings_.design.view.horizontal_field_of_view_rad, width_px) : 0;
+    if (is_stereo)
+        if (gl::GlError error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px);
+            !error.sentence.empty())
+            return error;
+    if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, width_px + 2 * margin_px, height_px);
         !error.sentence.empty())
         return error;
     if (settings_.design.effects.lighting != design::PanelLighting::day)
@@ -57,6 +63,7 @@ void Display::stop() {
     gl_.retire();
     quad_drawer_.destroy(gl_);
     passes_.destroy(gl_);
+    stereo_.destroy(gl_);
     dimmer_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
@@ -74,6 +81,9 @@ void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() 
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design, settings_.device);
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
+    const bool is_stereo = possible.effects.stereo.mode != design::StereoMode::none;
+    const std::uint32_t margin_px = is_stereo ? eye_margin_px(possible.view.horizontal_field_of_view_rad, settings_.width_px) : 0;
+    if (is_stereo != stereo_.is_started() || margin_px != stereo_.margin_px()) return false;
     if (!is_dimmable || !passes_.shows(possible.effects) || !terrain_.set_design(gl_, possible)) return false;
     passes_.forget_design();
     keep_design(design, possible);
@@ -140,6 +150,7 @@ void Display::plan_effects() {
         facts.nearest_m = terrain_.nearest_m(eye_.view);
         facts.farthest_m = terrain_.farthest_m(eye_.view);
     }
+    facts.parallax_px = parallax_bound_px(eyes_, eye_.view.focal_px, facts.nearest_m, facts.farthest_m);
     focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
     facts.focus = focus_;
     panel_ = panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
@@ -237,6 +248,10 @@ void Display::plan_view() {
     if (settings_.design.view.reference == design::Reference::flat) eye_.view.flat_msl_m = settings_.design.view.flat_msl_m;
     const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
     eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
+    eyes_ = {};
+    if (stereo_.is_started() && is_near())
+        eyes_ = eye_pair(settings_.design.effects.stereo, eye_.view.focal_px, eye_.view.near_m, stereo_.margin_px());
+    seen_ = seen_by_both(eye_.view, eyes_);
 }
 
 double Display::undulation_m(const earth::Geodetic& place) const {
@@ -251,7 +266,12 @@ void Display::plan_terrain() {
         return;
     }
     widen_bands();
-    const TerrainPlan plan = terrain_.plan(eye_, settings_.design, tau_factor);
+    Eye seen = eye_;
+    seen.view = seen_;
+    TerrainPlan plan = terrain_.plan(seen, settings_.design, tau_factor);
+    if (eyes_.base_m > 0)
+        for (const draw::EyeSide side : draw::kEyeSides)
+            terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
         return;
@@ -279,28 +299,38 @@ void Display::widen_bands() {
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
 }
 
+ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
+    return {ground,
+            view,
+            settings_.design.terrain.unknown,
+            record_.flight_time,
+            {way, &state_, record_.time},
+            frame_budget_.detail_factor()};
+}
+
 /// Symbology first, then the signs in the room that it leaves.
 void Display::plan_elements(const flight::FlownWay* way) {
-    const bool are_shown = elements_.is_started() && decisions_.show_terrain;
-    TerrainGround ground(terrain_, eye_.view);
-    const ElementFrame frame{ground,
-                             eye_.view,
-                             settings_.design.terrain.unknown,
-                             record_.flight_time,
-                             {way, &state_, record_.time},
-                             frame_budget_.detail_factor()};
-    if (are_shown)
-        elements_.plan(frame);
+    TerrainGround ground(terrain_, seen_);
+    if (shows_elements())
+        elements_.plan(element_frame(ground, seen_, way));
     else
         elements_.rest();
     conditions_.data_are_out_of_date =
         data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
     if (conditions_.data_are_out_of_date) decide_again();
     put_symbology();
-    if (!are_shown) return;
-    terrain::DrawnSight sight = terrain_.sight(eye_.view);
-    elements_.plan_signs(frame, {text_px(context(), settings_.width_px, settings_.height_px), &sight,
-                                 free_view_active_ ? nullptr : &quad_drawer_.batch()});
+    way_ = way;
+    // Of a picture for each eye they are planned with the eye.
+    if (shows_elements() && !stereo_.is_started()) plan_signs(eye_, {});
+}
+
+void Display::plan_signs(const Eye& eye, SignFrame signs) {
+    TerrainGround ground(terrain_, eye.view);
+    terrain::DrawnSight sight = terrain_.sight(eye.view);
+    signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
+    signs.sight = &sight;
+    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
+    elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
 }
 
 void Display::put_symbology() {
@@ -323,41 +353,6 @@ void Display::plan_data() {
     const scene::GridSlice* const slice = data_.ground();
     if (slice != nullptr && is_in_another_unit(settings_.design.data.ground.scale.palette, *slice->attribute()->entry))
         flag("ground_data.unit", record_);
-}
-
-void Display::draw(base::Surface& surface) {
-    gl_.begin_frame();
-    gl::bind_surface(gl_, surface);
-    if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
-        flag("ground_data.missing", record_);
-    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
-    if (elements_.is_started()) elements_.prepare(gl_);
-    if (decisions_.show_terrain && !ready) {
-        terrain_failed_ = true;
-        give_up_terrain(TerrainSource::failed);
-        put_symbology();
-        plan_effects();
-    }
-    const draw::TerrainDrawResult drawn = passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, terrain_has_void_});
-    if (!free_view_active_) quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
-    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) dimmer_.draw(gl_, panel_.white);
-    note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
-    note_budget(frame_budget_.report(), record_);
-    note_elements(elements_.reports(), record_);
-    note_drawn(drawn, settings_.device.budget, record_);
-    record_.bytes.uploaded = gl_.frame().uploaded_bytes;
-}
-
-DrawContext Display::context() const {
-    DrawContext context{settings_.design, decisions_, eye_, record_};
-    context.aircraft_msl_m = aircraft_msl_m_;
-    context.eye_msl_m = eye_msl_m_;
-    context.map_share = transition_.map_share();
-    context.focus = focus_;
-    context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
-    context.is_free_view = free_view_active_;
-    if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
-    return context;
 }
 
 }  // namespace tedavis::display

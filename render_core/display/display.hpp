@@ -14,6 +14,7 @@
 #include "render_core/display/display_memory.hpp"
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/eye.hpp"
+#include "render_core/display/eye_pair.hpp"
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/panel_lighting.hpp"
@@ -56,6 +57,7 @@ public:
     }
 
     /// Plans the frame for `now`. Pure planning: no GL. `way`: null where nobody keeps it.
+    /// It must stay until the frame is drawn.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                 const flight::FlownWay* way = nullptr);
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
@@ -130,7 +132,14 @@ private:
     [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
     void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
-    [[nodiscard]] DrawContext context() const;
+    [[nodiscard]] DrawContext context() const { return context_of(eye_); }
+    [[nodiscard]] DrawContext context_of(const Eye& eye) const;
+    [[nodiscard]] ElementFrame element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
+    [[nodiscard]] bool shows_elements() const { return elements_.is_started() && decisions_.show_terrain; }
+    void plan_signs(const Eye& eye, SignFrame signs);
+    [[nodiscard]] draw::TerrainDrawResult draw_scene(base::Surface& surface);
+    [[nodiscard]] draw::TerrainDrawResult draw_eyes(base::Surface& surface);
+    void draw_symbology(base::Surface& surface);
     [[nodiscard]] effects::TerrainTolerance terrain_tolerance() const {
         return {settings_.design.terrain.tau_px, settings_.design.degradation.terrain_error_px};
     }
@@ -145,6 +154,7 @@ private:
     MapsBeside maps_beside_;
     DataElements elements_;
     ScenePasses passes_;
+    draw::StereoPass stereo_;
     draw::Dimmer dimmer_;
     PanelLight panel_;
     draw::QuadDrawer quad_drawer_;
@@ -162,6 +172,9 @@ private:
     DisplayDecisions decisions_;
     ViewTransition transition_;
     Eye eye_;
+    terrain::View seen_;  ///< all that is drawn of the frame: eye_'s, or as wide as a picture for each eye
+    EyePair eyes_;
+    const flight::FlownWay* way_ = nullptr;  ///< of the planned frame, until it is drawn
     terrain::View free_view_;
     bool free_view_active_ = false;
     bool terrain_has_void_ = false;

@@ -52,6 +52,11 @@ EffectCall focus_call(const EffectFacts& facts) {
     return {Kind::called, "", blur_bound(facts.focus, facts.nearest_m, facts.farthest_m)};
 }
 
+EffectCall stereo_call(const EffectFacts& facts) {
+    if (!facts.is_near) return {Kind::not_called_for, "the view is from far away"};
+    return {Kind::called, "", facts.parallax_px};
+}
+
 EffectCall panel_call(const PanelLight& panel) {
     if (!panel.has_date) return {Kind::no_input, "the time of the flight is no date"};
     const glm::dvec3& white = panel.white;
@@ -90,6 +95,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
     if (design.effects.lighting != design::PanelLighting::day) asked.add(Effect::panel_lighting);
     if (design.effects.antialiasing) asked.add(Effect::antialiasing);
+    if (design.effects.stereo.mode != design::StereoMode::none) asked.add(Effect::stereo);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
@@ -100,6 +106,7 @@ design::DesignSettings with_effect(const design::DesignSettings& design, Effect 
     if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
     if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
     if (effect == Effect::antialiasing) with.effects.antialiasing = true;
+    if (effect == Effect::stereo) with.effects.stereo.mode = design::StereoMode::side_by_side;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
@@ -123,6 +130,7 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::depth_of_field: without.effects.depth_of_field.blur_px = 0; break;
         case Effect::antialiasing: without.effects.antialiasing = false; break;
         case Effect::panel_lighting: without.effects.lighting = design::PanelLighting::day; break;
+        case Effect::stereo: without.effects.stereo.mode = design::StereoMode::none; break;
         case Effect::vertical_lines:
         case Effect::projections:
         case Effect::curtains: take_out_cue(effect, without.data.elements); break;
@@ -153,7 +161,7 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
          {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
           Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
-    for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing})
+    for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
     if (possible.sky.air.is_shown) possible.sky.haze_distance_m = 0;
     return possible;
@@ -201,6 +209,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::ground_data] = ground_call(facts.ground_data);
     input[Effect::adjacent] = adjacent_call(facts);
     input[Effect::depth_of_field] = focus_call(facts);
+    input[Effect::stereo] = stereo_call(facts);
     input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < draw::kCues; ++n) {

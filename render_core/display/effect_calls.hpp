@@ -49,6 +49,7 @@ struct EffectFacts {
     double nearest_m = 0;  ///< nothing is nearer to the eye
     design::AirSettings air{};
     draw::FocusRange focus{};
+    double parallax_px = 0;  ///< none is greater
     PanelLight panel{};
     CueStates cues{};
     bool is_forced = false;  ///< PlanInput::is_forced

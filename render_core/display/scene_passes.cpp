@@ -60,7 +60,7 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
     return air;
 }
 
-draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const base::Surface& surface, const PassInput& input) {
+draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input) {
     DrawContext frame = input.frame;
     frame.air = update_air(gl, input);
     draw::ViewEffectsInput effects;
@@ -70,9 +70,9 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const base::Surface& surfa
     if (effects.blurs) leave_distances(frame);
     const bool has_effects = effects.blurs || effects.smooths;
     draw::TerrainDrawResult drawn;
-    draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : gl::DrawPlace(surface),
+    draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place,
                {frame, input.plan, input.terrain, input.elements, input.has_void}, drawn);
-    if (has_effects) view_effects_.finish(gl, surface, effects);
+    if (has_effects) view_effects_.finish(gl, place, effects);
     if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
     return drawn;
 }

@@ -40,8 +40,8 @@ public:
     }
     /// The next picture is of another design.
     void forget_design() { picture_.forget_design(); }
-    /// Leaves the surface bound, without depth test. Returns what the terrain drew.
-    draw::TerrainDrawResult draw(gl::Gl& gl, const base::Surface& surface, const PassInput& input);
+    /// Leaves the place bound, without depth test. Returns what the terrain drew.
+    draw::TerrainDrawResult draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input);
     void destroy(gl::Gl& gl);
 
 private:

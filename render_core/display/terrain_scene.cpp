@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render_core/draw/terrain_uniforms.hpp"
+#include "render_core/terrain/lod_refinement.hpp"
 #include "render_core/terrain/projected_error.hpp"
 
 namespace tedavis::display {
@@ -171,6 +172,20 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     plan.is_late = store_.is_late();
     plan.is_failing = store_.is_failing();
     return plan;
+}
+
+void TerrainScene::widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod) {
+    const terrain::View seen = over_ground(view);
+    for (const terrain::SelectedChunk& chunk : selected()) {
+        if (terrain::is_outside_view(*chunk.entry, seen, double{greatest_lift_m(chunk.lift)})) continue;
+        const double error_px = design.terrain.conservative_up ? terrain::lifted_error_px(*chunk.entry, seen, chunk.coarser_edges,
+                                                                                          greatest_lift_m(chunk.lift))
+                                                               : terrain::drawn_error_px(*chunk.entry, seen, chunk.coarser_edges);
+        if (error_px <= lod.worst_error_px) continue;
+        lod.worst_error_px = error_px;
+        lod.worst_chunk = chunk.key;
+        lod.tau_reached_px = std::fmax(lod.tau_reached_px, error_px);
+    }
 }
 
 /// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part

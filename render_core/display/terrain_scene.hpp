@@ -67,6 +67,8 @@ public:
     /// Chooses the chunks of this frame from what is there, and asks for what the view needs. `tau_factor`: of the error
     /// that the design allows.
     [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design, double tau_factor = 1);
+    /// After plan(): of the chosen chunks seen from elsewhere, too, where that makes the worst error greater.
+    void widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod);
     /// The slice of the scene that colours the ground; null for none. After start(). False where the device has no room for it.
     [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) { return drawer_.set_ground_data(gl, slice); }
     /// Posts across and down that such a slice may have; 0 where the design did not ask for any.

@@ -33,12 +33,12 @@ ScreenCover::Row ScreenCover::span(int first, int last) {
     return {below(last + 1) & ~below(first), below(last + 1 - 64) & ~below(first - 64)};
 }
 
-void ScreenCover::take(const QuadBatch& batch) {
+void ScreenCover::take(const QuadBatch& batch, float right_px) {
     const auto vertices = batch.vertices();
     const auto indices = batch.indices();
     for (std::size_t n = 0; n + 2 < indices.size(); n += 3) {
         Point corner[3];
-        for (std::size_t k = 0; k < 3; ++k) corner[k] = {vertices[indices[n + k]].x, vertices[indices[n + k]].y};
+        for (std::size_t k = 0; k < 3; ++k) corner[k] = {vertices[indices[n + k]].x + right_px, vertices[indices[n + k]].y};
         take_triangle(corner);
     }
 }

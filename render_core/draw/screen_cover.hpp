@@ -17,7 +17,8 @@ public:
 
     /// Nothing is taken.
     void clear(std::uint32_t width, std::uint32_t height, float cell_px);
-    void take(const QuadBatch& batch);
+    /// `right_px`: how far right of its own place the batch lies in this picture.
+    void take(const QuadBatch& batch, float right_px = 0);
     [[nodiscard]] bool is_free(const Rect& box) const;
 
 private:

@@ -48,10 +48,10 @@ gl::GlError ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::u
     return {};
 }
 
-void ViewEffectsPass::finish(gl::Gl& gl, const base::Surface& surface, const ViewEffectsInput& input) {
+void ViewEffectsPass::finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewEffectsInput& input) {
     const gl::Program& program = programs_[input.blurs ? 1 : 0][input.smooths ? 1 : 0];
     TEDAVIS_CHECK(program.valid());
-    gl::bind_surface(gl, surface);
+    place.bind(gl);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);

@@ -43,8 +43,8 @@ public:
                                     const design::ViewEffects& effects);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
-    /// Puts the target's picture on the surface, whole. At least one effect is asked for, and was at start().
-    void finish(gl::Gl& gl, const base::Surface& surface, const ViewEffectsInput& input);
+    /// Puts the target's picture where it belongs, whole. At least one effect is asked for, and was at start().
+    void finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewEffectsInput& input);
     void destroy(gl::Gl& gl);
 
 private:

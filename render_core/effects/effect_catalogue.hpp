@@ -30,6 +30,7 @@ enum class Effect : std::uint8_t {
     depth_of_field,
     antialiasing,
     panel_lighting,
+    stereo,
     vertical_lines,
     projections,
     curtains,

@@ -33,7 +33,8 @@ void BillboardSheet::begin(const Frame& frame) {
     text_px_ = static_cast<float>(frame.text_px);
     box_count_ = 0;
     symbology_.clear(view_.width, view_.height, kCell * text_px_);
-    if (frame.symbology != nullptr) symbology_.take(*frame.symbology);
+    if (frame.symbology != nullptr) symbology_.take(*frame.symbology, frame.screen_begins_px);
+    screen_ = {frame.screen_begins_px, 0, static_cast<float>(view_.width) - frame.margin_px, static_cast<float>(view_.height)};
 }
 
 BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
@@ -87,8 +88,7 @@ bool BillboardSheet::has_room(std::size_t sign_vertices, std::size_t link_vertic
 bool BillboardSheet::is_free(const Rect& box) const { return is_clear_of_signs(box) && symbology_.is_free(box); }
 
 bool BillboardSheet::is_clear_of_signs(const Rect& box) const {
-    const Rect picture{0, 0, static_cast<float>(view_.width), static_cast<float>(view_.height)};
-    if (!picture.contains(box) || box_count_ == boxes_.size()) return false;
+    if (!screen_.contains(box) || box_count_ == boxes_.size()) return false;
     for (std::size_t n = 0; n < box_count_; ++n)
         if (boxes_[n].overlaps(box)) return false;
     return true;

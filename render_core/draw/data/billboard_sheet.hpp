@@ -38,6 +38,8 @@ public:
         double text_px = 16;                   ///< of the display's ordinary text
         terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
         const QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
+        float margin_px = 0;                   ///< of the view's picture, that the screen does not show, on both sides together
+        float screen_begins_px = 0;            ///< in that picture, where the symbology's left edge is
     };
     /// Empties the batches. What the frame refers to must stay until the last sign is drawn.
     void begin(const Frame& frame);
@@ -90,6 +92,7 @@ private:
 
     QuadBatch *signs_ = nullptr, *links_ = nullptr;
     terrain::DrawnSight* sight_ = nullptr;
+    Rect screen_{};  ///< the part of the picture that is shown
     ScreenCover symbology_;
     terrain::View view_{};
     float text_px_ = 16;

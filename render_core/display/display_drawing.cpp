@@ -1,0 +1,81 @@
+// The drawing half of the display: what update() planned gets to the surface.
+#include "render_core/display/display.hpp"
+#include "render_core/display/effect_notes.hpp"
+#include "render_core/display/frame_notes.hpp"
+#include "render_core/display/symbology_plan.hpp"
+#include "render_core/display/terrain_ground.hpp"
+
+namespace tedavis::display {
+
+void Display::draw(base::Surface& surface) {
+    gl_.begin_frame();
+    gl::bind_surface(gl_, surface);
+    if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
+        flag("ground_data.missing", record_);
+    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
+    if (elements_.is_started()) elements_.prepare(gl_);
+    if (decisions_.show_terrain && !ready) {
+        terrain_failed_ = true;
+        give_up_terrain(TerrainSource::failed);
+        put_symbology();
+        plan_effects();
+    }
+    const draw::TerrainDrawResult drawn = draw_scene(surface);
+    if (!free_view_active_) draw_symbology(surface);
+    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) dimmer_.draw(gl_, panel_.white);
+    note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
+    note_budget(frame_budget_.report(), record_);
+    note_elements(elements_.reports(), record_);
+    note_drawn(drawn, settings_.device.budget, record_);
+    record_.bytes.uploaded = gl_.frame().uploaded_bytes;
+}
+
+draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
+    if (stereo_.is_started()) return draw_eyes(surface);
+    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, terrain_has_void_});
+}
+
+/// The first eye's picture is the second's as well where they cannot be told apart.
+draw::TerrainDrawResult Display::draw_eyes(base::Surface& surface) {
+    const bool is_one = !plan_.runs(effects::Effect::stereo);
+    const EyePair pair = is_one ? EyePair{} : eyes_;
+    const design::StereoMode mode = settings_.design.effects.stereo.mode;
+    draw::TerrainDrawResult drawn;
+    for (const draw::EyeSide side : draw::kEyeSides) {
+        if (side == draw::EyeSide::left || !is_one) {
+            const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
+            if (shows_elements()) {
+                plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
+                elements_.prepare(gl_);
+            }
+            drawn = passes_.draw(gl_, stereo_.target(), {context_of(eye), plan_, terrain_, elements_, terrain_has_void_});
+        }
+        stereo_.put(gl_, surface, mode, side, pair.shift_px);
+    }
+    return drawn;
+}
+
+/// In the screen's plane.
+void Display::draw_symbology(base::Surface& surface) {
+    const bool has_halves = stereo_.is_started() && settings_.design.effects.stereo.mode == design::StereoMode::side_by_side;
+    for (const draw::EyeSide side : draw::kEyeSides) {
+        if (has_halves) draw::StereoPass::begin_half(gl_, surface, side);
+        quad_drawer_.draw(gl_, settings_.width_px, settings_.height_px);
+        if (!has_halves) return;
+    }
+    draw::StereoPass::end_halves(gl_, surface);
+}
+
+DrawContext Display::context_of(const Eye& eye) const {
+    DrawContext context{settings_.design, decisions_, eye, record_};
+    context.aircraft_msl_m = aircraft_msl_m_;
+    context.eye_msl_m = eye_msl_m_;
+    context.map_share = transition_.map_share();
+    context.focus = focus_;
+    context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
+    context.is_free_view = free_view_active_;
+    if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
+    return context;
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,49 @@
+/// A picture for each eye, put on the surface side by side or as an anaglyph.
+///
+/// Each eye's scene is drawn, one after the other, into one picture that is wider than the screen by a margin on either side; the
+/// part that is shown is moved against it. So two parallel views become the off-axis views of two eyes behind one screen
+/// (Woods, Docherty, Koch, "Image distortions in stereoscopic video systems", SPIE 1915, 1993, on parallel cameras).
+///
+/// Memory    a colour and depth target from the budget line render_targets, a grid from `symbology_vertices`. Thread  the GL
+///           thread. Failure  start(): one sentence.
+#pragma once
+
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/design/view_effects.hpp"
+#include "render_core/draw/screen_grid.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+enum class EyeSide : std::uint8_t { left, right };
+inline constexpr EyeSide kEyeSides[] = {EyeSide::left, EyeSide::right};
+
+class StereoPass {
+public:
+    /// Of a screen of `width_px` x `height_px`; an eye's picture is wider by 2 * `margin_px`.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                                    std::uint32_t margin_px);
+    [[nodiscard]] bool is_started() const { return target_.valid(); }
+    [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }
+    /// Where an eye's scene is drawn.
+    [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
+    /// Where the screen begins in an eye's picture, pixels from its left edge. `shift_px`: of each eye's picture towards its own
+    /// side, -margin..margin.
+    [[nodiscard]] std::int32_t screen_begins_px(EyeSide side, std::int32_t shift_px) const;
+    /// Puts what was drawn last into the place that the eye has on the surface: side by side its half, in an anaglyph its colours
+    /// (red for the left eye). Both eyes have been put where neither is the other's.
+    void put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px);
+    /// What both eyes see in the screen's plane is drawn into one half now; without sides the surface is whole again.
+    static void begin_half(gl::Gl& gl, const base::Surface& surface, EyeSide side);
+    static void end_halves(gl::Gl& gl, const base::Surface& surface);
+    void destroy(gl::Gl& gl);
+
+private:
+    gl::RenderTarget target_;
+    gl::Program program_;
+    ScreenGrid grid_;
+    std::uint32_t width_px_ = 0, margin_px_ = 0;
+};
+
+}  // namespace tedavis::draw

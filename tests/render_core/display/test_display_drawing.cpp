@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include "render_core/display/display.hpp"
+#include "render_core/display/effect_calls.hpp"
+#include "tests/support/hills_display.hpp"
+
+namespace tedavis::display::test_display_drawing {
+namespace {
+
+using design::StereoMode;
+using draw::EyeSide;
+using effects::Effect;
+using test_support::HeadlessDisplay;
+
+constexpr std::uint32_t kWidth = 320, kHeight = 200;
+
+design::DesignSettings stereo_design(StereoMode mode) {
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.terrain.tau_px = 0.01;  // every post, whatever eye asks
+    design.effects.stereo = {mode, 3, 90};
+    return design;
+}
+
+EffectState state_of(const HeadlessDisplay& headless, Effect effect) {
+    for (const EffectRecord& noted : const_cast<HeadlessDisplay&>(headless).display().record().effects)
+        if (noted.name.view() == effects::entry_of(effect).name) return noted.state;
+    return EffectState::skipped;
+}
+
+/// The hills from a free view, which has no symbology.
+struct Hills {
+    explicit Hills(const design::DesignSettings& design, std::uint32_t width = kWidth)
+        : headless("egl", "desktop", width, kHeight, &bytes, design) {}
+    std::vector<std::uint8_t> from(const terrain::View& view) {
+        headless.display().set_free_view(view);
+        return test_support::settled_pixels(headless, state, test_support::kHillsNow);
+    }
+    test_support::MemoryBytes bytes{test_support::hills().image};
+    HeadlessDisplay headless;
+    flight::AircraftState state = test_support::aircraft_over_hills(1400, 30, -12);
+};
+
+terrain::View view_of(const design::DesignSettings& design) {
+    design::DesignSettings mono = design;
+    mono.effects.stereo.mode = StereoMode::none;
+    Hills hills(mono);
+    (void)test_support::settled_pixels(hills.headless, hills.state, test_support::kHillsNow);
+    return hills.headless.display().view();
+}
+
+TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
+    const design::DesignSettings design = stereo_design(StereoMode::anaglyph);
+    Eye middle;
+    middle.view = view_of(design);
+    const std::uint32_t margin = eye_margin_px(design.view.horizontal_field_of_view_rad, kWidth);
+    const EyePair pair = eye_pair(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
+    ASSERT_GT(pair.base_m, 0.5);
+    ASSERT_GT(pair.shift_px, 0);
+    Hills stereo(design);
+    const auto both = stereo.from(middle.view);
+    EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::run);
+    design::DesignSettings mono = design;
+    mono.effects.stereo.mode = StereoMode::none;
+    int differs = 0;
+    for (const EyeSide side : draw::kEyeSides) {
+        Hills one(mono, kWidth + 2 * margin);
+        const auto alone = one.from(eye_of(middle, pair, side, margin).view);
+        const std::uint32_t begins = margin + static_cast<std::uint32_t>(side == EyeSide::left ? pair.shift_px : -pair.shift_px);
+        for (std::size_t y = 0; y < kHeight; ++y)
+            for (std::size_t x = 0; x < kWidth; ++x)
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    if ((channel == 0) != (side == EyeSide::left)) continue;
+                    const auto seen = both[(y * kWidth + x) * 4 + channel];
+                    const auto expected = alone[(y * (kWidth + 2 * margin) + x + begins) * 4 + channel];
+                    differs += seen != expected ? 1 : 0;
+                }
+    }
+    EXPECT_EQ(differs, 0);
+}
+
+TEST(DisplayDrawing, SideBySideHasSymbologyInBothHalves) {
+    design::DesignSettings design = stereo_design(StereoMode::side_by_side);
+    Hills stereo(design);
+    const auto both = test_support::settled_pixels(stereo.headless, stereo.state, test_support::kHillsNow);
+    std::size_t greens[2] = {};
+    for (std::size_t y = 0; y < kHeight; ++y)
+        for (std::size_t x = 0; x < kWidth; ++x) {
+            const std::uint8_t* const p = both.data() + (y * kWidth + x) * 4;
+            greens[2 * x / kWidth] += p[1] > 200 && p[0] < 90 && p[2] < 140 ? 1u : 0u;
+        }
+    EXPECT_GT(greens[0], 20u);
+    EXPECT_NEAR(static_cast<double>(greens[1]), static_cast<double>(greens[0]), 0.1 * static_cast<double>(greens[0]));
+}
+
+TEST(DisplayDrawing, FromFarAwayOnePictureServesBothEyes) {
+    design::DesignSettings design = stereo_design(StereoMode::anaglyph);
+    design.effects.stereo.base_m = 0.01;
+    Hills stereo(design);
+    const auto one = test_support::settled_pixels(stereo.headless, stereo.state, test_support::kHillsNow);
+    EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::skipped);
+    design.effects.stereo.mode = StereoMode::none;
+    Hills mono(design);
+    EXPECT_EQ(one, test_support::settled_pixels(mono.headless, mono.state, test_support::kHillsNow));
+}
+
+TEST(DisplayDrawing, StereoIsBuiltAtStartOrRefusedLater) {
+    const design::DesignSettings with = stereo_design(StereoMode::anaglyph);
+    design::DesignSettings without = with;
+    without.effects.stereo.mode = StereoMode::none;
+    Hills stereo(with), mono(without);
+    EXPECT_FALSE(mono.headless.display().set_design(with));
+    EXPECT_FALSE(stereo.headless.display().set_design(without));
+    EXPECT_TRUE(stereo.headless.display().set_design(stereo_design(StereoMode::side_by_side)));
+}
+
+TEST(DisplayDrawing, ADeviceWithoutAPictureMoreShowsOneEye) {
+    test_support::MemoryBytes bytes{test_support::hills().image};
+    HeadlessDisplay small("egl", "es2-small", kWidth, kHeight, &bytes, stereo_design(StereoMode::anaglyph));
+    (void)test_support::settled_pixels(small, test_support::aircraft_over_hills(1400), test_support::kHillsNow);
+    EXPECT_EQ(state_of(small, Effect::stereo), EffectState::skipped);
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_display_drawing
