@@ -14,6 +14,8 @@ public:
 
 /// Of a command whose input turned out to be faulty; also where it left a valid partial result.
 inline constexpr int kFaultyInputExitCode = 2;
+/// The run is whole, but a check of it did not hold.
+inline constexpr int kCheckFailedExitCode = 1;
 
 /// Of a command that Ctrl-C or SIGTERM ended early, as shells have it.
 inline constexpr int kInterruptedExitCode = 130;

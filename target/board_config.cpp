@@ -27,6 +27,7 @@ public:
         read_database(root.section("terrain"), settings_.terrain);
         read_database(root.section("scene"), settings_.scene);
         if (base::ConfigSection costs = root.section("costs"); costs.present()) settings_.costs = path_at(costs, "file");
+        if (base::ConfigSection made = root.section("programs"); made.present()) settings_.programs = path_at(made, "folder");
         read_can(root.section("can"));
         read_surface(root.section("surface"));
         const bool touch = root.section("memory").boolean("touch", true);

@@ -11,6 +11,8 @@
 ///     database = "area.sdb"      may be missing at first; a newer revision at its place is taken over in flight
 ///     [costs]                    absent: none are known, and the device's deadline_ms is not held
 ///     file = "es2-small.costs.toml"   that `tedavis calibrate` wrote on this board
+///     [programs]                 absent: none; a device without a compiler then does not start
+///     folder = "sc2.programs"    that `tedavis shaders` wrote on this board's driver
 ///     [can]
 ///     interface = "can0"
 ///     fd = false                 also receive CAN FD frames
@@ -58,7 +60,8 @@ struct BoardSettings {
     bus::SwitchConfig switches;
     Path terrain;  ///< empty: none
     Path scene;    ///< the same
-    Path costs;    ///< the same
+    Path costs;     ///< the same
+    Path programs;  ///< the same
     base::FixedString<15> surface;
     std::uint32_t width_px = 0, height_px = 0;
     platform::Residency residency = platform::Residency::touched;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "platform/programs/program_folder.hpp"
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
 #include "target/file_text.hpp"
@@ -66,6 +67,13 @@ BoardError DisplayApplication::start_display() {
     settings.width_px = settings_.width_px;
     settings.height_px = settings_.height_px;
     settings.expects_scene = !settings_.scene.empty();
+    platform::ProgramFolder programs;
+    if (!settings_.programs.empty()) {
+        auto opened = platform::open_program_folder(settings_.programs.view());
+        if (!opened.ok()) return make_board_error({opened.error().sentence.view()});
+        programs = std::move(opened.value());
+        settings.programs = &programs;
+    }
     const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return {};
     if (const std::string_view fault = display::database_fault(error.sentence.view()); !fault.empty())

@@ -8,7 +8,6 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/cost_bench.hpp"
 #include "host_sim/replay/load_design.hpp"
-#include "host_sim/shipped_files.hpp"
 #include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/utc_time.hpp"
@@ -16,9 +15,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr const char* kRaster = "/configs/data/jacksboro_srtm3.tif";
-constexpr const char* kScenario = "default";
-/// Over that terrain, with data of every kind in view.
+/// Over the own terrain, with data of every kind in view.
 constexpr AircraftPose kPose{36.64, -84.36, 2100, 140, -14, 0};
 constexpr const char* kTime = "2026-06-01T14:02:00Z";
 
@@ -37,11 +34,8 @@ BenchPlace place_of(const CalibrateOptions& options, const std::string& folder, 
     if (!options.picture.terrain.empty() && !options.pose)
         throw UserError("--terrain: a terrain of your own needs a view of it; add --pose lat,lon,alt_m,heading,pitch,roll");
     base::Time time = kPosedTime;
-    if (options.picture.terrain.empty()) {
-        place.picture.terrain = build_own_terrain({shipped_root() + kRaster, true}, folder, console);
-        if (place.picture.scene.empty()) place.picture.scene = build_own_scenario(kScenario, folder, console);
-        static_cast<void>(base::parse_utc(kTime, time));
-    }
+    if (options.picture.terrain.empty()) static_cast<void>(base::parse_utc(kTime, time));
+    use_own_ground(place.picture, folder, console);
     place.pose.time = options.time.value_or(time);
     return place;
 }
@@ -81,7 +75,7 @@ int run_calibrate(const CalibrateOptions& options, Console& console) {
     measured.date = now_as_text();
     measured.design = options.picture.design;
     measured.terrain =
-        options.picture.terrain.empty() ? std::filesystem::path(kRaster).filename().string() : options.picture.terrain;
+        options.picture.terrain.empty() ? std::filesystem::path(kOwnRaster).filename().string() : options.picture.terrain;
     toml.stream() << calibration_toml(measured);
     json.stream() << calibration_json(measured);
     toml.seal();

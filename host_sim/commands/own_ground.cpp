@@ -5,6 +5,7 @@
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "host_sim/terrain_builder/generated_image.hpp"
 
 namespace tedavis::host_sim {
@@ -29,6 +30,12 @@ std::string build_own_scenario(const std::string& scenario, const std::string& f
     Console only_notes = console.without_result();
     (void)run_scenario_build(build, only_notes);
     return build.output + "/scene.sdb";
+}
+
+void use_own_ground(PictureOptions& picture, const std::string& folder, Console& console) {
+    if (!picture.terrain.empty()) return;
+    picture.terrain = build_own_terrain({shipped_root() + kOwnRaster, true}, folder, console);
+    if (picture.scene.empty()) picture.scene = build_own_scenario("default", folder, console);
 }
 
 std::string build_own_scene(const std::string& scene, const std::string& folder, Console& console) {

@@ -4,9 +4,13 @@
 
 #include <string>
 
+#include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
 
 namespace tedavis::host_sim {
+
+/// Below shipped_root().
+inline constexpr const char* kOwnRaster = "/configs/data/jacksboro_srtm3.tif";
 
 struct OwnTerrain {
     std::string raster;
@@ -16,6 +20,8 @@ struct OwnTerrain {
 /// Each returns the database's path; throws UserError and Interrupted.
 [[nodiscard]] std::string build_own_terrain(const OwnTerrain& terrain, const std::string& folder, Console& console);
 [[nodiscard]] std::string build_own_scenario(const std::string& scenario, const std::string& folder, Console& console);
+/// The shipped terrain and the data of the shipped scenario, where the options name no terrain; `picture` names them then.
+void use_own_ground(PictureOptions& picture, const std::string& folder, Console& console);
 [[nodiscard]] std::string build_own_scene(const std::string& scene, const std::string& folder, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -3,16 +3,39 @@
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/effect_ledger.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_approach.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/replay/run_recorder.hpp"
+#include "host_sim/reports/ledger_report.hpp"
+#include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/window/live_window.hpp"
 
 namespace tedavis::host_sim {
 namespace {
+
+void enter(EffectLedger& ledger, std::uint64_t n, base::Time time, const FrameResult& drawn, const RunRecorder& recorder,
+           const DisplaySession& session, const FlightPlayer& player) {
+    ledger.note(drawn.record);
+    if (!ledger.wants(n)) return;
+    const PlayedInstant& instant = recorder.instant();
+    ledger.take({drawn.record.frame, time, instant.aircraft, instant.phase, player.way(), upright(session.pixels())});
+}
+
+void price_effects(const EffectLedger& ledger, const ReplayOptions& options, DisplaySession& session,
+                   const InterruptGuard& interrupt, Console& console) {
+    session.rest();
+    const std::vector<LedgerPrice> prices = ledger.prices([&](std::size_t done, std::size_t total) {
+        console.progress("ledger", done, total);
+        if (interrupt.requested()) throw Interrupted("interrupted; the run is whole, its ledger was not written");
+    });
+    console.progress_done();
+    write_ledger(options.output, ledger_json(prices, ledger.samples(), options.picture.device), prices);
+    console.note(options.output + "/" + kLedgerName + ":\n" + ledger_text(prices));
+}
 
 int run_batch(const ReplayOptions& options, Console& console) {
     DisplaySession session(options.picture, is_generated_flight(options.log));
@@ -21,15 +44,20 @@ int run_batch(const ReplayOptions& options, Console& console) {
     const InterruptGuard interrupt;  // before anything is written
     RunRecorder recorder(options, session, player);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
+    EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
+                        options.ledger ? times.count() : 0);
     FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
         approach.approach(times.at(n));
-        static_cast<void>(recorder.draw(times.at(n)));
+        const FrameResult& drawn = recorder.draw(times.at(n));
         recorder.keep();
+        if (options.ledger) enter(ledger, n, times.at(n), drawn, recorder, session, player);
         console.progress("replay", n + 1, times.count());
     }
     console.progress_done();
-    return recorder.finish(interrupt.requested(), console);
+    const int code = recorder.finish(interrupt.requested(), console);
+    if (options.ledger && code == 0) price_effects(ledger, options, session, interrupt, console);
+    return code;
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct PictureOptions {
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen
     effects::EffectSet with, without;   ///< the design is drawn as if it asked for these (display::with_effect), or did not
+    effects::EffectSet forbidden;       ///< as if the device's file forbade them
     bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 
@@ -45,6 +46,7 @@ struct ReplayOptions {
     std::optional<double> step_s;        ///< nothing: one frame of the device's rate; negative: backwards
     std::optional<FrameOutput> frames;   ///< nothing: pictures, in the window hashes
     bool window = false;
+    bool ledger = false;      ///< adds the price of every effect that was replaced or left out; not with window
     std::string tour;         ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only
     std::string save_config;  ///< writes data, design and parameters to this file
 

@@ -9,6 +9,7 @@
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
 #include "render_core/base/hash.hpp"
+#include "render_core/gl/program.hpp"
 #include "render_core/gl/readback.hpp"
 
 namespace tedavis::host_sim {
@@ -43,12 +44,31 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
 
 DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface)
     : device_(load_device(options.device)) {
+    MadePrograms programs;
+    const bool has_compiler = gl::has_compiler(device_.capability);
+    if (!has_compiler) programs = make_programs(options);
+    open(options, generated_flight, make_surface, has_compiler ? nullptr : &programs);
+}
+
+MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
+    effects::DeviceSettings device = load_device(options.device);
+    device.capability = gl::with_compiler(device.capability);
+    MadePrograms programs;
+    DisplaySession maker(std::move(device));
+    maker.open(options, false, headless_surface(options.gl), &programs);
+    return programs;
+}
+
+void DisplaySession::open(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface,
+                          MadePrograms* programs) {
+    device_.forbidden.add(options.forbidden);
     display::DisplaySettings settings;
     settings.device = device_;
     settings.design = load_design(options);
     settings.width_px = options.size ? options.size->width : device_.width_px;
     settings.height_px = options.size ? options.size->height : device_.height_px;
     settings.generated_flight = generated_flight;
+    settings.programs = programs;
     open_terrain(options.terrain);
     open_scene(options.scene);
     const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;

@@ -8,6 +8,7 @@
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/png_file.hpp"
+#include "host_sim/replay/made_programs.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "platform/platform_error.hpp"
 #include "platform/reservation/memory_reservation.hpp"
@@ -26,6 +27,9 @@ public:
     DisplaySession(const PictureOptions& options, bool generated_flight);
     /// Draws on the surface that `make_surface` opens.
     DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
+    /// The programs that a display with these options is started with, made by this machine's compiler; the device need not
+    /// have one. No other session may be current. Throws UserError.
+    [[nodiscard]] static MadePrograms make_programs(const PictureOptions& options);
     ~DisplaySession();
     DisplaySession(const DisplaySession&) = delete;
     DisplaySession& operator=(const DisplaySession&) = delete;
@@ -51,6 +55,8 @@ public:
     [[nodiscard]] std::string terrain_fault() const;
 
 private:
+    explicit DisplaySession(effects::DeviceSettings device) : device_(std::move(device)) {}
+    void open(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface, MadePrograms* programs);
     void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
     void open_terrain(const std::string& path);
     void open_scene(const std::string& path);

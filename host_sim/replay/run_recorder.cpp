@@ -34,6 +34,12 @@ void remove_frame_pictures(const std::string& folder) {
     for (const auto& file : old) std::filesystem::remove(file, error);
 }
 
+std::string denied_text(const gl::DeniedReport& denied, const std::string& device) {
+    const gl::DeniedCall& first = denied.first[0];
+    return "device " + device + ": " + std::to_string(denied.total) + " GL calls outside its table, the first kind gl" +
+           gl::describe(first.call).name + ": " + first.reason + "; its pictures are not what the device would show";
+}
+
 const std::string& made_folder(const ReplayOptions& options) {
     const std::string frames = options.output + "/" + kFramesFolder;
     make_folder(options.output);
@@ -97,9 +103,12 @@ int RunRecorder::finish(bool interrupted, Console& console) {
     if (!done.notes.empty())
         console.note("note: " + std::to_string(done.notes.size()) + (done.notes.size() == 1 ? " note" : " notes") +
                      " in summary.json, the first: " + done.notes.front());
+    const gl::DeniedReport& denied = session_.display().gl().denied();
+    if (denied.total > 0) console.note(denied_text(denied, done.device));
     console.result(options_.output + line + deadline_text(done.deadline), run_summary_json(done, memory));
     if (interrupted) return kInterruptedExitCode;
-    return session_.terrain_fault().empty() ? 0 : kFaultyInputExitCode;
+    if (!session_.terrain_fault().empty()) return kFaultyInputExitCode;
+    return denied.total > 0 ? kCheckFailedExitCode : 0;
 }
 
 RunSummary RunRecorder::summary(bool interrupted) {

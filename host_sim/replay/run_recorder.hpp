@@ -22,6 +22,8 @@ public:
 
     /// Plays the flight to the instant, plans, draws and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
+    /// Where the flight was in the frame drawn last.
+    [[nodiscard]] const PlayedInstant& instant() const { return instant_; }
     /// Adds the frame drawn last to the run.
     void keep();
     /// A sentence for the summary.
@@ -29,7 +31,8 @@ public:
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
     /// Writes the records, the summary and the report, and states the command's result. Once, at the end. Returns the exit
-    /// code: kInterruptedExitCode, 2 where the terrain database failed during the run, else 0.
+    /// code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call was made that the device
+    /// does not have, else 0.
     [[nodiscard]] int finish(bool interrupted, Console& console);
 
 private:

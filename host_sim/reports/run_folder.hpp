@@ -9,6 +9,8 @@ namespace tedavis::host_sim {
 inline constexpr char kFrameRecordsName[] = "frames.jsonl";
 inline constexpr char kSummaryName[] = "summary.json";
 inline constexpr char kReportName[] = "report.html";
+inline constexpr char kLedgerName[] = "ledger.json";
+inline constexpr char kLedgerFolder[] = "ledger";
 inline constexpr char kFramesFolder[] = "frames";
 inline constexpr char kWindowSwitchesName[] = "window.switches";
 

@@ -20,6 +20,7 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     settings_ = settings;
     keep_design(settings.design, possible_design(settings.design, settings.device));
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
+    gl_.use_programs(settings.programs);
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
@@ -29,6 +30,7 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     }
     if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
     gl_.seal();
+    gl_.use_programs(nullptr);
     memory_.note_use(settings_.device.budget);
     return {};
 }

@@ -37,8 +37,9 @@ struct DisplaySettings {
     effects::DeviceSettings device;
     design::DesignSettings design;
     std::uint32_t width_px = 0, height_px = 0;
-    bool generated_flight = false;  ///< said on the display
-    bool expects_scene = false;     ///< one may come later, by take_scene()
+    bool generated_flight = false;           ///< said on the display
+    bool expects_scene = false;              ///< one may come later, by take_scene()
+    base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
 };
 
 class Display {

@@ -9,7 +9,6 @@ using effects::Effect;
 using effects::EffectCall;
 using Kind = EffectCall::Kind;
 
-constexpr std::string_view kRemoved = "removed by the failure policy";
 
 EffectCall sun_call(LightSource light) {
     if (light == LightSource::no_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
@@ -28,7 +27,7 @@ EffectCall ground_call(GroundDataState state) {
 }
 
 EffectCall adjacent_call(const EffectFacts& facts) {
-    if (facts.decisions.unusual_attitude) return {Kind::not_called_for, kRemoved};
+    if (facts.decisions.unusual_attitude) return {Kind::not_called_for, kRemovedByPolicy};
     if (facts.adjacent == GroundDataState::not_asked_for) return {Kind::not_called_for, "a free view has no symbology"};
     if (facts.adjacent == GroundDataState::shown && facts.adjacent_maps == 0)
         return {Kind::no_input, "there is no room beside the symbology and the legends"};
@@ -220,7 +219,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
         if (!facts.asked.has(static_cast<Effect>(n)))
             input.calls[n] = {};
         else if (!facts.decisions.show_terrain && static_cast<Effect>(n) != Effect::panel_lighting)
-            input.calls[n] = {Kind::not_called_for, kRemoved};
+            input.calls[n] = {Kind::not_called_for, kRemovedByPolicy};
     }
     return input;
 }

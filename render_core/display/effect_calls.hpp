@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <string_view>
 
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/cue_calls.hpp"
@@ -18,6 +19,9 @@
 #include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::display {
+
+/// Why an effect of what may not be shown now is left out.
+inline constexpr std::string_view kRemovedByPolicy = "removed by the failure policy";
 
 /// Effects that a design asks for, whether or not they are possible.
 [[nodiscard]] effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept;

@@ -13,6 +13,7 @@
 
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/ports/program_store.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/effects/device_capability.hpp"
@@ -48,6 +49,10 @@ public:
     /// Loads the table for the current surface and makes this Gl the thread's active one, in the start stage. Refuses a
     /// driver that lacks an allowed call or is below the device's requirements, and a device file that names no call.
     [[nodiscard]] base::Result<DriverFacts, GlError> open(base::Surface& surface, const effects::DeviceCapability& device);
+    /// Where programs are found on a device that has no compiler, and kept on one that has; null for none. Before or after
+    /// open(); it must outlive the start stage.
+    void use_programs(base::ProgramStore* store) { programs_ = store; }
+    [[nodiscard]] base::ProgramStore* programs() const { return programs_; }
     /// Ends the start stage; there is no way back.
     void seal();
     /// Ends the run: only deletion is left.
@@ -82,6 +87,7 @@ private:
     [[nodiscard]] const char* absence(CallId call) const;
 
     effects::DeviceCapability device_;
+    base::ProgramStore* programs_ = nullptr;
     DriverFacts facts_;
     CallTable loaded_{};  ///< the driver's entry points
     CallTable table_{};   ///< what callers see: guards and denials

@@ -1,11 +1,20 @@
 #include "render_core/gl/program.hpp"
 
+#include <iterator>
+
+#include "render_core/base/hash.hpp"
 #include "render_core/gl/shader_prefix.hpp"
 
 namespace tedavis::gl {
 namespace {
 
 constexpr std::size_t kLogLength = 768;
+constexpr const char* kMakeAgain = "; make its programs on this machine with 'tedavis shaders'";
+constexpr const char* kCompilerCalls[] = {"AttachShader", "BindAttribLocation", "CompileShader",     "CreateShader",
+                                          "DeleteShader", "GetProgramBinary",   "GetProgramInfoLog", "GetShaderInfoLog",
+                                          "GetShaderiv",  "LinkProgram",        "ProgramParameteri", "ShaderSource",
+                                          "DeleteProgram"};
+static_assert(std::size(kCompilerCalls) <= effects::kMaxCallExceptions);
 
 GLint text_length(std::string_view text) { return static_cast<GLint>(text.size()); }
 
@@ -51,6 +60,21 @@ GlError link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex,
     return stage_error(source, "does not link: ", log);
 }
 
+GlError keep(Gl& gl, const ProgramSource& source, const Program& program, base::ProgramStore& store) {
+    if (!gl.has(CallId::GetProgramBinary) || gl.driver().program_binary_formats == 0)
+        return stage_error(source, "cannot be kept", ": the driver or the device's call list has no program binaries");
+    GLint bytes = 0;
+    gl->GetProgramiv(program.id(), GL_PROGRAM_BINARY_LENGTH, &bytes);
+    const base::Span<unsigned char> room = store.room(bytes > 0 ? static_cast<std::size_t>(bytes) : 0);
+    if (room.empty()) return stage_error(source, "cannot be kept", ": its binary has no bytes, or too many");
+    GLsizei written = 0;
+    GLenum format = 0;
+    gl->GetProgramBinary(program.id(), static_cast<GLsizei>(room.size()), &written, &format, room.data());
+    const base::Span<const unsigned char> binary(room.data(), static_cast<std::size_t>(written));
+    if (store.keep(program_key(gl, source), source.name, {format, binary})) return {};
+    return stage_error(source, "cannot be kept", ": the store of programs is full");
+}
+
 }  // namespace
 
 void Program::destroy(Gl& gl) {
@@ -68,10 +92,7 @@ GlError Program::look_up_uniforms(Gl& gl, const ProgramSource& source) {
     return {};
 }
 
-base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source) {
-    if (!gl.has(CallId::CompileShader))
-        return base::fail(
-            make_error("program '", source.name, "' cannot be compiled: the device has no compiler; load its binary"));
+base::Result<Program, GlError> compile_program(Gl& gl, const ProgramSource& source) {
     GlError error;
     const GLuint vertex = compile(gl, source, ShaderStage::vertex, error);
     if (vertex == 0) return base::fail(error);
@@ -89,17 +110,15 @@ base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source
     return base::fail(error);
 }
 
-base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, GLenum format,
-                                            base::Span<const unsigned char> binary) {
+base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, const base::StoredProgram& stored) {
     Program program;
     program.id_ = gl->CreateProgram();
-    gl->ProgramBinary(program.id_, format, binary.data(), static_cast<GLsizei>(binary.size()));
+    gl->ProgramBinary(program.id_, stored.format, stored.binary.data(), static_cast<GLsizei>(stored.binary.size()));
     GLint linked = GL_FALSE;
     gl->GetProgramiv(program.id_, GL_LINK_STATUS, &linked);
     GlError error;
-    if (linked == GL_FALSE)
-        error = make_error("the driver refused the binary of program '", source.name,
-                           "'; make the shader binaries again on this device");
+    if (linked == GL_FALSE)  // GL reports no error for a changed binary
+        error = stage_error(source, "has a binary that the driver refuses", kMakeAgain);
     if (error.sentence.empty()) error = program.look_up_uniforms(gl, source);
     static_cast<void>(gl.take_error());  // a foreign format is also a GL error, and the sentence says it
     if (error.sentence.empty()) return program;
@@ -107,18 +126,47 @@ base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source,
     return base::fail(error);
 }
 
-base::Result<ProgramBinary, GlError> save_program(Gl& gl, const Program& program, base::Span<unsigned char> out) {
-    if (!gl.has(CallId::GetProgramBinary) || gl.driver().program_binary_formats == 0)
-        return base::fail(make_error("the driver has no program binaries; use a device with the es3 call list"));
-    GLint bytes = 0;
-    gl->GetProgramiv(program.id(), GL_PROGRAM_BINARY_LENGTH, &bytes);
-    if (bytes <= 0 || static_cast<std::size_t>(bytes) > out.size())
-        return base::fail(make_error("the program's binary does not fit the memory given for it"));
-    ProgramBinary binary;
-    GLsizei written = 0;
-    gl->GetProgramBinary(program.id(), static_cast<GLsizei>(out.size()), &written, &binary.format, out.data());
-    binary.bytes = static_cast<std::size_t>(written);
-    return binary;
+base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source) {
+    base::ProgramStore* const store = gl.programs();
+    if (!gl.has(CallId::CompileShader)) {
+        base::StoredProgram stored;
+        if (store == nullptr || !store->find(program_key(gl, source), stored))
+            return base::fail(stage_error(source, "has no binary for this driver, and the device has no compiler", kMakeAgain));
+        return load_program(gl, source, stored);
+    }
+    base::Result<Program, GlError> built = compile_program(gl, source);
+    if (!built.ok() || store == nullptr) return built;
+    const GlError error = keep(gl, source, built.value(), *store);
+    if (error.sentence.empty()) return built;
+    built.value().destroy(gl);
+    return base::fail(error);
 }
+
+std::uint64_t program_key(const Gl& gl, const ProgramSource& source) {
+    base::Fnv1a64 key;
+    const auto add = [&](std::string_view text) {
+        key.add(text.data(), text.size());
+        key.add("", 1);  // so that texts do not run into one another
+    };
+    for (std::string_view text : {gl.driver().renderer.view(), gl.driver().version.view()}) add(text);
+    const effects::Lane lane = gl.device().lane;
+    add(shader_prefix(lane, ShaderStage::vertex));
+    add(source.vertex);
+    add(shader_prefix(lane, ShaderStage::fragment));
+    add(source.fragment);
+    for (const AttributeBinding& attribute : source.attributes) {
+        add(attribute.name);
+        key.add_u32_little_endian(attribute.location);
+    }
+    return key.value();
+}
+
+effects::DeviceCapability with_compiler(effects::DeviceCapability device) {
+    for (const char* call : kCompilerCalls)
+        if (!device_has(device.gl, find_call(call))) static_cast<void>(device.gl.also.try_push_back(effects::CallName(call)));
+    return device;
+}
+
+bool has_compiler(const effects::DeviceCapability& device) { return device_has(device.gl, CallId::CompileShader); }
 
 }  // namespace tedavis::gl

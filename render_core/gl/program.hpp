@@ -29,6 +29,10 @@ struct ProgramSource {
     bool some_unused = false;                ///< a program of many variants: uniforms that this one lacks are -1
 };
 
+class Program;
+[[nodiscard]] base::Result<Program, GlError> compile_program(Gl&, const ProgramSource&);
+[[nodiscard]] base::Result<Program, GlError> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
+
 class Program {
 public:
     Program() = default;
@@ -39,27 +43,24 @@ public:
     void destroy(Gl& gl);
 
 private:
-    friend base::Result<Program, GlError> build_program(Gl&, const ProgramSource&);
-    friend base::Result<Program, GlError> load_program(Gl&, const ProgramSource&, GLenum, base::Span<const unsigned char>);
+    // Both are program.cpp's own.
+    friend base::Result<Program, GlError> compile_program(Gl&, const ProgramSource&);
+    friend base::Result<Program, GlError> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
     [[nodiscard]] GlError look_up_uniforms(Gl& gl, const ProgramSource& source);
     GLuint id_ = 0;
     base::FixedVector<GLint, kMaxUniforms> uniforms_;
 };
 
-/// Compiles and links in the device's lane; start stage, es2 and es3 call lists. A named uniform that the program does not
-/// use is an error, since a misspelt name looks the same.
+/// In the start stage: compiled and linked in the device's lane, and kept in the Gl's store of programs if there is one. On a
+/// device without a compiler it is found in that store; a missing, changed or foreign binary is refused. A named uniform that
+/// the program does not use is an error, since a misspelt name looks the same.
 [[nodiscard]] base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source);
 
-/// From a binary that this driver made (sc2 has no compiler). Attribute locations are those it was linked with. A changed or
-/// foreign binary is refused: LINK_STATUS tells, GL reports no error.
-[[nodiscard]] base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, GLenum format,
-                                                          base::Span<const unsigned char> binary);
+/// Under which a program is kept: of its text, lane and attributes, and of the driver, whose binaries only it can read.
+[[nodiscard]] std::uint64_t program_key(const Gl& gl, const ProgramSource& source);
 
-struct ProgramBinary {
-    GLenum format = 0;
-    std::size_t bytes = 0;
-};
-/// The linked program as this driver's binary, written to `out`; needs the es3 call list.
-[[nodiscard]] base::Result<ProgramBinary, GlError> save_program(Gl& gl, const Program& program, base::Span<unsigned char> out);
+/// The same device with the calls that compile and hand out binaries: what makes programs for one that lacks them.
+[[nodiscard]] effects::DeviceCapability with_compiler(effects::DeviceCapability device);
+[[nodiscard]] bool has_compiler(const effects::DeviceCapability& device);
 
 }  // namespace tedavis::gl

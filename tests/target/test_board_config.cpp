@@ -43,7 +43,7 @@ TEST(BoardConfig, ReadsEverySetting) {
     Board board;
     const BoardSettings settings = board.settings(
         "[terrain]\ndatabase = 'data/area.tdb'\n[scene]\ndatabase = 'data/area.sdb'\n[costs]\nfile = "
-        "'costs.toml'\n[can]\ninterface = 'can1'\nfd = true\n"
+        "'costs.toml'\n[programs]\nfolder = 'sc2.programs'\n[can]\ninterface = 'can1'\nfd = true\n"
         "filter = false\nreceive_buffer_bytes = 65536\nreopen_s = 2.5\n[switches]\nconfig = '" +
         kRoot +
         "/configs/switches/one_hot.toml'\n[surface]\nbackend = 'osmesa'\nwidth_px = 800\nheight_px = 600\n[memory]\ntouch = "
@@ -53,6 +53,7 @@ TEST(BoardConfig, ReadsEverySetting) {
     EXPECT_EQ(settings.terrain.view(), board.folder.file("data/area.tdb")) << "found from the board file";
     EXPECT_EQ(settings.scene.view(), board.folder.file("data/area.sdb"));
     EXPECT_EQ(settings.costs.view(), board.folder.file("costs.toml"));
+    EXPECT_EQ(settings.programs.view(), board.folder.file("sc2.programs"));
     EXPECT_EQ(settings.can.interface_name.view(), "can1");
     EXPECT_TRUE(settings.can.can_fd);
     EXPECT_TRUE(settings.can.filters.empty());

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "platform/surface_factory.hpp"
+#include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
 
 namespace tedavis::gl::test_program {
@@ -76,43 +79,104 @@ std::vector<Place> places() {
 INSTANTIATE_TEST_SUITE_P(Places, ProgramTest, testing::ValuesIn(places()),
                          [](const auto& place) { return place.param.backend + "_" + place.param.device.substr(0, 3); });
 
-TEST(ProgramBinary, OfAnEs3ContextServesTheDeviceWithoutACompiler) {
-    std::vector<unsigned char> binary(1 << 20);
-    ProgramBinary saved;
-    {
-        GlSession maker("egl", "es3-mid");
-        const auto program = build_program(maker.gl, triangle_program_source());
-        ASSERT_TRUE(program.ok());
-        const auto result = save_program(maker.gl, program.value(), binary);
-        ASSERT_TRUE(result.ok()) << result.error().sentence.c_str();
-        saved = result.value();
-        binary.resize(saved.bytes);
-        unsigned char little[4];
-        EXPECT_FALSE(save_program(maker.gl, program.value(), little).ok());
+/// One program, and what it is asked for.
+struct OneProgram final : base::ProgramStore {
+    bool find(std::uint64_t key, base::StoredProgram& program) override {
+        program = {format, binary};
+        return key == kept;
     }
+    base::Span<unsigned char> room(std::size_t bytes) override {
+        if (bytes > most) return {};
+        binary.resize(bytes);
+        return binary;
+    }
+    bool keep(std::uint64_t key, std::string_view name, const base::StoredProgram& program) override {
+        kept = key;
+        format = program.format;
+        names += name;
+        return !is_full;
+    }
+    std::uint64_t kept = 0;
+    std::uint32_t format = 0;
+    std::vector<unsigned char> binary;
+    std::size_t most = 1 << 20;
+    std::string names;
+    bool is_full = false;
+};
+
+/// The device without a compiler, and the same with one.
+effects::DeviceSettings sc2_with_compiler() {
+    effects::DeviceSettings device = test_support::shipped_device("sc2");
+    device.capability = with_compiler(device.capability);
+    return device;
+}
+
+std::unique_ptr<base::Surface> es2_surface() {
+    return std::move(platform::make_surface("egl", {64, 48, platform::ContextLane::es2}).value());
+}
+
+std::string refused(GlSession& at) {
+    const auto built = build_program(at.gl, triangle_program_source());
+    return built.ok() ? "" : std::string(built.error().sentence.view());
+}
+
+void make_triangle_program(OneProgram& store) {
+    GlSession maker(es2_surface(), sc2_with_compiler());
+    maker.gl.use_programs(&store);
+    ASSERT_EQ(refused(maker), "");
+    EXPECT_EQ(store.names, "triangle");
+    EXPECT_EQ(store.kept, program_key(maker.gl, triangle_program_source()));
+    EXPECT_EQ(maker.gl.denied().total, 0u);
+}
+
+TEST(ProgramBinary, MadeWithACompilerServesTheDeviceWithoutOne) {
+    OneProgram store;
+    make_triangle_program(store);
     GlSession sc2("egl", "sc2");
-    EXPECT_FALSE(build_program(sc2.gl, triangle_program_source()).ok());
-    const auto loaded = load_program(sc2.gl, triangle_program_source(), saved.format, binary);
+    EXPECT_NE(refused(sc2).find("'triangle' has no binary for this driver, and the device has no compiler"), std::string::npos);
+    sc2.gl.use_programs(&store);
+    const auto loaded = build_program(sc2.gl, triangle_program_source());
     ASSERT_TRUE(loaded.ok()) << loaded.error().sentence.c_str();
     EXPECT_EQ(sc2.gl->GetAttribLocation(loaded.value().id(), "color"), 1);
-
-    std::vector<unsigned char> flipped = binary;
-    flipped[flipped.size() / 2] ^= 1;
-    const auto refused = load_program(sc2.gl, triangle_program_source(), saved.format, flipped);
-    ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().sentence.view().find("refused the binary of program 'triangle'"), std::string_view::npos);
-    EXPECT_FALSE(load_program(sc2.gl, triangle_program_source(), 0x1234, binary).ok());
-    EXPECT_EQ(sc2.gl.take_error(), static_cast<GLenum>(GL_NO_ERROR));
     EXPECT_EQ(sc2.gl.denied().total, 0u);
 }
 
-TEST(ProgramBinary, NeedsTheEs3CallList) {
-    GlSession at("egl", "es2-small");
-    const auto program = build_program(at.gl, triangle_program_source());
-    ASSERT_TRUE(program.ok());
-    unsigned char memory[16];
-    EXPECT_FALSE(save_program(at.gl, program.value(), memory).ok());
-    EXPECT_EQ(at.gl.denied().total, 0u);
+TEST(ProgramBinary, ThatIsChangedOrForeignIsRefused) {
+    OneProgram store;
+    make_triangle_program(store);
+    GlSession sc2("egl", "sc2");
+    sc2.gl.use_programs(&store);
+    OneProgram changed = store;
+    changed.binary[changed.binary.size() / 2] ^= 1;
+    sc2.gl.use_programs(&changed);
+    EXPECT_NE(refused(sc2).find("'triangle' has a binary that the driver refuses; make its programs"), std::string::npos);
+    changed = store;
+    changed.format = 0x1234;
+    EXPECT_NE(refused(sc2), "");
+    EXPECT_EQ(sc2.gl.take_error(), static_cast<GLenum>(GL_NO_ERROR));
+    ProgramSource other = triangle_program_source();
+    const std::string text = std::string(other.fragment) + "\n";
+    other.fragment = text;
+    EXPECT_NE(program_key(sc2.gl, other), store.kept) << "another text is another program";
+    changed = store;
+    EXPECT_FALSE(build_program(sc2.gl, other).ok());
+    EXPECT_EQ(sc2.gl.denied().total, 0u);
+}
+
+TEST(ProgramBinary, IsNotKeptWhereItCannotBe) {
+    OneProgram store;
+    {
+        GlSession es2("egl", "es2-small");
+        es2.gl.use_programs(&store);
+        EXPECT_NE(refused(es2).find("no program binaries"), std::string::npos);
+    }
+    GlSession maker(es2_surface(), sc2_with_compiler());
+    maker.gl.use_programs(&store);
+    store.most = 16;
+    EXPECT_NE(refused(maker).find("too many"), std::string::npos);
+    store.most = 1 << 20;
+    store.is_full = true;
+    EXPECT_NE(refused(maker).find("full"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+/// The commands and their options, in groups; command_line.cpp puts them together.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/calibrate.hpp"
+#include "host_sim/commands/check.hpp"
+#include "host_sim/commands/convert.hpp"
+#include "host_sim/commands/diff.hpp"
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/commands/scenario.hpp"
+#include "host_sim/commands/scene.hpp"
+#include "host_sim/commands/shaders.hpp"
+#include "host_sim/commands/sheet.hpp"
+#include "host_sim/commands/shot.hpp"
+#include "host_sim/commands/terrain.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+
+/// Everything that the options write to, and what to run once they are parsed.
+struct CommandLine {
+    ConvertOptions convert;
+    ScenarioBuildOptions scenario;
+    SceneBuildOptions scene_build;
+    SceneInfoOptions scene_info;
+    TerrainBuildOptions terrain_build;
+    TerrainCheckOptions terrain_check;
+    TerrainInfoOptions terrain_info;
+    TerrainFractalOptions terrain_fractal;
+    ReplayOptions replay;
+    ShotOptions shot;
+    SheetOptions sheet;
+    DiffOptions diff;
+    CheckOptions check;
+    CalibrateOptions calibrate;
+    ShadersOptions shaders;
+    std::string replay_config;
+    std::vector<CLI::Option*> replay_config_holds;  ///< what must not stand beside --config
+    bool json = false;
+    std::function<int(Console&)> run;
+};
+
+/// A command with --json; `run` is what the line will run.
+[[nodiscard]] CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
+                                    std::function<int(Console&)> run);
+
+template <class T>
+CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
+    return command->add_option_function<T>(
+        name, [&target](const T& value) { target = value; }, help);
+}
+
+template <class Choice>
+Choice choice_from(const std::string& option, const std::string& word, const std::map<std::string, Choice>& choices) {
+    const auto found = choices.find(word);
+    if (found != choices.end()) return found->second;
+    std::string names;
+    for (const auto& [name, choice] : choices) names += (names.empty() ? "" : ", ") + name;
+    throw UserError(option + " " + word + ": unknown; choose one of " + names);
+}
+
+/// convert, scenario, scene, terrain: what turns files into what the display reads.
+void add_builders(CLI::App& app, CommandLine& line);
+/// shot, sheet, calibrate, shaders, replay: what starts a display.
+void add_displays(CLI::App& app, CommandLine& line);
+
+}  // namespace tedavis::host_sim

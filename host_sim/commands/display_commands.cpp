@@ -1,0 +1,168 @@
+#include "host_sim/commands/command_groups.hpp"
+#include "host_sim/commands/option_checks.hpp"
+#include "host_sim/commands/option_texts.hpp"
+#include "host_sim/commands/replay_config.hpp"
+#include "host_sim/window/window_keys.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+/// What every command that draws has.
+void add_surface_options(CLI::App* command, PictureOptions& picture) {
+    static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
+    command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
+    command->add_option("--scene", picture.scene, "spatial data: scene database (.sdb)");
+    command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
+    command->add_option_function<std::string>(
+        "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
+    command
+        ->add_option_function<std::string>(
+            "--gl", [&picture](const std::string& word) { picture.gl = choice_from("--gl", word, kGl); }, "egl or osmesa")
+        ->default_str("egl");
+}
+
+void add_picture_options(CLI::App* command, PictureOptions& picture) {
+    add_surface_options(command, picture);
+    command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
+    add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
+    add_optional(command, "--deadline", picture.deadline_ms,
+                 "milliseconds that a frame may take by the costs of --costs; default: none is held")
+        ->check(above_zero());
+    command->add_option("--costs", picture.costs, "what everything costs on this machine: a file that calibrate wrote");
+    command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
+}
+
+void add_time(CLI::App* command, std::optional<base::Time>& time) {
+    command->add_option_function<std::string>(
+        "--time", [&time](const std::string& text) { time = time_from(text); },
+        "UTC such as 2026-06-01T14:00:00Z, by which data are valid and have an age; default: data at their own first time");
+}
+
+void add_shot(CLI::App& app, CommandLine& line) {
+    ShotOptions& o = line.shot;
+    CLI::App* command =
+        add_command(app, line, "shot", "one picture and its record", [&o](Console& console) { return run_shot(o, console); });
+    command
+        ->add_option_function<std::string>(
+            "--pose", [&o](const std::string& text) { o.pose = pose_from(text); }, "lat,lon,alt_m,heading,pitch,roll")
+        ->required();
+    add_time(command, o.time);
+    command->add_option_function<std::string>(
+        "--phase", [&o](const std::string& text) { o.phase = phase_from(text); },
+        "flight phase, as if a switch stated it; default: none is stated");
+    command->add_option("-o", o.output, "the picture to write (.png)")->required();
+    add_picture_options(command, o.picture);
+}
+
+void add_calibrate(CLI::App& app, CommandLine& line) {
+    CalibrateOptions& o = line.calibrate;
+    CLI::App* command = add_command(app, line, "calibrate", "what every effect costs on this machine, as a file for --costs",
+                                    [&o](Console& console) { return run_calibrate(o, console); });
+    command->add_option("-o", o.output, "the costs to write (.toml); beside it as .json what they were measured from")
+        ->required();
+    add_surface_options(command, o.picture);
+    command->add_option("--design", o.picture.design, "its own effects are measured in it")->capture_default_str();
+    command->add_option_function<std::string>(
+        "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
+        "lat,lon,alt_m,heading,pitch,roll; with --terrain");
+    add_time(command, o.time);
+    command->add_option("--rounds", o.rounds, "frames with and without each effect")
+        ->check(CLI::Range(3, 1000))
+        ->capture_default_str();
+}
+
+void add_shaders(CLI::App& app, CommandLine& line) {
+    ShadersOptions& o = line.shaders;
+    o.picture.device = "sc2";
+    CLI::App* command = add_command(app, line, "shaders", "a design's programs as binaries, for a device without a compiler",
+                                    [&o](Console& console) { return run_shaders(o, console); });
+    command->add_option("-o", o.output, "folder to write to; a board file names it as its programs")->required();
+    add_surface_options(command, o.picture);
+    command->add_option("--design", o.picture.design, "design file or shipped name")->capture_default_str();
+}
+
+void add_sheet(CLI::App& app, CommandLine& line) {
+    SheetOptions& o = line.sheet;
+    CLI::App* command = add_command(app, line, "sheet", "contact sheet: one labelled picture a technique",
+                                    [&o](Console& console) { return run_sheet(o, console); });
+    command->add_option("SHEET", o.sheet, "sheet file or shipped name, such as terrain-styles")->required();
+    command->add_option("-o", o.output, "folder to write to")->required();
+    command->add_option_function<std::string>(
+        "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
+        "lat,lon,alt_m,heading,pitch,roll; default: the sheet's");
+    add_time(command, o.time);
+    add_surface_options(command, o.picture);
+    command->get_option("--terrain")->description("terrain database (.tdb); default: built from the sheet's raster");
+    command->get_option("--scene")->description("scene database (.sdb); default: built from the sheet's scene");
+    command->get_option("--size")->description("WIDTHxHEIGHT of a picture; default: the sheet's");
+}
+
+/// What --config says, with what may stand beside it on the command line.
+void use_replay_config(CommandLine& line) {
+    if (line.replay_config.empty()) return;
+    for (const CLI::Option* option : line.replay_config_holds)
+        if (option->count() > 0)
+            throw UserError("--config " + line.replay_config + ": this file says it already; leave out " + option->get_name());
+    const ReplayOptions given = line.replay;
+    line.replay = load_replay_config(line.replay_config);
+    line.replay.output = given.output;
+    line.replay.window = given.window;
+    line.replay.tour = given.tour;
+    line.replay.save_config = given.save_config;
+}
+
+int run_replay_line(CommandLine& line, Console& console) {
+    use_replay_config(line);
+    const std::string& from = line.replay_config.empty() ? std::string("replay") : line.replay_config;
+    if (line.replay.log.empty()) throw UserError(from + ": no log named; give a candump log, or --config with a saved replay");
+    return run_replay(line.replay, console);
+}
+
+void add_replay_instants(CLI::App* command, ReplayOptions& o) {
+    add_optional(command, "--from", o.from_s, "earliest frame, in seconds since the log's first; default: 0");
+    add_optional(command, "--to", o.to_s, "latest frame; not before --from, also when going backwards; default: the log's end");
+    add_optional(command, "--step", o.step_s,
+                 "seconds between frames; negative: backwards from --to down to --from; default: the device's rate");
+    static const std::map<std::string, FrameOutput> kOutputs{
+        {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
+    command->add_option_function<std::string>(
+        "--frames", [&o](const std::string& word) { o.frames = choice_from("--frames", word, kOutputs); },
+        "png, hash or none; default: png, with --window hash");
+}
+
+void add_replay(CLI::App& app, CommandLine& line) {
+    ReplayOptions& o = line.replay;
+    CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
+                                    [&line](Console& console) { return run_replay_line(line, console); });
+    command->add_option("LOG", o.log, "candump log");
+    command->add_option("--switches", o.switches, "switch log");
+    command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
+    add_replay_instants(command, o);
+    command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
+    add_picture_options(command, o.picture);
+    CLI::Option* ledger = command->add_flag(
+        "--ledger", o.ledger, "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");
+    line.replay_config_holds = command->get_options(
+        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
+    command->add_option("-o", o.output, "folder to write to")->required();
+    command->add_option("--save-config", o.save_config,
+                        "writes data, design and parameters of this replay to a file, after --window with its switches");
+    CLI::Option* window =
+        command->add_flag("--window", o.window, "in a window on the screen, with the keys below")->excludes(ledger);
+    command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
+    command->add_option("--config", line.replay_config,
+                        "a file that --save-config wrote; beside it only -o, --save-config, --window and --tour");
+    command->footer(window_keys_help());
+}
+
+}  // namespace
+
+void add_displays(CLI::App& app, CommandLine& line) {
+    add_shot(app, line);
+    add_sheet(app, line);
+    add_calibrate(app, line);
+    add_shaders(app, line);
+    add_replay(app, line);
+}
+
+}  // namespace tedavis::host_sim
