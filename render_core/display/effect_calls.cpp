@@ -9,7 +9,6 @@ using effects::Effect;
 using effects::EffectCall;
 using Kind = EffectCall::Kind;
 
-
 EffectCall sun_call(LightSource light) {
     if (light == LightSource::no_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
     if (light == LightSource::sun_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};

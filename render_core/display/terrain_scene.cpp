@@ -228,8 +228,10 @@ double TerrainScene::farthest_m(const terrain::View& view) const {
 }
 
 double TerrainScene::nearest_m(const terrain::View& view) const {
-    const draw::DepthPlan depth = depth_plan(view);
-    return depth.ranges[depth.count - 1].near_m;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const terrain::SelectedChunk& chunk : selected())
+        nearest = std::fmin(nearest, terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)}).near_m);
+    return std::fmax(nearest, view.near_m);
 }
 
 void TerrainScene::rest() {

@@ -44,12 +44,25 @@ TEST(ViewEffects, ThePanelsLightingHasItsColours) {
     EXPECT_EQ(effects.dusk, (Color{0xB8, 0xAA, 0x98})) << "as it was";
 }
 
+TEST(ViewEffects, APictureForEachEye) {
+    ViewEffects effects;
+    EXPECT_EQ(effects.stereo.mode, StereoMode::none);
+    EXPECT_EQ(read("[stereo]\nmode = \"anaglyph\"\nbase_m = 0.5\nscreen_m = 60\n", effects), "");
+    EXPECT_EQ(effects.stereo.mode, StereoMode::anaglyph);
+    EXPECT_EQ(effects.stereo.base_m, 0.5);
+    EXPECT_EQ(effects.stereo.screen_m, 60);
+    EXPECT_EQ(read("[stereo]\n", effects), "");
+    EXPECT_EQ(effects.stereo.mode, StereoMode::side_by_side);
+    EXPECT_NE(read("[stereo]\nmode = \"quad_buffer\"\n", effects).find("choose side_by_side or anaglyph"), std::string::npos);
+}
+
 TEST(ViewEffects, WhatHasNoMeaningIsRefused) {
     ViewEffects effects;
     for (const char* text :
          {"[depth_of_field]\nblur_px = 0\n", "[depth_of_field]\nblur_px = 9\n",
           "[depth_of_field]\nfocus_near_m = 5000\nfocus_far_m = 4000\n", "[depth_of_field]\nlayers = \"symbology\"\n",
-          "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "lighting = \"quad\"\n", "bloom = true\n"})
+          "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "lighting = \"quad\"\n", "[stereo]\nbase_m = 0\n",
+          "[stereo]\nmode = \"vr\"\n", "bloom = true\n"})
         EXPECT_NE(read(text, effects).find("d.toml:"), std::string::npos) << text;
 }
 

@@ -72,7 +72,7 @@ TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
 
 TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
     design::DesignSettings whole = design_with_everything();
-    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting}) {
+    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo}) {
         EXPECT_FALSE(asked_effects(whole).has(effect));
         whole = with_effect(whole, effect);
     }
@@ -178,6 +178,15 @@ TEST_F(EffectCalls, BlurIsBoundedByNearestAndFarthestGround) {
     EXPECT_EQ(call(Effect::depth_of_field).kind, Kind::not_called_for);
 }
 
+TEST_F(EffectCalls, EachEyesPictureIsBoundedByTheParallax) {
+    facts_.asked.add(Effect::stereo);
+    facts_.parallax_px = 7;
+    EXPECT_EQ(call(Effect::stereo).kind, Kind::called);
+    EXPECT_EQ(call(Effect::stereo).bound, 7);
+    facts_.is_near = false;
+    EXPECT_EQ(call(Effect::stereo).kind, Kind::not_called_for);
+}
+
 TEST_F(EffectCalls, ThePanelIsDimmedWithOrWithoutTerrain) {
     facts_.asked.add(Effect::panel_lighting);
     EXPECT_EQ(call(Effect::panel_lighting).kind, Kind::not_called_for) << "by day";
@@ -201,6 +210,8 @@ TEST(PossibleDesign, HasNoViewEffectsWhereThereIsNoSecondPicture) {
     device.capability.off_screen_pictures = 1;
     EXPECT_FALSE(possible_design(design, device).effects.antialiasing);
     EXPECT_EQ(possible_design(design, device).effects.depth_of_field.blur_px, 0);
+    design.effects.stereo.mode = design::StereoMode::anaglyph;
+    EXPECT_EQ(possible_design(design, device).effects.stereo.mode, design::StereoMode::none);
 }
 
 TEST(PossibleDesign, HazeStandsInForAir) {
