@@ -55,7 +55,9 @@ Json effects_json(const display::FrameRecord& record) {
                         {"reason", text(effect.reason.view())},
                         {"replaced_by", text(effect.replaced_by.view())},
                         {"bound", effect.bound},
-                        {"draws", effect.draws}});
+                        {"draws", effect.draws},
+                        {"passes", effect.passes},
+                        {"bytes", effect.bytes}});
     }
     return json;
 }

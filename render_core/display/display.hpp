@@ -139,6 +139,7 @@ private:
     [[nodiscard]] bool shows_elements() const { return elements_.is_started() && decisions_.show_terrain; }
     void plan_signs(const Eye& eye, SignFrame signs);
     [[nodiscard]] draw::TerrainDrawResult draw_scene(base::Surface& surface);
+    [[nodiscard]] draw::TerrainDrawResult draw_eye(const EyePair& pair, draw::EyeSide side);
     [[nodiscard]] draw::TerrainDrawResult draw_eyes(base::Surface& surface);
     void draw_symbology(base::Surface& surface);
     [[nodiscard]] effects::TerrainTolerance terrain_tolerance() const {
@@ -164,6 +165,7 @@ private:
     effects::FrameBudget frame_budget_;
     effects::FrameCounters counters_;
     effects::FramePlan plan_;
+    EffectWorkTable work_;  ///< of the frame that was drawn last
     draw::FocusRange focus_;
     bool effects_are_forced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage

@@ -9,6 +9,7 @@ namespace tedavis::display {
 
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
+    work_ = {};
     gl::bind_surface(gl_, surface);
     if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
@@ -22,36 +23,48 @@ void Display::draw(base::Surface& surface) {
     }
     const draw::TerrainDrawResult drawn = draw_scene(surface);
     if (!free_view_active_) draw_symbology(surface);
-    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) dimmer_.draw(gl_, panel_.white);
+    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
+        const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
+        dimmer_.draw(gl_, panel_.white);
+    }
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_budget(frame_budget_.report(), record_);
     note_elements(elements_.reports(), record_);
     note_drawn(drawn, settings_.device.budget, record_);
+    note_work(work_, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;
 }
 
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
     if (stereo_.is_started()) return draw_eyes(surface);
-    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, terrain_has_void_});
+    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
 }
 
-/// The first eye's picture is the second's as well where they cannot be told apart.
-draw::TerrainDrawResult Display::draw_eyes(base::Surface& surface) {
-    const bool is_one = !plan_.runs(effects::Effect::stereo);
-    const EyePair pair = is_one ? EyePair{} : eyes_;
-    const design::StereoMode mode = settings_.design.effects.stereo.mode;
-    draw::TerrainDrawResult drawn;
-    for (const draw::EyeSide side : draw::kEyeSides) {
-        if (side == draw::EyeSide::left || !is_one) {
-            const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
-            if (shows_elements()) {
-                plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
-                elements_.prepare(gl_);
-            }
-            drawn = passes_.draw(gl_, stereo_.target(), {context_of(eye), plan_, terrain_, elements_, terrain_has_void_});
-        }
-        stereo_.put(gl_, surface, mode, side, pair.shift_px);
+draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {
+    const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
+    if (shows_elements()) {
+        plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
+        elements_.prepare(gl_);
     }
+    return passes_.draw(gl_, stereo_.target(), {context_of(eye), plan_, terrain_, elements_, work_, terrain_has_void_});
+}
+
+/// One picture is for both where they cannot be told apart; in its own colours then.
+draw::TerrainDrawResult Display::draw_eyes(base::Surface& surface) {
+    using draw::EyeSide;
+    const design::StereoMode mode = settings_.design.effects.stereo.mode;
+    if (!plan_.runs(effects::Effect::stereo)) {
+        const draw::TerrainDrawResult drawn = draw_eye({}, EyeSide::left);
+        const bool has_halves = mode == design::StereoMode::side_by_side;
+        stereo_.put(gl_, surface, has_halves ? mode : design::StereoMode::none, EyeSide::left, 0);
+        if (has_halves) stereo_.put(gl_, surface, mode, EyeSide::right, 0);
+        return drawn;
+    }
+    const draw::TerrainDrawResult drawn = draw_eye(eyes_, EyeSide::left);
+    stereo_.put(gl_, surface, mode, EyeSide::left, eyes_.shift_px);
+    const WorkScope work(gl_, work_[effects::Effect::stereo]);
+    static_cast<void>(draw_eye(eyes_, EyeSide::right));
+    stereo_.put(gl_, surface, mode, EyeSide::right, eyes_.shift_px);
     return drawn;
 }
 

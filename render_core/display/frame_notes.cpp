@@ -100,6 +100,16 @@ void note_budget(const effects::BudgetReport& report, FrameRecord& record) {
     if (report.is_missed) flag("deadline.missed", record);
 }
 
+void note_work(const EffectWorkTable& work, FrameRecord& record) {
+    for (EffectRecord& noted : record.effects) {
+        const effects::Effect effect = effects::effect_of(noted.name.view());
+        if (effect == effects::Effect::count_ || effect == effects::Effect::terrain) continue;
+        noted.draws = work[effect].draws;
+        noted.passes = work[effect].passes;
+        noted.bytes = work[effect].bytes;
+    }
+}
+
 void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record) {
     record.terrain.triangles = drawn.triangles;
     record.terrain.chunks = drawn.draws;

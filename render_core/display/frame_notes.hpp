@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "render_core/display/data_elements.hpp"
+#include "render_core/display/effect_work.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/effects/frame_budget.hpp"
@@ -19,6 +20,8 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record);
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.
 void note_budget(const effects::BudgetReport& report, FrameRecord& record);
+/// After note_effects().
+void note_work(const EffectWorkTable& work, FrameRecord& record);
 /// After the terrain is noted among the effects.
 void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
 

@@ -25,8 +25,9 @@ struct EffectRecord {
     EffectState state = EffectState::run;
     base::FixedString<95> reason;
     Name replaced_by;
-    double bound = 0;  ///< upper bound of its visible contribution, 0..1 of full scale
-    std::uint32_t draws = 0;
+    double bound = 0;                     ///< upper bound of its visible contribution, 0..1 of full scale
+    std::uint32_t draws = 0, passes = 0;  ///< of its own; what it shares with others is theirs
+    std::uint64_t bytes = 0;              ///< to the GPU, the same
 };
 
 struct AspectRecord {

@@ -50,6 +50,7 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
     if (!input.plan.runs(effects::Effect::aerial_perspective)) return {};
     const DrawContext& frame = input.frame;
     const TerrainLight& light = frame.record.light;
+    const WorkScope work(gl, input.work[effects::Effect::aerial_perspective], 0);
     air_.update(gl, frame.design.sky.air, frame.eye_msl_m, light.elevation_rad);
     draw::AirFrame air = air_.frame();
     air.towards_sun = towards_light(light.azimuth_rad, light.elevation_rad, frame.record.own_ship.position);
@@ -71,10 +72,22 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     const bool has_effects = effects.blurs || effects.smooths;
     draw::TerrainDrawResult drawn;
     draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place,
-               {frame, input.plan, input.terrain, input.elements, input.has_void}, drawn);
-    if (has_effects) view_effects_.finish(gl, place, effects);
+               {frame, input.plan, input.terrain, input.elements, input.work, input.has_void}, drawn);
+    if (has_effects) finish_effects(gl, place, effects, input.work);
     if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
     return drawn;
+}
+
+/// One pass for both: each has it among its work.
+void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked,
+                                 EffectWorkTable& work) {
+    EffectWork pass;
+    {
+        const WorkScope scope(gl, pass);
+        view_effects_.finish(gl, place, asked);
+    }
+    if (asked.blurs) work[effects::Effect::depth_of_field] += pass;
+    if (asked.smooths) work[effects::Effect::antialiasing] += pass;
 }
 
 void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {
@@ -90,7 +103,12 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
     else
         sky_.draw(gl, make_sky_input(input.frame));
     if (!off_screen) return;
-    picture_.finish(gl, place, input.frame.design, picture_input(input));
+    const draw::PictureInput picture = picture_input(input);
+    EffectWork unlined;
+    {
+        const WorkScope work(gl, picture.outlined ? input.work[effects::Effect::silhouettes] : unlined);
+        picture_.finish(gl, place, input.frame.design, picture);
+    }
     if (input.elements.has_anything()) draw_elements_over_picture(gl, input);
 }
 

@@ -11,6 +11,7 @@
 
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/effect_work.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -25,6 +26,7 @@ struct PassInput {
     const effects::FramePlan& plan;
     TerrainScene& terrain;
     DataElements& elements;
+    EffectWorkTable& work;
     bool has_void = false;  ///< ground without data is in view
 };
 
@@ -47,6 +49,7 @@ public:
 private:
     [[nodiscard]] draw::AirFrame update_air(gl::Gl& gl, const PassInput& input);
     void draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn);
+    void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, EffectWorkTable& work);
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);

@@ -32,7 +32,7 @@ public:
     /// side, -margin..margin.
     [[nodiscard]] std::int32_t screen_begins_px(EyeSide side, std::int32_t shift_px) const;
     /// Puts what was drawn last into the place that the eye has on the surface: side by side its half, in an anaglyph its colours
-    /// (red for the left eye). Both eyes have been put where neither is the other's.
+    /// (red for the left eye), with no mode all of it.
     void put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px);
     /// What both eyes see in the screen's plane is drawn into one half now; without sides the surface is whole again.
     static void begin_half(gl::Gl& gl, const base::Surface& surface, EyeSide side);

@@ -155,6 +155,26 @@ TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {
     EXPECT_EQ(record.bytes.cpu_budget, 100u);
 }
 
+TEST(FrameNotes, WorkIsThatOfEachEffect) {
+    FrameRecord record;
+    for (const char* name : {"terrain", "haze", "antialiasing", "data.tube"}) {
+        EffectRecord effect;
+        effect.name = Name(name);
+        effect.draws = 3;
+        ASSERT_TRUE(record.effects.try_push_back(effect));
+    }
+    EffectWorkTable work;
+    work[effects::Effect::antialiasing] += {1, 2, 4};
+    work[effects::Effect::antialiasing] += {1, 0, 4};
+    note_work(work, record);
+    EXPECT_EQ(record.effects[0].draws, 3u) << "note_drawn says it";
+    EXPECT_EQ(record.effects[1].draws, 0u);
+    EXPECT_EQ(record.effects[2].draws, 2u);
+    EXPECT_EQ(record.effects[2].passes, 2u);
+    EXPECT_EQ(record.effects[2].bytes, 8u);
+    EXPECT_EQ(record.effects[3].draws, 3u);
+}
+
 TEST(FrameNotes, WhatIsOutOfViewIsNotDrawn) {
     const LayerOf areas(scene::LayerRole::no_go), ways(scene::LayerRole::trajectory);
     ElementReports reports;
