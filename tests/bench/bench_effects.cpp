@@ -1,0 +1,115 @@
+/// What each effect adds to a frame of 1024 x 768 on the processor's own OpenGL, over the shipped terrain and scene, as
+/// `tedavis calibrate` measures it: frames with and without it in turn. Beside it a bare pass over the whole picture with as many
+/// texture reads as the effect's own pass has; nothing that works by pixels can cost less. `--json` prints the lines as a list.
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/own_ground.hpp"
+#include "host_sim/measure/paired_cost.hpp"
+#include "host_sim/replay/cost_bench.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+#include "render_core/base/utc_time.hpp"
+#include "tests/bench/bench_result.hpp"
+#include "tests/support/gl_session.hpp"
+#include "tests/support/screen_triangle.hpp"
+
+namespace {
+
+using namespace tedavis;
+using bench::BenchResult;
+using effects::Effect;
+
+constexpr std::uint32_t kWidth = 1024, kHeight = 768, kRounds = 15;
+constexpr double kNoTarget = std::numeric_limits<double>::max();
+
+struct PixelEffect {
+    Effect effect;
+    int taps;            ///< of its pass; 0: it only writes
+    double most_passes;  ///< bare passes that it may cost
+};
+constexpr PixelEffect kPixelEffects[] = {{Effect::silhouettes, 5, kNoTarget},  {Effect::aerial_perspective, 3, 2},
+                                         {Effect::haze, 0, kNoTarget},         {Effect::depth_of_field, 17, kNoTarget},
+                                         {Effect::antialiasing, 5, kNoTarget}, {Effect::panel_lighting, 0, kNoTarget},
+                                         {Effect::surface_grid, 0, kNoTarget}};
+
+/// Milliseconds of a pass that reads so many texels round every pixel.
+double bare_pass_ms(int taps) {
+    test_support::GlSession session("egl", "desktop", kWidth, kHeight);
+    gl::Gl& gl = session.gl;
+    std::string fragment = "uniform sampler2D image;\nvoid main() {\n    vec4 sum = vec4(0.1);\n";
+    for (int n = 0; n < taps; ++n)
+        fragment += "    sum += texelFetch(image, ivec2(gl_FragCoord.xy) + ivec2(" + std::to_string(n % 5) + ", " +
+                    std::to_string(n / 5) + "), 0);\n";
+    if (taps == 0) fragment = "uniform vec4 image;\nvoid main() {\n    vec4 sum = image;\n";
+    fragment += "    FRAGMENT_COLOR = 0.1 * sum;\n}\n";
+    test_support::ScreenTriangle triangle(gl, fragment);
+    base::BudgetLine line;
+    line.bytes = std::uint64_t{kWidth} * kHeight * 4;
+    auto picture = gl::make_texture(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
+    const std::vector<std::uint8_t> grey(line.bytes, 90);
+    static_cast<void>(picture.value().upload(gl, {0, 0, kWidth, kHeight}, grey.data()));
+    triangle.program().use(gl);
+    if (taps > 0) {
+        picture.value().bind(gl, 0);
+        gl->Uniform1i(triangle.program().uniform(0), 0);
+    }
+    std::vector<double> with, without;
+    for (std::uint32_t n = 0; n < kRounds + 2; ++n)
+        for (const bool draws : {false, true}) {
+            const base::Time start = platform::monotonic_now();
+            gl->Clear(GL_COLOR_BUFFER_BIT);
+            if (draws) triangle.draw(gl);
+            gl->Finish();
+            if (n >= 2) (draws ? with : without).push_back((platform::monotonic_now() - start).to_seconds() * 1000);
+        }
+    picture.value().destroy(gl);
+    triangle.destroy(gl);
+    return host_sim::paired_cost(with, without).ms;
+}
+
+host_sim::MeasuredCosts measured(const std::string& folder, host_sim::Console& console) {
+    host_sim::BenchPlace place;
+    place.picture.device = "desktop";
+    place.picture.size = host_sim::PictureSize{kWidth, kHeight};
+    host_sim::use_own_ground(place.picture, folder, console);
+    place.pose = {36.64, -84.36, 2100, 140, -14, 0};
+    static_cast<void>(base::parse_utc("2026-06-01T14:02:00Z", place.pose.time));
+    host_sim::CostBench bench(place, kRounds);
+    return bench.measure([](std::size_t done, std::size_t total) { std::fprintf(stderr, "\r%zu of %zu", done, total); });
+}
+
+const PixelEffect* pixel_effect(const std::string& name) {
+    for (const PixelEffect& known : kPixelEffects)
+        if (effects::entry_of(known.effect).name == name) return &known;
+    return nullptr;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool json = argc == 2 && std::strcmp(argv[1], "--json") == 0;
+    if (argc > 1 && !json) {
+        std::fprintf(stderr, "bench_effects: unknown argument '%s'; only --json is known\n", argv[1]);
+        return 2;
+    }
+    const host_sim::TemporaryFolder folder;
+    std::ostringstream results, notes;
+    host_sim::Console console(results, notes, false, false);
+    std::vector<BenchResult> lines;
+    for (const host_sim::MeasuredCost& cost : measured(folder.path(), console).costs) {
+        if (!cost.note.empty()) continue;
+        const PixelEffect* const known = pixel_effect(cost.name);
+        const double bare_ms = known == nullptr ? 0 : bare_pass_ms(known->taps);
+        const bool has_target = known != nullptr && known->most_passes < kNoTarget;
+        const double target_ms = has_target ? known->most_passes * bare_ms : 0;
+        lines.push_back({cost.name, cost.ms, "ms", target_ms, !has_target || cost.ms <= target_ms, bare_ms});
+        lines.push_back({cost.name + ": half of its spread", cost.spread_ms, "ms", 0, true, 0});
+    }
+    std::fprintf(stderr, "\n");
+    return bench::report(lines, json);
+}
