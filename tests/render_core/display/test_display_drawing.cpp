@@ -56,9 +56,12 @@ TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
     const EyePair pair = eye_pair(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
     ASSERT_GT(pair.base_m, 0.5);
     ASSERT_GT(pair.shift_px, 0);
-    Hills stereo(design);
-    const auto both = stereo.from(middle.view);
-    EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::run);
+    std::vector<std::uint8_t> both;
+    {
+        Hills stereo(design);
+        both = stereo.from(middle.view);
+        EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::run);
+    }
     design::DesignSettings mono = design;
     mono.effects.stereo.mode = StereoMode::none;
     int differs = 0;
@@ -95,9 +98,12 @@ TEST(DisplayDrawing, SideBySideHasSymbologyInBothHalves) {
 TEST(DisplayDrawing, FromFarAwayOnePictureServesBothEyes) {
     design::DesignSettings design = stereo_design(StereoMode::anaglyph);
     design.effects.stereo.base_m = 0.01;
-    Hills stereo(design);
-    const auto one = test_support::settled_pixels(stereo.headless, stereo.state, test_support::kHillsNow);
-    EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::skipped);
+    std::vector<std::uint8_t> one;
+    {
+        Hills stereo(design);
+        one = test_support::settled_pixels(stereo.headless, stereo.state, test_support::kHillsNow);
+        EXPECT_EQ(state_of(stereo.headless, Effect::stereo), EffectState::skipped);
+    }
     design.effects.stereo.mode = StereoMode::none;
     Hills mono(design);
     EXPECT_EQ(one, test_support::settled_pixels(mono.headless, mono.state, test_support::kHillsNow));
@@ -107,8 +113,11 @@ TEST(DisplayDrawing, StereoIsBuiltAtStartOrRefusedLater) {
     const design::DesignSettings with = stereo_design(StereoMode::anaglyph);
     design::DesignSettings without = with;
     without.effects.stereo.mode = StereoMode::none;
-    Hills stereo(with), mono(without);
-    EXPECT_FALSE(mono.headless.display().set_design(with));
+    {
+        Hills mono(without);
+        EXPECT_FALSE(mono.headless.display().set_design(with));
+    }
+    Hills stereo(with);
     EXPECT_FALSE(stereo.headless.display().set_design(without));
     EXPECT_TRUE(stereo.headless.display().set_design(stereo_design(StereoMode::side_by_side)));
 }

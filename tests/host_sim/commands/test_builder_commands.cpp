@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/command_groups.hpp"
+
+namespace tedavis::host_sim::test_builder_commands {
+namespace {
+
+struct Builders : ::testing::Test {
+    Builders() { add_builders(app, line); }
+    void parse(std::vector<std::string> words) {
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        app.parse(std::move(words));
+    }
+    CLI::App app;
+    CommandLine line;
+};
+
+TEST_F(Builders, OptionsReachTheirCommand) {
+    parse({"terrain", "build", "a.tif", "b.tif", "-o", "x.tdb", "--bounds", "1,2,3,4", "--void", "-9999", "--accuracy", "16"});
+    EXPECT_EQ(line.terrain_build.rasters, (std::vector<std::string>{"a.tif", "b.tif"}));
+    EXPECT_EQ(line.terrain_build.output, "x.tdb");
+    EXPECT_EQ(line.terrain_build.bounds, "1,2,3,4");
+    EXPECT_EQ(line.terrain_build.void_value, -9999);
+    EXPECT_EQ(line.terrain_build.accuracy_m, 16);
+    EXPECT_TRUE(static_cast<bool>(line.run));
+}
+
+TEST_F(Builders, ALogOfAFlightHasItsAltimeterSetting) {
+    parse({"convert", "f.igc", "-o", "f.log", "--qnh", "1013.2", "--json"});
+    EXPECT_EQ(line.convert.flight, "f.igc");
+    EXPECT_EQ(line.convert.qnh_hpa, 1013.2);
+    EXPECT_FALSE(line.convert.assume_geometric);
+    EXPECT_TRUE(line.json);
+}
+
+TEST_F(Builders, WhatIsNoChoiceIsRefused) {
+    EXPECT_THROW(parse({"terrain", "build", "a.tif", "-o", "x.tdb", "--vertical-datum", "nap"}), CLI::ParseError);
+    EXPECT_THROW(parse({"terrain", "fractal", "--type", "int8", "-o", "x.tif"}), CLI::ParseError);
+    EXPECT_THROW(parse({"scenario", "build", "default"}), CLI::ParseError) << "no folder";
+    EXPECT_THROW(parse({"scene"}), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_builder_commands

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/command_groups.hpp"
+
+namespace tedavis::host_sim::test_display_commands {
+namespace {
+
+struct Displays : ::testing::Test {
+    Displays() { add_displays(app, line); }
+    void parse(std::vector<std::string> words) {
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        app.parse(std::move(words));
+    }
+    CLI::App app;
+    CommandLine line;
+};
+
+TEST_F(Displays, OptionsReachTheReplay) {
+    parse({"replay", "f.log", "--terrain", "x.tdb", "--size", "320x240", "--gl", "osmesa", "--from", "2.5", "--step", "-1",
+           "--frames", "hash", "--ledger", "--force-effects", "-o", "run"});
+    EXPECT_EQ(line.replay.log, "f.log");
+    EXPECT_EQ(line.replay.picture.terrain, "x.tdb");
+    ASSERT_TRUE(line.replay.picture.size.has_value());
+    EXPECT_EQ(line.replay.picture.size->width, 320u);
+    EXPECT_EQ(line.replay.picture.gl, GlChoice::osmesa);
+    EXPECT_EQ(line.replay.from_s, 2.5);
+    EXPECT_EQ(line.replay.step_s, -1);
+    EXPECT_EQ(line.replay.frame_output(), FrameOutput::hash);
+    EXPECT_TRUE(line.replay.ledger);
+    EXPECT_TRUE(line.replay.picture.force_effects);
+}
+
+TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {
+    EXPECT_EQ(line.shaders.picture.device, "sc2");
+    parse({"shaders", "-o", "p", "--design", "cruise"});
+    EXPECT_EQ(line.shaders.output, "p");
+    EXPECT_EQ(line.shaders.picture.design, "cruise");
+}
+
+TEST_F(Displays, WhatCannotStandTogetherIsRefused) {
+    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--window", "--ledger"}), CLI::ParseError);
+    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--tour", "t.csv"}), CLI::ParseError) << "a tour needs a window";
+    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--gl", "metal"}), UserError);
+    EXPECT_THROW(parse({"shaders"}), CLI::ParseError);
+    EXPECT_THROW(parse({"shot", "-o", "x.png"}), CLI::ParseError) << "no pose";
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_display_commands
