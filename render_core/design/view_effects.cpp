@@ -30,6 +30,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_color(section, "dusk_color", effects.dusk);
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
+    read_shadows(section.section("shadows"), effects.shadows);
 }
 
 }  // namespace tedavis::design

@@ -12,6 +12,8 @@
 ///     focus_role = "storm_cell"   # instead: as far as the shown layers of this role reach
 ///     layers = "all"              # or "terrain", "data": what is blurred; the others stay sharp
 ///
+/// [effects.shadows] has a page of its own (shadow_settings.hpp).
+///
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
 #pragma once
 
@@ -21,6 +23,7 @@
 
 #include "render_core/base/config_reader.hpp"
 #include "render_core/design/color.hpp"
+#include "render_core/design/shadow_settings.hpp"
 #include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::design {
@@ -44,6 +47,7 @@ struct ViewEffects {
     PanelLighting lighting = PanelLighting::day;
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
+    ShadowSettings shadows;
 };
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects);

@@ -122,6 +122,7 @@ private:
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void plan_effects();
+    [[nodiscard]] ShadowPlan plan_shadows();
     void count();
     void widen_bands();
     void begin_record(base::Time now);
@@ -154,6 +155,7 @@ private:
     effects::FrameCounters counters_;
     effects::FramePlan plan_;
     draw::FocusRange focus_;
+    ShadowPlan shadows_;
     bool effects_are_forced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage
 
