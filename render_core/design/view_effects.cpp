@@ -41,6 +41,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
     read_stereo(section.section("stereo"), effects.stereo);
+    read_shadows(section.section("shadows"), effects.shadows);
 }
 
 }  // namespace tedavis::design

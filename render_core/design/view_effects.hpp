@@ -16,6 +16,8 @@
 ///     base_m = 2                  # between the eyes; at most a 30th of screen_m, and a sixth of what is nearest
 ///     screen_m = 300              # what is so far away lies in the screen's plane, with the symbology
 ///
+/// [effects.shadows] has a page of its own (shadow_settings.hpp).
+///
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
 #pragma once
 
@@ -25,6 +27,7 @@
 
 #include "render_core/base/config_reader.hpp"
 #include "render_core/design/color.hpp"
+#include "render_core/design/shadow_settings.hpp"
 #include "render_core/scene/sdb_format.hpp"
 
 namespace tedavis::design {
@@ -57,6 +60,7 @@ struct ViewEffects {
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
     Stereo stereo;
+    ShadowSettings shadows;
 };
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects);

@@ -1,5 +1,7 @@
 #include "render_core/display/cue_calls.hpp"
 
+#include <cmath>
+
 namespace tedavis::display {
 namespace {
 
@@ -39,6 +41,16 @@ void add_asked_cues(const design::DataElementList& elements, effects::EffectSet&
     for (const design::DataElement& element : elements)
         for (std::size_t n = 0; n < draw::kCues; ++n)
             if (const auto cue = static_cast<draw::Cue>(n); draw::asks_for(element.cues, cue)) asked.add(effect_of(cue));
+}
+
+void project_casters(const design::ShadowSettings& shadows, design::DataElementList& elements) noexcept {
+    if (!(shadows.on_ground > 0)) return;
+    for (design::DataElement& element : elements) {
+        const bool is_way =
+            element.technique == design::DataTechnique::tube || element.technique == design::DataTechnique::space_time;
+        if (is_way && shadows.casters.has(element.role))
+            element.cues.projection = std::fmax(element.cues.projection, shadows.on_ground);
+    }
 }
 
 void take_out_cue(Effect effect, design::DataElementList& elements) noexcept {

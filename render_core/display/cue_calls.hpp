@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "render_core/design/shadow_settings.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/effects/effect_planner.hpp"
 
@@ -21,6 +22,8 @@ using CueStates = std::array<CueState, draw::kCues>;
 [[nodiscard]] effects::EffectCall cue_call(const CueState& state, bool is_forbidden) noexcept;
 
 void add_asked_cues(const design::DataElementList& elements, effects::EffectSet& asked) noexcept;
+/// Ways that would cast shadows are projected onto the ground instead, as strongly at least.
+void project_casters(const design::ShadowSettings& shadows, design::DataElementList& elements) noexcept;
 /// Nothing for other effects.
 void take_out_cue(effects::Effect effect, design::DataElementList& elements) noexcept;
 

@@ -103,7 +103,7 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 }  // namespace
 
 gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                bool with_air) {
+                                bool with_air, bool with_shadows) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
     if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
@@ -112,7 +112,8 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
         !error.sentence.empty())
         return error;
-    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, with_air); !error.sentence.empty()) return error;
+    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, with_air, with_shadows); !error.sentence.empty())
+        return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards) || !traffic_.start(memory.billboards))
@@ -353,6 +354,16 @@ ElementCounters DataElements::counters() const {
         if (report.state == ElementState::shown && report.slot == GlyphElements::kSlots) counters.features += report.count.drawn;
     counters.glyphs = glyphs_.glyphs();
     return counters;
+}
+
+CasterSet DataElements::casters(const design::CasterRoles& roles) {
+    CasterSet casters{{&standing_, &moving_}, {}, &glyphs_, shown_ == 0 ? 0 : glyphs_.slots_of(roles)};
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        if ((shown_ >> n & 1u) == 0 || !roles.has(reports_[n].layer->entry->role)) continue;
+        casters.groups.all |= 1u << n;
+        if (reports_[n].layer->entry->role == scene::LayerRole::obstacle) casters.groups.thin |= 1u << n;
+    }
+    return casters;
 }
 
 void DataElements::prepare(gl::Gl& gl) {

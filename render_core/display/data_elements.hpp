@@ -10,6 +10,7 @@
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/display/caster_set.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/display/glyph_elements.hpp"
 #include "render_core/display/own_flight.hpp"
@@ -57,7 +58,7 @@ public:
     /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
     /// that lends it; must outlive this. `with_air`: frames may have air.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                    bool with_air = false);
+                                    bool with_air = false, bool with_shadows = false);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
@@ -75,6 +76,9 @@ public:
     /// none.
     [[nodiscard]] bool distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const;
     [[nodiscard]] ElementCounters counters() const;
+
+    /// What is shown of these roles and casts shadows; after plan(). To be drawn after prepare().
+    [[nodiscard]] CasterSet casters(const design::CasterRoles& roles);
 
     /// Uploads what is new; before draw().
     void prepare(gl::Gl& gl);

@@ -1,5 +1,6 @@
 #include "render_core/display/display.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
@@ -42,7 +43,8 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
     const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(elements) || asks_for_traffic(elements);
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
-    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, settings_.design.sky.air.is_shown);
+    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, settings_.design.sky.air.is_shown,
+                           settings_.design.effects.shadows.is_any());
 }
 
 gl::GlError Display::start_drawers() {
@@ -153,6 +155,8 @@ void Display::plan_effects() {
         facts.farthest_m = terrain_.farthest_m(eye_.view);
     }
     facts.parallax_px = parallax_bound_px(eyes_, eye_.view.focal_px, facts.nearest_m, facts.farthest_m);
+    shadows_ = plan_shadows();
+    facts.shadows = shadows_;
     focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
     facts.focus = focus_;
     panel_ = panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
@@ -162,6 +166,20 @@ void Display::plan_effects() {
     facts.is_forced = effects_are_forced_;
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
+}
+
+ShadowPlan Display::plan_shadows() {
+    const design::ShadowSettings& settings = settings_.design.effects.shadows;
+    if (!settings.is_any() || !decisions_.show_terrain || !elements_.is_started()) return {};
+    const earth::Geodetic eye = earth::from_ecef(eye_.view.eye);
+    const terrain::HeightAnswer ground = terrain_.true_height(eye.latitude_rad, eye.longitude_rad);
+    const double lowest_m = double{terrain_.database().header().min_height_m};
+    const bool is_known = ground.status == terrain::HeightStatus::land || ground.status == terrain::HeightStatus::sea;
+    const double ground_m = eye_.view.is_flat() ? eye_.view.flat_msl_m : is_known ? ground.height.m : lowest_m;
+    return display::plan_shadows({settings, record_.light, eye_.view, std::fmax(eye_msl_m_ - ground_m, 0), undulation_m(eye),
+                                  std::fmin(lowest_m, ground_m), terrain_.nearest_m(eye_.view),
+                                  settings_.device.capability.shadow_map_px, data_plan_.ground == GroundDataState::shown},
+                                 elements_.casters(settings.casters));
 }
 
 void Display::count() {

@@ -125,6 +125,7 @@ private:
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void plan_effects();
+    [[nodiscard]] ShadowPlan plan_shadows();
     void count();
     void widen_bands();
     void begin_record(base::Time now);
@@ -167,6 +168,7 @@ private:
     effects::FramePlan plan_;
     EffectWorkTable work_;  ///< of the frame that was drawn last
     draw::FocusRange focus_;
+    ShadowPlan shadows_;
     bool effects_are_forced_ = false;
     double band_deviations_ = 0;  ///< of the design's coverage
 

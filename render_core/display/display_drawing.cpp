@@ -85,6 +85,7 @@ DrawContext Display::context_of(const Eye& eye) const {
     context.eye_msl_m = eye_msl_m_;
     context.map_share = transition_.map_share();
     context.focus = focus_;
+    context.shadows = shadows_;
     context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
     context.is_free_view = free_view_active_;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());

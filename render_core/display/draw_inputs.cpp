@@ -25,6 +25,7 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     input.bands_lowered_m = frame.record.bands.lowered_m;
     input.heights = frame.heights;
     input.air = frame.air;
+    input.shadow = frame.shadow_read;
     return input;
 }
 

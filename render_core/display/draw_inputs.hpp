@@ -4,6 +4,7 @@
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/shadow_plan.hpp"
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -26,6 +27,8 @@ struct DrawContext {
     draw::HeightSpan heights{};                      ///< of the whole database
     draw::AirFrame air{};                            ///< as planned
     draw::FocusRange focus{};                        ///< as planned
+    ShadowPlan shadows{};                            ///< as planned
+    draw::ShadowRead shadow_read{};                  ///< as drawn
     draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
 };
 

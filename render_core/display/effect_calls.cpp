@@ -94,17 +94,19 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.lighting != design::PanelLighting::day) asked.add(Effect::panel_lighting);
     if (design.effects.antialiasing) asked.add(Effect::antialiasing);
     if (design.effects.stereo.mode != design::StereoMode::none) asked.add(Effect::stereo);
+    if (design.effects.shadows.on_ground > 0) asked.add(Effect::soft_shadows);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
 
 design::DesignSettings with_effect(const design::DesignSettings& design, Effect effect) noexcept {
-    constexpr double kBlur_px = 4;
+    constexpr double kBlur_px = 4, kOnGround = 0.6;
     design::DesignSettings with = design;
     if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
     if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
     if (effect == Effect::antialiasing) with.effects.antialiasing = true;
     if (effect == Effect::stereo) with.effects.stereo.mode = design::StereoMode::side_by_side;
+    if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kOnGround;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
@@ -132,6 +134,7 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::vertical_lines:
         case Effect::projections:
         case Effect::curtains: take_out_cue(effect, without.data.elements); break;
+        case Effect::soft_shadows: without.effects.shadows.on_ground = 0; break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -161,6 +164,11 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
+    if (stands_in(Effect::soft_shadows) != Effect::soft_shadows) {
+        if (stands_in(Effect::soft_shadows) == Effect::projections)
+            project_casters(design.effects.shadows, possible.data.elements);
+        possible = without_effect(possible, Effect::soft_shadows);
+    }
     if (possible.sky.air.is_shown) possible.sky.haze_distance_m = 0;
     return possible;
 }
@@ -209,6 +217,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::depth_of_field] = focus_call(facts);
     input[Effect::stereo] = stereo_call(facts);
     input[Effect::panel_lighting] = panel_call(facts.panel);
+    input[Effect::soft_shadows] = soft_shadow_call(facts.shadows, facts.is_near);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < draw::kCues; ++n) {
         const Effect effect = effect_of(static_cast<draw::Cue>(n));

@@ -10,6 +10,7 @@
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/panel_lighting.hpp"
+#include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_light.hpp"
 #include "render_core/display/terrain_scene.hpp"
@@ -56,6 +57,7 @@ struct EffectFacts {
     double parallax_px = 0;  ///< none is greater
     PanelLight panel{};
     CueStates cues{};
+    ShadowPlan shadows{};
     bool is_forced = false;  ///< PlanInput::is_forced
 };
 

@@ -107,10 +107,12 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
     return scale;
 }
 
-gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air) {
+gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air, bool with_shadows) {
     base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
     const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kMostFields);
     if (gl::GlError error = drawer_.start(gl, line, memory, with_air); !error.sentence.empty()) return error;
+    if (with_shadows)
+        if (gl::GlError error = drawer_.start_casters(gl); !error.sentence.empty()) return error;
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
     const bool has_selection = selection_.start(memory, room.glyphs);
     const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);
@@ -242,6 +244,7 @@ draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameI
 
 draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& frame) {
     Slot& slot = slots_[n];
+    batch_.set_slot(static_cast<std::uint8_t>(n));
     show(slot, frame);
     if (slot.element->technique == DataTechnique::barbs) return plan_barbs(slot, frame);
     scene::GlyphSettings settings;
@@ -251,6 +254,13 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);
     return {counts.drawn, counts.aggregated, counts.hidden};
+}
+
+std::uint32_t GlyphElements::slots_of(const design::CasterRoles& roles) const {
+    std::uint32_t slots = 0;
+    for (std::size_t n = 0; n < used_; ++n)
+        if (roles.has(slots_[n].layer->entry->role)) slots |= 1u << n;
+    return slots;
 }
 
 void GlyphElements::prepare(gl::Gl& gl) { drawer_.upload(gl, batch_); }

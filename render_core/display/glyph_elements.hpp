@@ -9,6 +9,7 @@
 ///           one sentence; elements beyond the slots are refused.
 #pragma once
 
+#include "render_core/design/shadow_settings.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/glyph_drawer.hpp"
@@ -37,7 +38,8 @@ class GlyphElements {
 public:
     static constexpr std::size_t kSlots = 3;
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air = false);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air = false,
+                                    bool with_shadows = false);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
     /// Nothing is shown from here on.
     void clear();
@@ -54,6 +56,15 @@ public:
     [[nodiscard]] std::uint32_t glyphs() const { return static_cast<std::uint32_t>(batch_.instances().size()); }
     /// For how many sites the n-th element has room; others are merged.
     [[nodiscard]] std::uint32_t sites_of(std::size_t n) const { return slots_[n].fields[0].most_sites(); }
+
+    /// What is drawn; runs have the slot of their element.
+    [[nodiscard]] const draw::GlyphBatch& batch() const { return batch_; }
+    /// A bit for each element of these roles.
+    [[nodiscard]] std::uint32_t slots_of(const design::CasterRoles& roles) const;
+    /// Into a level of a map of shadows. Returns the number of draws.
+    std::uint32_t draw_casters(gl::Gl& gl, std::uint32_t slots, const draw::CasterView& view) {
+        return drawer_.draw_casters(gl, slots, view);
+    }
 
     void prepare(gl::Gl& gl);
     std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);

@@ -35,6 +35,10 @@ gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, cons
     if (with_air)
         if (gl::GlError error = air_.start(gl, *device.budget.find(effects::kRenderTargets)); !error.sentence.empty())
             return error;
+    if (design.effects.shadows.is_any())
+        if (gl::GlError error = shadows_.start(gl, *device.budget.find(effects::kRenderTargets), device.capability.shadow_map_px);
+            !error.sentence.empty())
+            return error;
     smooths_ = design.effects.antialiasing;
     blurs_ = design.effects.depth_of_field.blur_px > 0;
     if (smooths_ || blurs_)
@@ -61,9 +65,20 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
     return air;
 }
 
+/// One map serves all that reads it.
+draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
+    if (!input.plan.runs(effects::Effect::soft_shadows) || !shadows_.is_started()) return {};
+    const ShadowPlan& plan = input.frame.shadows;
+    const CasterSet casters = input.elements.casters(input.frame.design.effects.shadows.casters);
+    const WorkScope work(gl, input.work[effects::Effect::soft_shadows]);
+    static_cast<void>(shadows_.draw(gl, casters, plan.frame, input.frame.eye.view.eye));
+    return {&shadows_.map().texture(), &plan.frame, plan.top_msl_m};
+}
+
 draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input) {
     DrawContext frame = input.frame;
     frame.air = update_air(gl, input);
+    frame.shadow_read = draw_shadows(gl, input);
     draw::ViewEffectsInput effects;
     effects.blurs = input.plan.runs(effects::Effect::depth_of_field);
     effects.smooths = input.plan.runs(effects::Effect::antialiasing);
@@ -154,6 +169,7 @@ draw::PictureInput ScenePasses::picture_input(const PassInput& input) {
 void ScenePasses::destroy(gl::Gl& gl) {
     sky_.destroy(gl);
     air_.destroy(gl);
+    shadows_.destroy(gl);
     view_effects_.destroy(gl);
     picture_.destroy(gl);
 }

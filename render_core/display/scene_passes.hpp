@@ -12,6 +12,7 @@
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/effect_work.hpp"
+#include "render_core/display/shadow_casters.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -38,7 +39,8 @@ public:
     [[nodiscard]] draw::TerrainOutput output() const { return output_; }
     /// Whether what start() built shows the effects of another design, too.
     [[nodiscard]] bool shows(const design::ViewEffects& effects) const {
-        return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0);
+        return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0) &&
+               (shadows_.is_started() || !effects.shadows.is_any());
     }
     /// The next picture is of another design.
     void forget_design() { picture_.forget_design(); }
@@ -47,6 +49,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    [[nodiscard]] draw::ShadowRead draw_shadows(gl::Gl& gl, const PassInput& input);
     [[nodiscard]] draw::AirFrame update_air(gl::Gl& gl, const PassInput& input);
     void draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn);
     void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, EffectWorkTable& work);
@@ -58,6 +61,7 @@ private:
     draw::PicturePass picture_;
     draw::SkyDrawer sky_;
     draw::AirTable air_;
+    ShadowCasters shadows_;
     draw::ViewEffectsPass view_effects_;
     bool smooths_ = false, blurs_ = false;  ///< there are programs that do
     std::uint32_t width_px_ = 0, height_px_ = 0;

@@ -126,6 +126,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     variant.uncertainty = design_.data.ground.uncertainty.technique;
     variant.overlay = design_.data.ground.overlay.technique;
     variant.air = design_.sky.air.is_shown;
+    variant.shadows = design_.effects.shadows.on_ground > 0;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
@@ -158,7 +159,8 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
     if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
         design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference ||
-        design_.sky.air.is_shown != design.sky.air.is_shown)
+        design_.sky.air.is_shown != design.sky.air.is_shown ||
+        (design_.effects.shadows.on_ground > 0) != (design.effects.shadows.on_ground > 0))
         return false;
     design_ = design;
     if (ground_.has_data()) ground_.set_look(gl, design.data.ground);
@@ -314,6 +316,8 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
     if (design_.sky.air.is_shown) set_air_uniforms(gl, program, kTerrainAir, input.air);
+    if (program.uniform(kTerrainShadow) >= 0)
+        set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
     if (output_ == TerrainOutput::code) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)

@@ -34,6 +34,7 @@ struct TerrainDrawInput {
     bool gear_down = false;
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
+    ShadowRead shadow;
 };
 
 struct TerrainDrawResult {

@@ -69,7 +69,11 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kAirUniformNames[0],
                                                          kAirUniformNames[1],
                                                          kAirUniformNames[2],
-                                                         kAirUniformNames[3]};
+                                                         kAirUniformNames[3],
+                                                         kShadowUniformNames[0],
+                                                         kShadowUniformNames[1],
+                                                         kShadowUniformNames[2],
+                                                         kShadowUniformNames[3]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -164,8 +168,10 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {
     if (!off_screen_depth) return TerrainOutput::color;
     const design::TerrainStyle& style = design.terrain.style;
-    // Codes tell distances too coarsely for the colours of air.
-    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown) return TerrainOutput::code;
+    // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own.
+    const bool has_shadows = design.effects.shadows.is_any();
+    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows)
+        return TerrainOutput::code;
     const bool needs_distance = style.sketch.silhouettes > 0 || design.effects.depth_of_field.blur_px > 0;
     return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
@@ -198,6 +204,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.air, "#define AIR 1\n");
+    defines.add_if(variant.shadows, "#define SHADOWS 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }
@@ -213,6 +220,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none && !code)
         fragment.append(shader_text(k_ground_overlay_frag));
     if (variant.air && !code) fragment.append(shader_text(k_air_frag));
+    if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

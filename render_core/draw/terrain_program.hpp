@@ -11,6 +11,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
 #include "render_core/draw/shader_texts.hpp"
+#include "render_core/draw/shadow_map.hpp"
 #include "render_core/gl/program.hpp"
 
 namespace tedavis::draw {
@@ -73,8 +74,9 @@ enum TerrainUniform : std::size_t {
     kDataOverlay,
     kDataOverlayColor,
     kDataLowest,
-    kTerrainAir,  ///< the first of kAirUniformNames
-    kTerrainUniforms = kTerrainAir + kAirUniforms
+    kTerrainAir,                                  ///< the first of kAirUniformNames
+    kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
+    kTerrainUniforms = kTerrainShadow + kShadowUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
@@ -98,6 +100,7 @@ struct TerrainVariant {
     design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
     design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;          ///< on it
     bool air = false;                                                               ///< between it and the eye
+    bool shadows = false;                                                           ///< of data
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };
 

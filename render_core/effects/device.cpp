@@ -50,6 +50,9 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     capability.surface_depth_bits = static_cast<std::uint32_t>(section.integer("surface_depth_bits", 0, 32));
     capability.depth24_targets = section.boolean("depth24_targets", true);
     capability.off_screen_pictures = static_cast<std::uint32_t>(section.integer("off_screen_pictures", 0, 8, 1));
+    capability.shadow_map_px = static_cast<std::uint32_t>(section.integer("shadow_map_px", 0, kMaxEdgePx / 3, 0));
+    if (std::uint64_t{3} * capability.shadow_map_px > rules.max_texture_px)
+        section.fault("shadow_map_px", "times three is more than max_texture_px; lower it");
     if (rules.calls != CallClass::es3 && capability.lane == Lane::es3)
         section.fault("lane", "lane 'es3' needs calls 'es3'; set lane = \"es2\"");
 }

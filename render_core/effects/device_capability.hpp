@@ -34,6 +34,7 @@ struct DeviceCapability {
     std::uint32_t surface_depth_bits = 24;  ///< the surface must have at least so many
     bool depth24_targets = true;            ///< off-screen targets need 24-bit depth (OES_depth24 on ES 2.0)
     std::uint32_t off_screen_pictures = 1;  ///< pictures of the device's size, with depth, that it has room and time for
+    std::uint32_t shadow_map_px = 0;        ///< edge of each of the three levels of a map of shadows; 0: it has none
 };
 static_assert(std::is_trivially_copyable_v<DeviceCapability>);
 

@@ -63,6 +63,14 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
     {Effect::projections, "projections", Contribution::content, Need::nothing, true, "", "two triangles a stretch of 200 m"},
     {Effect::curtains, "curtains", Contribution::content, Need::nothing, true, "",
      "two triangles a stretch of 200 m, blended on both sides"},
+    {Effect::soft_shadows,
+     "soft_shadows",
+     Contribution::geometry,
+     Need::shadow_map,
+     true,
+     "the widest thing that casts one, in pixels over the nearest ground",
+     "a map of up to three levels; 10 taps a pixel of the ground, 32 more in a shadow",
+     {Effect::projections, Effect::count_}},
 }};
 
 constexpr bool is_in_order() {
@@ -85,12 +93,14 @@ Effect effect_of(std::string_view name) noexcept {
 bool has(const DeviceCapability& device, Need need) noexcept {
     if (need == Need::depth24_target) return device.depth24_targets;
     if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
+    if (need == Need::shadow_map) return device.gl.calls == CallClass::es3 && device.shadow_map_px > 0;
     return need == Need::nothing || device.gl.calls == CallClass::es3;
 }
 
 std::string_view lack_of(Need need) noexcept {
     if (need == Need::depth24_target) return "the device has no 24-bit depth off screen";
     if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
+    if (need == Need::shadow_map) return "the device has no map of shadows";
     return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
 }
 

@@ -40,6 +40,7 @@ void add_motion_arrow(SolidBatch& batch, SolidMesh& mesh, const ElementInput& in
     const double length_m = value_or_nan(input.layer, "speed", feature) * kMotionAhead_s;
     SolidLook look;
     look.group = input.group;
+    look.is_thing = false;
     batch.set_look(look, input.layer.entry->data_time_ns);
     design::Color color = encoded_color(input, input.element.by_color, feature);
     color.alpha = 255;

@@ -16,13 +16,14 @@ GlyphInstance make_glyph(const glm::vec3& place, const glm::vec3& size_m, const 
 
 void GlyphBatch::clear() {
     runs_.clear();
+    slot_ = 0;
     use_.in_use = 0;
 }
 
 base::Span<GlyphInstance> GlyphBatch::add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count) {
     if (count == 0) return {};
     const auto first = static_cast<std::uint32_t>(use_.in_use);
-    if (count > use_.capacity - use_.in_use || !runs_.try_push_back({shape, facing, is_transparent, first, count})) {
+    if (count > use_.capacity - use_.in_use || !runs_.try_push_back({shape, facing, is_transparent, slot_, first, count})) {
         use_.refused += count;
         return {};
     }

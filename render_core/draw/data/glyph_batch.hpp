@@ -38,8 +38,13 @@ struct GlyphRun {
     GlyphShape shape = GlyphShape::arrow;
     GlyphFacing facing = GlyphFacing::up;
     bool is_transparent = false;  ///< drawn after all opaque ones, and hides nothing
+    std::uint8_t slot = 0;        ///< of GlyphBatch::set_slot()
     std::uint32_t first = 0, count = 0;
 };
+/// Solid and opaque, and no sign of uncertainty.
+[[nodiscard]] constexpr bool casts_shadow(const GlyphRun& run) {
+    return !run.is_transparent && !is_flat(run.shape) && run.shape != GlyphShape::tetrahedron;
+}
 inline constexpr std::size_t kMaxGlyphRuns = 96;
 
 class GlyphBatch {
@@ -49,6 +54,8 @@ public:
 
     /// Empties the batch; counters of refusals stay.
     void clear();
+    /// What is added next belongs to it; 0 after clear().
+    void set_slot(std::uint8_t slot) { slot_ = slot; }
     /// Room to be filled at once; empty where it does not fit, or for none.
     [[nodiscard]] base::Span<GlyphInstance> add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count);
 
@@ -63,6 +70,7 @@ public:
 private:
     base::Span<GlyphInstance> instances_;
     base::FixedVector<GlyphRun, kMaxGlyphRuns> runs_;
+    std::uint8_t slot_ = 0;
     base::ResourceUse use_;
 };
 

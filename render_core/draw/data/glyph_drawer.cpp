@@ -34,6 +34,8 @@ constexpr const char* kUniforms[kUniformCount] = {kDataUniformNames[0],
                                                   kDataUniformNames[8],
                                                   "earth_to_eye",
                                                   "facing"};
+enum CasterUniform : std::size_t { kCasterAxes, kCasterLevel, kCasterEarthToEye, kCasterFacing, kCasterUniformCount };
+constexpr const char* kCasterUniforms[kCasterUniformCount] = {"shadow_axes", "caster_level", "earth_to_eye", "facing"};
 constexpr float kOne = 127;  // of signed bytes
 constexpr std::uint64_t kShapeBytes =
     GlyphShapes::kMostVertices * sizeof(GlyphVertex) + GlyphShapes::kMostIndices * sizeof(std::uint16_t);
@@ -171,7 +173,7 @@ std::uint32_t GlyphDrawer::draw(gl::Gl& gl, const DataFrame& frame, const DepthR
         for (const GlyphRun& run : batch_->runs()) {
             if (run.is_transparent != is_transparent || run.first >= uploaded_) continue;
             is_flat(run.shape) ? gl->Disable(GL_CULL_FACE) : gl->Enable(GL_CULL_FACE);
-            is_instanced_ ? draw_instances(gl, run) : draw_corners(gl, run, frame, range);
+            is_instanced_ ? draw_instances(gl, run, program_.uniform(kFacing)) : draw_corners(gl, run, frame, range);
         }
     }
     end(gl);
@@ -189,6 +191,10 @@ void GlyphDrawer::begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& ra
     for (GLuint attribute = 0; attribute < attributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     if (!is_instanced_) return;
     gl->Uniform3f(program_.uniform(kEarthToEye), earth_to_eye_.x, earth_to_eye_.y, earth_to_eye_.z);
+    bind_instances(gl);
+}
+
+void GlyphDrawer::bind_instances(gl::Gl& gl) {
     shape_vertices_.bind(gl);
     constexpr GLsizei kStride = sizeof(GlyphVertex);
     gl->VertexAttribPointer(kCorner, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(GlyphVertex, place)));
@@ -208,10 +214,10 @@ void GlyphDrawer::end(gl::Gl& gl) {
     gl->Disable(GL_CULL_FACE);
 }
 
-void GlyphDrawer::draw_instances(gl::Gl& gl, const GlyphRun& run) {
+void GlyphDrawer::draw_instances(gl::Gl& gl, const GlyphRun& run, GLint facing) {
     constexpr GLsizei kStride = sizeof(GlyphInstance);
     const std::size_t first = run.first * sizeof(GlyphInstance);
-    gl->Uniform1f(program_.uniform(kFacing), static_cast<float>(run.facing));
+    gl->Uniform1f(facing, static_cast<float>(run.facing));
     gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, place)));
     gl->VertexAttribPointer(kSize, 3, GL_FLOAT, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, size_m)));
     gl->VertexAttribPointer(kDirection, 4, GL_BYTE, GL_FALSE, kStride, at(first + offsetof(GlyphInstance, direction)));
@@ -279,7 +285,39 @@ void GlyphDrawer::flush_corners(gl::Gl& gl) {
     corner_count_ = index_count_ = 0;
 }
 
+gl::GlError GlyphDrawer::start_casters(gl::Gl& gl) {
+    if (!is_instanced_) return {};
+    base::FixedString<kMaxShaderText> vertex("#define INSTANCED 1\n");
+    vertex.append(shader_text(k_caster_light_vert));
+    vertex.append(shader_text(k_glyph_vert));
+    auto built = gl::build_program(
+        gl, {"glyph caster", vertex.view(), shader_text(k_caster_frag), base::Span<const gl::AttributeBinding>(kAttributes),
+             base::Span<const char* const>(kCasterUniforms)});
+    if (!built.ok()) return built.error();
+    caster_program_ = built.value();
+    return {};
+}
+
+std::uint32_t GlyphDrawer::draw_casters(gl::Gl& gl, std::uint32_t slots, const CasterView& view) {
+    draws_ = 0;
+    if (batch_ == nullptr || uploaded_ == 0 || !caster_program_.valid()) return 0;
+    const vec3 to_eye(view.eye);
+    caster_program_.use(gl);
+    gl->Uniform3f(caster_program_.uniform(kCasterEarthToEye), to_eye.x, to_eye.y, to_eye.z);
+    set_caster_level(gl, caster_program_.uniform(kCasterAxes), caster_program_.uniform(kCasterLevel), view, 0);
+    indices_.bind(gl);
+    for (GLuint attribute = 0; attribute < kInstancedAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
+    bind_instances(gl);
+    for (const GlyphRun& run : batch_->runs())
+        if (run.first < uploaded_ && (slots >> run.slot & 1u) != 0 && casts_shadow(run))
+            draw_instances(gl, run, caster_program_.uniform(kCasterFacing));
+    for (const GLuint attribute : kInstanceAttributes) gl->VertexAttribDivisor(attribute, 0);
+    for (GLuint attribute = 0; attribute < kInstancedAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
+    return draws_;
+}
+
 void GlyphDrawer::destroy(gl::Gl& gl) {
+    caster_program_.destroy(gl);
     program_.destroy(gl);
     shape_vertices_.destroy(gl);
     indices_.destroy(gl);

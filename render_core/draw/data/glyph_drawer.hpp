@@ -9,6 +9,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/data/glyph_batch.hpp"
+#include "render_core/draw/data/solid_casters.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
 
@@ -37,6 +38,11 @@ public:
     /// Into the bound framebuffer, depth-tested; opaque runs, then transparent ones, which write no depth. Leaves depth test on,
     /// depth mask on, culling and blending off. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
+    /// For draw_casters(), after start(); only on devices with instances.
+    [[nodiscard]] gl::GlError start_casters(gl::Gl& gl);
+    /// Opaque solid glyphs, but for signs of uncertainty, into a level of a map of shadows that has been begun. `slots`: a bit a
+    /// run's slot. Returns the number of draws.
+    std::uint32_t draw_casters(gl::Gl& gl, std::uint32_t slots, const CasterView& view);
     void destroy(gl::Gl& gl);
 
 private:
@@ -54,12 +60,13 @@ private:
     [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetLine& line);
     void begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
     void end(gl::Gl& gl);
-    void draw_instances(gl::Gl& gl, const GlyphRun& run);
+    void bind_instances(gl::Gl& gl);
+    void draw_instances(gl::Gl& gl, const GlyphRun& run, GLint facing);
     void draw_corners(gl::Gl& gl, const GlyphRun& run, const DataFrame& frame, const DepthRange& range);
     void add_corners(const GlyphInstance& glyph, const GlyphMesh& mesh, const GlyphAxes& axes);
     void flush_corners(gl::Gl& gl);
 
-    gl::Program program_;
+    gl::Program program_, caster_program_;
     gl::Buffer shape_vertices_, indices_, vertices_;  ///< vertices_: instances, or corners
     base::Span<GlyphShapes> shapes_;
     base::Span<Corner> corners_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render_core/base/check.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -33,7 +35,7 @@ bool operator==(const SolidLook& a, const SolidLook& b) noexcept {
     return a.opacity == b.opacity && a.ghost == b.ghost && a.halo_px == b.halo_px && a.raised_px == b.raised_px &&
            a.fading == b.fading && a.fading_strength == b.fading_strength && a.fading_levels == b.fading_levels &&
            a.growth_per_hour == b.growth_per_hour && a.near_m == b.near_m && a.group == b.group && a.is_mixed == b.is_mixed &&
-           a.is_hollow == b.is_hollow;
+           a.is_hollow == b.is_hollow && a.is_thing == b.is_thing;
 }
 
 SolidBatch::SolidBatch(base::Span<SolidVertex> vertices, base::Span<std::uint16_t> indices, base::Span<SolidPiece> pieces)
@@ -74,6 +76,7 @@ bool SolidBatch::add(const glm::dvec3& origin, base::Span<const SolidVertex> ver
         SolidPiece& begun = pieces_[piece_count_++];
         begun = {};
         begun.anchor = origin;
+        begun.top_m = -std::numeric_limits<float>::infinity();
         begun.look = look_;
         begun.data_time_ns = data_time_ns_;
         begun.first_vertex = static_cast<std::uint32_t>(vertex_count_);
@@ -81,12 +84,17 @@ bool SolidBatch::add(const glm::dvec3& origin, base::Span<const SolidVertex> ver
         begins_piece_ = false;
     }
     SolidPiece& piece = pieces_[piece_count_ - 1];
-    const glm::vec3 offset(origin - piece.anchor);
+    const glm::vec3 offset(origin - piece.anchor), up(earth::up_at(piece.anchor));
+    const auto anchor_height_m = static_cast<float>(earth::from_ecef(piece.anchor).height.m);
     for (const SolidVertex& vertex : vertices) {
         SolidVertex& kept = vertices_[vertex_count_++];
         kept = vertex;
         kept.place_m += offset;
-        piece.radius_m = std::max(piece.radius_m, glm::length(kept.place_m));
+        const float away_m = glm::length(kept.place_m);
+        piece.radius_m = std::max(piece.radius_m, away_m);
+        // The Earth falls away below a level plane.
+        const float sunk_m = away_m * away_m / static_cast<float>(2 * earth::kMeanRadius_m);
+        piece.top_m = std::max(piece.top_m, anchor_height_m + glm::dot(kept.place_m, up) + sunk_m);
     }
     for (const std::uint16_t index : indices) {
         TEDAVIS_CHECK(index < vertices.size());

@@ -47,6 +47,7 @@ struct SolidLook {
     std::uint8_t group = 0;  ///< below 32: what is hidden and shown together
     bool is_mixed = false;   ///< has colours that are not opaque
     bool is_hollow = false;  ///< not seen from inside: its far sides do not show through its near ones
+    bool is_thing = true;    ///< casts a shadow; false for margins, hulls of what is unsure, and cues
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;
 
@@ -55,6 +56,7 @@ struct SolidPiece {
     SolidLook look;
     std::int64_t data_time_ns = 0;  ///< uncertainty grows from there
     float radius_m = 0;             ///< nothing is farther from the anchor
+    float top_m = 0;                ///< nor higher over the ellipsoid
     std::uint32_t first_vertex = 0, vertices = 0;
     std::uint32_t first_index = 0, indices = 0;
 };

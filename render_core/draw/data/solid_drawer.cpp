@@ -12,19 +12,9 @@
 namespace tedavis::draw {
 namespace {
 
-enum Attribute : GLuint { kPlace, kNormal, kColor, kAttributes };
 enum Uniform : std::size_t { kAnchor = kFirstOwnDataUniform, kFading, kCover, kNearFade, kUniforms };
 
 constexpr double kHour_ns = 3.6e12;
-
-void point_attributes(gl::Gl& gl, const SolidPiece& piece) {
-    const std::uintptr_t start = std::uintptr_t{piece.first_vertex} * sizeof(SolidVertex);
-    const auto at = [&](std::size_t offset) { return reinterpret_cast<const void*>(start + offset); };
-    constexpr GLsizei kStride = sizeof(SolidVertex);
-    gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SolidVertex, place_m)));
-    gl->VertexAttribPointer(kNormal, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, normal)));
-    gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, rgba)));
-}
 
 bool is_mixed(const SolidPiece& piece) {
     return piece.look.is_mixed || piece.look.opacity < 1 || piece.look.fading == SolidFading::transparency;
@@ -49,6 +39,27 @@ NearFade near_fade(const SolidLook& look, bool is_opaque) {
 }
 
 }  // namespace
+
+void point_solid_attributes(gl::Gl& gl, const SolidPiece& piece) {
+    const std::uintptr_t start = std::uintptr_t{piece.first_vertex} * sizeof(SolidVertex);
+    const auto at = [&](std::size_t offset) { return reinterpret_cast<const void*>(start + offset); };
+    constexpr GLsizei kStride = sizeof(SolidVertex);
+    gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SolidVertex, place_m)));
+    gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, normal)));
+    gl->VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SolidVertex, rgba)));
+}
+
+void set_solid_place(gl::Gl& gl, GLint anchor, const SolidPiece& piece, const glm::dvec3& eye) {
+    const glm::vec3 from_eye(piece.anchor - eye);
+    gl->Uniform3f(anchor, from_eye.x, from_eye.y, from_eye.z);
+}
+
+void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float grown) {
+    const SolidLook& look = piece.look;
+    const float strength = look.fading == SolidFading::none ? 0 : look.fading_strength;
+    const bool is_transparency = look.fading == SolidFading::transparency;
+    gl->Uniform4f(fading, is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels, grown);
+}
 
 gl::GlError SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
                                 gl::BufferUse use) {
@@ -84,8 +95,6 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
     order_ = memory.allocate_array<Ordered>(most_pieces);
     if (order_.size() < most_pieces)
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
-    static constexpr gl::AttributeBinding kBindings[kAttributes] = {
-        {"place", kPlace}, {"normal_unsure", kNormal}, {"color", kColor}};
     static constexpr const char* kNames[kUniforms] = {kDataUniformNames[0],
                                                       kDataUniformNames[1],
                                                       kDataUniformNames[2],
@@ -104,7 +113,7 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
     DataFragment fragment("#define FADES_NEAR 1\n");
     add_data_fragment(fragment, with_air);
     auto built =
-        gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kBindings),
+        gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kSolidBindings),
                                base::Span<const char* const>(kNames), true});
     if (!built.ok()) return built.error();
     program_ = built.value();
@@ -144,7 +153,7 @@ std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const
     order_by_depth();
     program_.use(gl);
     set_data_frame(gl, program_, frame.frame, range);
-    for (GLuint attribute = 0; attribute < kAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
+    for (GLuint attribute = 0; attribute < kSolidAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     gl->Enable(GL_CULL_FACE);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     draw_pass(gl, solids, frame, Pass::ghosts);
@@ -152,7 +161,7 @@ std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const
     draw_pass(gl, solids, frame, Pass::mixed);
     if (frame.frame.left.is_left()) draw_pass(gl, solids, frame, Pass::distances);
     gl->Disable(GL_CULL_FACE);
-    for (GLuint attribute = 0; attribute < kAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
+    for (GLuint attribute = 0; attribute < kSolidAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
     return draws_;
 }
 
@@ -181,19 +190,15 @@ void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> so
 }
 
 void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
-    const glm::vec3 anchor(piece.anchor - frame.frame.view.eye);
     const SolidLook& look = piece.look;
-    const float strength = look.fading == SolidFading::none ? 0 : look.fading_strength;
-    const bool is_transparency = look.fading == SolidFading::transparency;
-    gl->Uniform3f(program_.uniform(kAnchor), anchor.x, anchor.y, anchor.z);
-    gl->Uniform4f(program_.uniform(kFading), is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels,
-                  grown_since(piece, frame));
+    set_solid_place(gl, program_.uniform(kAnchor), piece, frame.frame.view.eye);
+    set_solid_fading(gl, program_.uniform(kFading), piece, grown_since(piece, frame));
     const auto focal_px = static_cast<float>(frame.frame.view.focal_px);
     gl->Uniform3f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
                   look.raised_px / focal_px);
     const NearFade fade = near_fade(look, pass == Pass::opaque);
     gl->Uniform2f(program_.uniform(kNearFade), fade.from_m, fade.per_m);
-    point_attributes(gl, piece);
+    point_solid_attributes(gl, piece);
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
     if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {
         gl->CullFace(GL_FRONT);

@@ -11,6 +11,7 @@
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/data/solid_batch.hpp"
 #include "render_core/gl/buffer.hpp"
+#include "render_core/gl/program.hpp"
 
 namespace tedavis::draw {
 
@@ -47,6 +48,14 @@ private:
     SolidBatch batch_;
     gl::Buffer vertices_, indices_;
 };
+
+/// Attributes of every program with shaders/solid.vert.
+inline constexpr GLuint kSolidAttributes = 3;
+inline constexpr gl::AttributeBinding kSolidBindings[kSolidAttributes] = {{"place", 0}, {"normal_unsure", 1}, {"color", 2}};
+void point_solid_attributes(gl::Gl& gl, const SolidPiece& piece);
+/// The uniforms "anchor" and "fading" of such a program; places are relative to `eye`.
+void set_solid_place(gl::Gl& gl, GLint anchor, const SolidPiece& piece, const glm::dvec3& eye);
+void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float grown);
 
 class SolidDrawer {
 public:

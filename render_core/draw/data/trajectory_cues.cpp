@@ -59,6 +59,7 @@ public:
         const design::ElementCues& cues = input_.element.cues;
         SolidLook look = look_of(input_);
         look.ghost = 0;
+        look.is_thing = false;
         look.near_m = cue_ == Cue::projection ? 0 : kNearRadii * static_cast<float>(radius_m);
         if (cue_ != Cue::vertical_lines)
             look.opacity *= static_cast<float>(cue_ == Cue::curtain ? cues.curtain : cues.projection);

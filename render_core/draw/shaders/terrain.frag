@@ -78,6 +78,9 @@ VARYING vec2 v_drape;
 #ifdef STROKES
 VARYING vec2 v_ground;
 #endif
+#ifdef SHADOWS
+VARYING vec4 v_shadow;
+#endif
 
 #if defined(BAKED) || defined(MAP_DRAPE)
 // Whole fractions of a texel: with atlases of 2^n texels every sum is exact, so a page looks the same wherever it lies.
@@ -211,12 +214,21 @@ void main() {
     // -- shade
     vec3 lit = vec3(1.0);
     vec3 shine = vec3(0.0);
+#ifdef SHADOWS
+    float hidden = shadow_look.x > 0.0 ? shadow_look.x * shadow_at(v_shadow.xyz, v_shadow.w) : 0.0;
+#ifdef WARNING_BANDS
+    hidden *= step(band.a, 0.0);  // no shadow makes a warning darker
+#endif
+#endif
 #ifdef LIGHTS
     float first_seen = 1.0;  // share of the first light that no land hides
 #ifdef MAP_HORIZON
     float root = TEXTURE2D(horizon_map, (whole(v_page) * 0.5 + page_origin.zw) * page_scale.y).r;
     // The sun's disc is half a degree wide.
     first_seen = clamp((lights[0].z - root * root) * 115.0 + 0.5, 0.0, 1.0);
+#endif
+#ifdef SHADOWS
+    first_seen *= 1.0 - hidden;
 #endif
     float direct = 0.0;
     vec3 first_color = vec3(1.0), ambient = vec3(light.x), glow = vec3(0.0);
@@ -235,6 +247,9 @@ void main() {
 #endif
 #if defined(SHADE_LIGHT_MAP) && defined(MAP_LIGHT)
     lit = vec3(baked.r * 1.25);
+#ifdef SHADOWS
+    lit *= 1.0 - 0.6 * hidden;
+#endif
 #elif defined(SHADE_APERTURE) && defined(MAP_APERTURE)
     vec4 aperture = TEXTURE2D(aperture_map, map_place(v_page));
     vec3 opening = normal_of(aperture.xy);
@@ -242,6 +257,9 @@ void main() {
     float apart = acos(clamp(dot(opening, lights[0].xyz), -1.0, 1.0));
     // Share of a soft light of 17 degrees that stands in the opening; the sky light falls with the opening's cap.
     float seen = 1.0 - smoothstep(radius - 0.3, radius + 0.3, apart);
+#ifdef SHADOWS
+    seen *= 1.0 - hidden;
+#endif
     lit = ambient * (1.0 - aperture.z) + light.y * seen * max(dot(n, lights[0].xyz), 0.0) * first_color;
 #else
     lit = ambient + light.y * glow;
@@ -257,7 +275,10 @@ void main() {
 #if defined(OCCLUSION) && defined(MAP_LIGHT)
     lit *= mix(1.0, smoothstep(0.65, 1.0, 1.0 + signed_root(baked.g)), occlusion.y);
 #endif
-#ifdef SHADED
+#if defined(SHADOWS) && !defined(LIGHTS)
+    lit *= 1.0 - 0.6 * hidden;  // a style without a light: as under a sky that keeps two fifths
+#endif
+#if defined(SHADED) || (defined(SHADOWS) && !defined(LIGHTS))
     color = color * lit + shine * (1.0 - 0.5 * sea);
 #endif
 

@@ -32,6 +32,11 @@ VARYING vec3 v_ray;            // from the eye, ECEF, m
 VARYING float v_haze;
 #endif
 
+#ifdef SHADOWS
+uniform vec4 shadow_axes[3];   // places in the light's frame, m = dot(xyz, place) + w
+VARYING vec4 v_shadow;         // there; height over the sea
+#endif
+
 void main() {
     vec3 eye_relative = eye_relative_place();
     gl_Position = view_projection * vec4(eye_relative, 1.0);
@@ -43,6 +48,15 @@ void main() {
     v_ray = eye_relative;
 #else
     v_haze = 1.0 - exp(-length(eye_relative) * haze_per_m);
+#endif
+#ifdef SHADOWS
+    vec4 in_space = vec4(eye_relative, 1.0);
+    v_shadow.xyz = vec3(dot(shadow_axes[0], in_space), dot(shadow_axes[1], in_space), dot(shadow_axes[2], in_space));
+#ifdef FLAT
+    v_shadow.w = flat_height;
+#else
+    v_shadow.w = height;
+#endif
 #endif
 #ifdef BAKED
     v_page = place * page_window.xy + page_window.zw;

@@ -16,6 +16,7 @@ const char* name_of(Need need) {
     return need == Need::depth24_target       ? "24-bit depth off screen"
            : need == Need::half_float_texture ? "textures of half floats"
            : need == Need::second_picture     ? "a second picture off screen, ES 3"
+           : need == Need::shadow_map         ? "a map of shadows, ES 3"
                                               : "";
 }
 
@@ -86,7 +87,11 @@ TEST(EffectCatalogue, ADeviceHasWhatItsFileSays) {
     EXPECT_FALSE(has(device, Need::second_picture));
     device.off_screen_pictures = 2;
     EXPECT_TRUE(has(device, Need::second_picture));
+    EXPECT_FALSE(has(device, Need::shadow_map));
+    device.shadow_map_px = 1024;
+    EXPECT_TRUE(has(device, Need::shadow_map));
     device.gl.calls = CallClass::sc2;
+    EXPECT_FALSE(has(device, Need::shadow_map));
     EXPECT_FALSE(has(device, Need::half_float_texture));
     EXPECT_FALSE(has(device, Need::second_picture));
     EXPECT_EQ(lack_of(Need::half_float_texture), "the device has no textures of half floats");

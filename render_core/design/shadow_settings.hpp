@@ -1,0 +1,48 @@
+/// Shadows of data that stand over the ground, on it and in the air: table [effects.shadows] of a design file.
+///
+///     [effects.shadows]
+///     on_ground = 0.6                         # what a whole shadow takes of the first light; 0, or absent: no soft shadows
+///     casters = ["trajectory", "obstacle"]    # roles of the layers that cast them; absent: what is a thing in the air or on it
+///
+/// Plain data. Reading: start-up only, faults go to the section.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/scene/sdb_format.hpp"
+
+namespace tedavis::design {
+
+/// A bit a role.
+class CasterRoles {
+public:
+    constexpr CasterRoles& add(scene::LayerRole role) {
+        bits_ |= 1u << static_cast<unsigned>(role);
+        return *this;
+    }
+    [[nodiscard]] constexpr bool has(scene::LayerRole role) const { return (bits_ >> static_cast<unsigned>(role) & 1u) != 0; }
+
+private:
+    std::uint32_t bits_ = 0;
+};
+
+/// Airspaces are no things, and fields have a sign wherever one has room: those cast shadows where a design names them.
+inline constexpr CasterRoles kThings = CasterRoles()
+                                           .add(scene::LayerRole::trajectory)
+                                           .add(scene::LayerRole::traffic)
+                                           .add(scene::LayerRole::obstacle)
+                                           .add(scene::LayerRole::storm_cell)
+                                           .add(scene::LayerRole::building)
+                                           .add(scene::LayerRole::model);
+
+struct ShadowSettings {
+    double on_ground = 0;  ///< 0..1
+    CasterRoles casters = kThings;
+
+    [[nodiscard]] bool is_any() const { return on_ground > 0; }
+};
+
+void read_shadows(base::ConfigSection section, ShadowSettings& shadows);
+
+}  // namespace tedavis::design

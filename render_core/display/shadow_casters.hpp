@@ -1,0 +1,26 @@
+/// Draws what casts shadows in a frame into the map of shadows, in the levels in which anything does.
+///
+/// Memory    the map's, from the budget line render_targets, at start(). Thread  the GL thread. Failure  start() gives one
+/// sentence.
+#pragma once
+
+#include "render_core/display/caster_set.hpp"
+#include "render_core/draw/shadow_map.hpp"
+
+namespace tedavis::display {
+
+class ShadowCasters {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
+    [[nodiscard]] bool is_started() const { return map_.is_started(); }
+    [[nodiscard]] const draw::ShadowMap& map() const { return map_; }
+    /// `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, const CasterSet& casters, const draw::ShadowFrame& frame, const glm::dvec3& eye) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    draw::ShadowMap map_;
+    draw::SolidCasters solids_;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,61 @@
+/// A map of what hides the sun: drawn from there, by who owns the casters, and read by programs with shaders/shadow.frag.
+///
+/// Three levels, one above the other: how far towards the sun the caster stands, in 24 bits of red, green and blue (steps of
+/// 5 cm), and in alpha how much of the light it takes. The terrain is not in it. So it never shades itself, and the bias has to
+/// bear nothing but rounding (kShadowBias_m), however low the sun. Ground that stands out of a caster is lit from half a texel
+/// over it on.
+///
+/// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: what stands d
+/// metres towards the sun from a place shades it through a disc of d times the sun's radius. Wide ones are read from a coarser
+/// level.
+///
+/// Memory    the budget line render_targets (8 bytes a texel, three levels), at start(). Thread  the GL thread. Failure  one
+/// sentence.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/shadow_frame.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kShadowBias_m = 0.5;
+
+/// Of every program that is built with SHADOWS.
+inline constexpr std::size_t kShadowUniforms = 4;
+inline constexpr const char* kShadowUniformNames[kShadowUniforms] = {"shadow_map", "shadow_axes", "shadow_levels", "shadow_look"};
+inline constexpr std::uint32_t kShadowUnit = 10;  ///< beyond those of smaller devices, which have no such programs
+
+/// What a frame reads of it; without a map there are no shadows.
+struct ShadowRead {
+    const gl::Texture* map = nullptr;
+    const ShadowFrame* frame = nullptr;
+    double top_msl_m = 0;  ///< no caster is higher over the sea
+};
+
+/// The program must be in use; `first` is the place of kShadowUniformNames in its list. `origin`: from where its places are
+/// measured, ECEF.
+void set_shadow_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const ShadowRead& read,
+                         const glm::dvec3& origin);
+/// Sets shadow_axes alone.
+void set_light_axes(gl::Gl& gl, GLint location, const ShadowFrame& frame, const glm::dvec3& origin);
+
+class ShadowMap {
+public:
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
+    [[nodiscard]] bool is_started() const { return target_.valid(); }
+    [[nodiscard]] std::uint32_t level_px() const { return level_px_; }
+    [[nodiscard]] const gl::Texture& texture() const { return target_.color(); }
+    /// What is drawn next casts shadows into an empty level; depth test on, culling and blending off.
+    void begin_level(gl::Gl& gl, std::size_t level) const;
+    /// After the last one. The framebuffer and its viewport are the caller's to set again.
+    void end(gl::Gl& gl) const;
+    void destroy(gl::Gl& gl) { target_.destroy(gl); }
+
+private:
+    gl::RenderTarget target_;
+    std::uint32_t level_px_ = 0;
+};
+
+}  // namespace tedavis::draw
