@@ -126,6 +126,8 @@ void read_groups(ConfigSection root, const std::string& file_name, SheetPlan& pl
         plan.groups_of = stated_config(other, "sheets", file_name);
     else
         plan.columns = static_cast<std::uint32_t>(root.integer("columns", 1, 12));
+    const std::string designs(root.text("designs", ""));
+    if (!designs.empty()) plan.designs = path_from(file_name, designs);
     const std::size_t groups = root.table_count("group");
     if ((groups == 0 && other.empty()) || groups > kMostGroups)
         root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
@@ -164,6 +166,38 @@ void require_own_names(const SheetPlan& plan, const std::string& file_name) {
                                 "', which is in " + plan.groups_of + " too; give it another 'name'");
 }
 
+void take_groups(SheetPlan& plan, const std::string& path) {
+    const SheetPlan other = parse_sheet_plan(read_file(plan.groups_of), plan.groups_of);
+    if (!other.groups_of.empty())
+        throw UserError(path + ": 'groups_of' names " + plan.groups_of +
+                        ", which has no groups of its own; name the sheet that has");
+    plan.columns = other.columns;
+    plan.groups.insert(plan.groups.begin(), other.groups.begin(), other.groups.end());
+    require_views(plan, path);
+    require_own_names(plan, path);
+}
+
+/// What sizes and ranges of values show well depends on the data.
+void take_designs(SheetPlan& plan, const std::string& file_name) {
+    if (plan.designs.empty()) return;
+    namespace fs = std::filesystem;
+    std::set<std::string> in_folder;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(plan.designs, error))
+        if (entry.path().extension() == ".toml") in_folder.insert(entry.path().lexically_normal().string());
+    if (in_folder.empty())
+        throw UserError(file_name + ": 'designs' names " + plan.designs + ", where no design is; name a folder of them");
+    std::set<std::string> unused = in_folder;
+    for (SheetPlan::Group& group : plan.groups)
+        for (SheetPlan::Picture& picture : group.pictures) {
+            const std::string own = (fs::path(plan.designs) / (picture.design + ".toml")).lexically_normal().string();
+            unused.erase(own);
+            if (in_folder.count(own) != 0) picture.design = own;
+        }
+    if (!unused.empty())
+        throw UserError(*unused.begin() + ": no picture of " + file_name + " names this design; call it as one of them does");
+}
+
 }  // namespace
 
 SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) {
@@ -187,15 +221,8 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
 
 SheetPlan read_sheet_plan(const std::string& path) {
     SheetPlan plan = parse_sheet_plan(read_file(path), path);
-    if (plan.groups_of.empty()) return plan;
-    const SheetPlan other = parse_sheet_plan(read_file(plan.groups_of), plan.groups_of);
-    if (!other.groups_of.empty())
-        throw UserError(path + ": 'groups_of' names " + plan.groups_of +
-                        ", which has no groups of its own; name the sheet that has");
-    plan.columns = other.columns;
-    plan.groups.insert(plan.groups.begin(), other.groups.begin(), other.groups.end());
-    require_views(plan, path);
-    require_own_names(plan, path);
+    if (!plan.groups_of.empty()) take_groups(plan, path);
+    take_designs(plan, path);
     return plan;
 }
 

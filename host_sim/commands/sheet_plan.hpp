@@ -36,6 +36,7 @@ struct SheetPlan {
     AircraftPose pose;
     std::map<std::string, AircraftPose> views;  ///< with times of their own, or kPosedTime: the sheet's
     std::string groups_of;  ///< path of the sheet whose groups are shown before own ones; empty: own ones alone
+    std::string designs;    ///< path of the folder whose designs stand in for those of their names; empty: none
     std::vector<Group> groups;
 
     [[nodiscard]] std::size_t picture_count() const;
@@ -46,7 +47,8 @@ struct SheetPlan {
 /// `file_name` is how messages call the file; names with a slash or a dot in it start from its folder. Throws UserError with its
 /// line.
 [[nodiscard]] SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name);
-/// Reads the file, and the one whose groups it shows. Throws UserError.
+/// Reads the file, and the one whose groups it shows; where the sheet has a folder of designs, pictures name those that are in it
+/// by their paths. Throws UserError, also where a design of the folder is no picture's.
 [[nodiscard]] SheetPlan read_sheet_plan(const std::string& path);
 /// Reads every design of the plan; throws UserError that names the sheet's file, the picture and the fault.
 void require_designs(const SheetPlan& plan, const std::string& file_name);

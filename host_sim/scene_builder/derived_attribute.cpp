@@ -205,6 +205,8 @@ public:
         made.of = scene::AttributeOf::point;
         if (made.unit.empty() && attribute_.factor == 1) made.unit = "m/s";
         if (wind_ != nullptr) {
+            made.derived_from = recipe_.wind_layer;
+            made.derived_time_ns = recipe_.wind_time_ns;
             made.uncertainty_kind = wind_->kind();
             made.uncertainty_full = wind_->has_unit() ? wind_->full() * std::abs(attribute_.factor) : wind_->full();
         } else {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct AttributeDraft {
     scene::Uncertainty uncertainty_all;
     scene::UncertaintyKind uncertainty_kind = scene::UncertaintyKind::none;
     scene::UncertaintyScope uncertainty_scope = scene::UncertaintyScope::value;
+    std::string derived_from;                     ///< the layer whose values it was made of; empty: its own
+    std::optional<std::int64_t> derived_time_ns;  ///< of those values; nothing: each is of its point's own time
     double uncertainty_full = 0;
     double uncertainty_growth_per_hour = 0;
 };

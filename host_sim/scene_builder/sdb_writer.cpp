@@ -133,7 +133,16 @@ private:
         entry.classes = names_part(attribute.classes);
         entry.members = part(joined(attribute.members));
         entry.member_count = static_cast<std::uint8_t>(attribute.members.size());
+        set_origin(attribute, entry);
         attributes_.push_back(entry);
+    }
+    void set_origin(const AttributeDraft& attribute, AttributeEntry& entry) const {
+        if (attribute.derived_from.empty()) return;
+        for (std::size_t n = 0; n < draft_.layers.size(); ++n)
+            if (draft_.layers[n].name == attribute.derived_from) entry.derived_from = static_cast<std::uint8_t>(n + 1);
+        constexpr std::int64_t kMinute_ns = 60'000'000'000;
+        const std::int64_t minute = attribute.derived_time_ns.value_or(0) / kMinute_ns;
+        entry.derived_minute = static_cast<std::uint32_t>(std::clamp<std::int64_t>(minute, 0, UINT32_MAX));
     }
     static std::vector<float> joined(const std::vector<std::vector<float>>& members) {
         std::vector<float> all;

@@ -65,13 +65,15 @@ enum class GroundMembers : std::uint8_t {
 inline constexpr std::size_t kGroundMembers = 2;
 extern const std::array<std::string_view, kGroundMembers> kGroundMembersNames;
 
+inline constexpr double kShowsAll = -1e12;
+
 /// Colour on the ground by a field of the scene.
 struct GroundData {
     bool is_shown = false;
     base::FixedString<31> layer, attribute;
     DataScale scale;
-    double opacity = 0.85;      ///< 0..1, of the surest
-    double shown_from = -1e12;  ///< lower values have no colour: radar without echo, calm
+    double opacity = 0.85;          ///< 0..1, of the surest
+    double shown_from = kShowsAll;  ///< lower values have no colour: radar without echo, calm
     /// Of the slice, in the layer's datum; only fields with several levels ask for it. NaN: the lowest level.
     double height_m = std::numeric_limits<double>::quiet_NaN();
     GroundMembers members = GroundMembers::mean;

@@ -15,6 +15,8 @@ using design::UncertaintyOverlay;
 using draw::LegendSample;
 using draw::SampleLook;
 
+constexpr std::int64_t kMinute_ns = 60'000'000'000;
+
 /// A zero-terminated field.
 template <std::size_t N>
 std::string_view field_text(const char (&field)[N]) {
@@ -151,15 +153,24 @@ void add_uncertainty(const design::DesignSettings& design, const scene::Attribut
     const bool has_look = ground.uncertainty.technique != IntrinsicUncertainty::none,
                has_overlay = ground.overlay.technique != UncertaintyOverlay::none;
     LegendSample overlay = overlay_sample(ground.overlay, color);
-    overlay.text = overlay_text(ground.overlay, attribute, heights);
+    overlay.text = overlay_text(ground.overlay, attribute, heights).view();
     if (is_known && (has_look || has_overlay)) {
         static_cast<void>(legend.uncertainty.try_push_back(sure_sample(ground, color)));
         LegendSample unsure = has_look ? unsure_sample(ground.uncertainty, color, plain) : overlay;
-        if (has_look) unsure.text = full_uncertainty_text(attribute, heights);
+        if (has_look) unsure.text = full_uncertainty_text(attribute, heights).view();
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, color, plain, SampleLook::cut_stripes)));
     if (is_known && has_look && has_overlay) static_cast<void>(legend.signs.try_push_back(overlay));
+}
+
+/// What the plain ground among the data means: values below those that are shown, such as of radar that sees nothing.
+base::FixedString<23> words_for_none(const design::GroundData& ground, const draw::DataLegend& legend) {
+    if (!(ground.shown_from > design::kShowsAll)) return {};
+    if (legend.unit.view() == "DBZ") return "NO ECHO";
+    char text[24];
+    std::snprintf(text, sizeof text, "BELOW %.4g", ground.shown_from * legend.factor + legend.offset);
+    return text;
 }
 
 /// "AIR TEMPERATURE", but "WIND SPEED" of an attribute "Wind speed" of the layer "Wind", and no unit in place of a title.
@@ -178,6 +189,12 @@ base::FixedString<31> legend_title(std::string_view layer, std::string_view attr
 ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept {
     const std::string_view unit = field_text(attribute.unit);
     if (unit == "rad") return {base::degrees(1), "DEG"};
+    constexpr double kZeroCelsius_k = 273.15;
+    if (unit == "K")
+        return {1,
+                "\xC2\xB0"
+                "C",
+                -kZeroCelsius_k};
     if (unit == "m/s" && heights == design::HeightUnit::feet) {
         const bool is_vertical = field_text(attribute.name).find("vertical") != std::string_view::npos;
         return is_vertical ? ShownUnit{1 / base::kMpsPerFootPerMinute, "FT/MIN"} : ShownUnit{1 / base::kMpsPerKnot, "KT"};
@@ -216,13 +233,14 @@ bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEn
 }
 
 draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, const flight::FlightTime& time,
-                           const design::DesignSettings& design) noexcept {
+                           const design::DesignSettings& design, const scene::Layer* made_of) noexcept {
     draw::DataLegend legend;
     const scene::AttributeEntry& entry = *attribute.entry;
     const std::string_view layer_title = field_text(layer.entry->title);
     legend.title = legend_title(layer_title, title_of(entry), field_text(entry.unit));
     const ShownUnit shown = shown_unit(entry, design.symbology.legend_unit);
     legend.factor = shown.factor;
+    legend.offset = shown.offset;
     legend.unit = shown.name;
     if (entry.scale != scene::AttributeScale::quantitative)
         for (std::uint32_t n = 0; n < entry.class_count; ++n) {
@@ -230,8 +248,13 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
             append_upper(name, attribute.class_name(n));
             if (!legend.class_names.try_push_back(name)) break;
         }
-    append_upper(legend.source, short_name(field_text(layer.entry->source)));
-    set_time(layer, time.is_date ? time.utc.ns : layer.times_ns.empty() ? 0 : layer.times_ns[0], legend);
+    const scene::Layer& source = made_of == nullptr ? layer : *made_of;
+    append_upper(legend.source, short_name(field_text(source.entry->source)));
+    set_time(source, time.is_date ? time.utc.ns : source.times_ns.empty() ? 0 : source.times_ns[0], legend);
+    if (made_of != nullptr && entry.derived_minute > 0) {
+        legend.data_time_ns = std::int64_t{entry.derived_minute} * kMinute_ns;
+        legend.is_forecast = false;
+    }
     legend.has_time = legend.data_time_ns != scene::kNoTime;
     legend.has_age = legend.has_time && time.is_confirmed;
     if (!legend.has_age) return legend;
@@ -269,6 +292,7 @@ draw::DataLegend uncertainty_legend_of(const scene::Layer& layer, const scene::A
     draw::DataLegend legend = legend_of(layer, attribute, time, design);
     legend.title.append(" \xC2\xB1");
     legend.class_names.clear();
+    legend.offset = 0;
     const scene::AttributeEntry& entry = *attribute.entry;
     if (entry.uncertainty_kind == scene::UncertaintyKind::percent) legend.factor = 1;
     legend.factor *= static_cast<double>(entry.uncertainty_full);
@@ -310,6 +334,8 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     keep_named_classes(*slice->attribute(), slice->classes_in_use(), legend);
     if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
     add_uncertainty(design, *slice->attribute()->entry, color, plain, legend);
+    if (const base::FixedString<23> none = words_for_none(ground, legend); !none.empty())
+        static_cast<void>(legend.signs.try_push_back(sample_of(none.view(), plain, plain, SampleLook::plain)));
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
     if (slice->attribute()->entry->scale != scene::AttributeScale::quantitative) return add_legend(legend, legends);
     static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));

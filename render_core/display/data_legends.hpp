@@ -10,15 +10,18 @@
 namespace tedavis::display {
 
 /// Title, unit, class names, data time, age and source of an attribute: what an entry says whatever the technique. The age is
-/// known while the time is confirmed. Scale, uncertainty and signs are left to the caller.
+/// known while the time is confirmed. Scale, uncertainty and signs are left to the caller. `made_of`: the layer whose values the
+/// attribute's were made of, which has its time and source; null: its own.
 [[nodiscard]] draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute,
-                                         const flight::FlightTime& time, const design::DesignSettings& design) noexcept;
+                                         const flight::FlightTime& time, const design::DesignSettings& design,
+                                         const scene::Layer* made_of = nullptr) noexcept;
 
-/// The unit that pilots read: degrees of radians, and where heights are feet, knots of metres per second, or feet per minute
-/// where the attribute's name says that they are vertical. Others as they are.
+/// The unit that pilots read: degrees of radians, degrees Celsius of kelvins, and where heights are feet, knots of metres per
+/// second, or feet per minute where the attribute's name says that they are vertical. Others as they are.
 struct ShownUnit {
     double factor = 1;  ///< the number in this unit of one of the attribute's
     base::FixedString<15> name;
+    double offset = 0;  ///< the number in this unit of the attribute's 0; no part of a difference
 };
 [[nodiscard]] ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept;
 

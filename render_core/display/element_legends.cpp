@@ -14,6 +14,13 @@ using design::ElementUncertainty;
 struct LegendFrame {
     const design::DesignSettings& design;
     const flight::FlightTime& time;
+    base::Span<const scene::Layer> layers;
+
+    /// Whose time and source the attribute has; null: its own layer.
+    [[nodiscard]] const scene::Layer* made_of(const scene::Attribute& attribute) const {
+        const std::size_t number = attribute.entry->derived_from;
+        return number == 0 || number > layers.size() ? nullptr : &layers[number - 1];
+    }
 };
 
 Color middle_color(const design::DataScale& scale) {
@@ -29,9 +36,25 @@ draw::LegendSample sample_of(std::string_view text, Color color) {
     return sample;
 }
 
-/// What fades, at its surest and at its least sure; the unknown looks as the least sure does.
-void add_fading(const design::DataElement& element, const scene::AttributeEntry& attribute, const design::DesignSettings& design,
+/// Of what nobody knows how sure it is: signs have a question mark, glyphs a colour of their own, surfaces are cut by stripes.
+draw::LegendSample unknown_sample(const ElementReport& report, Color color, Color faded, Color ground) {
+    draw::LegendSample sample = sample_of(draw::kUnknownText, color);
+    if (is_sign_technique(report.element->technique)) {
+        sample.look = draw::SampleLook::question;
+        sample.color = faded;
+    } else if (report.slot != GlyphElements::kSlots) {
+        sample.color = draw::GlyphStyle().unknown;
+    } else {
+        sample.look = draw::SampleLook::cut_stripes;
+        sample.under = ground;
+    }
+    return sample;
+}
+
+/// What fades, at its surest and at its least sure, and the unknown, which is neither.
+void add_fading(const ElementReport& report, const scene::AttributeEntry& attribute, const design::DesignSettings& design,
                 draw::DataLegend& legend) {
+    const design::DataElement& element = *report.element;
     const bool greys = element.uncertainty == ElementUncertainty::saturation;
     if (!greys && element.uncertainty != ElementUncertainty::transparency) return;
     const Color color = middle_color(legend.scale);
@@ -39,7 +62,7 @@ void add_fading(const design::DataElement& element, const scene::AttributeEntry&
     static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
     static_cast<void>(legend.uncertainty.try_push_back(
         sample_of(full_uncertainty_text(attribute, design.symbology.legend_unit).view(), faded)));
-    static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, faded)));
+    static_cast<void>(legend.uncertainty.try_push_back(unknown_sample(report, color, faded, design.terrain.style.plain)));
 }
 
 void add_colors(const ElementReport& report, const design::ColorEncoding& encoding, const LegendFrame& frame,
@@ -47,10 +70,10 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     if (!encoding.is_used()) return;
     const scene::Attribute* const attribute = report.layer->find(encoding.attribute.view());
     if (attribute == nullptr) return;
-    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design);
+    draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design, frame.made_of(*attribute));
     legend.scale = encoding.scale;
     keep_named_classes(*attribute, UINT32_MAX, legend);
-    add_fading(*report.element, *attribute->entry, frame.design, legend);
+    add_fading(report, *attribute->entry, frame.design, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
     add_legend(legend, legends);
 }
@@ -67,9 +90,10 @@ void add_uncertainty_glyphs(const ElementReport& report, const LegendFrame& fram
 
 }  // namespace
 
-void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, const flight::FlightTime& time,
+void add_element_legends(const ElementReports& reports, base::Span<const scene::Layer> layers,
+                         const design::DesignSettings& design, const flight::FlightTime& time,
                          draw::DataLegends& legends) noexcept {
-    const LegendFrame frame{design, time};
+    const LegendFrame frame{design, time, layers};
     for (const ElementReport& report : reports) {
         if (report.state != ElementState::shown) continue;
         // Signs find their room when the legends have theirs.

@@ -8,7 +8,9 @@
 
 namespace tedavis::display {
 
-void add_element_legends(const ElementReports& reports, const design::DesignSettings& design, const flight::FlightTime& time,
+/// `layers` of the scene: an attribute that was made of another layer's values has that one's time and source.
+void add_element_legends(const ElementReports& reports, base::Span<const scene::Layer> layers,
+                         const design::DesignSettings& design, const flight::FlightTime& time,
                          draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

@@ -6,8 +6,11 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/draw/data/billboard_look.hpp"
+#include "render_core/draw/data/diagrams.hpp"
+#include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
+#include "render_core/draw/data/tube_way.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -30,9 +33,12 @@ bool shows_nothing(const ElementReport& report) {
     return !is_sign_technique(report.element->technique) && report.count.drawn + report.count.aggregated == 0;
 }
 
+using Words = base::FixedString<23>;
+
 class Signs {
 public:
-    explicit Signs(const design::DesignSettings& design) : ground_(design.terrain.style.plain) {
+    explicit Signs(const design::DesignSettings& design)
+        : ground_(design.terrain.style.plain), heights_(design.symbology.legend_unit) {
         legend_.has_scale = false;
         legend_.title = "SIGNS";
     }
@@ -54,7 +60,10 @@ private:
             case DataTechnique::billboard: return add_billboard(report);
             case DataTechnique::solid: return add_margin(report, "PLACE", element.color);
             case DataTechnique::barbs: return add_words("BARB 10 KT"), add_words("PENNANT 50 KT");
-            case DataTechnique::diagram: return add_words("BARS LEAST-MOST");
+            case DataTechnique::diagram: return add_diagram(report);
+            case DataTechnique::isosurface: return add_isosurface(report);
+            case DataTechnique::arrows:
+            case DataTechnique::flat_arrows: return add_wind_signs(report);
             default: return;
         }
     }
@@ -120,12 +129,68 @@ private:
         const Color color = element.by_color.is_used() ? Color{200, 200, 200} : element.color;
         if (!element.by_color.is_used()) add_sample(begin("FLIGHT", SampleLook::plain, color));
         add_margin(report, "FLIGHT", color);
-        if (element.technique == DataTechnique::space_time) add_words("HEIGHT: TIME");
+        if (element.technique == DataTechnique::space_time) {
+            Words words("1 H: ");
+            add_words(append_length(element.size_m > 0 ? element.size_m : draw::kDefaultTimeHeight_m, words).view());
+            return;
+        }
         const scene::Attribute* const size = report.layer->find(element.size_attribute.view());
         if (size == nullptr) return;
-        base::FixedString<15> text("WIDTH: ");
-        text.append(attribute_title(*size->entry).view());
-        add_words(text.view());
+        Words title("WIDTH: ");
+        title.append(attribute_title(*size->entry).view());
+        add_words(title.view());
+        Words scale;  // of the largest value; others are in proportion
+        append_length(2 * (element.size_m > 0 ? element.size_m : draw::kDefaultTubeRadius_m), scale).append(": ");
+        add_words(append_value(*size->entry, static_cast<double>(size->entry->maximum), scale).view());
+    }
+
+    /// "1312 FT".
+    Words& append_length(double length_m, Words& words) const {
+        const bool in_feet = heights_ == design::HeightUnit::feet;
+        char text[24];
+        std::snprintf(text, sizeof text, "%.0f %s", in_feet ? length_m / base::kMetresPerFoot : length_m, in_feet ? "FT" : "M");
+        words.append(text);
+        return words;
+    }
+
+    /// "116 KT".
+    Words& append_value(const scene::AttributeEntry& attribute, double value, Words& words) const {
+        const ShownUnit unit = shown_unit(attribute, heights_);
+        char text[24];
+        std::snprintf(text, sizeof text, "%.3g", value * unit.factor + unit.offset);
+        words.append(text);
+        if (!unit.name.empty()) words.append(" ");
+        words.append(unit.name.view());
+        return words;
+    }
+
+    /// A profile is a line: its attribute to the right, over what range, and the height upwards.
+    void add_diagram(const ElementReport& report) {
+        const scene::Attribute* const attribute = draw::profile_attribute(*report.element, *report.layer);
+        if (attribute == nullptr || !draw::has_profiles(*report.layer)) return add_words("BARS LEAST-MOST");
+        Words title("LINE: ");
+        title.append(attribute_title(*attribute->entry).view());
+        add_words(title.view());
+        const ShownUnit unit = shown_unit(*attribute->entry, heights_);
+        char least[24];
+        std::snprintf(least, sizeof least, "%.3g..", static_cast<double>(attribute->entry->minimum) * unit.factor + unit.offset);
+        Words range(least);
+        add_words(append_value(*attribute->entry, static_cast<double>(attribute->entry->maximum), range).view());
+        add_words("UPWARDS: HEIGHT");
+    }
+
+    /// Of arrows in one colour; a scale of colours has no room for more, and says what is missing itself.
+    void add_wind_signs(const ElementReport& report) {
+        if (report.element->by_color.is_used() || report.layer->entry->role != LayerRole::wind) return;
+        add_words("RING: CALM");
+        add_words("STAR IN RING: VARIABLE");
+        add_words("CROSS: MISSING");
+    }
+
+    void add_isosurface(const ElementReport& report) {
+        if (report.element->detail < draw::kIsosurfaceLinesFrom) return;
+        Words words("LINES ");
+        add_words(append_length(draw::kIsosurfaceLines_m, words).view());
     }
 
     void add_billboard(const ElementReport& report) {
@@ -170,6 +235,7 @@ private:
     }
 
     Color ground_;
+    design::HeightUnit heights_;
     LegendSample made_;
     draw::DataLegend legend_;
 };

@@ -13,7 +13,7 @@ GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyIn
         plan_adjacent_data(frame.data, design.data.adjacent, frame.place, frame.time, design.terrain.unknown);
     symbology.adjacent = adjacent.maps;
     add_adjacent_legend(adjacent, frame.time, design, symbology.data_legends);
-    add_element_legends(frame.reports, design, frame.time, symbology.data_legends);
+    add_element_legends(frame.reports, frame.data.scene().layers(), design, frame.time, symbology.data_legends);
     return adjacent.state;
 }
 

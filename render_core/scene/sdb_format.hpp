@@ -167,7 +167,9 @@ struct AttributeEntry {
     ScenePart members;        ///< float x value_count x member_count, one member after the other; NaN where missing
     Uncertainty uncertainty_all;
     std::uint8_t member_count;  ///< possible courses of what the values are the mean of; 0, or 2 .. kMaxMembers
-    std::uint8_t reserved[6];
+    std::uint8_t derived_from;  ///< 1 + number of the layer whose values it was made of; 0: the layer's own
+    std::uint8_t reserved;
+    std::uint32_t derived_minute;  ///< since 1970 UTC: of those values; 0: each is of its point's own time
 };
 static_assert(std::is_trivially_copyable_v<AttributeEntry> && sizeof(AttributeEntry) == 216);
 

@@ -39,15 +39,6 @@ float share_of(const scene::Attribute& attribute, std::uint32_t feature) {
     return range > 0 ? std::clamp((attribute.values[feature] - least) / range, 0.0f, 1.0f) : 0.5f;
 }
 
-const scene::Attribute* profile_attribute(const ElementInput& input) {
-    const design::DataElement& element = input.element;
-    if (element.by_color.is_used()) return input.layer.find(element.by_color.attribute.view());
-    if (!element.size_attribute.view().empty()) return input.layer.find(element.size_attribute.view());
-    for (const scene::Attribute& attribute : input.layer.attributes)
-        if (is_quantity(attribute)) return &attribute;
-    return nullptr;
-}
-
 bool is_same_place(const scene::ScenePoint& a, const scene::ScenePoint& b) {
     return a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad;
 }
@@ -206,7 +197,7 @@ private:
 
     /// A line from knot to knot; none to and from missing ones.
     void draw_profile() {
-        const scene::Attribute* const attribute = profile_attribute(input_);
+        const scene::Attribute* const attribute = profile_attribute(input_.element, input_.layer);
         if (attribute == nullptr) return draw_cross(inner_.center());
         const Heights reach = heights();
         Knot before;
@@ -238,6 +229,20 @@ private:
 };
 
 }  // namespace
+
+const scene::Attribute* profile_attribute(const design::DataElement& element, const scene::Layer& layer) {
+    if (element.by_color.is_used()) return layer.find(element.by_color.attribute.view());
+    if (!element.size_attribute.view().empty()) return layer.find(element.size_attribute.view());
+    for (const scene::Attribute& attribute : layer.attributes)
+        if (is_quantity(attribute)) return &attribute;
+    return nullptr;
+}
+
+bool has_profiles(const scene::Layer& layer) {
+    for (std::uint32_t n = 1; n < layer.points.size(); ++n)
+        if (is_same_place(layer.points[n - 1], layer.points[n])) return true;
+    return false;
+}
 
 ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input) {
     const auto all = static_cast<std::uint32_t>(input.layer.points.size());

@@ -24,6 +24,11 @@ inline constexpr float kLeastBar = 0.08f;  ///< of the diagram's height
 /// Of the text's size: the plate, without its name.
 inline constexpr float kDiagramWidth = 4.2f, kDiagramHeight = 3.2f;
 
+/// What profiles of the layer show; null: nothing.
+[[nodiscard]] const scene::Attribute* profile_attribute(const design::DataElement& element, const scene::Layer& layer);
+/// Whether any points follow each other at one place.
+[[nodiscard]] bool has_profiles(const scene::Layer& layer);
+
 /// Points are drawn with the diagram that shows them. Of a profile longer than kMostProfileSamples the rest is hidden.
 [[nodiscard]] ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input);
 

@@ -142,7 +142,10 @@ private:
         return faded(style_.is_colored ? design::scale_color(scale_, value) : style_.plain, summary);
     }
     [[nodiscard]] design::Color faded(design::Color color, const GlyphSummary& summary) const {
-        const double level = summary.state == ValueState::missing ? 0 : summary.uncertainty.level();
+        const bool is_missing = summary.state == ValueState::missing;
+        const bool fades = style_.fading > 0 || style_.greying > 0;
+        if (fades && !is_missing && !summary.uncertainty.is_known()) color = style_.unknown;
+        const double level = is_missing || !summary.uncertainty.is_known() ? 0 : summary.uncertainty.level();
         const double lost = style_.fading * level;
         if (style_.greying > 0) color = design::blended(color, design::grey_of(color), style_.greying * level);
         color.alpha = static_cast<std::uint8_t>(std::lround(color.alpha * style_.opacity * (1 - lost)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
@@ -22,6 +23,20 @@ constexpr std::uint32_t kSlotBits = 13;
 static_assert(SolidMesh::kVertices <= 1u << kSlotBits);
 constexpr std::uint32_t kMeshVertices = SolidMesh::kVertices - 3, kMeshIndices = SolidMesh::kIndices - 3;
 constexpr float kOuterOpacity = 0.5f;  // of the element's, where there are many levels
+constexpr float kHalfLine_px = 1;
+constexpr double kLineShade = 0.65;  // of black in the surface's colour
+constexpr double kLineLift = 0.5;    // away from the surface, of the way to the side
+constexpr std::uint32_t kLineVertices = 4, kLineIndices = 12, kMostLinesATriangle = 64;
+
+using Levels = base::FixedVector<double, design::kMaxElementLevels>;
+/// Those that the design names first.
+Levels levels_at(const design::DataElement& element) {
+    Levels kept;
+    const double most = std::ceil(element.detail * static_cast<double>(element.levels.size()));
+    for (std::size_t n = 0; n < element.levels.size() && (n == 0 || static_cast<double>(n) < most); ++n)
+        static_cast<void>(kept.try_push_back(element.levels[n]));
+    return kept;
+}
 
 const scene::Attribute* attribute_of(const ElementInput& input) {
     if (input.element.by_color.is_used()) return input.layer.find(input.element.by_color.attribute.view());
@@ -50,7 +65,6 @@ double height_at(const base::Span<const float>& levels_m, double level) {
     return static_cast<double>(levels_m[below]) + (level - static_cast<double>(below)) * climb_at(levels_m, level);
 }
 
-using Levels = base::FixedVector<double, design::kMaxElementLevels>;
 Levels ascending(Levels levels) {
     for (std::size_t n = 1; n < levels.size(); ++n)
         for (std::size_t k = n; k > 0 && levels[k] < levels[k - 1]; --k) std::swap(levels[k], levels[k - 1]);
@@ -152,7 +166,7 @@ std::uint32_t IsosurfaceSolids::sample(const scene::GridField& field, const Samp
 /// False where room is wanting; nothing is added then, because all levels are tried before the first is.
 bool IsosurfaceSolids::build(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const scene::GridField& field,
                              const Sampling& sampling) {
-    const Levels levels = ascending(input.element.levels);
+    const Levels levels = ascending(levels_at(input.element));
     const std::size_t room = std::min({vertices_.size(), batch.vertices_left() / (kShareOfRoom * levels.size()),
                                        batch.indices_left() / (kShareOfRoom * kIndicesAVertex * levels.size())});
     for (const double level : levels)
@@ -168,6 +182,7 @@ bool IsosurfaceSolids::build(SolidBatch& batch, SolidMesh& mesh, const ElementIn
         const design::ColorEncoding& encoding = input.element.by_color;
         color_ = encoding.is_used() ? design::scale_color(encoding.scale, levels[n]) : input.element.color;
         add_surface(batch, mesh, input, field, sampling);
+        add_lines(batch, mesh, input, sampling);
     }
     return true;
 }
@@ -220,21 +235,97 @@ IsosurfaceSolids::GridPlace IsosurfaceSolids::placed_in(const ElementInput& inpu
     return at;
 }
 
-std::uint16_t IsosurfaceSolids::add_vertex(SolidMesh& mesh, const ElementInput& input, const scene::GridField& field,
-                                           const Sampling& sampling, const scene::IsosurfaceVertex& vertex) {
-    const GridPlace at = placed_in(input, sampling, vertex);
+/// Unit length, in ECEF.
+glm::dvec3 IsosurfaceSolids::normal_in(const ElementInput& input, const Sampling& sampling, const GridPlace& at,
+                                       const glm::vec3& normal) {
     const scene::GridShape& grid = input.layer.entry->grid;
     const LocalAxes axes = local_axes(at.latitude_rad, at.longitude_rad);
     const double post_east_m =
         sampling.step[0] * grid.step_lon_rad * std::cos(at.latitude_rad) * earth::prime_vertical_radius_m(at.latitude_rad);
     const double post_north_m = sampling.step[1] * grid.step_lat_rad * earth::meridian_radius_m(at.latitude_rad);
-    const glm::dvec3 slope(vertex.normal);
+    const glm::dvec3 slope(normal);
     const glm::dvec3 across = slope.x / post_east_m * axes.east - slope.y / post_north_m * axes.north +
                               slope.z / (sampling.step[2] * at.climb_m) * axes.up;
     const double length = glm::length(across);
+    return length > 0 ? across / length : axes.up;
+}
+
+std::uint16_t IsosurfaceSolids::add_vertex(SolidMesh& mesh, const ElementInput& input, const scene::GridField& field,
+                                           const Sampling& sampling, const scene::IsosurfaceVertex& vertex) {
+    const GridPlace at = placed_in(input, sampling, vertex);
     mesh.set_color(color_, has_uncertainty_ ? field.at(at.latitude_rad, at.longitude_rad, at.height_m, time_ns_).uncertainty
                                             : scene::Uncertainty::from_code(0));
-    return mesh.vertex(at.place, length > 0 ? across / length : axes.up);
+    return mesh.vertex(at.place, normal_in(input, sampling, at, vertex.normal));
+}
+
+/// Where the surface last made goes through whole multiples of kIsosurfaceLines_m; all of its lines or, where these have no room,
+/// none.
+void IsosurfaceSolids::add_lines(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const Sampling& sampling) {
+    if (input.element.detail < kIsosurfaceLinesFrom) return;
+    const std::uint32_t end = builder_.counts().indices;
+    std::size_t lines = 0;
+    for (std::uint32_t n = 0; n < end; n += 3) visit_lines(input, sampling, n, [&](const LinePiece&) { ++lines; });
+    if (lines > std::min(batch.vertices_left() / kLineVertices, batch.indices_left() / kLineIndices) / kShareOfRoom) return;
+    SolidLook look;
+    look.group = input.group;
+    look.halo_px = kHalfLine_px;
+    batch.set_look(look, time_ns_);
+    bool has_begun = false;
+    for (std::uint32_t n = 0; n < end; n += 3)
+        visit_lines(input, sampling, n, [&](const LinePiece& piece) {
+            const GridPlace from = placed_in(input, sampling, piece.ends[0]), to = placed_in(input, sampling, piece.ends[1]);
+            if (has_begun && mesh.vertex_count() + kLineVertices > SolidMesh::kVertices) {
+                mesh.add_to(batch);
+                has_begun = false;
+            }
+            if (!has_begun) mesh.begin(from.place);
+            has_begun = true;
+            add_line(mesh, from.place, to.place, normal_in(input, sampling, from, piece.ends[0].normal));
+        });
+    if (has_begun) mesh.add_to(batch);
+}
+
+/// Of the triangle whose first index this is.
+template <class Visitor>
+void IsosurfaceSolids::visit_lines(const ElementInput& input, const Sampling& sampling, std::uint32_t first,
+                                   Visitor visitor) const {
+    const scene::IsosurfaceVertex* corners[3]{};
+    double lines[3]{};  // their heights
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        corners[k] = &vertices_[indices_[first + k]];
+        lines[k] =
+            height_at(input.layer.levels_m, static_cast<double>(corners[k]->position.z) * sampling.step[2]) / kIsosurfaceLines_m;
+    }
+    const double highest = std::max({lines[0], lines[1], lines[2]});
+    double line = std::ceil(std::min({lines[0], lines[1], lines[2]}));
+    for (std::uint32_t n = 0; n < kMostLinesATriangle && line < highest; ++n, line += 1) {
+        LinePiece piece;
+        std::size_t ends = 0;
+        for (std::size_t k = 0; k < 3 && ends < 2; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            if ((lines[k] < line) == (lines[next] < line)) continue;
+            const auto share = static_cast<float>((line - lines[k]) / (lines[next] - lines[k]));
+            piece.ends[ends].position = glm::mix(corners[k]->position, corners[next]->position, share);
+            piece.ends[ends++].normal = glm::mix(corners[k]->normal, corners[next]->normal, share);
+        }
+        if (ends == 2) visitor(piece);
+    }
+}
+
+/// Without width: it gets that on the screen, to both sides and seen from both.
+void IsosurfaceSolids::add_line(SolidMesh& mesh, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& normal) const {
+    const glm::dvec3 across = glm::cross(to - from, normal);
+    const double length = glm::length(across);
+    if (!(length > 0)) return;
+    const glm::dvec3 side = across / length, lift = kLineLift * normal;
+    mesh.set_color(design::blended(color_, {0, 0, 0}, kLineShade));
+    const glm::dvec3 right = glm::normalize(lift + side), left = glm::normalize(lift - side);
+    const std::uint16_t a = mesh.vertex(from, right), b = mesh.vertex(from, left), c = mesh.vertex(to, left),
+                        d = mesh.vertex(to, right);
+    mesh.triangle(a, b, c);
+    mesh.triangle(a, c, d);
+    mesh.triangle(c, b, a);
+    mesh.triangle(d, c, a);
 }
 
 }  // namespace tedavis::draw

@@ -4,7 +4,9 @@
 /// Grids with several times are built for the frame's minute, every frame, of kMostMovingPosts posts at most; others once. Where
 /// a grid has more posts than there is room for, or its surface more vertices, every second, third ... post is looked at. Places
 /// lie between the grid's heights as its posts do; normals are those of the field in space. The colour is that of the scale at
-/// the level; how unsure the field is at a vertex fades it.
+/// the level; how unsure the field is at a vertex fades it. Layers of air are so flat that light alone shows no form: from half
+/// detail on a surface has lines of equal height, all or, where there is no room, none. Below full detail the first of the levels
+/// that the design names are shown.
 ///
 /// Counts are posts at one time: drawn those that are looked at, aggregated those passed over, hidden all of a grid that shows
 /// nothing and those without a value.
@@ -20,6 +22,10 @@ namespace tedavis::draw {
 
 inline constexpr std::uint32_t kMostMovingPosts = 8192;
 inline constexpr std::uint32_t kMostIsosurfaceSteps = 64;  ///< posts passed over to the next one looked at, and tries
+
+/// Between lines of equal height: 1000 ft.
+inline constexpr double kIsosurfaceLines_m = 304.8;
+inline constexpr double kIsosurfaceLinesFrom = 0.5;  ///< detail
 
 struct IsosurfaceRoom {
     std::uint32_t posts = 0, posts_of_slice = 0, vertices = 0;
@@ -60,6 +66,17 @@ private:
     };
     [[nodiscard]] GridPlace placed_in(const ElementInput& input, const Sampling& sampling,
                                       const scene::IsosurfaceVertex& vertex) const;
+
+    [[nodiscard]] static glm::dvec3 normal_in(const ElementInput& input, const Sampling& sampling, const GridPlace& at,
+                                              const glm::vec3& normal);
+    /// Within a triangle.
+    struct LinePiece {
+        scene::IsosurfaceVertex ends[2];
+    };
+    void add_lines(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const Sampling& sampling);
+    template <class Visitor>
+    void visit_lines(const ElementInput& input, const Sampling& sampling, std::uint32_t first, Visitor visitor) const;
+    void add_line(SolidMesh& mesh, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& normal) const;
 
     scene::IsosurfaceBuilder builder_;
     base::Span<float> values_;

@@ -1,8 +1,10 @@
 #include "render_core/draw/data/model_solids.hpp"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 
@@ -20,6 +22,45 @@ glm::dmat3 axes_of(const ElementInput& input, std::uint32_t feature) {
     return {local.east * c - local.north * s, local.east * s + local.north * c, local.up};
 }
 
+/// Along the model's own axes, its colour the mean of those of the vertices.
+struct ModelBox {
+    glm::dvec3 low, high;
+    design::Color color;
+};
+ModelBox box_of(const scene::Layer& layer) {
+    ModelBox box{glm::dvec3(1e9), glm::dvec3(-1e9), {}};
+    std::uint64_t sums[4]{};
+    for (const scene::ModelVertex& vertex : layer.vertices) {
+        const glm::dvec3 place(vertex.place_m[0], vertex.place_m[1], vertex.place_m[2]);
+        box.low = glm::min(box.low, place);
+        box.high = glm::max(box.high, place);
+        for (std::size_t n = 0; n < 4; ++n) sums[n] += vertex.color[n];
+    }
+    const auto mean = [&](std::size_t n) { return static_cast<std::uint8_t>(sums[n] / layer.vertices.size()); };
+    box.color = {mean(0), mean(1), mean(2), mean(3)};
+    return box;
+}
+
+/// What the model's own shape has of its place in space.
+struct ModelStand {
+    glm::dvec3 place;
+    glm::dmat3 axes;  ///< with the scale
+};
+
+/// A box that contains the model.
+void build_box(SolidMesh& mesh, const ModelBox& box, const ModelStand& stand) {
+    const auto corner = [&](int x, int y, int z) {
+        return stand.place + stand.axes * glm::dvec3(x > 0 ? box.high.x : box.low.x, y > 0 ? box.high.y : box.low.y,
+                                                     z > 0 ? box.high.z : box.low.z);
+    };
+    mesh.quad(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));
+    mesh.quad(corner(1, 1, 0), corner(0, 1, 0), corner(0, 1, 1), corner(1, 1, 1));
+    mesh.quad(corner(0, 1, 0), corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1));
+    mesh.quad(corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), corner(1, 0, 1));
+    mesh.quad(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));
+    mesh.quad(corner(0, 1, 0), corner(1, 1, 0), corner(1, 0, 0), corner(0, 0, 0));
+}
+
 bool build(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
     const scene::Layer& layer = input.layer;
     const Placed at = placed(input, layer.points[feature]);
@@ -30,6 +71,12 @@ bool build(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
     const design::Color color = encoded_color(input, input.element.by_color, feature);
     const scene::Uncertainty unsure = encoded_uncertainty(input, feature);
     mesh.begin(at.place);
+    if (input.element.detail < kShapesFrom) {
+        const ModelBox box = box_of(layer);
+        mesh.set_color(has_own_color ? box.color : color, unsure);
+        build_box(mesh, box, {at.place, axes * scale});
+        return mesh.is_whole();
+    }
     for (const scene::ModelVertex& vertex : layer.vertices) {
         const glm::dvec3 place(vertex.place_m[0], vertex.place_m[1], vertex.place_m[2]);
         const glm::dvec3 normal(vertex.normal[0], vertex.normal[1], vertex.normal[2]);

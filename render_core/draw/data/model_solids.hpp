@@ -1,6 +1,7 @@
 /// The model of a layer of meshes at its points: an attribute "heading" (rad from north) turns it, "scale" makes it larger.
 ///
-/// It has its own colours, or the element's where that colours by an attribute. Pure but for the ground that is asked. Bounded.
+/// It has its own colours, or the element's where that colours by an attribute. `detail`: below kShapesFrom (obstacle_solids.hpp)
+/// it is a box, along its own axes, that contains it, in the mean of its colours. Pure but for the ground that is asked. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"

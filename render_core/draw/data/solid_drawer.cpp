@@ -110,7 +110,7 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
                                                       "near_fade"};
     base::FixedString<kMaxShaderText> vertex(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_solid_vert));
-    DataFragment fragment("#define FADES_NEAR 1\n");
+    DataFragment fragment("#define SOLIDS 1\n");
     add_data_fragment(fragment, with_air);
     auto built =
         gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kSolidBindings),

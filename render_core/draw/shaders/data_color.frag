@@ -2,16 +2,18 @@
 uniform vec3 haze_color;
 uniform float haze_per_m;  // 1 / distance, 0 for none
 uniform vec3 left;         // least and most of the distance's code that alpha takes; 1: of an opaque thing, which is not mixed
-#ifdef FADES_NEAR
+#ifdef SOLIDS
 uniform vec2 near_fade;    // m from the eye where it begins to be seen; share a metre from there on
+VARYING float v_unknown;   // above 0: of what fades, and nobody knows how unsure it is
 #endif
 VARYING vec4 v_color;
 VARYING vec3 v_eye;
 
 void main() {
     float distance_m = length(v_eye), shown = 1.0;
-#ifdef FADES_NEAR
+#ifdef SOLIDS
     shown = clamp((distance_m - near_fade.x) * near_fade.y, 0.0, 1.0);
+    shown *= max(step(v_unknown, 0.004), step(3.0, mod(gl_FragCoord.x - gl_FragCoord.y, 9.0)));  // cut as on the ground
     if (shown <= 0.0) discard;  // what is not seen hides nothing
 #endif
 #ifdef AIR

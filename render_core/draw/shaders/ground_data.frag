@@ -90,7 +90,8 @@ vec3 with_data(vec3 color, vec4 data, vec3 plain, vec3 unknown, vec2 ground, flo
     vec4 named = data_color(data.x);
     vec3 shown = named.rgb;
     float there = min(data.z, step(0.5, named.a) * 2.0 - 1.0);
-    float loss = data_gradation(min(data.y, 1.0), data_look.z) * data_look.y;
+    // Unknown is no grade of it: stripes alone say so, below.
+    float loss = data.y > 1.5 ? 0.0 : data_gradation(min(data.y, 1.0), data_look.z) * data_look.y;
     float cover = data_look.x * step(data_lowest, data.x);
     float size = exp2(floor(log2(max(pixel_m, 0.01)) + 2.0));
 #if defined(DATA_TRANSPARENCY)

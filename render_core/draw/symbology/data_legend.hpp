@@ -20,6 +20,7 @@ namespace tedavis::draw {
 enum class SampleLook : std::uint8_t {
     plain,
     cut_stripes,  ///< unknown uncertainty
+    question,     ///< a question mark on it: the same of signs
     cut_grid,     ///< interpolated
     dots,         ///< missing
     grains,
@@ -37,7 +38,7 @@ enum class SampleLook : std::uint8_t {
 
 /// A small box that looks as the technique does, and what that means.
 struct LegendSample {
-    base::FixedString<15> text;
+    base::FixedString<23> text;
     design::Color color;  ///< of the data
     design::Color under;  ///< what shows where data are cut away; of lines and rims their colour
     SampleLook look = SampleLook::plain;
@@ -57,6 +58,7 @@ struct DataLegend {
     base::FixedString<15> unit;  ///< as written; empty: a plain number or a class
     design::DataScale scale;
     double factor = 1;  ///< written number of one of the scale's
+    double offset = 0;  ///< written number of the scale's 0
     /// Nominal and ordinal: class n has the scale's colour at value n. Empty: numbers.
     base::FixedVector<base::FixedString<23>, design::kMaxClasses> class_names;
     /// How sure and unsure data and those of unknown uncertainty look, in this order; empty: uncertainty is not shown.

@@ -73,6 +73,7 @@ Rows rows_of(const DataLegend& legend, LegendDetail detail) {
 
 double lowest(const design::DataScale& scale) { return scale.palette.stops[0].value; }
 double highest(const design::DataScale& scale) { return scale.palette.stops.back().value; }
+double written(const DataLegend& legend, double value) { return value * legend.factor + legend.offset; }
 
 /// The least of 1, 2, 5 times a power of ten that is not below `least`.
 double nice_step(double least) {
@@ -107,13 +108,13 @@ Marks class_marks(const DataLegend& legend) {
     Marks marks;
     for (std::size_t n = 0; n < breaks.size(); ++n)
         static_cast<void>(marks.try_push_back({static_cast<float>(n + 1) / static_cast<float>(breaks.size() + 1),
-                                               number_text(breaks[n] * legend.factor, breaks[n] * legend.factor)}));
+                                               number_text(written(legend, breaks[n]), written(legend, breaks[n]))}));
     return marks;
 }
 
 /// Round values; `pitch`: least share between two.
 Marks value_marks(const DataLegend& legend, double pitch) {
-    const double low = lowest(legend.scale) * legend.factor, high = highest(legend.scale) * legend.factor;
+    const double low = written(legend, lowest(legend.scale)), high = written(legend, highest(legend.scale));
     const double step = nice_step((high - low) * pitch);
     constexpr double kRounding = 1e-6;  // of a step: an end that is a round number is written
     const double first = std::ceil(low / step - kRounding);
@@ -255,8 +256,9 @@ private:
         const Rect bar{upper.x + kInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kInset * t_, upper.height - 0.05f * t_};
         build_bar(bar, false);
         if (!legend_.class_names.empty()) return count_names(lower, "", 0, " KINDS");
-        const double widest = static_cast<double>(
-            text_width_px(number_text(highest(legend_.scale) * legend_.factor, 1).view(), kText * t_) + (kNumberGap + 0.5f) * t_);
+        const double widest =
+            static_cast<double>(text_width_px(number_text(written(legend_, highest(legend_.scale)), 1).view(), kText * t_) +
+                                (kNumberGap + 0.5f) * t_);
         const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, widest / static_cast<double>(bar.width));
         float taken = lower.x;
         const float size = has_classes() ? number_size(marks, bar.width) : kText;

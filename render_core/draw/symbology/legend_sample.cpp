@@ -82,6 +82,10 @@ void sign(QuadBatch& batch, const LegendSample& sample, const Rect& in) {
         batch.line({middle.x - half, middle.y + half}, {middle.x + half, middle.y - half}, 2, sample.color);
 }
 
+void question(QuadBatch& batch, const Rect& in) {
+    static_cast<void>(batch.text("?", in.center(), TextAnchor::center, {in.height, kScaleColor, 1, {0, 0, 0}}));
+}
+
 /// Of looks that stand on something else than the data's colour.
 Color ground_of(const LegendSample& sample) {
     switch (sample.look) {
@@ -98,6 +102,7 @@ void fill(QuadBatch& batch, const LegendSample& sample, const Rect& in, float st
     switch (sample.look) {
         case SampleLook::plain: break;
         case SampleLook::cut_stripes: diagonals(batch, in, kStripePitch_px, kStripe_px, sample.under); break;
+        case SampleLook::question: question(batch, in); break;
         case SampleLook::cut_grid: grid(batch, in, kGridPitch_px, 1, sample.under); break;
         case SampleLook::dots: dots(batch, in, sample.under); break;
         case SampleLook::grains: grains(batch, in, sample.share, sample.under); break;

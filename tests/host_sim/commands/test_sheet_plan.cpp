@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -122,6 +124,24 @@ TEST(SheetPlan, AnotherSheetsPicturesAreShownFromViewsOfItsOwn) {
     std::string third = head + view("near", 9);
     third.replace(third.find("first"), 5, "second");
     refused(third, "second.toml, which has no groups of its own");
+}
+
+TEST(SheetPlan, DesignsOfAFolderStandInForThoseOfTheirNames) {
+    const test_support::TemporaryFolder folder;
+    const std::string pictures = kGroup + picture("A", "data/a") + "little_detail = 0.5\n" + picture("B", "data/b");
+    const std::string path = folder.write("s.toml", "designs = 'own'\n" + kHead + pictures);
+    test_support::expect_user_error([&] { (void)read_sheet_plan(path); }, "own, where no design is");
+    std::filesystem::create_directories(folder.file("own/data"));
+    const std::string own = folder.write("own/data/a.toml", "");
+    const SheetPlan plan = read_sheet_plan(path);
+    const auto& shown = plan.groups[0].pictures;
+    ASSERT_EQ(shown.size(), 3u);
+    EXPECT_EQ(shown[0].design, own);
+    EXPECT_EQ(shown[0].file, "a_50.png") << "files are called as they were";
+    EXPECT_EQ(shown[1].design, own) << "both of a pair";
+    EXPECT_EQ(shown[2].design, "data/b") << "the folder has none of this name";
+    folder.write("own/data/typo.toml", "");
+    test_support::expect_user_error([&] { (void)read_sheet_plan(path); }, "typo.toml: no picture of");
 }
 
 TEST(SheetPlan, AViewMayHaveBeenFlownTo) {

@@ -137,6 +137,10 @@ TEST(DerivedAttribute, OutsideOfTheWindThereIsNone) {
     LayerRecipe held = recipe_of("wind_speed");
     held.wind_time_ns = 0;
     EXPECT_NEAR(value(derive(held, layer), 1), std::hypot(15, 4), 1e-4) << "a stated time goes before the points' own";
+    EXPECT_EQ(derive(held, layer).attribute.derived_time_ns, 0) << "legends state it";
+    EXPECT_FALSE(speed.attribute.derived_time_ns);
+    EXPECT_EQ(speed.attribute.derived_from, held.wind_layer);
+    EXPECT_EQ(derive(recipe_of("ground_speed"), layer).attribute.derived_from, "") << "its own";
 }
 
 TEST(DerivedAttribute, WhatIsNotSureOfTheWindIsNotSureOfItsParts) {

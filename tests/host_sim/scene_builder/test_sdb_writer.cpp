@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/user_error.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_sdb_writer {
@@ -22,6 +23,22 @@ TEST(SdbWriter, EqualDraftsGiveEqualBytes) {
     SceneDraft later = test_support::small_scene();
     later.revision = 2;
     EXPECT_NE(sdb_bytes(later), sdb_bytes(test_support::small_scene()));
+}
+
+TEST(SdbWriter, SaysOfWhichLayersValuesAnAttributeWasMade) {
+    SceneDraft draft = test_support::small_scene();
+    const auto entry_of = [&](const std::string& from, std::optional<std::int64_t> time_ns) {
+        draft.layers[1].attributes[0].derived_from = from;
+        draft.layers[1].attributes[0].derived_time_ns = time_ns;
+        const test_support::LoadedScene loaded(draft);
+        const scene::AttributeEntry& entry = *loaded.scene().layers()[1].attributes[0].entry;
+        return std::pair<int, std::uint32_t>(entry.derived_from, entry.derived_minute);
+    };
+    constexpr std::int64_t kMinute_ns = 60'000'000'000;
+    EXPECT_EQ(entry_of("", {}), (std::pair<int, std::uint32_t>(0, 0)));
+    EXPECT_EQ(entry_of(draft.layers[2].name, {}), (std::pair<int, std::uint32_t>(3, 0))) << "its number, from 1";
+    EXPECT_EQ(entry_of(draft.layers[0].name, 26'000'000 * kMinute_ns + 5), (std::pair<int, std::uint32_t>(1, 26'000'000)));
+    EXPECT_EQ(entry_of("no such layer", 0), (std::pair<int, std::uint32_t>(0, 0)));
 }
 
 TEST(SdbWriter, WhatDoesNotFitIsSaidWithItsLayer) {

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/device_files.hpp"
 
@@ -44,7 +47,7 @@ std::string error_of(const std::string& text) {
 TEST(DesignSettings, EveryShippedDesignLoadsUnderItsFileName) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(TEDAVIS_SOURCE_DIR "/configs/designs")) {
-        if (entry.is_directory()) continue;
+        if (entry.path().extension() != ".toml") continue;
         test_support::ShippedPalettes palettes;
         const auto design = read_design_settings(file_text(entry.path()), entry.path().string(), palettes);
         ASSERT_TRUE(design.ok()) << design.error().sentence.view();
@@ -190,6 +193,88 @@ TEST(DesignSettings, TruncatedFilesNeverLoadAsWholeWithoutTheirName) {
     const std::string whole = file_text(TEDAVIS_SOURCE_DIR "/configs/designs/default.toml");
     const std::size_t name_end = whole.find("name = \"default\"") + 16;
     for (std::size_t length = 0; length < name_end; ++length) EXPECT_FALSE(error_of(whole.substr(0, length)).empty()) << length;
+}
+
+/// The sections of configs/designs/README.md with the rows of their tables.
+struct DocumentedKey {
+    std::string section, key, may_be;
+};
+std::vector<DocumentedKey> documented_keys() {
+    std::istringstream text(file_text(TEDAVIS_SOURCE_DIR "/configs/designs/README.md"));
+    std::vector<DocumentedKey> keys;
+    std::string section;
+    for (std::string line; std::getline(text, line);) {
+        if (line.rfind("## ", 0) == 0) section = line[3] == '`' ? line.substr(4, line.find('`', 4) - 4) : "";
+        if (line.rfind("| `", 0) != 0) continue;
+        const std::size_t key_end = line.find('`', 3), default_at = line.rfind(" | ", line.size() - 3);
+        const std::size_t may_at = line.rfind(" | ", default_at - 1) + 3;
+        keys.push_back({section, line.substr(3, key_end - 3), line.substr(may_at, default_at - may_at)});
+    }
+    return keys;
+}
+
+/// What must stand in a section so that the key is looked at, without the key itself.
+std::string with_key(const DocumentedKey& documented, const std::string& value) {
+    const std::string &section = documented.section, &key = documented.key;
+    std::string text;
+    const auto add = [&](const std::string& name, const std::string& stated) {
+        if (name != key) text += name + " = " + stated + "\n";
+    };
+    const auto add_shown = [&](bool has_palette) {
+        if (key != "role" && key != "own") add("layer", "'a'");
+        if (!has_palette) return add("technique", "'tube'");
+        add("attribute", "'b'");
+        add("palette", "'seeded'");
+    };
+    add("name", "'x'");
+    if (section == "[[warning.band]]") text += "[warning]\nprofile = 'custom'\n";
+    if (section.find("data.ground.") != std::string::npos)
+        text += "[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'seeded'\n";
+    if (section.find("data.element.") != std::string::npos) text += "[[data.element]]\nlayer = 'a'\ntechnique = 'tube'\n";
+    if (!section.empty()) text += section + "\n";
+    if (section == "[data.ground]" || section == "[data.adjacent]") add_shown(true);
+    if (section == "[[data.element]]") {
+        add_shown(false);
+        const bool is_second = key.rfind("second_", 0) == 0, is_first = key == "palette" || key == "classes" || key == "breaks";
+        if (is_first) text += "attribute = 'b'\n";
+        if (is_first) add("palette", "'seeded'");
+        if (is_second) add("second_attribute", "'b'");
+        if (is_second && key != "second_attribute") add("second_palette", "'seeded'");
+    }
+    if (section == "[data.element.cues]" && key.rfind("line_spacing", 0) != 0) text += "line_spacing_m = 100\n";
+    if (section == "[[warning.band]]")
+        for (const char* name : {"lower_ft", "color", "strength"}) add(name, name[0] == 'c' ? "'#ffffff'" : "0.5");
+    return text + key + " = " + value + "\n";
+}
+
+TEST(DesignSettings, EveryKeyOfTheReadmeIsReadAsItSays) {
+    const std::vector<DocumentedKey> keys = documented_keys();
+    EXPECT_GT(keys.size(), 140u);
+    for (const DocumentedKey& documented : keys) {
+        // A day is nothing that any key takes; a text is told apart from a choice, a colour or an instant by another fault.
+        const std::string day = error_of(with_key(documented, "1979-05-27")), text = error_of(with_key(documented, "'?'"));
+        EXPECT_TRUE(day.find(documented.may_be) != std::string::npos || text.find(documented.may_be) != std::string::npos)
+            << documented.section << " " << documented.key << " may be " << documented.may_be << "; the reader says: " << day
+            << " / " << text;
+        EXPECT_EQ(day.find("unknown key"), std::string::npos) << day;
+        EXPECT_NE(day.find("'" + documented.key + "'"), std::string::npos) << day;
+    }
+    EXPECT_NE(error_of("name = 'x'\n[view]\nzoom = 1979-05-27\n").find("unknown key"), std::string::npos) << "a control";
+}
+
+TEST(DesignSettings, EveryKeyThatTheReaderAsksForIsInTheReadme) {
+    const std::string readme = file_text(TEDAVIS_SOURCE_DIR "/configs/designs/README.md");
+    const std::regex asked(
+        R"re((?:\b(?:number|numbers|integer|boolean|text|choice|has|section|table_count|table_at|element_count)\(|\b(?:read_\w+|required_color)\(\w+, |ScaleKeys\w* *\w* *\{|^\s*std::string_view \w+ = )"([a-z][a-z0-9_]*)")re");
+    std::set<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/render_core/design")) {
+        if (entry.path().stem() == "palette") continue;  // files of their own
+        const std::string source = file_text(entry.path());
+        for (std::sregex_iterator at(source.begin(), source.end(), asked), end; at != end; ++at) found.insert((*at)[1]);
+    }
+    EXPECT_GT(found.size(), 100u);
+    for (const std::string& key : found)
+        EXPECT_TRUE(readme.find("`" + key + "`") != std::string::npos || readme.find(key + "]") != std::string::npos) << key;
 }
 
 }  // namespace

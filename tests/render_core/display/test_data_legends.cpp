@@ -28,7 +28,7 @@ TEST(DataLegends, SaysWhatWhenAndWhereFrom) {
     layer.times_ns = {kDate_ns, kDate_ns + kHour_ns};
     const draw::DataLegend entry = entry_of(layer, kDate_ns + kHour_ns / 2);
     EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE");
-    EXPECT_EQ(entry.unit.view(), "K");
+    EXPECT_EQ(entry.unit.view(), "°C");
     EXPECT_EQ(entry.source.view(), "ERA5 WIND.NC");
     layer.source = "weather/opera_20241126_0100_dbz.tif";
     EXPECT_EQ(entry_of(layer, kDate_ns).source.view(), "OPERA") << "no more than can be read";
@@ -155,7 +155,7 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
               "7.78 KT");
     EXPECT_EQ(text(scene::UncertaintyKind::interval, 2.5f, "K"),
               "\xC2\xB1"
-              "2.5 K");
+              "2.5 °C");
     EXPECT_EQ(text(scene::UncertaintyKind::percent, 30, "m/s"),
               "\xC2\xB1"
               "30 %");
@@ -233,10 +233,18 @@ TEST_F(GroundLegendOf, ShowsHowTheTechniqueLooksAndAlwaysWhatIsUnknown) {
         EXPECT_EQ(samples[0].look, draw::SampleLook::plain);
         EXPECT_EQ(samples[1].text.view(),
                   "\xC2\xB1"
-                  "4 K");
+                  "4 °C");
         EXPECT_TRUE(samples[1].look != draw::SampleLook::plain || samples[1].color != samples[0].color) << n;
         EXPECT_EQ(samples[2].text.view(), "UNKNOWN");
     }
+}
+
+TEST_F(GroundLegendOf, SaysWhatThePlainGroundAmongTheDataMeans) {
+    EXPECT_EQ(legends()[0].signs[0].text.view(), "MISSING") << "all values are shown";
+    design_.data.ground.shown_from = 268.15;
+    const draw::LegendSample none = legends()[0].signs[0];
+    EXPECT_EQ(none.text.view(), "BELOW -5");
+    EXPECT_EQ(none.color, design_.terrain.style.plain);
 }
 
 TEST_F(GroundLegendOf, ShowsTheOverlayBesideTheTechnique) {
@@ -252,9 +260,9 @@ TEST_F(GroundLegendOf, ShowsTheOverlayBesideTheTechnique) {
         const draw::DataLegend alone = entry(design::IntrinsicUncertainty::none, overlay);
         ASSERT_EQ(alone.uncertainty.size(), 3u) << n;
         EXPECT_EQ(alone.uncertainty[1].text.view(), n < 3 ? "\xC2\xB1"
-                                                            "4 K"
+                                                            "4 °C"
                                                           : ">\xC2\xB1"
-                                                            "1 K");
+                                                            "1 °C");
         const draw::LegendSample &sure = alone.uncertainty[0], &unsure = alone.uncertainty[1];
         EXPECT_TRUE(sure.look != unsure.look || sure.color != unsure.color || sure.share != unsure.share) << n;
         EXPECT_EQ(alone.signs.size(), 2u);
@@ -272,7 +280,7 @@ TEST(DataLegends, UncertaintyAsAValueIsInItsUnit) {
     draw::DataLegend entry = uncertainty_legend_of(loaded.layer(), loaded.attribute(), {}, {});
     EXPECT_EQ(entry.title.view(), "AIR TEMPERATURE \xC2\xB1");
     EXPECT_EQ(entry.factor, 4) << "a level of 1 is 4 K";
-    EXPECT_EQ(entry.unit.view(), "K");
+    EXPECT_EQ(entry.unit.view(), "°C");
     layer.attributes[0].uncertainty_full = 0;
     const LoadedScene unsaid(layer);
     entry = uncertainty_legend_of(unsaid.layer(), unsaid.attribute(), {}, {});

@@ -82,7 +82,7 @@ TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {
     const auto tube = element_of(DataTechnique::tube, ElementUncertainty::widening);
     EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), tube), "FLIGHT;FLIGHT 95 %;");
     EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines), element_of(DataTechnique::space_time)),
-              "FLIGHT;HEIGHT: TIME;");
+              "FLIGHT;1 H: 3281 FT;");
     EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go, ElementState::out_of_date), "");
     EXPECT_EQ(said(layer_of(LayerRole::building, scene::LayerShape::areas), no_go), "") << "a house is a house";
 }
@@ -97,7 +97,35 @@ TEST(SignLegend, WidthsSayWhatTheyStandFor) {
     way.attributes.push_back(wind);
     auto tube = element_of(DataTechnique::tube);
     tube.size_attribute = "wind";
-    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;");
+    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;262 FT: 3;") << "the default radius is 40 m";
+    way.attributes[0].unit = "m/s";
+    tube.size_m = 76.2;
+    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;500 FT: 5.83 KT;");
+}
+
+TEST(SignLegend, DiagramsSayWhetherTheyAreLinesOrBars) {
+    host_sim::LayerDraft air = layer_of(LayerRole::sample, scene::LayerShape::points);
+    host_sim::AttributeDraft warmth;
+    warmth.name = "temperature";
+    warmth.unit = "K";
+    warmth.of = scene::AttributeOf::feature;
+    warmth.values = {263.15F, 270.15F, 274.15F};
+    air.attributes.push_back(warmth);
+    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "BARS LEAST-MOST;");
+    for (scene::ScenePoint& point : air.points) point = air.points[0];
+    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "LINE: TEMPERATURE;-10..1 °C;UPWARDS: HEIGHT;");
+}
+
+TEST(SignLegend, LinesOnSurfacesAndSignsOfWind) {
+    host_sim::LayerDraft air = layer_of(LayerRole::wind, scene::LayerShape::points);
+    design::DataElement surface = element_of(DataTechnique::isosurface);
+    EXPECT_EQ(said(air, surface), "LINES 1000 FT;");
+    surface.detail = 0.4;
+    EXPECT_EQ(said(air, surface), "") << "of little detail there are none";
+    EXPECT_EQ(said(air, element_of(DataTechnique::arrows)), "RING: CALM;STAR IN RING: VARIABLE;CROSS: MISSING;");
+    design::DataElement colored = element_of(DataTechnique::arrows);
+    colored.by_color.attribute = "speed";
+    EXPECT_EQ(said(air, colored), "");
 }
 
 TEST(SignLegend, SignsOfObstaclesAndTraffic) {
@@ -139,7 +167,7 @@ TEST(SignLegend, StandsBehindTheScales) {
     report.slot = 0;
     EXPECT_TRUE(reports.try_push_back(report));
     draw::DataLegends legends;
-    add_element_legends(reports, {}, {}, legends);
+    add_element_legends(reports, {}, {}, {}, legends);
     ASSERT_EQ(legends.size(), 2u);
     EXPECT_TRUE(legends[0].has_scale);
     EXPECT_FALSE(legends[1].has_scale);

@@ -258,7 +258,7 @@ TEST(GlyphEncoding, TheLessSureAreGreyerAndAsLight) {
     style.greying = 0.8;
     SelectedGlyph sure = glyph_of(20), unsure = glyph_of(20), missing = glyph_of(20);
     sure.summary.uncertainty = scene::Uncertainty::from_level(0);
-    unsure.summary.uncertainty = scene::Uncertainty();
+    unsure.summary.uncertainty = scene::Uncertainty::from_level(1);
     missing.summary.state = ValueState::missing;
     const auto color = [&](const SelectedGlyph& glyph) {
         const GlyphInstance made = Encoded({glyph}, GlyphValues::number, style).only();
@@ -270,6 +270,8 @@ TEST(GlyphEncoding, TheLessSureAreGreyerAndAsLight) {
     EXPECT_NEAR(color(unsure)[1], 0.8 * luma, 1);
     EXPECT_EQ(color(unsure)[3], 255) << "it does not fade";
     EXPECT_EQ(color(missing)[0], style.missing.red) << "what is missing has no certainty to lose";
+    unsure.summary.uncertainty = {};
+    EXPECT_EQ(color(unsure), (std::array<int, 4>{255, 0, 255, 255})) << "unknown is no grade of grey";
 }
 
 TEST(GlyphEncoding, TheLessSureFadeAndLieInOrder) {
@@ -291,7 +293,9 @@ TEST(GlyphEncoding, TheLessSureFadeAndLieInOrder) {
     EXPECT_EQ(glyphs[2].place.x, 100);
     EXPECT_EQ(glyphs[2].rgba[3], 255);
     EXPECT_EQ(glyphs[0].rgba[3], 51);
-    EXPECT_EQ(glyphs[1].rgba[3], 51) << "unknown like the least sure";
+    EXPECT_EQ(glyphs[1].rgba[3], 255) << "unknown is neither sure nor unsure:";
+    EXPECT_EQ(glyphs[1].rgba[1], 0);
+    EXPECT_EQ(glyphs[1].rgba[2], 255) << "it has a colour of its own";
     EXPECT_FALSE(Encoded({sure}, GlyphValues::wind, wind_style()).batch.runs()[0].is_transparent);
 }
 

@@ -78,6 +78,7 @@ protected:
         }
         return all;
     }
+    static bool is_line(const SolidPiece& piece) { return piece.look.halo_px > 0; }
     static double ball_m3(double radius_m) { return 4.0 / 3 * base::kPi * radius_m * radius_m * radius_m; }
 
     IsosurfaceSolids surfaces;
@@ -96,6 +97,7 @@ TEST_F(IsosurfaceSolidsOfTest, ABallOnTheEarthIsABall) {
     ASSERT_FALSE(room.batch.pieces().empty());
     for (const SolidPiece& piece : room.batch.pieces())
         for (std::uint32_t n = 0; n < piece.vertices; ++n) {
+            if (is_line(piece)) continue;
             const SolidVertex& vertex = room.batch.vertices()[piece.first_vertex + n];
             const glm::dvec3 outwards = piece.anchor + glm::dvec3(vertex.place_m) - middle();
             const glm::dvec3 normal(vertex.normal[0] - 127.0, vertex.normal[1] - 127.0, vertex.normal[2] - 127.0);
@@ -114,6 +116,7 @@ TEST_F(IsosurfaceSolidsOfTest, InnerSurfacesAreMoreOpaque) {
     double radius_m = kRadius_m;
     std::size_t looks = 0;
     for (const SolidPiece& piece : room.batch.pieces()) {
+        if (is_line(piece)) continue;
         if (piece.look.opacity != opacity) {
             EXPECT_GT(piece.look.opacity, opacity);
             opacity = piece.look.opacity;
@@ -126,6 +129,43 @@ TEST_F(IsosurfaceSolidsOfTest, InnerSurfacesAreMoreOpaque) {
     }
     EXPECT_EQ(looks, 3u);
     EXPECT_FLOAT_EQ(opacity, 0.6f);
+}
+
+TEST_F(IsosurfaceSolidsOfTest, LinesLieOnItAtWholeThousandsOfFeet) {
+    ElementOfTest test = element(ball());
+    static_cast<void>(add(test));
+    std::size_t ends = 0;
+    double lowest_m = 1e9, highest_m = 0;
+    for (const SolidPiece& piece : room.batch.pieces())
+        for (std::uint32_t n = 0; is_line(piece) && n < piece.vertices; ++n, ++ends) {
+            const glm::dvec3 at = piece.anchor + glm::dvec3(room.batch.vertices()[piece.first_vertex + n].place_m);
+            EXPECT_NEAR(glm::distance(at, middle()), kRadius_m, 40);
+            const double msl_m = earth::from_ecef(at).height.m - 50;  // as `ball` places them
+            EXPECT_LT(std::fabs(std::remainder(msl_m, kIsosurfaceLines_m)), 0.5);
+            lowest_m = std::min(lowest_m, msl_m);
+            highest_m = std::max(highest_m, msl_m);
+        }
+    EXPECT_GT(ends, 400u);
+    EXPECT_NEAR(lowest_m, 7 * kIsosurfaceLines_m, 0.5) << "from 2000 m";
+    EXPECT_NEAR(highest_m, 26 * kIsosurfaceLines_m, 0.5) << "to 8000 m";
+    test.element.detail = 0.4;
+    room.batch.clear();
+    static_cast<void>(add(test));
+    for (const SolidPiece& piece : room.batch.pieces()) EXPECT_FALSE(is_line(piece)) << "of little detail it has none";
+}
+
+TEST_F(IsosurfaceSolidsOfTest, LittleDetailKeepsTheFirstLevels) {
+    const auto volume_of = [&](std::initializer_list<double> levels, double detail) {
+        ElementOfTest test = element(ball(), levels);
+        test.element.detail = detail;
+        room.batch.clear();
+        static_cast<void>(add(test));
+        return volume_m3();
+    };
+    EXPECT_EQ(volume_of({1000, 0, 2000}, 0.3), volume_of({1000}, 0.3)) << "as the design orders them";
+    EXPECT_EQ(volume_of({1000, 0, 2000}, 0), volume_of({1000}, 0)) << "one always stays";
+    EXPECT_NEAR(volume_of({1000, 0, 2000}, 0.6), volume_of({1000}, 0.6) + volume_of({0}, 0.6), 1);
+    EXPECT_GT(volume_of({1000, 0, 2000}, 1), volume_of({1000, 0}, 1));
 }
 
 TEST_F(IsosurfaceSolidsOfTest, LittleRoomMakesItCoarser) {
@@ -195,6 +235,7 @@ TEST_F(IsosurfaceSolidsOfTest, VerticesKnowHowUnsureTheFieldIs) {
     for (const SolidPiece& piece : room.batch.pieces())
         for (std::uint32_t n = 0; n < piece.vertices; ++n) {
             const SolidVertex& vertex = room.batch.vertices()[piece.first_vertex + n];
+            if (is_line(piece)) continue;
             const double above_m = glm::dot(piece.anchor + glm::dvec3(vertex.place_m) - middle(), up);
             sure += above_m < -1000 && vertex.uncertainty == 0 ? 1 : 0;
             unsure += above_m > 1000 && vertex.uncertainty == scene::Uncertainty::kFull ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
@@ -53,6 +54,22 @@ TEST(ModelSolids, AreTurnedAndScaled) {
     EXPECT_EQ(add_models(room.batch, room.mesh, input).drawn, 2u);
     EXPECT_LT(glm::distance(local(room.batch, input, 2), {10, 0, 0}), 1e-4) << "ahead is east";
     EXPECT_LT(glm::distance(local(room.batch, input, 1), {0, -10, 0}), 1e-4) << "right is south";
+}
+
+TEST(ModelSolids, OfLittleDetailAreBoxesThatContainThem) {
+    ElementOfTest test(test_support::small_meshes());
+    test.element.detail = 0.49;
+    SolidRoomOfTest room;
+    EXPECT_EQ(add_models(room.batch, room.mesh, test.input()).drawn, 2u);
+    EXPECT_NEAR(test_support::volume_m3(room.batch, room.batch.pieces()[0]), 2 * 125.0, 3e-2) << "turned outwards, and closed";
+    glm::dvec3 low(1e9), high(-1e9);
+    for (std::uint32_t n = 0; n < 24; ++n) {
+        low = glm::min(low, local(room.batch, test.input(), n));
+        high = glm::max(high, local(room.batch, test.input(), n));
+    }
+    EXPECT_LT(glm::distance(low, {0, 0, 0}), 1e-4);
+    EXPECT_LT(glm::distance(high, {5, 5, 5}), 1e-4);
+    EXPECT_EQ(room.batch.vertices()[0].rgba[0], 200) << "its own colour";
 }
 
 TEST(ModelSolids, TooLargeOnesAndThoseWithoutGroundAreHidden) {

@@ -224,16 +224,25 @@ TEST(SolidDrawer, TheUnsureFadesAndGrows) {
     EXPECT_EQ(test.middle().red, 0);
 }
 
-TEST(SolidDrawer, TheUnknownIsAsTheLeastSure) {
-    SolidSession test;
-    SolidLook look;
-    look.fading = SolidFading::saturation;
-    look.fading_strength = 1;
-    test.solids.batch().set_look(look, 0);
-    test.add_square(100, 5000, kRed, std::nan(""));
-    const design::Color color = test.middle();
-    EXPECT_EQ(color.red, color.green);
-    EXPECT_EQ(color.red, color.blue);
+TEST(SolidDrawer, TheUnknownIsCutByStripes) {
+    for (const char* device : {"es2-small", "es3-mid"})
+        for (const SolidFading fading : {SolidFading::none, SolidFading::saturation, SolidFading::transparency}) {
+            SolidSession test(device);
+            SolidLook look;
+            look.fading = fading;
+            look.fading_strength = 1;
+            look.is_mixed = fading == SolidFading::transparency;
+            test.solids.batch().set_look(look, 0);
+            test.add_square(100, 5000, kRed, std::nan(""));
+            int whole = 0, none = 0;
+            for (int x = 14; x < 50; ++x) {
+                const design::Color color = test.pixel(x, 32);
+                whole += color == kRed ? 1 : 0;
+                none += color == design::Color{0, 0, 0} ? 1 : 0;
+            }
+            EXPECT_EQ(whole, fading == SolidFading::none ? 36 : 24) << device << ": its own colour, for it is no grade of unsure";
+            EXPECT_EQ(none, fading == SolidFading::none ? 0 : 12) << device;
+        }
 }
 
 TEST(SolidDrawer, GroupsAreHiddenTogether) {
