@@ -39,6 +39,8 @@ design::DesignSettings load_design(const PictureOptions& options, std::vector<Re
         files->push_back({path, text});
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
+    if (const auto order = effects::replacement_order(design.value().effects.instead); !order.ok())
+        throw UserError(path + ": " + std::string(order.error().view()));
     if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
     if (options.detail) set_detail(design.value().data, *options.detail);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {

@@ -31,6 +31,20 @@ void read_stereo(base::ConfigSection section, Stereo& stereo) {
     stereo.screen_m = section.number("screen_m", 1, 1e6, stereo.screen_m);
 }
 
+void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMostInsteadOf>& all) {
+    if (!section.present()) return;
+    all.clear();
+    for (std::size_t n = 0; n < section.key_count(); ++n) {
+        InsteadOf one;
+        one.effect = base::FixedString<31>(section.key_at(n));
+        std::array<std::string_view, 2> names;
+        const std::size_t count = section.texts(section.key_at(n), names);
+        for (std::size_t k = 0; k < count && k < names.size(); ++k)
+            static_cast<void>(one.instead.try_push_back(base::FixedString<31>(names[k])));
+        if (!all.try_push_back(one)) fault_of(section, section.key_at(n), "more effects than can be stated; leave one out");
+    }
+}
+
 }  // namespace
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
@@ -41,6 +55,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
     read_stereo(section.section("stereo"), effects.stereo);
+    read_instead(section.section("instead"), effects.instead);
     read_shadows(section.section("shadows"), effects.shadows);
 }
 

@@ -16,6 +16,9 @@
 ///     base_m = 2                  # between the eyes; at most a 30th of screen_m, and a sixth of what is nearest
 ///     screen_m = 300              # what is so far away lies in the screen's plane, with the symbology
 ///
+///     [effects.instead]
+///     silhouettes = []            # nothing takes their place; else names of effects, the first that is possible
+///
 /// [effects.shadows] has a page of its own (shadow_settings.hpp).
 ///
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
@@ -26,6 +29,8 @@
 #include <string_view>
 
 #include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/shadow_settings.hpp"
 #include "render_core/scene/sdb_format.hpp"
@@ -54,12 +59,21 @@ struct Stereo {
     double base_m = 2, screen_m = 300;
 };
 
+/// An effect, and what takes its place where a device cannot do it or the time does not suffice: the first that is possible.
+/// Names of render_core/effects; nothing for the empty list.
+struct InsteadOf {
+    base::FixedString<31> effect;
+    base::FixedVector<base::FixedString<31>, 2> instead;
+};
+inline constexpr std::size_t kMostInsteadOf = 8;
+
 struct ViewEffects {
     bool antialiasing = false;
     PanelLighting lighting = PanelLighting::day;
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
     Stereo stereo;
+    base::FixedVector<InsteadOf, kMostInsteadOf> instead;  ///< where another order is wanted than the effects' own
     ShadowSettings shadows;
 };
 

@@ -19,6 +19,8 @@ using flight::Signal;
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
+    if (const auto order = effects::replacement_order(settings.design.effects.instead); !order.ok())
+        return gl::make_error("the design's ", order.error().view());
     keep_design(settings.design, possible_design(settings.design, settings.device));
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     gl_.use_programs(settings.programs);
@@ -164,6 +166,7 @@ void Display::plan_effects() {
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
+    facts.order = order_of(settings_.design);
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
 }

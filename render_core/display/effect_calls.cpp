@@ -150,8 +150,14 @@ effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) no
     return reserve;
 }
 
+effects::ReplacementOrder order_of(const design::DesignSettings& design) noexcept {
+    const auto order = effects::replacement_order(design.effects.instead);
+    return order.ok() ? order.value() : effects::ReplacementOrder();
+}
+
 design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device) {
-    const auto stands_in = [&](Effect effect) { return possible_effect(effect, device.forbidden, device.capability); };
+    const effects::ReplacementOrder order = order_of(design);
+    const auto stands_in = [&](Effect effect) { return possible_effect(effect, device.forbidden, device.capability, order); };
     design::DesignSettings possible = design;
     design::SketchSettings& sketch = possible.terrain.style.sketch;
     if (stands_in(Effect::silhouettes) != Effect::silhouettes) {
@@ -203,6 +209,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     effects::PlanInput input;
     input.forbidden = facts.forbidden;
     input.in_reserve = facts.in_reserve;
+    input.order = facts.order;
     input.is_forced = facts.is_forced;
     input[Effect::terrain] = {Kind::called, "terrain in view"};
     input[Effect::warning_colors] = warning_call(facts.decisions);

@@ -36,6 +36,9 @@ inline constexpr std::string_view kRemovedByPolicy = "removed by the failure pol
 /// What can take another's place in a running display of this design, as possible_design() gives it: what is compiled in anyway.
 [[nodiscard]] effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept;
 
+/// What takes an effect's place, by the design; start() refuses one that cannot be had.
+[[nodiscard]] effects::ReplacementOrder order_of(const design::DesignSettings& design) noexcept;
+
 /// The design with what a device cannot do, or must not, in the way that stands for it there.
 [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design, const effects::DeviceSettings& device);
 
@@ -55,6 +58,7 @@ struct EffectFacts {
     design::AirSettings air{};
     draw::FocusRange focus{};
     double parallax_px = 0;  ///< none is greater
+    effects::ReplacementOrder order{};
     PanelLight panel{};
     CueStates cues{};
     ShadowPlan shadows{};

@@ -9,15 +9,17 @@ bool is_possible(Effect effect, const EffectSet& forbidden, const DeviceCapabili
 
 /// What takes the place of an effect that is too dear: the first of its list that a running display can turn to.
 Effect reserve_of(Effect effect, const PlanInput& input, const DeviceCapability& device) {
-    for (const Effect replacement : entry_of(effect).replacements)
+    for (const Effect replacement : input.order.of(effect))
         if (replacement != Effect::count_ && is_possible(replacement, input.forbidden, device) &&
             input.in_reserve.has(replacement) && !input.too_costly.has(replacement))
             return replacement;
     return Effect::count_;
 }
 
-PlannedEffect plan_call(Effect effect, const EffectCall& call, const EffectSet& forbidden, const DeviceCapability& device) {
+PlannedEffect plan_call(Effect effect, const PlanInput& input, const DeviceCapability& device) {
     using Kind = EffectCall::Kind;
+    const EffectCall& call = input.calls[static_cast<std::size_t>(effect)];
+    const EffectSet& forbidden = input.forbidden;
     PlannedEffect planned;
     if (call.kind == Kind::not_asked_for) return planned;
     planned.state = PlanState::skipped;
@@ -26,7 +28,7 @@ PlannedEffect plan_call(Effect effect, const EffectCall& call, const EffectSet& 
     // What stands for it when it lacks its input must be something else, even where the device could do it.
     EffectSet excluded = forbidden;
     if (call.kind == Kind::no_input) excluded.add(effect);
-    const Effect stands_in = possible_effect(effect, excluded, device);
+    const Effect stands_in = possible_effect(effect, excluded, device, input.order);
     if (forbidden.has(effect))
         planned.reason = "forbidden by the device's file";
     else if (call.kind == Kind::called && stands_in != effect)
@@ -72,9 +74,10 @@ Effect least_seen(const PlanInput& input, const FramePlan& plan, double color_le
 
 }  // namespace
 
-Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device) noexcept {
+Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device,
+                       const ReplacementOrder& order) noexcept {
     if (is_possible(effect, forbidden, device)) return effect;
-    for (const Effect replacement : entry_of(effect).replacements)
+    for (const Effect replacement : order.of(effect))
         if (replacement != Effect::count_ && is_possible(replacement, forbidden, device)) return replacement;
     return Effect::count_;
 }
@@ -99,7 +102,7 @@ FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) n
     FramePlan plan;
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
-        plan.effects_[n] = plan_call(effect, input.calls[n], input.forbidden, device);
+        plan.effects_[n] = plan_call(effect, input, device);
         give_up_if_too_costly(effect, input, device, plan.effects_[n]);
     }
     // From the smallest bound on, so that as many as possible stay under the one sum.

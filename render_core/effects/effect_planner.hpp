@@ -8,7 +8,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "render_core/effects/effect_catalogue.hpp"
+#include "render_core/effects/replacement_order.hpp"
 
 namespace tedavis::effects {
 
@@ -49,9 +49,10 @@ private:
 
 struct PlanInput {
     std::array<EffectCall, kEffectCount> calls{};
-    EffectSet forbidden;     ///< by the device's file
-    EffectSet too_costly;    ///< for the frame's deadline; replaced by what is in reserve, or left out
-    EffectSet in_reserve;    ///< what can take another's place within a running display: its programs are there
+    EffectSet forbidden;   ///< by the device's file
+    EffectSet too_costly;  ///< for the frame's deadline; replaced by what is in reserve, or left out
+    EffectSet in_reserve;  ///< what can take another's place within a running display: its programs are there
+    ReplacementOrder order;
     bool is_forced = false;  ///< nothing is left out for being unseen: what a picture without this planner would cost
 
     [[nodiscard]] EffectCall& operator[](Effect effect) { return calls[static_cast<std::size_t>(effect)]; }
@@ -74,6 +75,7 @@ static_assert(std::is_trivially_copyable_v<FramePlan>);
 [[nodiscard]] FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) noexcept;
 
 /// What stands for `effect` on a device: itself, its first replacement that is possible there, or count_ for none.
-[[nodiscard]] Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device) noexcept;
+[[nodiscard]] Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device,
+                                     const ReplacementOrder& order) noexcept;
 
 }  // namespace tedavis::effects

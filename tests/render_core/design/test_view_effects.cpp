@@ -56,6 +56,17 @@ TEST(ViewEffects, APictureForEachEye) {
     EXPECT_NE(read("[stereo]\nmode = \"quad_buffer\"\n", effects).find("choose side_by_side or anaglyph"), std::string::npos);
 }
 
+TEST(ViewEffects, WhatTakesAnEffectsPlace) {
+    ViewEffects effects;
+    EXPECT_EQ(read("[instead]\nsilhouettes = []\naerial_perspective = [\"haze\"]\n", effects), "");
+    ASSERT_EQ(effects.instead.size(), 2u);
+    EXPECT_EQ(effects.instead[0].effect.view(), "aerial_perspective") << "in the order of the alphabet";
+    EXPECT_EQ(effects.instead[0].instead[0].view(), "haze");
+    EXPECT_TRUE(effects.instead[1].instead.empty());
+    EXPECT_NE(read("[instead]\nhaze = [\"a\", \"b\", \"c\"]\n", effects), "");
+    EXPECT_NE(read("[instead]\nhaze = 1\n", effects), "");
+}
+
 TEST(ViewEffects, WhatHasNoMeaningIsRefused) {
     ViewEffects effects;
     for (const char* text :

@@ -1,0 +1,48 @@
+#include "render_core/effects/replacement_order.hpp"
+
+#include <initializer_list>
+
+namespace tedavis::effects {
+namespace {
+
+using Sentence = base::FixedString<255>;
+
+Sentence joined(std::initializer_list<std::string_view> parts) {
+    Sentence sentence;
+    for (std::string_view part : parts) sentence.append(part);
+    return sentence;
+}
+
+bool can_replace(Effect effect, Effect replacement) {
+    for (const Effect known : entry_of(effect).replacements)
+        if (known == replacement) return true;
+    return false;
+}
+
+}  // namespace
+
+ReplacementOrder::ReplacementOrder() : order_{} {
+    for (std::size_t n = 0; n < kEffectCount; ++n) order_[n] = entry_of(static_cast<Effect>(n)).replacements;
+}
+
+base::Result<ReplacementOrder, Sentence> replacement_order(base::Span<const design::InsteadOf> stated) noexcept {
+    ReplacementOrder order;
+    for (const design::InsteadOf& one : stated) {
+        const Effect effect = effect_of(one.effect.view());
+        if (effect == Effect::count_)
+            return base::fail(joined({"[effects.instead] ", one.effect.view(), ": no effect has this name"}));
+        Replacements& list = order.order_[static_cast<std::size_t>(effect)];
+        list.fill(Effect::count_);
+        std::size_t count = 0;
+        for (const auto& name : one.instead) {
+            const Effect replacement = effect_of(name.view());
+            if (replacement == Effect::count_ || !can_replace(effect, replacement))
+                return base::fail(joined({"[effects.instead] ", one.effect.view(), ": '", name.view(),
+                                          "' cannot take its place; render_core/effects/README.md lists what can"}));
+            list[count++] = replacement;
+        }
+    }
+    return order;
+}
+
+}  // namespace tedavis::effects
