@@ -52,8 +52,8 @@ protected:
                     {"circle", &rough_, played(circle_files, rough_, 1)},
                     {"steep", &rough_, played(circle_files, rough_, 1)}};
         for (Instant& instant : flights_[2].instants) {  // the same way, looking down at the ground
-            instant.played.aircraft[flight::Signal::pitch].value = -0.5;
-            instant.played.aircraft[flight::Signal::roll].value = 0.1;
+            instant.played.aircraft[flight::Signal::pitch] = {-0.5, instant.now};
+            instant.played.aircraft[flight::Signal::roll] = {0.1, instant.now};
         }
     }
 
