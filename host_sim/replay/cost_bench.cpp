@@ -59,6 +59,7 @@ std::string design_calling_for(Effect effect) {
         case Effect::depth_of_field:
         case Effect::antialiasing:
         case Effect::stereo:
+        case Effect::cross_fade:
         case Effect::panel_lighting: return "default";
         case Effect::surface_grid: return "styles/line_texture";
         case Effect::ridges: return "styles/ridges_and_valleys";

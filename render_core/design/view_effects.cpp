@@ -49,6 +49,7 @@ void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMos
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     effects.antialiasing = section.boolean("antialiasing", effects.antialiasing);
+    effects.fade_s = section.number("fade_s", 0, kLongestFade_s, effects.fade_s);
     effects.lighting = static_cast<PanelLighting>(section.choice(
         "lighting", {kPanelLightingNames.data(), kPanelLightingNames.size()}, static_cast<std::size_t>(effects.lighting)));
     read_color(section, "dusk_color", effects.dusk);

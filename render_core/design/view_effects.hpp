@@ -2,6 +2,7 @@
 ///
 ///     [effects]
 ///     antialiasing = true
+///     fade_s = 0.5                # the scene fades into what another design, or a new revision of the data, makes of it; 0: at once
 ///     lighting = "auto"           # the panel's: "day", "dusk", "night", or by the sun of place and date
 ///     dusk_color = "#b8aa98"      # what white becomes at dusk
 ///     night_color = "#584c40"
@@ -38,6 +39,7 @@
 namespace tedavis::design {
 
 inline constexpr double kMostBlur_px = 8;
+inline constexpr double kLongestFade_s = 2;  ///< what is shown longer than that would be old
 
 struct DepthOfField {
     double blur_px = 0;  ///< 0: everything is sharp
@@ -69,6 +71,7 @@ inline constexpr std::size_t kMostInsteadOf = 8;
 
 struct ViewEffects {
     bool antialiasing = false;
+    double fade_s = 0;
     PanelLighting lighting = PanelLighting::day;
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;

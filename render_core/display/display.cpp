@@ -57,6 +57,9 @@ gl::GlError Display::start_drawers() {
         if (gl::GlError error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px);
             !error.sentence.empty())
             return error;
+    if (settings_.design.effects.fade_s > 0 && !is_stereo)
+        if (gl::GlError error = fade_.start(gl_, settings_.device.budget, width_px, height_px); !error.sentence.empty())
+            return error;
     if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, width_px + 2 * margin_px, height_px);
         !error.sentence.empty())
         return error;
@@ -70,6 +73,7 @@ void Display::stop() {
     quad_drawer_.destroy(gl_);
     passes_.destroy(gl_);
     stereo_.destroy(gl_);
+    fade_.destroy(gl_);
     dimmer_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
@@ -90,7 +94,12 @@ bool Display::set_design(const design::DesignSettings& design) {
     const bool is_stereo = possible.effects.stereo.mode != design::StereoMode::none;
     const std::uint32_t margin_px = is_stereo ? eye_margin_px(possible.view.horizontal_field_of_view_rad, settings_.width_px) : 0;
     if (is_stereo != stereo_.is_started() || margin_px != stereo_.margin_px()) return false;
-    if (!is_dimmable || !passes_.shows(possible.effects) || !terrain_.set_design(gl_, possible)) return false;
+    if (!is_dimmable || !passes_.shows(possible.effects)) return false;
+    keep_scene();
+    if (!terrain_.set_design(gl_, possible)) {
+        fades_next_ = false;
+        return false;
+    }
     passes_.forget_design();
     keep_design(design, possible);
     return true;
@@ -98,7 +107,12 @@ bool Display::set_design(const design::DesignSettings& design) {
 
 bool Display::take_scene(const scene::Scene& scene) {
     const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
-    if (is_unexpected || !data_.take(scene)) return false;
+    if (is_unexpected) return false;
+    keep_scene();
+    if (!data_.take(scene)) {
+        fades_next_ = false;
+        return false;
+    }
     if (elements_.is_started()) set_elements();
     return true;
 }
@@ -166,6 +180,7 @@ void Display::plan_effects() {
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
+    facts.fade_share = fade_share();
     facts.order = order_of(settings_.design);
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);

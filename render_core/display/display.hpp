@@ -25,6 +25,7 @@
 #include "render_core/display/view_transition.hpp"
 #include "render_core/draw/dimmer.hpp"
 #include "render_core/draw/quad_drawer.hpp"
+#include "render_core/draw/scene_fade.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/effects/calibration.hpp"
 #include "render_core/effects/device.hpp"
@@ -120,6 +121,8 @@ private:
     void decide(base::Time now);
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
+    void keep_scene();
+    [[nodiscard]] double fade_share();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
     void plan_data();
@@ -158,6 +161,10 @@ private:
     DataElements elements_;
     ScenePasses passes_;
     draw::StereoPass stereo_;
+    draw::SceneFade fade_;
+    bool fades_next_ = false;   ///< from the next update() on
+    base::Time fade_began_{0};  ///< with fade_lasts_
+    bool fade_lasts_ = false;
     draw::Dimmer dimmer_;
     PanelLight panel_;
     draw::QuadDrawer quad_drawer_;

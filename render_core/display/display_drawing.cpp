@@ -22,6 +22,10 @@ void Display::draw(base::Surface& surface) {
         plan_effects();
     }
     const draw::TerrainDrawResult drawn = draw_scene(surface);
+    if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started()) {
+        const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
+        fade_.draw(gl_, fade_share());
+    }
     if (!free_view_active_) draw_symbology(surface);
     if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
         const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
@@ -38,6 +42,26 @@ void Display::draw(base::Surface& surface) {
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
     if (stereo_.is_started()) return draw_eyes(surface);
     return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
+}
+
+/// What is planned, once more, before it is replaced.
+void Display::keep_scene() {
+    if (!fade_.is_started() || frame_ == 0) return;
+    static_cast<void>(passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_}));
+    fades_next_ = true;
+}
+
+/// Of the scene as it was, in the planned frame.
+double Display::fade_share() {
+    if (fades_next_) {
+        fades_next_ = false;
+        fade_lasts_ = true;
+        fade_began_ = record_.time;
+    }
+    if (!fade_lasts_) return 0;
+    const double share = 1 - (record_.time - fade_began_).to_seconds() / settings_.design.effects.fade_s;
+    fade_lasts_ = share > 0 && share <= 1;
+    return fade_lasts_ ? share : 0;
 }
 
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {

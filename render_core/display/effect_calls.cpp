@@ -55,6 +55,11 @@ EffectCall stereo_call(const EffectFacts& facts) {
     return {Kind::called, "", facts.parallax_px};
 }
 
+EffectCall fade_call(double share) {
+    if (!(share > 0)) return {Kind::not_called_for, "nothing has changed"};
+    return {Kind::called, "", share};
+}
+
 EffectCall panel_call(const PanelLight& panel) {
     if (!panel.has_date) return {Kind::no_input, "the time of the flight is no date"};
     const glm::dvec3& white = panel.white;
@@ -93,6 +98,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.depth_of_field.blur_px > 0) asked.add(Effect::depth_of_field);
     if (design.effects.lighting != design::PanelLighting::day) asked.add(Effect::panel_lighting);
     if (design.effects.antialiasing) asked.add(Effect::antialiasing);
+    if (design.effects.fade_s > 0) asked.add(Effect::cross_fade);
     if (design.effects.stereo.mode != design::StereoMode::none) asked.add(Effect::stereo);
     if (design.effects.shadows.on_ground > 0) asked.add(Effect::soft_shadows);
     add_asked_cues(design.data.elements, asked);
@@ -100,11 +106,13 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
 }
 
 design::DesignSettings with_effect(const design::DesignSettings& design, Effect effect) noexcept {
+    constexpr double kFade_s = 0.5;
     constexpr double kBlur_px = 4, kOnGround = 0.6;
     design::DesignSettings with = design;
     if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
     if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
     if (effect == Effect::antialiasing) with.effects.antialiasing = true;
+    if (effect == Effect::cross_fade) with.effects.fade_s = kFade_s;
     if (effect == Effect::stereo) with.effects.stereo.mode = design::StereoMode::side_by_side;
     if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kOnGround;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
@@ -130,6 +138,7 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::depth_of_field: without.effects.depth_of_field.blur_px = 0; break;
         case Effect::antialiasing: without.effects.antialiasing = false; break;
         case Effect::panel_lighting: without.effects.lighting = design::PanelLighting::day; break;
+        case Effect::cross_fade: without.effects.fade_s = 0; break;
         case Effect::stereo: without.effects.stereo.mode = design::StereoMode::none; break;
         case Effect::vertical_lines:
         case Effect::projections:
@@ -168,7 +177,8 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
          {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
           Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
-    for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo})
+    for (const Effect effect :
+         {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo, Effect::cross_fade})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
     if (stands_in(Effect::soft_shadows) != Effect::soft_shadows) {
         if (stands_in(Effect::soft_shadows) == Effect::projections)
@@ -223,6 +233,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::adjacent] = adjacent_call(facts);
     input[Effect::depth_of_field] = focus_call(facts);
     input[Effect::stereo] = stereo_call(facts);
+    input[Effect::cross_fade] = fade_call(facts.fade_share);
     input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::soft_shadows] = soft_shadow_call(facts.shadows, facts.is_near);
     input[Effect::antialiasing] = {Kind::called, "", 1};

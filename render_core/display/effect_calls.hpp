@@ -58,6 +58,7 @@ struct EffectFacts {
     design::AirSettings air{};
     draw::FocusRange focus{};
     double parallax_px = 0;  ///< none is greater
+    double fade_share = 0;   ///< of the scene as it was
     effects::ReplacementOrder order{};
     PanelLight panel{};
     CueStates cues{};

@@ -58,6 +58,8 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
     {Effect::stereo, "stereo", Contribution::geometry, Need::second_picture, true,
      "the greatest parallax between the nearest ground and the farthest",
      "the scene twice, into a picture off screen, and a tap"},
+    {Effect::cross_fade, "cross_fade", Contribution::color, Need::second_picture, true, "the share of the scene as it was",
+     "the scene as it was, once, into a picture off screen; then a blended tap"},
     {Effect::vertical_lines, "vertical_lines", Contribution::content, Need::nothing, true, "",
      "twelve triangles a line; those that travel are built every frame"},
     {Effect::projections, "projections", Contribution::content, Need::nothing, true, "", "two triangles a stretch of 200 m"},

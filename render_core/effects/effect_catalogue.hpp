@@ -31,6 +31,7 @@ enum class Effect : std::uint8_t {
     antialiasing,
     panel_lighting,
     stereo,
+    cross_fade,
     vertical_lines,
     projections,
     curtains,

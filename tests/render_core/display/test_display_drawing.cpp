@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "render_core/display/display.hpp"
@@ -126,6 +127,46 @@ TEST(DisplayDrawing, StereoIsBuiltAtStartOrRefusedLater) {
     Hills stereo(with);
     EXPECT_FALSE(stereo.headless.display().set_design(without));
     EXPECT_TRUE(stereo.headless.display().set_design(stereo_design(StereoMode::side_by_side)));
+}
+
+int greatest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    int most = 0;
+    for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, std::abs(int{a[n]} - int{b[n]}));
+    return most;
+}
+
+/// The picture so long after kHillsNow.
+std::vector<std::uint8_t> later(Hills& hills, double seconds) {
+    const base::Time now = test_support::kHillsNow + base::Duration::from_seconds(seconds);
+    hills.headless.display().update(hills.state, {}, now);
+    return test_support::drawn_pixels(hills.headless);
+}
+
+TEST(DisplayDrawing, ASceneFadesIntoTheNextDesigns) {
+    design::DesignSettings before = stereo_design(StereoMode::none), after = before;
+    before.effects.fade_s = after.effects.fade_s = 1;
+    after.terrain.sea = after.terrain.unknown = {1, 2, 3};
+    after.terrain.style.shade.ambient = 0.9 * after.terrain.style.shade.ambient;
+    after.sky.haze_distance_m = 2000;
+    const terrain::View view = view_of(before);
+    Hills hills(before);
+    const auto was = hills.from(view);
+    EXPECT_EQ(state_of(hills.headless, Effect::cross_fade), EffectState::skipped) << "nothing has changed";
+    ASSERT_TRUE(hills.headless.display().set_design(after));
+    EXPECT_LE(greatest_difference(later(hills, 1), was), 1) << "it begins as it was";
+    EXPECT_EQ(state_of(hills.headless, Effect::cross_fade), EffectState::run);
+    const auto half = later(hills, 1.5), is = later(hills, 2.5);
+    EXPECT_EQ(state_of(hills.headless, Effect::cross_fade), EffectState::skipped);
+    EXPECT_GT(greatest_difference(was, is), 20) << "the designs differ";
+    for (std::size_t n = 0; n < half.size(); ++n) ASSERT_NEAR(half[n], 0.5 * (was[n] + is[n]), 1.6);
+    for (const EffectRecord& noted : hills.headless.display().record().effects)
+        if (noted.name.view() == "cross_fade") EXPECT_EQ(noted.draws + noted.passes, 0u);
+    design::DesignSettings at_once = after;
+    at_once.effects.fade_s = 0;
+    at_once.sky.haze_distance_m = before.sky.haze_distance_m;
+    ASSERT_TRUE(hills.headless.display().set_design(at_once));
+    const auto next = later(hills, 3);
+    EXPECT_EQ(next, later(hills, 3.5)) << "a design without a fade changes at once";
 }
 
 TEST(DisplayDrawing, ADeviceWithoutAPictureMoreShowsOneEye) {

@@ -72,8 +72,8 @@ TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
 
 TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
     design::DesignSettings whole = design_with_everything();
-    for (const Effect effect :
-         {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo, Effect::soft_shadows}) {
+    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo,
+                                Effect::cross_fade, Effect::soft_shadows}) {
         EXPECT_FALSE(asked_effects(whole).has(effect));
         whole = with_effect(whole, effect);
     }
@@ -186,6 +186,14 @@ TEST_F(EffectCalls, EachEyesPictureIsBoundedByTheParallax) {
     EXPECT_EQ(call(Effect::stereo).bound, 7);
     facts_.is_near = false;
     EXPECT_EQ(call(Effect::stereo).kind, Kind::not_called_for);
+}
+
+TEST_F(EffectCalls, AFadeLastsWhileSomethingIsLeftOfTheSceneAsItWas) {
+    facts_.asked.add(Effect::cross_fade);
+    EXPECT_EQ(call(Effect::cross_fade).kind, Kind::not_called_for);
+    facts_.fade_share = 0.25;
+    EXPECT_EQ(call(Effect::cross_fade).kind, Kind::called);
+    EXPECT_EQ(call(Effect::cross_fade).bound, 0.25);
 }
 
 TEST_F(EffectCalls, ThePanelIsDimmedWithOrWithoutTerrain) {
