@@ -57,11 +57,13 @@ protected:
     std::map<std::string, std::set<std::string>> gave_way() const {
         std::map<std::string, std::set<std::string>> all;
         std::ifstream records(options_.output + "/frames.jsonl");
-        for (std::string line; std::getline(records, line);)
-            for (const auto& effect : nlohmann::json::parse(line)["effects"])
+        for (std::string line; std::getline(records, line);) {
+            const nlohmann::json record = nlohmann::json::parse(line);
+            for (const auto& effect : record["effects"])
                 if (effect["state"] != "run")
                     all[effect["name"]].insert(effect["reason"].get<std::string>() + " > " +
                                                effect.value("replaced_by", std::string()));
+        }
         return all;
     }
 

@@ -99,8 +99,8 @@ int greatest_difference(const std::vector<std::uint8_t>& a, const std::vector<st
     return most;
 }
 
-/// Channels of `seen` beyond the range of the 3 x 3 pixels round the same place of `whole`, by more than one step.
-int out_of_neighbourhood(const std::vector<std::uint8_t>& seen, const std::vector<std::uint8_t>& whole) {
+/// Channels of `soft` beyond the range of the 3 x 3 pixels round the same place of `sharp`, by more than one step.
+int out_of_neighbourhood(const std::vector<std::uint8_t>& soft, const std::vector<std::uint8_t>& sharp) {
     int count = 0;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x)
@@ -108,11 +108,11 @@ int out_of_neighbourhood(const std::vector<std::uint8_t>& seen, const std::vecto
                 int least = 255, most = 0;
                 for (int dy = std::max(y - 1, 0); dy <= std::min(y + 1, kHeight - 1); ++dy)
                     for (int dx = std::max(x - 1, 0); dx <= std::min(x + 1, kWidth - 1); ++dx) {
-                        const int value = whole[static_cast<std::size_t>((dy * kWidth + dx) * 4 + channel)];
+                        const int value = sharp[static_cast<std::size_t>((dy * kWidth + dx) * 4 + channel)];
                         least = std::min(least, value);
                         most = std::max(most, value);
                     }
-                const int value = seen[static_cast<std::size_t>((y * kWidth + x) * 4 + channel)];
+                const int value = soft[static_cast<std::size_t>((y * kWidth + x) * 4 + channel)];
                 count += value < least - 1 || value > most + 1 ? 1 : 0;
             }
     return count;
@@ -159,8 +159,8 @@ TEST_F(SkippedEffects, OfSharpnessStayWithinThePixelsBesideAndDoNoWork) {
             EXPECT_EQ(field->draws + field->passes + field->bytes, 0u);
             const display::EffectRecord* const whole = effect_of(forced[n].record, "depth_of_field");
             ran += whole != nullptr && whole->passes == 1 && whole->draws > 0 ? 1 : 0;
-            ASSERT_EQ(out_of_neighbourhood(planned[n].rgba, forced[n].rgba), 0) << flight.name << " " << n;
-            seen += out_of_neighbourhood(planned[n].rgba, much[n].rgba) > 0 ? 1 : 0;
+            ASSERT_EQ(out_of_neighbourhood(forced[n].rgba, planned[n].rgba), 0) << flight.name << " " << n;
+            seen += out_of_neighbourhood(much[n].rgba, planned[n].rgba) > 0 ? 1 : 0;
         }
     }
     EXPECT_GT(left_out, 3);
