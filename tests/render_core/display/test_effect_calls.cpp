@@ -72,7 +72,8 @@ TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
 
 TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
     design::DesignSettings whole = design_with_everything();
-    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::soft_shadows}) {
+    for (const Effect effect :
+         {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::soft_shadows, Effect::volumetric_light}) {
         EXPECT_FALSE(asked_effects(whole).has(effect));
         whole = with_effect(whole, effect);
     }
