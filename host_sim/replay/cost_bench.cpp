@@ -71,6 +71,7 @@ std::string design_calling_for(Effect effect) {
         case Effect::projections: return "effects/projections";
         case Effect::curtains: return "effects/curtains";
         case Effect::soft_shadows: return "effects/soft_shadows";
+        case Effect::volumetric_light: return "effects/volumetric_light";
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:

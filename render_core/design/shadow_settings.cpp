@@ -28,6 +28,8 @@ void read_casters(base::ConfigSection& section, CasterRoles& casters) {
 void read_shadows(base::ConfigSection section, ShadowSettings& shadows) {
     if (!section.present()) return;
     shadows.on_ground = section.number("on_ground", 0, 1, 0);
+    shadows.in_air = section.number("in_air", 0, 1, 0);
+    shadows.steps = static_cast<std::uint32_t>(section.integer("steps", 8, 64, 24));
     read_casters(section, shadows.casters);
 }
 

@@ -1,8 +1,10 @@
 /// Shadows of data that stand over the ground, on it and in the air: table [effects.shadows] of a design file.
 ///
 ///     [effects.shadows]
-///     on_ground = 0.6                         # what a whole shadow takes of the first light; 0, or absent: no soft shadows
-///     casters = ["trajectory", "obstacle"]    # roles of the layers that cast them; absent: what is a thing in the air or on it
+///     on_ground = 0.6       # what a whole shadow takes of the first light; 0, or absent: no soft shadows
+///     in_air = 0.6          # part of the light of the air before the eye that they take; 0: no volumetric light
+///     steps = 24            # places at which a view ray is looked at, 8 to 64
+///     casters = ["trajectory", "obstacle"]   # roles of the layers that cast them; absent: what is a thing in the air or on it
 ///
 /// Plain data. Reading: start-up only, faults go to the section.
 #pragma once
@@ -38,9 +40,11 @@ inline constexpr CasterRoles kThings = CasterRoles()
 
 struct ShadowSettings {
     double on_ground = 0;  ///< 0..1
+    double in_air = 0;     ///< 0..1
+    std::uint32_t steps = 24;
     CasterRoles casters = kThings;
 
-    [[nodiscard]] bool is_any() const { return on_ground > 0; }
+    [[nodiscard]] bool is_any() const { return on_ground > 0 || in_air > 0; }
 };
 
 void read_shadows(base::ConfigSection section, ShadowSettings& shadows);

@@ -58,6 +58,9 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_stereo(section.section("stereo"), effects.stereo);
     read_instead(section.section("instead"), effects.instead);
     read_shadows(section.section("shadows"), effects.shadows);
+    const DepthOfField& field = effects.depth_of_field;
+    if (effects.shadows.in_air > 0 && field.blur_px > 0 && !(field.on_terrain && field.on_data))
+        fault_of(section, "shadows", "with 'in_air' needs all distances; set layers = \"all\" in depth_of_field");
 }
 
 }  // namespace tedavis::design

@@ -43,13 +43,12 @@ void add_asked_cues(const design::DataElementList& elements, effects::EffectSet&
             if (const auto cue = static_cast<draw::Cue>(n); draw::asks_for(element.cues, cue)) asked.add(effect_of(cue));
 }
 
-void project_casters(const design::ShadowSettings& shadows, design::DataElementList& elements) noexcept {
-    if (!(shadows.on_ground > 0)) return;
+void project_casters(const design::CasterRoles& casters, double strength, design::DataElementList& elements) noexcept {
+    if (!(strength > 0)) return;
     for (design::DataElement& element : elements) {
         const bool is_way =
             element.technique == design::DataTechnique::tube || element.technique == design::DataTechnique::space_time;
-        if (is_way && shadows.casters.has(element.role))
-            element.cues.projection = std::fmax(element.cues.projection, shadows.on_ground);
+        if (is_way && casters.has(element.role)) element.cues.projection = std::fmax(element.cues.projection, strength);
     }
 }
 

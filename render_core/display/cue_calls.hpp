@@ -23,7 +23,7 @@ using CueStates = std::array<CueState, draw::kCues>;
 
 void add_asked_cues(const design::DataElementList& elements, effects::EffectSet& asked) noexcept;
 /// Ways that would cast shadows are projected onto the ground instead, as strongly at least.
-void project_casters(const design::ShadowSettings& shadows, design::DataElementList& elements) noexcept;
+void project_casters(const design::CasterRoles& casters, double strength, design::DataElementList& elements) noexcept;
 /// Nothing for other effects.
 void take_out_cue(effects::Effect effect, design::DataElementList& elements) noexcept;
 

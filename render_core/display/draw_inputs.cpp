@@ -26,6 +26,7 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     input.heights = frame.heights;
     input.air = frame.air;
     input.shadow = frame.shadow_read;
+    input.left = frame.terrain_left;
     return input;
 }
 

@@ -78,6 +78,28 @@ EffectCall warning_call(const DisplayDecisions& decisions) {
     return {Kind::not_called_for, "not asked for or height not to be trusted"};
 }
 
+/// What takes the place of each.
+struct StandIns {
+    Effect soft_shadows, volumetric_light;
+};
+
+void replace_shadows(const design::ShadowSettings& asked, const StandIns& by, design::DesignSettings& possible) {
+    if (by.soft_shadows == Effect::projections) project_casters(asked.casters, asked.on_ground, possible.data.elements);
+    if (by.volumetric_light == Effect::projections) project_casters(asked.casters, asked.in_air, possible.data.elements);
+    design::ShadowSettings& shadows = possible.effects.shadows;
+    if (by.soft_shadows != Effect::soft_shadows) shadows.on_ground = 0;
+    if (by.volumetric_light == Effect::soft_shadows) shadows.on_ground = std::fmax(shadows.on_ground, asked.in_air);
+    if (by.volumetric_light != Effect::volumetric_light) shadows.in_air = 0;
+}
+
+EffectCall light_shaft_call(const EffectFacts& facts) {
+    const bool has_air = facts.asked.has(Effect::aerial_perspective) && facts.air.is_shown;
+    const double bound = has_air                ? air_bound(facts.air, facts.farthest_m)
+                         : facts.haze_per_m > 0 ? haze_bound(facts.haze_per_m, facts.farthest_m)
+                                                : 0;
+    return shaft_call(facts.shadows, facts.is_near, bound);
+}
+
 }  // namespace
 
 effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept {
@@ -101,20 +123,21 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.fade_s > 0) asked.add(Effect::cross_fade);
     if (design.effects.stereo.mode != design::StereoMode::none) asked.add(Effect::stereo);
     if (design.effects.shadows.on_ground > 0) asked.add(Effect::soft_shadows);
+    if (design.effects.shadows.in_air > 0) asked.add(Effect::volumetric_light);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
 
 design::DesignSettings with_effect(const design::DesignSettings& design, Effect effect) noexcept {
-    constexpr double kFade_s = 0.5;
-    constexpr double kBlur_px = 4, kOnGround = 0.6;
+    constexpr double kFade_s = 0.5, kBlur_px = 4, kTaken = 0.6;
     design::DesignSettings with = design;
     if (effect == Effect::aerial_perspective) with.sky.air.is_shown = true;
     if (effect == Effect::depth_of_field) with.effects.depth_of_field.blur_px = kBlur_px;
     if (effect == Effect::antialiasing) with.effects.antialiasing = true;
     if (effect == Effect::cross_fade) with.effects.fade_s = kFade_s;
     if (effect == Effect::stereo) with.effects.stereo.mode = design::StereoMode::side_by_side;
-    if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kOnGround;
+    if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kTaken;
+    if (effect == Effect::volumetric_light) with.effects.shadows.in_air = kTaken;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
@@ -144,6 +167,7 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::projections:
         case Effect::curtains: take_out_cue(effect, without.data.elements); break;
         case Effect::soft_shadows: without.effects.shadows.on_ground = 0; break;
+        case Effect::volumetric_light: without.effects.shadows.in_air = 0; break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -180,11 +204,7 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
     for (const Effect effect :
          {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo, Effect::cross_fade})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
-    if (stands_in(Effect::soft_shadows) != Effect::soft_shadows) {
-        if (stands_in(Effect::soft_shadows) == Effect::projections)
-            project_casters(design.effects.shadows, possible.data.elements);
-        possible = without_effect(possible, Effect::soft_shadows);
-    }
+    replace_shadows(design.effects.shadows, {stands_in(Effect::soft_shadows), stands_in(Effect::volumetric_light)}, possible);
     if (possible.sky.air.is_shown) possible.sky.haze_distance_m = 0;
     return possible;
 }
@@ -236,6 +256,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::cross_fade] = fade_call(facts.fade_share);
     input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::soft_shadows] = soft_shadow_call(facts.shadows, facts.is_near);
+    input[Effect::volumetric_light] = light_shaft_call(facts);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < draw::kCues; ++n) {
         const Effect effect = effect_of(static_cast<draw::Cue>(n));

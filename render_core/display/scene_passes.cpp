@@ -39,14 +39,21 @@ gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, cons
         if (gl::GlError error = shadows_.start(gl, *device.budget.find(effects::kRenderTargets), device.capability.shadow_map_px);
             !error.sentence.empty())
             return error;
+    if (gl::GlError error = start_view_effects(gl, device, design); !error.sentence.empty()) return error;
+    const bool serves_shafts = output_ == draw::TerrainOutput::color_and_distance && draw::has_shafts_only(design);
+    if (output_ == draw::TerrainOutput::color || serves_shafts) return {};
+    return picture_.start(gl, device.budget, width_px, height_px, design, output_);
+}
+
+gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design) {
     smooths_ = design.effects.antialiasing;
     blurs_ = design.effects.depth_of_field.blur_px > 0;
-    if (smooths_ || blurs_)
-        if (gl::GlError error = view_effects_.start(gl, device.budget, width_px, height_px, design.effects);
-            !error.sentence.empty())
+    const bool has_shafts = design.effects.shadows.in_air > 0, with_air = design.sky.air.is_shown;
+    if (has_shafts)
+        if (gl::GlError error = shafts_.start(gl, device.budget, width_px_, height_px_, with_air); !error.sentence.empty())
             return error;
-    if (output_ == draw::TerrainOutput::color) return {};
-    return picture_.start(gl, device.budget, width_px, height_px, design, output_);
+    if (!smooths_ && !blurs_ && !has_shafts) return {};
+    return view_effects_.start(gl, device.budget, width_px_, height_px_, design.effects, with_air);
 }
 
 /// The first light of the style stands for the sun.
@@ -67,33 +74,46 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
 
 /// One map serves all that reads it.
 draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
-    if (!input.plan.runs(effects::Effect::soft_shadows) || !shadows_.is_started()) return {};
+    const bool is_read = input.plan.runs(effects::Effect::soft_shadows) || input.plan.runs(effects::Effect::volumetric_light);
+    if (!is_read || !shadows_.is_started() || input.frame.shadows.state != ShadowState::cast) return {};
     const ShadowPlan& plan = input.frame.shadows;
     const CasterSet casters = input.elements.casters(input.frame.design.effects.shadows.casters);
-    const WorkScope work(gl, input.work[effects::Effect::soft_shadows]);
-    static_cast<void>(shadows_.draw(gl, casters, plan.frame, input.frame.eye.view.eye));
+    EffectWork map;
+    {
+        const WorkScope work(gl, map);
+        static_cast<void>(shadows_.draw(gl, casters, plan.frame, input.frame.eye.view.eye));
+    }
+    for (const effects::Effect reader : {effects::Effect::soft_shadows, effects::Effect::volumetric_light})
+        if (input.plan.runs(reader)) input.work[reader] += map;
     return {&shadows_.map().texture(), &plan.frame, plan.top_msl_m};
 }
 
 draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input) {
     DrawContext frame = input.frame;
     frame.air = update_air(gl, input);
-    frame.shadow_read = draw_shadows(gl, input);
+    const draw::ShadowRead shadow = draw_shadows(gl, input);
+    if (input.plan.runs(effects::Effect::soft_shadows)) frame.shadow_read = shadow;
+    const bool has_shafts = shadow.map != nullptr && input.plan.runs(effects::Effect::volumetric_light) && shafts_.is_started();
     draw::ViewEffectsInput effects;
     effects.blurs = input.plan.runs(effects::Effect::depth_of_field);
     effects.smooths = input.plan.runs(effects::Effect::antialiasing);
     effects.focus = frame.focus;
+    if (has_shafts) frame.terrain_left = frame.data_left = {0, 1};
     if (effects.blurs) leave_distances(frame);
-    const bool has_effects = effects.blurs || effects.smooths;
+    const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
-    draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place,
-               {frame, input.plan, input.terrain, input.elements, input.work, input.has_void}, drawn);
+    const PassInput drawing{frame, input.plan, input.terrain, input.elements, input.work, input.has_void};
+    draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place, drawing, drawn);
+    if (has_shafts) {
+        draw_shafts(gl, drawing, shadow);
+        effects.shafts = &shafts_.texture();
+    }
     if (has_effects) finish_effects(gl, place, effects, input.work);
     if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
     return drawn;
 }
 
-/// One pass for both: each has it among its work.
+/// One pass for all: each has it among its work.
 void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked,
                                  EffectWorkTable& work) {
     EffectWork pass;
@@ -103,6 +123,14 @@ void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const d
     }
     if (asked.blurs) work[effects::Effect::depth_of_field] += pass;
     if (asked.smooths) work[effects::Effect::antialiasing] += pass;
+    if (asked.shafts != nullptr) work[effects::Effect::volumetric_light] += pass;
+}
+
+void ScenePasses::draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow) {
+    const DrawContext& frame = input.frame;
+    const WorkScope work(gl, input.work[effects::Effect::volumetric_light]);
+    shafts_.draw(gl, {frame.eye.view, view_effects_.target().color(), shadow, frame.air, frame.haze_per_m, frame.design.sky.haze,
+                      frame.shadows.in_air, frame.shadows.steps});
 }
 
 void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {
@@ -171,6 +199,7 @@ void ScenePasses::destroy(gl::Gl& gl) {
     air_.destroy(gl);
     shadows_.destroy(gl);
     view_effects_.destroy(gl);
+    shafts_.destroy(gl);
     picture_.destroy(gl);
 }
 

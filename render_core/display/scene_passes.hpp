@@ -14,6 +14,7 @@
 #include "render_core/display/effect_work.hpp"
 #include "render_core/display/shadow_casters.hpp"
 #include "render_core/display/terrain_scene.hpp"
+#include "render_core/draw/light_shafts.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/effects/device.hpp"
@@ -40,7 +41,7 @@ public:
     /// Whether what start() built shows the effects of another design, too.
     [[nodiscard]] bool shows(const design::ViewEffects& effects) const {
         return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0) &&
-               (shadows_.is_started() || !effects.shadows.is_any());
+               (shadows_.is_started() || !effects.shadows.is_any()) && (shafts_.is_started() || effects.shadows.in_air <= 0);
     }
     /// The next picture is of another design.
     void forget_design() { picture_.forget_design(); }
@@ -55,6 +56,9 @@ private:
     void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, EffectWorkTable& work);
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
+    void draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow);
+    [[nodiscard]] gl::GlError start_view_effects(gl::Gl& gl, effects::DeviceSettings& device,
+                                                 const design::DesignSettings& design);
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
 
     draw::TerrainOutput output_ = draw::TerrainOutput::color;
@@ -63,6 +67,7 @@ private:
     draw::AirTable air_;
     ShadowCasters shadows_;
     draw::ViewEffectsPass view_effects_;
+    draw::LightShafts shafts_;
     bool smooths_ = false, blurs_ = false;  ///< there are programs that do
     std::uint32_t width_px_ = 0, height_px_ = 0;
 };

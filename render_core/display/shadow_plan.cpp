@@ -59,12 +59,23 @@ ShadowPlan plan_shadows(const ShadowScene& scene, const CasterSet& casters) {
     plan.frame = draw::make_shadow_frame(
         {scene.view, scene.eye_height_m, scene.light.azimuth_rad, scene.light.elevation_rad, scene.level_px});
     plan.frame.on_ground = scene.settings.on_ground;
+    plan.in_air = scene.settings.in_air;
+    plan.steps = scene.settings.steps;
     Casters found(scene, plan);
     for (const draw::SolidBuffers* const solids : casters.solids)
         if (solids != nullptr) found.add_solids(solids->batch(), casters.groups);
     if (casters.glyphs != nullptr) found.add_glyphs(*casters.glyphs, casters.glyph_slots);
     plan.top_msl_m = plan.frame.top_m - scene.undulation_m + kHeightMargin_m;
     return plan;
+}
+
+effects::EffectCall shaft_call(const ShadowPlan& plan, bool is_near, double bound) noexcept {
+    effects::EffectCall call = soft_shadow_call(plan, is_near);
+    if (call.kind == Kind::called && plan.state == ShadowState::cast) {
+        if (!(bound > 0)) return {Kind::not_called_for, "there is neither air nor haze that scatters light"};
+        call.bound = plan.in_air * bound;
+    }
+    return call;
 }
 
 effects::EffectCall soft_shadow_call(const ShadowPlan& plan, bool is_near) noexcept {

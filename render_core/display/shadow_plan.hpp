@@ -21,6 +21,8 @@ struct ShadowPlan {
     draw::ShadowFrame frame;
     double top_msl_m = 0;  ///< no caster is higher
     double widest_px = 0;  ///< no shadow is wider in the picture
+    double in_air = 0;     ///< of the light of the air that they take
+    std::uint32_t steps = 0;
 };
 
 struct ShadowScene {
@@ -37,6 +39,8 @@ struct ShadowScene {
 
 [[nodiscard]] ShadowPlan plan_shadows(const ShadowScene& scene, const CasterSet& casters);
 /// `is_near`: the eye is among what it sees.
+/// `bound`: of what air or haze adds over the farthest way; 0: there is neither.
+[[nodiscard]] effects::EffectCall shaft_call(const ShadowPlan& plan, bool is_near, double bound) noexcept;
 [[nodiscard]] effects::EffectCall soft_shadow_call(const ShadowPlan& plan, bool is_near) noexcept;
 
 }  // namespace tedavis::display

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
@@ -63,6 +64,8 @@ ShadowFrame make_shadow_frame(const ShadowView& from) {
 
 void add_caster(ShadowFrame& frame, const CasterBall& ball) {
     const glm::dvec3 middle = frame.in_light(ball.middle);
+    frame.low_m = glm::min(frame.low_m, middle - ball.radius_m);
+    frame.high_m = glm::max(frame.high_m, middle + ball.radius_m);
     frame.top_m = std::fmax(frame.top_m, ball.top_m);
     for (ShadowLevel& level : frame.levels) {
         const glm::dvec2 away = glm::abs(glm::dvec2(middle) - level.middle_m);

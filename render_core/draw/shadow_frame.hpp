@@ -44,8 +44,10 @@ struct ShadowFrame {
     glm::dmat3 axes{1.0};               ///< columns, ECEF unit vectors: right, up, towards the sun
     ShadowLevel levels[kShadowLevels];  ///< the finest first
     double sine = 1;                    ///< of the light's elevation
-    double top_m = -kShadowReach_m;     ///< no caster is higher over the ellipsoid
-    double on_ground = 0;               ///< what a whole shadow takes of the light; 0: none is drawn
+    /// Casters lie between these places of the light's frame; while there are none, the first is beyond the second.
+    glm::dvec3 low_m{kShadowReach_m}, high_m{-kShadowReach_m};
+    double top_m = -kShadowReach_m;  ///< no caster is higher over the ellipsoid
+    double on_ground = 0;            ///< what a whole shadow takes of the light; 0: none is drawn
 
     [[nodiscard]] glm::dvec3 in_light(const glm::dvec3& place) const { return (place - anchor) * axes; }
 };

@@ -126,6 +126,7 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
     variant.uncertainty = design_.data.ground.uncertainty.technique;
     variant.overlay = design_.data.ground.overlay.technique;
     variant.air = design_.sky.air.is_shown;
+    variant.shafts = has_shafts_only(design_) && output_ == TerrainOutput::color_and_distance;
     variant.shadows = design_.effects.shadows.on_ground > 0;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
@@ -160,7 +161,8 @@ bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design)
     if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
         design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference ||
         design_.sky.air.is_shown != design.sky.air.is_shown ||
-        (design_.effects.shadows.on_ground > 0) != (design.effects.shadows.on_ground > 0))
+        (design_.effects.shadows.on_ground > 0) != (design.effects.shadows.on_ground > 0) ||
+        has_shafts_only(design_) != has_shafts_only(design))
         return false;
     design_ = design;
     if (ground_.has_data()) ground_.set_look(gl, design.data.ground);
@@ -316,6 +318,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
     if (design_.sky.air.is_shown) set_air_uniforms(gl, program, kTerrainAir, input.air);
+    gl->Uniform2f(program.uniform(kTerrainLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
     if (program.uniform(kTerrainShadow) >= 0)
         set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
     if (output_ == TerrainOutput::code) set_height_range(gl, program, input.heights);

@@ -15,6 +15,7 @@
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
 #include "render_core/draw/terrain_uniforms.hpp"
+#include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
@@ -35,6 +36,7 @@ struct TerrainDrawInput {
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
     ShadowRead shadow;
+    DistanceLeft left;  ///< in alpha, of programs for light shafts
 };
 
 struct TerrainDrawResult {

@@ -73,7 +73,8 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kShadowUniformNames[0],
                                                          kShadowUniformNames[1],
                                                          kShadowUniformNames[2],
-                                                         kShadowUniformNames[3]};
+                                                         kShadowUniformNames[3],
+                                                         "left"};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -165,6 +166,11 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 
 }  // namespace
 
+bool has_shafts_only(const design::DesignSettings& design) noexcept {
+    return design.effects.shadows.in_air > 0 && design.terrain.style.sketch.silhouettes <= 0 &&
+           design.effects.depth_of_field.blur_px <= 0;
+}
+
 TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {
     if (!off_screen_depth) return TerrainOutput::color;
     const design::TerrainStyle& style = design.terrain.style;
@@ -172,7 +178,8 @@ TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_de
     const bool has_shadows = design.effects.shadows.is_any();
     if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows)
         return TerrainOutput::code;
-    const bool needs_distance = style.sketch.silhouettes > 0 || design.effects.depth_of_field.blur_px > 0;
+    const design::ViewEffects& effects = design.effects;
+    const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 || effects.shadows.in_air > 0;
     return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
 
@@ -205,6 +212,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.air, "#define AIR 1\n");
     defines.add_if(variant.shadows, "#define SHADOWS 1\n");
+    defines.add_if(variant.shafts, "#define SHAFTS 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }
@@ -221,6 +229,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
         fragment.append(shader_text(k_ground_overlay_frag));
     if (variant.air && !code) fragment.append(shader_text(k_air_frag));
     if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
+    if (!code) fragment.append(shader_text(k_terrain_image_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

@@ -76,7 +76,8 @@ enum TerrainUniform : std::size_t {
     kDataLowest,
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
-    kTerrainUniforms = kTerrainShadow + kShadowUniforms
+    kTerrainLeft = kTerrainShadow + kShadowUniforms,
+    kTerrainUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
@@ -85,6 +86,9 @@ enum class TerrainOutput : std::uint8_t {
     color_and_distance,  ///< the distance in alpha: silhouettes are found in it
     code,                ///< heights, light and distance of terrain_code.frag
 };
+/// Whether the distances in the picture serve volumetric light alone: then warning colours say that they are near, so that no
+/// shaft makes them darker, and the picture needs no pass of its own before the others.
+[[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
 /// The cheapest that shows the style and the data on a device that has off-screen depth or not.
 [[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept;
 
@@ -100,6 +104,7 @@ struct TerrainVariant {
     design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
     design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;          ///< on it
     bool air = false;                                                               ///< between it and the eye
+    bool shafts = false;                                                            ///< of light, before it
     bool shadows = false;                                                           ///< of data
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 };

@@ -1,4 +1,5 @@
-/// Effects on the finished picture of the scene, before symbology: depth of field and smoothed edges, in one pass.
+/// Effects on the finished picture of the scene, before symbology: depth of field, smoothed edges and shafts of light, in one
+/// pass.
 ///
 /// The scene is drawn into this pass's picture instead of the surface; its alpha codes distances where a frame blurs. Blur after
 /// Potmesil, Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981, gathered at every
@@ -25,6 +26,7 @@ struct FocusRange {
 struct ViewEffectsInput {
     bool blurs = false, smooths = false;
     FocusRange focus;
+    const gl::Texture* shafts = nullptr;  ///< of light_shafts.hpp; null: there are none
 };
 
 /// Code of a distance as shaders write it into alpha, 0..254/255.
@@ -40,7 +42,7 @@ struct DistanceLeft {
 class ViewEffectsPass {
 public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                                    const design::ViewEffects& effects);
+                                    const design::ViewEffects& effects, bool with_air = false);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
     /// Puts the target's picture where it belongs, whole. At least one effect is asked for, and was at start().
@@ -48,11 +50,12 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool blurs, bool smooths);
+    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts);
 
     gl::RenderTarget target_;
     ScreenGrid grid_;
-    gl::Program programs_[2][2];  ///< the second blurs; the second smooths
+    gl::Program programs_[2][2][2];  ///< the second blurs; the second smooths; the second takes off shafts
+    bool with_air_ = false;
 };
 
 }  // namespace tedavis::draw

@@ -73,6 +73,14 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "the widest thing that casts one, in pixels over the nearest ground",
      "a map of up to three levels; 10 taps a pixel of the ground, 32 more in a shadow",
      {Effect::projections, Effect::count_}},
+    {Effect::volumetric_light,
+     "volumetric_light",
+     Contribution::color,
+     Need::shadow_map_and_picture,
+     true,
+     "its strength times that of air, or of haze",
+     "the same map; a pass of a tap a step at half the picture's size, and one of four taps",
+     {Effect::soft_shadows, Effect::projections}},
 }};
 
 constexpr bool is_in_order() {
@@ -95,6 +103,7 @@ Effect effect_of(std::string_view name) noexcept {
 bool has(const DeviceCapability& device, Need need) noexcept {
     if (need == Need::depth24_target) return device.depth24_targets;
     if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
+    if (need == Need::shadow_map_and_picture) return has(device, Need::shadow_map) && has(device, Need::second_picture);
     if (need == Need::shadow_map) return device.gl.calls == CallClass::es3 && device.shadow_map_px > 0;
     return need == Need::nothing || device.gl.calls == CallClass::es3;
 }
@@ -102,6 +111,7 @@ bool has(const DeviceCapability& device, Need need) noexcept {
 std::string_view lack_of(Need need) noexcept {
     if (need == Need::depth24_target) return "the device has no 24-bit depth off screen";
     if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
+    if (need == Need::shadow_map_and_picture) return "the device has no map of shadows, or no second picture off screen";
     if (need == Need::shadow_map) return "the device has no map of shadows";
     return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
 }

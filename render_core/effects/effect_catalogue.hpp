@@ -36,6 +36,7 @@ enum class Effect : std::uint8_t {
     projections,
     curtains,
     soft_shadows,
+    volumetric_light,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);
@@ -54,7 +55,14 @@ inline constexpr double kUnseenColor = 1.0 / 255;
 inline constexpr double kUnseenPixels = 0.5;
 
 /// What the device must be able to do.
-enum class Need : std::uint8_t { nothing, depth24_target, half_float_texture, second_picture, shadow_map };
+enum class Need : std::uint8_t {
+    nothing,
+    depth24_target,
+    half_float_texture,
+    second_picture,
+    shadow_map,
+    shadow_map_and_picture
+};
 
 struct EffectEntry {
     Effect effect = Effect::count_;

@@ -12,10 +12,6 @@ uniform sampler2D aperture_map;  // aperture east, north, cosine of its radius, 
 #ifdef MAP_HORIZON
 uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
 #endif
-#ifdef MAP_DRAPE
-uniform sampler2D drape_map;
-uniform vec4 drape_origin;       // first texel of the page; width of a texel in parts of its height; 1 / size of the atlas
-#endif
 #ifdef PALETTE
 uniform sampler2D palette;       // colour by the texture's quantity
 uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
@@ -24,6 +20,9 @@ uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
 uniform vec4 grid_look;          // colour and strength of the lines
 uniform float grid_spacing;      // m
 VARYING vec2 v_grid;
+#endif
+#ifdef SHAFTS
+uniform vec2 left;               // least and most of the distance's code that alpha takes
 #endif
 uniform vec3 plain_color;
 uniform vec3 sea_color;
@@ -82,28 +81,6 @@ VARYING vec2 v_ground;
 VARYING vec4 v_shadow;
 #endif
 
-#if defined(BAKED) || defined(MAP_DRAPE)
-// Whole fractions of a texel: with atlases of 2^n texels every sum is exact, so a page looks the same wherever it lies.
-vec2 whole(vec2 texels) { return floor(texels * 256.0 + 0.5) / 256.0; }
-#endif
-#ifdef MAP_DRAPE
-// RGB times coverage, and coverage; between the middles of the page's outermost texels, so nothing else is read.
-vec4 drape_at(vec2 texels) {
-    return TEXTURE2D(drape_map, (whole(clamp(texels, 0.0, 128.0)) + drape_origin.xy) * drape_origin.w);
-}
-
-// On a slope a texel is stretched down the fall line by 1 / n.z. Read as it is, the image would show streaks there. So it is read
-// over as much ground along the contour line: a texel's variance, 1/6, grows by tan^2 / 6, which five places a step of
-// tan / sqrt(12) apart give it. The image gets coarser on steep ground, and has the same grain in every direction.
-vec4 drape_of(vec2 texels, vec3 n) {
-    float level = length(n.xy);
-    float steep = min(level / max(n.z, 0.01), 6.0);
-    if (steep < 0.25) return drape_at(texels);
-    vec2 along = vec2(n.y / drape_origin.z, n.x) / level * (steep * 0.28867513);
-    return 0.2 * (drape_at(texels) + drape_at(texels + along) + drape_at(texels - along) + drape_at(texels + 2.0 * along) +
-                  drape_at(texels - 2.0 * along));
-}
-#endif
 #ifdef BAKED
 vec2 map_place(vec2 texels) { return (whole(texels) + page_origin.xy) * page_scale.x; }
 #endif
@@ -402,7 +379,15 @@ void main() {
 #else
     color = mix(color, haze_color, v_haze * (1.0 - 0.5 * unknown));
 #endif
-#ifdef DISTANCE_IN_ALPHA
+#ifdef SHAFTS
+    // In steps that four pixels of the shafts share out: one is 3.6 % of the distance, which else would be seen as a line.
+    vec2 place = mod(floor(gl_FragCoord.xy * 0.5), 2.0);
+    float code = log2(1.0 + distance_m / 50.0) / 13.0 + (mod(place.x + place.y, 2.0) * 0.5 + place.y * 0.25 - 0.375) / 255.0;
+#ifdef WARNING_BANDS
+    code *= step(band.a, 0.0);  // no shaft of shade before a warning
+#endif
+    FRAGMENT_COLOR = vec4(color, clamp(min(code, 254.0 / 255.0), left.x, left.y));
+#elif defined(DISTANCE_IN_ALPHA)
     FRAGMENT_COLOR = vec4(color, min(log2(1.0 + distance_m / 50.0) / 13.0, 254.0 / 255.0));  // 255 is the sky
 #else
     FRAGMENT_COLOR = vec4(color, 1.0);

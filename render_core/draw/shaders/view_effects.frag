@@ -5,6 +5,10 @@ uniform vec2 scene_size;       // texels
 uniform vec3 focus;            // what is sharp begins and ends, m; radius of the blur infinitely far, pixels
 #endif
 
+#ifdef SHAFTS
+uniform sampler2D shafts;      // half as large: light that shadows take from the air, as its root with AIR; alpha: of what distance
+#endif
+
 VARYING vec2 v_at;
 
 vec4 scene_at(ivec2 at) { return texelFetch(scene, clamp(at, ivec2(0), ivec2(scene_size) - 1), 0); }
@@ -15,6 +19,7 @@ float blur_of(float code) {
     float distance_m = 50.0 * (exp2(13.0 * code) - 1.0);
     float far = max(1.0 - focus.y / max(distance_m, 1.0), 0.0);
     float near = clamp(focus.x / max(distance_m, 1.0) - 1.0, 0.0, 1.0);
+    if (code < 0.5 / 255.0) return 0.0;  // a warning, which is kept out of all this
     return focus.z * (code > 254.5 / 255.0 ? 1.0 : max(far, near));
 }
 
@@ -55,6 +60,31 @@ vec3 smoothed(ivec2 at, vec3 here) {
 }
 #endif
 
+#ifdef SHAFTS
+// Of the four places of the smaller picture round this one, those that were walked as far.
+vec3 without_shafts(vec3 color, ivec2 at, float code) {
+    if (code < 0.5 / 255.0) return color;  // a warning
+    vec2 place = (vec2(at) - 0.5) * 0.5;
+    ivec2 first = ivec2(floor(place)), last = textureSize(shafts, 0) - 1;
+    vec2 part = place - floor(place);
+    vec4 sum = vec4(0.0);
+    for (int n = 0; n < 4; ++n) {
+        ivec2 side = ivec2(n & 1, n >> 1);
+        vec4 tap = texelFetch(shafts, clamp(first + side, ivec2(0), last), 0);
+        vec2 near = mix(1.0 - part, part, vec2(side));
+        // Half of the place's own weight for all four: their steps begin at four places, which belong together.
+        float weight = (0.25 + near.x * near.y) * max(1.0 - abs(tap.a - code) * 40.0, 0.001);
+        sum += vec4(tap.rgb, 1.0) * weight;
+    }
+    vec3 lost = sum.rgb / sum.a;
+#ifdef AIR
+    return sqrt(max(color * color - lost * lost, vec3(0.0)));
+#else
+    return max(color - lost, vec3(0.0));
+#endif
+}
+#endif
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 here = scene_at(at);
@@ -67,6 +97,9 @@ void main() {
 #endif
 #elif defined(SMOOTH)
     color = smoothed(at, color);
+#endif
+#ifdef SHAFTS
+    color = without_shafts(color, at, here.a);
 #endif
     FRAGMENT_COLOR = vec4(color, 1.0);
 }

@@ -34,7 +34,8 @@ TEST(ShadowSettings, ThingsCastThemUnlessADesignSaysWhat) {
 
 TEST(ShadowSettings, WhatHasNoMeaningIsRefused) {
     ShadowSettings shadows;
-    for (const char* text : {"on_ground = 1.5\n", "casters = [\"clouds\"]\n", "casters = []\n", "in_the_sea = 1\n"})
+    for (const char* text : {"on_ground = 1.5\n", "in_air = -1\n", "steps = 100\n", "casters = [\"clouds\"]\n", "casters = []\n",
+                             "in_the_sea = 1\n"})
         EXPECT_NE(read(text, shadows), "") << text;
 }
 

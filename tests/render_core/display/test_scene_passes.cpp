@@ -52,6 +52,30 @@ TEST_F(ScenePassesStart, EffectsThatWereNotBuiltAreNotShown) {
     passes_.destroy(session_.gl);
 }
 
+TEST_F(ScenePassesStart, AMapOfShadowsIsPaidForWhereADesignAsksForThem) {
+    design_.terrain.style.sketch.silhouettes = 0;
+    design_.terrain.style.texture = design::TerrainTexture::slope;
+    design_.effects.shadows.on_ground = 0.5;
+    ASSERT_EQ(start().sentence.view(), "");
+    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color) << "read where the ground is drawn";
+    EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8);
+    design::ViewEffects with_shafts = design_.effects;
+    with_shafts.shadows.in_air = 0.5;
+    EXPECT_FALSE(passes_.shows(with_shafts)) << "they were not built";
+    passes_.destroy(session_.gl);
+    EXPECT_EQ(target_bytes(), 0u);
+}
+
+TEST_F(ScenePassesStart, ShaftsOfLightTakeAPictureAndAQuarterOfOneBesides) {
+    design_.terrain.style.sketch.silhouettes = 0;
+    design_.terrain.style.texture = design::TerrainTexture::slope;
+    design_.effects.shadows.in_air = 0.5;
+    ASSERT_EQ(start().sentence.view(), "");
+    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color_and_distance);
+    EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8 + std::uint64_t{kWidth} * kHeight * (8 + 1));
+    passes_.destroy(session_.gl);
+}
+
 TEST_F(ScenePassesStart, SaysWhichBudgetHasNoRoom) {
     design_.terrain.style.sketch.silhouettes = 1;
     base::BudgetLine* const line = session_.device.budget.find(effects::kRenderTargets);

@@ -38,6 +38,17 @@ TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
     EXPECT_EQ(call().kind, Kind::not_called_for);
 }
 
+TEST_F(Shadows, InTheAirNeedAirThatScattersLight) {
+    settings_.in_air = 0.5;
+    add_plate(1000, 50);
+    EXPECT_EQ(shaft_call(plan(), true, 0).why, "there is neither air nor haze that scatters light");
+    EXPECT_EQ(shaft_call(plan(), true, 0).kind, Kind::not_called_for);
+    EXPECT_EQ(shaft_call(plan(), true, 0.8).kind, Kind::called);
+    EXPECT_NEAR(shaft_call(plan(), true, 0.8).bound, 0.4, 1e-12);
+    light_.elevation_rad = 0.03;
+    EXPECT_EQ(shaft_call(plan(), true, 0.8).why, "the sun stands below 3 degrees");
+}
+
 TEST_F(Shadows, BehindTheEyeThereAreNone) {
     add_plate(-5000, 50);
     EXPECT_EQ(plan().state, ShadowState::nothing_casts);

@@ -8,7 +8,7 @@
 namespace tedavis::draw::test_scene_fade {
 namespace {
 
-constexpr std::uint32_t kWidth = 16, kHeight = 8;
+constexpr std::uint32_t kWidth = 16, kHeight = 16;
 
 TEST(SceneFade, MixesWhatWasWithWhatIsByItsShare) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
