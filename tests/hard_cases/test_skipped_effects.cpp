@@ -67,7 +67,11 @@ protected:
         std::vector<Frame> frames;
         for (const Instant& at : flight.instants) {
             Frame frame;
-            frame.rgba = test_support::settled_pixels(headless, at.played.aircraft, at.now, at.played.phase);
+            headless.display().clear_free_view();
+            headless.display().settle(at.played.aircraft, at.played.phase, at.now);
+            headless.display().set_free_view(headless.display().view());  // the same eye, without symbology
+            headless.display().update(at.played.aircraft, at.played.phase, at.now);
+            frame.rgba = test_support::drawn_pixels(headless);
             frame.record = headless.display().record();
             frames.push_back(std::move(frame));
         }
@@ -99,6 +103,7 @@ int greatest_difference(const std::vector<std::uint8_t>& a, const std::vector<st
     return most;
 }
 
+/// Of the scene alone: beside translucent symbology what is soft mixes what that hides there.
 /// Channels of `soft` beyond the range of the 3 x 3 pixels round the same place of `sharp`, by more than one step.
 int out_of_neighbourhood(const std::vector<std::uint8_t>& soft, const std::vector<std::uint8_t>& sharp) {
     int count = 0;
