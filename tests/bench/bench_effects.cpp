@@ -29,13 +29,14 @@ constexpr double kNoTarget = std::numeric_limits<double>::max();
 
 struct PixelEffect {
     Effect effect;
-    int taps;            ///< of its pass; 0: it only writes
+    int taps;            ///< of its pass, those of a smaller one by its share of the picture; 0: it only writes
     double most_passes;  ///< bare passes that it may cost
 };
 constexpr PixelEffect kPixelEffects[] = {{Effect::silhouettes, 5, kNoTarget},  {Effect::aerial_perspective, 3, 2},
                                          {Effect::haze, 0, kNoTarget},         {Effect::depth_of_field, 17, kNoTarget},
                                          {Effect::antialiasing, 5, kNoTarget}, {Effect::panel_lighting, 0, kNoTarget},
-                                         {Effect::surface_grid, 0, kNoTarget}};
+                                         {Effect::surface_grid, 0, kNoTarget}, {Effect::soft_shadows, 10, kNoTarget},
+                                         {Effect::volumetric_light, 10, 4},    {Effect::stereo, 1, kNoTarget}};
 
 /// Milliseconds of a pass that reads so many texels round every pixel.
 double bare_pass_ms(int taps) {
