@@ -167,8 +167,8 @@ TEST(DisplayDrawing, ASceneFadesIntoTheNextDesigns) {
     at_once.effects.fade_s = 0;
     at_once.sky.haze_distance_m = before.sky.haze_distance_m;
     ASSERT_TRUE(hills.headless.display().set_design(at_once));
-    const auto next = later(hills, 0.5);
-    EXPECT_EQ(next, later(hills, 0.6)) << "a design without a fade changes at once";
+    const auto next = later(hills, 0.45);
+    EXPECT_EQ(next, later(hills, 0.5)) << "a design without a fade changes at once";
 }
 
 TEST(DisplayDrawing, ADeviceWithoutAPictureMoreShowsOneEye) {
