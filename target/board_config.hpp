@@ -58,8 +58,8 @@ struct BoardSettings {
     bus::SocketCanSettings can;
     bool has_switches = false;
     bus::SwitchConfig switches;
-    Path terrain;  ///< empty: none
-    Path scene;    ///< the same
+    Path terrain;   ///< empty: none
+    Path scene;     ///< the same
     Path costs;     ///< the same
     Path programs;  ///< the same
     base::FixedString<15> surface;

@@ -2,7 +2,7 @@
 ///
 ///     [effects]
 ///     antialiasing = true
-///     fade_s = 0.5                # the scene fades into what another design, or a new revision of the data, makes of it; 0: at once
+///     fade_s = 0.5                # the scene fades into what another design or new data make of it; 0: at once
 ///     lighting = "auto"           # the panel's: "day", "dusk", "night", or by the sun of place and date
 ///     dusk_color = "#b8aa98"      # what white becomes at dusk
 ///     night_color = "#584c40"
