@@ -54,7 +54,7 @@ MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
     effects::DeviceSettings device = load_device(options.device);
     device.capability = gl::with_compiler(device.capability);
     MadePrograms programs;
-    DisplaySession maker(std::move(device));
+    DisplaySession maker(device);
     maker.open(options, false, headless_surface(options.gl), &programs);
     return programs;
 }

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::string terrain_fault() const;
 
 private:
-    explicit DisplaySession(effects::DeviceSettings device) : device_(std::move(device)) {}
+    explicit DisplaySession(const effects::DeviceSettings& device) : device_(device) {}
     void open(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface, MadePrograms* programs);
     void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
     void open_terrain(const std::string& path);
