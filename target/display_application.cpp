@@ -5,6 +5,7 @@
 #include "platform/programs/program_folder.hpp"
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
+#include "render_core/gl/program.hpp"
 #include "target/file_text.hpp"
 #include "target/frame_pacer.hpp"
 
@@ -68,7 +69,7 @@ BoardError DisplayApplication::start_display() {
     settings.height_px = settings_.height_px;
     settings.expects_scene = !settings_.scene.empty();
     platform::ProgramFolder programs;
-    if (!settings_.programs.empty()) {
+    if (!settings_.programs.empty() && !gl::has_compiler(settings_.device.capability)) {
         auto opened = platform::open_program_folder(settings_.programs.view());
         if (!opened.ok()) return make_board_error({opened.error().sentence.view()});
         programs = std::move(opened.value());

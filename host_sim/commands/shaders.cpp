@@ -39,6 +39,8 @@ Json list_of(const ShadersOptions& options, const MadePrograms& programs) {
 }  // namespace
 
 int run_shaders(const ShadersOptions& options, Console& console) {
+    if (DisplaySession::has_compiler(options.picture))
+        throw UserError("--device " + options.picture.device + ": it has a compiler and needs no programs; name one without");
     const TemporaryFolder temporary;
     PictureOptions picture = options.picture;
     use_own_ground(picture, temporary.path(), console);

@@ -50,6 +50,10 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     open(options, generated_flight, make_surface, has_compiler ? nullptr : &programs);
 }
 
+bool DisplaySession::has_compiler(const PictureOptions& options) {
+    return gl::has_compiler(load_device(options.device).capability);
+}
+
 MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
     effects::DeviceSettings device = load_device(options.device);
     device.capability = gl::with_compiler(device.capability);
@@ -116,6 +120,7 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
     display_->force_effects(options.force_effects);
     if (error.sentence.empty()) return hold_deadline(options);
+    display_.reset();  // what has not started is not stopped
     throw UserError(with_file(std::string(error.sentence.view()), device, options));
 }
 

@@ -27,6 +27,8 @@ public:
     DisplaySession(const PictureOptions& options, bool generated_flight);
     /// Draws on the surface that `make_surface` opens.
     DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
+    /// Of the device; throws UserError where there is no such file.
+    [[nodiscard]] static bool has_compiler(const PictureOptions& options);
     /// The programs that a display with these options is started with, made by this machine's compiler; the device need not
     /// have one. No other session may be current. Throws UserError.
     [[nodiscard]] static MadePrograms make_programs(const PictureOptions& options);

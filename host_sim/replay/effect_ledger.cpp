@@ -120,17 +120,23 @@ PictureOptions EffectLedger::intended() const {
     return options;
 }
 
-LedgerPrice EffectLedger::price_of(Effect effect) const {
+LedgerPrice EffectLedger::price_of(Effect effect, const std::function<void()>& between) const {
     PictureOptions without = intended();
     without.forbidden.add(effect);
     Comparison comparison(intended(), without, generated_flight_);
-    for (const LedgerSample& sample : samples_) comparison.add(sample, false);
+    for (const LedgerSample& sample : samples_) {
+        comparison.add(sample, false);
+        between();
+    }
     return comparison.price();
 }
 
-LedgerPrice EffectLedger::price_of_all() const {
+LedgerPrice EffectLedger::price_of_all(const std::function<void()>& between) const {
     Comparison comparison(intended(), options_, generated_flight_);
-    for (const LedgerSample& sample : samples_) comparison.add(sample, true);
+    for (const LedgerSample& sample : samples_) {
+        comparison.add(sample, true);
+        between();
+    }
     return comparison.price();
 }
 
@@ -138,14 +144,15 @@ std::vector<LedgerPrice> EffectLedger::prices(const std::function<void(std::size
     std::vector<LedgerPrice> prices;
     if (samples_.empty()) return prices;
     const std::size_t total = fates_.size() + 1;
-    progress(0, total);
+    const auto between = [&] { progress(prices.size(), total); };
+    between();
     for (const auto& [effect, fates] : fates_) {
-        prices.push_back(price_of(effect));
+        prices.push_back(price_of(effect, between));
         prices.back().effect = effects::entry_of(effect).name;
         prices.back().fates = fates;
         progress(prices.size(), total);
     }
-    prices.push_back(price_of_all());
+    prices.push_back(price_of_all(between));
     progress(total, total);
     return prices;
 }

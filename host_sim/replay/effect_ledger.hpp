@@ -68,8 +68,8 @@ public:
 
 private:
     [[nodiscard]] PictureOptions intended() const;
-    [[nodiscard]] LedgerPrice price_of(effects::Effect effect) const;
-    [[nodiscard]] LedgerPrice price_of_all() const;
+    [[nodiscard]] LedgerPrice price_of(effects::Effect effect, const std::function<void()>& between) const;
+    [[nodiscard]] LedgerPrice price_of_all(const std::function<void()>& between) const;
 
     PictureOptions options_;
     bool generated_flight_;

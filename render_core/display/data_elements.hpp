@@ -82,6 +82,8 @@ public:
 
     /// Uploads what is new; before draw().
     void prepare(gl::Gl& gl);
+    /// Seen from another eye than the planned one from the next prepare() on.
+    void stand_at(const glm::dvec3& eye) { glyphs_.stand_at(eye); }
     /// What stands in the n-th range of depth, but for the signs. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthPlan& depth, std::size_t n);
     /// After the last range, over the picture; leaves the depth test off.

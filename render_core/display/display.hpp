@@ -162,6 +162,7 @@ private:
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;
+    terrain::View kept_view_;   ///< of the scene as it was
     bool fades_next_ = false;   ///< from the next update() on
     base::Time fade_began_{0};  ///< with fade_lasts_
     bool fade_lasts_ = false;

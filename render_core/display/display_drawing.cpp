@@ -1,4 +1,6 @@
 // The drawing half of the display: what update() planned gets to the surface.
+#include <glm/geometric.hpp>
+
 #include "render_core/display/display.hpp"
 #include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
@@ -6,6 +8,11 @@
 #include "render_core/display/terrain_ground.hpp"
 
 namespace tedavis::display {
+namespace {
+
+constexpr double kLeastTurnCosine = 0.9997;  // of a degree and a half
+
+}  // namespace
 
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
@@ -47,6 +54,7 @@ draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
 /// What is planned, once more, before it is replaced.
 void Display::keep_scene() {
     if (!fade_.is_started() || frame_ == 0) return;
+    kept_view_ = eye_.view;
     static_cast<void>(passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_}));
     fades_next_ = true;
 }
@@ -60,7 +68,10 @@ double Display::fade_share() {
     }
     if (!fade_lasts_) return 0;
     const double share = 1 - (record_.time - fade_began_).to_seconds() / settings_.design.effects.fade_s;
-    fade_lasts_ = share > 0 && share <= 1;
+    // A scene that stands still while the horizon turns would mislead.
+    const bool has_turned = glm::dot(kept_view_.forward, eye_.view.forward) < kLeastTurnCosine ||
+                            glm::dot(kept_view_.right, eye_.view.right) < kLeastTurnCosine;
+    fade_lasts_ = share > 0 && share <= 1 && !has_turned;
     return fade_lasts_ ? share : 0;
 }
 
@@ -68,6 +79,7 @@ draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide sid
     const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
     if (shows_elements()) {
         plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
+        elements_.stand_at(eye.view.eye);
         elements_.prepare(gl_);
     }
     return passes_.draw(gl_, stereo_.target(), {context_of(eye), plan_, terrain_, elements_, work_, terrain_has_void_});

@@ -55,6 +55,12 @@ EffectCall stereo_call(const EffectFacts& facts) {
     return {Kind::called, "", facts.parallax_px};
 }
 
+/// From the recovery out of an unusual attitude.
+bool distracts(Effect effect) {
+    return effect == Effect::depth_of_field || effect == Effect::stereo || effect == Effect::cross_fade ||
+           effect == Effect::soft_shadows || effect == Effect::volumetric_light;
+}
+
 EffectCall fade_call(double share) {
     if (!(share > 0)) return {Kind::not_called_for, "nothing has changed"};
     return {Kind::called, "", share};
@@ -265,6 +271,8 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         if (!facts.asked.has(static_cast<Effect>(n)))
             input.calls[n] = {};
+        else if (facts.decisions.unusual_attitude && distracts(static_cast<Effect>(n)))
+            input.calls[n] = {Kind::not_called_for, kRemovedByPolicy};
         else if (!facts.decisions.show_terrain && static_cast<Effect>(n) != Effect::panel_lighting)
             input.calls[n] = {Kind::not_called_for, kRemovedByPolicy};
     }

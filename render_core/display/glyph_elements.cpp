@@ -253,6 +253,7 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);
+    batch_eye_ = frame.view.eye;
     return {counts.drawn, counts.aggregated, counts.hidden};
 }
 
@@ -261,6 +262,11 @@ std::uint32_t GlyphElements::slots_of(const design::CasterRoles& roles) const {
     for (std::size_t n = 0; n < used_; ++n)
         if (roles.has(slots_[n].layer->entry->role)) slots |= 1u << n;
     return slots;
+}
+
+void GlyphElements::stand_at(const glm::dvec3& eye) {
+    batch_.move(glm::vec3(batch_eye_ - eye));
+    batch_eye_ = eye;
 }
 
 void GlyphElements::prepare(gl::Gl& gl) { drawer_.upload(gl, batch_); }

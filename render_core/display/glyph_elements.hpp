@@ -66,6 +66,8 @@ public:
         return drawer_.draw_casters(gl, slots, view);
     }
 
+    /// Seen from another eye than the planned one from here on; before prepare().
+    void stand_at(const glm::dvec3& eye);
     void prepare(gl::Gl& gl);
     std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
     void destroy(gl::Gl& gl) { drawer_.destroy(gl); }
@@ -93,6 +95,7 @@ private:
     std::size_t used_ = 0;
     scene::GlyphSelection selection_;
     draw::GlyphBatch batch_;
+    glm::dvec3 batch_eye_{0};  ///< that its places are relative to
     draw::GlyphDrawer drawer_;
     base::Arena site_memory_;
     std::uint32_t most_glyphs_ = 0;

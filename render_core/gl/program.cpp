@@ -1,6 +1,8 @@
 #include "render_core/gl/program.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include "render_core/base/hash.hpp"
 #include "render_core/gl/shader_prefix.hpp"
@@ -10,10 +12,10 @@ namespace {
 
 constexpr std::size_t kLogLength = 768;
 constexpr const char* kMakeAgain = "; make its programs on this machine with 'tedavis shaders'";
-constexpr const char* kCompilerCalls[] = {"AttachShader", "BindAttribLocation", "CompileShader",     "CreateShader",
-                                          "DeleteShader", "GetProgramBinary",   "GetProgramInfoLog", "GetShaderInfoLog",
-                                          "GetShaderiv",  "LinkProgram",        "ProgramParameteri", "ShaderSource",
-                                          "DeleteProgram"};
+constexpr std::string_view kCompilerCalls[] = {"AttachShader", "BindAttribLocation", "CompileShader",     "CreateShader",
+                                               "DeleteShader", "GetProgramBinary",   "GetProgramInfoLog", "GetShaderInfoLog",
+                                               "GetShaderiv",  "LinkProgram",        "ProgramParameteri", "ShaderSource",
+                                               "DeleteProgram"};
 static_assert(std::size(kCompilerCalls) <= effects::kMaxCallExceptions);
 
 GLint text_length(std::string_view text) { return static_cast<GLint>(text.size()); }
@@ -162,7 +164,12 @@ std::uint64_t program_key(const Gl& gl, const ProgramSource& source) {
 }
 
 effects::DeviceCapability with_compiler(effects::DeviceCapability device) {
-    for (const char* call : kCompilerCalls)
+    const auto never = device.gl.never;
+    device.gl.never.clear();
+    for (const effects::CallName& name : never)
+        if (std::find(std::begin(kCompilerCalls), std::end(kCompilerCalls), name.view()) == std::end(kCompilerCalls))
+            static_cast<void>(device.gl.never.try_push_back(name));
+    for (const std::string_view call : kCompilerCalls)
         if (!device_has(device.gl, find_call(call))) static_cast<void>(device.gl.also.try_push_back(effects::CallName(call)));
     return device;
 }

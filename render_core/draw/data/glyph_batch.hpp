@@ -59,6 +59,10 @@ public:
     /// Room to be filled at once; empty where it does not fit, or for none.
     [[nodiscard]] base::Span<GlyphInstance> add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count);
 
+    /// Everything in it.
+    void move(const glm::vec3& by) {
+        for (std::size_t n = 0; n < use_.in_use; ++n) instances_[n].place += by;
+    }
     [[nodiscard]] base::Span<const GlyphInstance> instances() const { return {instances_.data(), use_.in_use}; }
     [[nodiscard]] base::Span<const GlyphRun> runs() const { return {runs_.data(), runs_.size()}; }
     [[nodiscard]] base::Span<const GlyphInstance> of(const GlyphRun& run) const {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "platform/programs/program_folder.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -56,6 +57,13 @@ TEST(Shaders, LeavesNothingBehindWhereTheDisplayDoesNotStart) {
         return test_support::run_command([&](Console& console) { return run_shaders(options, console); }, false);
     };
     test_support::expect_user_error(run, "none.tdb");
+    options.picture.device = "es3-mid";
+    test_support::expect_user_error(run, "es3-mid: it has a compiler");
+    std::string text = read_file(shipped_root() + "/configs/devices/sc2.toml");
+    text.insert(text.find("calls = "), "also = [\"BogusCall\"]\n");
+    options.picture.device = folder.write("bogus.toml", text);
+    options.picture.terrain = files().terrain;
+    test_support::expect_user_error(run, "BogusCall");
     EXPECT_FALSE(std::filesystem::exists(options.output));
 }
 

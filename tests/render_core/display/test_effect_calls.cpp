@@ -188,6 +188,17 @@ TEST_F(EffectCalls, EachEyesPictureIsBoundedByTheParallax) {
     EXPECT_EQ(call(Effect::stereo).kind, Kind::not_called_for);
 }
 
+TEST_F(EffectCalls, InAnUnusualAttitudeNothingDistracts) {
+    decisions_.unusual_attitude = true;
+    facts_.fade_share = 1;
+    facts_.parallax_px = 9;
+    for (const Effect effect : {Effect::cross_fade, Effect::stereo, Effect::depth_of_field}) {
+        facts_.asked.add(effect);
+        EXPECT_EQ(call(effect).why, "removed by the failure policy") << effects::entry_of(effect).name;
+    }
+    EXPECT_EQ(call(Effect::terrain).kind, Kind::called);
+}
+
 TEST_F(EffectCalls, AFadeLastsWhileSomethingIsLeftOfTheSceneAsItWas) {
     facts_.asked.add(Effect::cross_fade);
     EXPECT_EQ(call(Effect::cross_fade).kind, Kind::not_called_for);
