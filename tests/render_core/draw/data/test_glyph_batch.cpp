@@ -42,6 +42,17 @@ TEST(GlyphBatch, WhatDoesNotFitIsLeftOutWhole) {
     EXPECT_TRUE(many.add(GlyphShape::box, GlyphFacing::up, false, 1).empty()) << "more runs than it holds";
 }
 
+TEST(GlyphBatch, MovesToWhereAnotherEyeStands) {
+    std::vector<GlyphInstance> room(4);
+    GlyphBatch batch(room);
+    for (GlyphInstance& glyph : batch.add(GlyphShape::sphere, GlyphFacing::eye, false, 3))
+        glyph = make_glyph({10, 20, 30}, {1, 1, 1}, {1, 0, 0}, {});
+    room[3].place = {7, 7, 7};
+    batch.move({-1, 2, 0.5f});
+    for (const GlyphInstance& glyph : batch.instances()) EXPECT_EQ(glyph.place, glm::vec3(9, 22, 30.5f));
+    EXPECT_EQ(room[3].place, glm::vec3(7, 7, 7)) << "what is not in it stays";
+}
+
 TEST(GlyphBatch, DirectionsKeepWithinHalfADegree) {
     for (int n = 0; n < 1000; ++n) {
         const glm::dvec3 direction = glm::normalize(glm::dvec3(std::sin(n * 1.1), std::cos(n * 0.7), std::sin(n * 0.3 + 1)));
