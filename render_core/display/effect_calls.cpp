@@ -61,6 +61,11 @@ bool distracts(Effect effect) {
            effect == Effect::soft_shadows || effect == Effect::volumetric_light;
 }
 
+bool is_removed(Effect effect, const DisplayDecisions& decisions) {
+    if (decisions.unusual_attitude && distracts(effect)) return true;
+    return !decisions.show_terrain && effect != Effect::panel_lighting;
+}
+
 EffectCall fade_call(double share) {
     if (!(share > 0)) return {Kind::not_called_for, "nothing has changed"};
     return {Kind::called, "", share};
@@ -269,11 +274,10 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
         input[effect] = cue_call(facts.cues[n], facts.forbidden.has(effect));
     }
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
-        if (!facts.asked.has(static_cast<Effect>(n)))
+        const auto effect = static_cast<Effect>(n);
+        if (!facts.asked.has(effect))
             input.calls[n] = {};
-        else if (facts.decisions.unusual_attitude && distracts(static_cast<Effect>(n)))
-            input.calls[n] = {Kind::not_called_for, kRemovedByPolicy};
-        else if (!facts.decisions.show_terrain && static_cast<Effect>(n) != Effect::panel_lighting)
+        else if (is_removed(effect, facts.decisions))
             input.calls[n] = {Kind::not_called_for, kRemovedByPolicy};
     }
     return input;
