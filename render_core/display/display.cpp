@@ -49,10 +49,16 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
                            settings_.design.effects.shadows.is_any());
 }
 
+/// 0: one picture is for both eyes.
+std::uint32_t Display::stereo_margin_px(const design::DesignSettings& design) const {
+    if (design.effects.stereo.mode == design::StereoMode::none) return 0;
+    return eye_margin_px(design.view.horizontal_field_of_view_rad, settings_.width_px);
+}
+
 gl::GlError Display::start_drawers() {
-    const bool is_stereo = settings_.design.effects.stereo.mode != design::StereoMode::none;
     const std::uint32_t width_px = settings_.width_px, height_px = settings_.height_px;
-    const std::uint32_t margin_px = is_stereo ? eye_margin_px(settings_.design.view.horizontal_field_of_view_rad, width_px) : 0;
+    const std::uint32_t margin_px = stereo_margin_px(settings_.design);
+    const bool is_stereo = margin_px > 0;
     if (is_stereo)
         if (gl::GlError error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px);
             !error.sentence.empty())
@@ -91,9 +97,7 @@ void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() 
 bool Display::set_design(const design::DesignSettings& design) {
     const design::DesignSettings possible = possible_design(design, settings_.device);
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    const bool is_stereo = possible.effects.stereo.mode != design::StereoMode::none;
-    const std::uint32_t margin_px = is_stereo ? eye_margin_px(possible.view.horizontal_field_of_view_rad, settings_.width_px) : 0;
-    if (is_stereo != stereo_.is_started() || margin_px != stereo_.margin_px()) return false;
+    if (stereo_margin_px(possible) != stereo_.margin_px()) return false;
     if (!is_dimmable || !passes_.shows(possible.effects)) return false;
     keep_scene();
     if (!terrain_.set_design(gl_, possible)) {
@@ -107,12 +111,9 @@ bool Display::set_design(const design::DesignSettings& design) {
 
 bool Display::take_scene(const scene::Scene& scene) {
     const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
-    if (is_unexpected) return false;
+    if (is_unexpected || !data_.is_newer(scene)) return false;
     keep_scene();
-    if (!data_.take(scene)) {
-        fades_next_ = false;
-        return false;
-    }
+    if (!data_.take(scene)) return false;
     if (elements_.is_started()) set_elements();
     return true;
 }

@@ -115,6 +115,7 @@ public:
     }
 
 private:
+    [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);

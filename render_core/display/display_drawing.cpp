@@ -82,7 +82,9 @@ draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide sid
         elements_.stand_at(eye.view.eye);
         elements_.prepare(gl_);
     }
-    return passes_.draw(gl_, stereo_.target(), {context_of(eye), plan_, terrain_, elements_, work_, terrain_has_void_});
+    const bool has_shadow_map = side == draw::EyeSide::right;
+    return passes_.draw(gl_, stereo_.target(),
+                        {context_of(eye), plan_, terrain_, elements_, work_, terrain_has_void_, has_shadow_map});
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.

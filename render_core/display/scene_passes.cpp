@@ -79,7 +79,7 @@ draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
     const ShadowPlan& plan = input.frame.shadows;
     const CasterSet casters = input.elements.casters(input.frame.design.effects.shadows.casters);
     EffectWork map;
-    {
+    if (!input.has_shadow_map) {
         const WorkScope work(gl, map);
         static_cast<void>(shadows_.draw(gl, casters, plan.frame, input.frame.eye.view.eye));
     }
@@ -102,7 +102,7 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     if (effects.blurs) leave_distances(frame);
     const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
-    const PassInput drawing{frame, input.plan, input.terrain, input.elements, input.work, input.has_void};
+    const PassInput drawing{frame, input.plan, input.terrain, input.elements, input.work, input.has_void, input.has_shadow_map};
     draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place, drawing, drawn);
     if (has_shafts) {
         draw_shafts(gl, drawing, shadow);

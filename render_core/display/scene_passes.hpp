@@ -29,7 +29,8 @@ struct PassInput {
     TerrainScene& terrain;
     DataElements& elements;
     EffectWorkTable& work;
-    bool has_void = false;  ///< ground without data is in view
+    bool has_void = false;        ///< ground without data is in view
+    bool has_shadow_map = false;  ///< the frame's, from its other picture
 };
 
 class ScenePasses {

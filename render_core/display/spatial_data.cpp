@@ -66,7 +66,7 @@ base::Arena& SpatialData::spare() {
 }
 
 bool SpatialData::take(const scene::Scene& scene) {
-    if (has_scene_ && scene.header().revision <= scene_.header().revision) return false;
+    if (!is_newer(scene)) return false;
     room_ = 1 - room_;
     scene_ = scene;
     has_scene_ = true;

@@ -54,6 +54,10 @@ public:
     [[nodiscard]] bool has_scene() const { return has_scene_; }
     /// Empty room for the next scene, as large as that of the one that is shown: half of the arena given to start().
     [[nodiscard]] base::Arena& spare();
+    /// Of a larger revision than what is shown.
+    [[nodiscard]] bool is_newer(const scene::Scene& scene) const {
+        return !has_scene_ || scene.header().revision > scene_.header().revision;
+    }
     /// Shows a scene that was loaded into spare(), from the next plan() on. False, and nothing changes, unless its revision is
     /// larger.
     [[nodiscard]] bool take(const scene::Scene& scene);

@@ -4,15 +4,12 @@
 /// part that is shown is moved against it. So two parallel views become the off-axis views of two eyes behind one screen
 /// (Woods, Docherty, Koch, "Image distortions in stereoscopic video systems", SPIE 1915, 1993, on parallel cameras).
 ///
-/// Memory    a colour and depth target from the budget line render_targets, a grid from `symbology_vertices`. Thread  the GL
-///           thread. Failure  start(): one sentence.
+/// Memory, thread and failure are those of a KeptPicture.
 #pragma once
 
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/view_effects.hpp"
-#include "render_core/draw/screen_grid.hpp"
-#include "render_core/gl/program.hpp"
-#include "render_core/gl/render_target.hpp"
+#include "render_core/draw/kept_picture.hpp"
 
 namespace tedavis::draw {
 
@@ -24,10 +21,10 @@ public:
     /// Of a screen of `width_px` x `height_px`; an eye's picture is wider by 2 * `margin_px`.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     std::uint32_t margin_px);
-    [[nodiscard]] bool is_started() const { return target_.valid(); }
+    [[nodiscard]] bool is_started() const { return picture_.is_started(); }
     [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }
     /// Where an eye's scene is drawn.
-    [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
+    [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
     /// Where the screen begins in an eye's picture, pixels from its left edge. `shift_px`: of each eye's picture towards its own
     /// side, -margin..margin.
     [[nodiscard]] std::int32_t screen_begins_px(EyeSide side, std::int32_t shift_px) const;
@@ -37,12 +34,10 @@ public:
     /// What both eyes see in the screen's plane is drawn into one half now; without sides the surface is whole again.
     static void begin_half(gl::Gl& gl, const base::Surface& surface, EyeSide side);
     static void end_halves(gl::Gl& gl, const base::Surface& surface);
-    void destroy(gl::Gl& gl);
+    void destroy(gl::Gl& gl) { picture_.destroy(gl); }
 
 private:
-    gl::RenderTarget target_;
-    gl::Program program_;
-    ScreenGrid grid_;
+    KeptPicture picture_;
     std::uint32_t width_px_ = 0, margin_px_ = 0;
 };
 

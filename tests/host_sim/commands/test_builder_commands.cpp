@@ -1,23 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include "host_sim/commands/command_groups.hpp"
+#include "tests/support/parsed_commands.hpp"
 
 namespace tedavis::host_sim::test_builder_commands {
 namespace {
 
-struct Builders : ::testing::Test {
-    Builders() { add_builders(app, line); }
-    void parse(std::vector<std::string> words) {
-        std::reverse(words.begin(), words.end());  // as CLI11 takes them
-        app.parse(std::move(words));
-    }
-    CLI::App app;
-    CommandLine line;
-};
+using Builders = test_support::ParsedCommands<add_builders>;
 
 TEST_F(Builders, OptionsReachTheirCommand) {
     parse({"terrain", "build", "a.tif", "b.tif", "-o", "x.tdb", "--bounds", "1,2,3,4", "--void", "-9999", "--accuracy", "16"});

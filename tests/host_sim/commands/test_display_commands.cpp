@@ -1,23 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include "host_sim/commands/command_groups.hpp"
+#include "tests/support/parsed_commands.hpp"
 
 namespace tedavis::host_sim::test_display_commands {
 namespace {
 
-struct Displays : ::testing::Test {
-    Displays() { add_displays(app, line); }
-    void parse(std::vector<std::string> words) {
-        std::reverse(words.begin(), words.end());  // as CLI11 takes them
-        app.parse(std::move(words));
-    }
-    CLI::App app;
-    CommandLine line;
-};
+using Displays = test_support::ParsedCommands<add_displays>;
 
 TEST_F(Displays, OptionsReachTheReplay) {
     parse({"replay", "f.log", "--terrain", "x.tdb", "--size", "320x240", "--gl", "osmesa", "--from", "2.5", "--step", "-1",

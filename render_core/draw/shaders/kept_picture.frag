@@ -1,4 +1,4 @@
-// The part of an eye's picture that the screen shows of it.
+// A part of a picture that was kept off screen.
 uniform sampler2D picture;
 uniform vec4 part;  // the part's lower left corner and its extents, 0..1
 
