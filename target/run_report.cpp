@@ -10,12 +10,10 @@ namespace {
 const char* to_string(base::MemoryKind kind) { return kind == base::MemoryKind::cpu ? "cpu" : "gpu"; }
 const char* to_string(RunEnd end) { return end == RunEnd::stopped ? "stopped" : "surface_lost"; }
 
-base::FixedString<255> gl_description(DisplayApplication& application) {
-    const gl::DriverFacts& driver = application.display().gl().driver();
-    base::FixedString<255> text(application.surface().backend_name());
-    for (const std::string_view part :
-         {std::string_view(": "), driver.renderer.view(), std::string_view(", "), driver.version.view()})
-        text.append(part);
+base::FixedString<447> gl_description(DisplayApplication& application) {
+    base::FixedString<447> text(application.surface().backend_name());
+    text.append(": ");
+    text.append(application.display().gl().driver_text().view());
     return text;
 }
 

@@ -110,10 +110,7 @@ private:
             report_.add("display", false, error.sentence.view());
             return false;
         }
-        base::FixedString<255> driver(display_->gl().driver().renderer.view());
-        driver.append(", ");
-        driver.append(display_->gl().driver().version.view());
-        report_.add("display", true, driver.view());
+        report_.add("display", true, display_->gl().driver_text().view());
         return true;
     }
 

@@ -144,9 +144,7 @@ DisplaySession::~DisplaySession() {
 }
 
 std::string DisplaySession::gl_description() {
-    const gl::DriverFacts& driver = display_->gl().driver();
-    return std::string(surface_->backend_name()) + ": " + std::string(driver.renderer.view()) + ", " +
-           std::string(driver.version.view());
+    return std::string(surface_->backend_name()) + ": " + std::string(display_->gl().driver_text().view());
 }
 
 void DisplaySession::make_current() {

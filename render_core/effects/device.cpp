@@ -27,12 +27,20 @@ constexpr RequiredLine kRequiredLines[] = {
     {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
-    std::array<std::string_view, kMaxCallExceptions> names;
+    std::array<std::string_view, kMaxNamedCalls> names;
     const std::size_t count = section.texts(key, names);
     for (std::size_t i = 0; i < count; ++i) {
         const CallName name(names[i]);
         if (name.empty() || name.cut() || !out.try_push_back(name)) section.fault(key, "a GL call's name has 1 to 31 letters");
     }
+}
+
+void read_ignored_faults(base::ConfigSection section, base::FixedVector<FaultName, kMaxIgnoredFaults>& out) {
+    std::array<std::string_view, kMaxIgnoredFaults> names;
+    const std::size_t count = section.texts("ignore_faults", names);
+    for (std::size_t i = 0; i < count; ++i)
+        if (FaultName(names[i]).cut() || !out.try_push_back(FaultName(names[i])))
+            section.fault("ignore_faults", "a fault's name has at most 31 letters; gl/driver_fault lists them");
 }
 
 void read_gl(base::ConfigSection section, DeviceCapability& capability) {
@@ -44,6 +52,7 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     rules.calls = static_cast<CallClass>(section.choice("calls", kClasses, 0));
     read_call_names(section, "also", rules.also);
     read_call_names(section, "never", rules.never);
+    read_ignored_faults(section, rules.ignored_faults);
     rules.max_texture_px = static_cast<std::uint32_t>(section.integer("max_texture_px", 64, kMaxEdgePx));
     rules.max_attributes = static_cast<std::uint32_t>(section.integer("max_attributes", 1, 16));
     rules.max_texture_units = static_cast<std::uint32_t>(section.integer("max_texture_units", 1, 32));

@@ -17,13 +17,19 @@ enum class Lane : std::uint8_t { es2, es3 };
 enum class CallClass : std::uint8_t { es2, es3, sc2 };
 
 using CallName = base::FixedString<31>;  ///< without the `gl` prefix
-inline constexpr std::size_t kMaxCallExceptions = 16;
+inline constexpr std::size_t kMaxNamedCalls = 16;  ///< that a device file names beside its class
+/// Those, and the calls of a compiler that makes its programs (gl/program.hpp).
+inline constexpr std::size_t kMaxCallExceptions = 2 * kMaxNamedCalls;
+using FaultName = base::FixedString<31>;
+inline constexpr std::size_t kMaxIgnoredFaults = 4;
 
 struct GlRules {
     CallClass calls = CallClass::es2;
     base::FixedVector<CallName, kMaxCallExceptions> also;   ///< calls beyond the class
     base::FixedVector<CallName, kMaxCallExceptions> never;  ///< calls of the class that this device must not use
-    std::uint32_t max_texture_px = 2048;                    ///< largest texture and render target edge
+    base::FixedVector<FaultName, kMaxIgnoredFaults>
+        ignored_faults;                   ///< known ones of drivers (gl/driver_fault.hpp) that it has not
+    std::uint32_t max_texture_px = 2048;  ///< largest texture and render target edge
     std::uint32_t max_attributes = 8;
     std::uint32_t max_texture_units = 8;
 };

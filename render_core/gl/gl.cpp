@@ -71,6 +71,33 @@ const CallTable* Gl::operator->() const {
 
 bool Gl::has(CallId call) const { return device_has(device_.gl, call) && provides(facts_, describe(call).origin); }
 
+bool Gl::suffers(DriverFault fault) const {
+    const KnownFault& known = known_faults()[static_cast<std::size_t>(fault)];
+    for (const effects::FaultName& ignored : device_.gl.ignored_faults)
+        if (ignored.view() == known.name) return false;
+    return known.shows_on(facts_);
+}
+
+const KnownFault* Gl::binaries_fault() const {
+    for (const DriverFault fault : {DriverFault::adreno_program_binaries, DriverFault::powervr_program_binaries})
+        if (suffers(fault)) return &known_faults()[static_cast<std::size_t>(fault)];
+    return nullptr;
+}
+
+base::FixedString<383> Gl::driver_text() const {
+    base::FixedString<383> text(facts_.renderer.view());
+    text.append(", ");
+    text.append(facts_.version.view());
+    const char* before = "; known faults: ";
+    for (const KnownFault& known : known_faults()) {
+        if (!suffers(known.fault)) continue;
+        text.append(before);
+        text.append(known.name);
+        before = ", ";
+    }
+    return text;
+}
+
 GLenum Gl::take_error() const {
     constexpr int kMaxPendingErrors = 16;  // a lost context may report for ever
     const GLenum first = (*this)->GetError();
@@ -85,6 +112,9 @@ GlError Gl::check_names() const {
             if (find_call(name.view()) == CallId::count)
                 return make_error("the device file names the GL call '", name.view(),
                                   "', which the call table does not know; remove it");
+    for (const effects::FaultName& name : device_.gl.ignored_faults)
+        if (find_fault(name.view()) == DriverFault::count)
+            return make_error("the device file ignores the driver fault '", name.view(), "', which nobody knows; remove it");
     return {};
 }
 

@@ -20,6 +20,7 @@
 #include "render_core/gl/call_rules.hpp"
 #include "render_core/gl/call_table.hpp"
 #include "render_core/gl/capability_probe.hpp"
+#include "render_core/gl/driver_fault.hpp"
 #include "render_core/gl/gl_error.hpp"
 
 namespace tedavis::gl {
@@ -64,6 +65,12 @@ public:
     [[nodiscard]] Stage stage() const { return stage_; }
     [[nodiscard]] const effects::DeviceCapability& device() const { return device_; }
     [[nodiscard]] const DriverFacts& driver() const { return facts_; }
+    /// Whether the driver has a known fault that the device file does not ignore.
+    [[nodiscard]] bool suffers(DriverFault fault) const;
+    /// Null, or what forbids programs to be made of binaries and binaries of programs.
+    [[nodiscard]] const KnownFault* binaries_fault() const;
+    /// The driver's own names, and its known faults that something is done about.
+    [[nodiscard]] base::FixedString<383> driver_text() const;
     [[nodiscard]] const DeniedReport& denied() const { return denied_; }
     /// Whether the device's list holds the call and the driver has it.
     [[nodiscard]] bool has(CallId call) const;

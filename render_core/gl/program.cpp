@@ -16,13 +16,13 @@ constexpr std::string_view kCompilerCalls[] = {"AttachShader", "BindAttribLocati
                                                "DeleteShader", "GetProgramBinary",   "GetProgramInfoLog", "GetShaderInfoLog",
                                                "GetShaderiv",  "LinkProgram",        "ProgramParameteri", "ShaderSource",
                                                "DeleteProgram"};
-static_assert(std::size(kCompilerCalls) <= effects::kMaxCallExceptions);
+static_assert(effects::kMaxNamedCalls + std::size(kCompilerCalls) <= effects::kMaxCallExceptions);
 
 GLint text_length(std::string_view text) { return static_cast<GLint>(text.size()); }
 
 GlError stage_error(const ProgramSource& source, std::string_view what, const char* log) {
     GlError error = make_error("program '", source.name, "' ", what);
-    error.sentence.append(log);
+    error.sentence.append(log[0] == '\0' ? "the driver gives no message" : log);
     return error;
 }
 
@@ -39,7 +39,7 @@ GLuint compile(Gl& gl, const ProgramSource& source, ShaderStage stage, GlError& 
     GLint compiled = GL_FALSE;
     gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled != GL_FALSE) return shader;
-    char log[kLogLength] = "no message";
+    char log[kLogLength] = "";
     gl->GetShaderInfoLog(shader, kLogLength, nullptr, log);
     gl->DeleteShader(shader);
     error = stage_error(
@@ -57,12 +57,18 @@ GlError link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex,
     GLint linked = GL_FALSE;
     gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_FALSE) return {};
-    char log[kLogLength] = "no message";
+    char log[kLogLength] = "";
     gl->GetProgramInfoLog(program, kLogLength, nullptr, log);
     return stage_error(source, "does not link: ", log);
 }
 
+GlError distrusted(const ProgramSource& source, const KnownFault& fault) {
+    return make_error(source.name, ": this driver's binaries of programs are not trusted, for its fault ", fault.name,
+                      "; use another device, or ignore_faults in the device file's [gl] where the driver is proved good");
+}
+
 GlError keep(Gl& gl, const ProgramSource& source, const Program& program, base::ProgramStore& store) {
+    if (const KnownFault* const fault = gl.binaries_fault(); fault != nullptr) return distrusted(source, *fault);
     if (!gl.has(CallId::GetProgramBinary) || gl.driver().program_binary_formats == 0)
         return stage_error(source, "cannot be kept", ": the driver or the device's call list has no program binaries");
     GLint bytes = 0;
@@ -131,6 +137,7 @@ base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source,
 base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source) {
     base::ProgramStore* const store = gl.programs();
     if (!gl.has(CallId::CompileShader)) {
+        if (const KnownFault* const fault = gl.binaries_fault(); fault != nullptr) return base::fail(distrusted(source, *fault));
         base::StoredProgram stored;
         if (store == nullptr || !store->find(program_key(gl, source), stored))
             return base::fail(stage_error(source, "has no binary for this driver, and the device has no compiler", kMakeAgain));

@@ -66,6 +66,17 @@ TEST(Device, ForbidsEffectsByName) {
     EXPECT_NE(refusal(with("\"warning_colors\"")).find("always stands"), std::string::npos);
 }
 
+TEST(Device, NamesFaultsOfDriversThatItIgnores) {
+    const auto with = [](const std::string& names) { return replaced(good(), "[gl]", "[gl]\nignore_faults = [" + names + "]"); };
+    const auto device = read_device_settings(with("\"adreno-program-binaries\""), "x.toml");
+    ASSERT_TRUE(device.ok());
+    ASSERT_EQ(device.value().capability.gl.ignored_faults.size(), 1u);
+    EXPECT_EQ(device.value().capability.gl.ignored_faults[0].view(), "adreno-program-binaries");
+    EXPECT_TRUE(shipped_device("es2-small").capability.gl.ignored_faults.empty());
+    EXPECT_NE(refusal(with("\"" + std::string(40, 'x') + "\"")).find("at most 31 letters"), std::string::npos);
+    EXPECT_NE(refusal(with("\"a\", \"b\", \"c\", \"d\", \"e\"")), "");
+}
+
 TEST(Device, ShippedBudgetsHoldTheirOwnPictureAndChunks) {
     for (const char* name : {"es2-small", "es3-mid", "desktop", "sc2"}) {
         const DeviceSettings device = shipped_device(name);

@@ -163,6 +163,15 @@ TEST(ProgramBinary, ThatIsChangedOrForeignIsRefused) {
     EXPECT_EQ(sc2.gl.denied().total, 0u);
 }
 
+TEST(ProgramBinary, ADeviceFileThatNamesAllTheCallsItMayStillGetsACompiler) {
+    effects::DeviceCapability device = test_support::shipped_device("sc2").capability;
+    device.gl.also.clear();
+    for (std::size_t n = 0; n < effects::kMaxNamedCalls; ++n) ASSERT_TRUE(device.gl.also.try_push_back("Finish"));
+    const effects::DeviceCapability made = with_compiler(device);
+    for (const char* call : {"CompileShader", "LinkProgram", "GetProgramBinary", "DeleteProgram"})
+        EXPECT_TRUE(device_has(made.gl, find_call(call))) << call;
+}
+
 TEST(ProgramBinary, IsNotKeptWhereItCannotBe) {
     OneProgram store;
     {
