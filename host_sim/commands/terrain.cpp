@@ -142,7 +142,7 @@ TerrainSources sources_of(const TerrainBuildOptions& options, Console& console) 
 double south_deg(const terrain::Lattice& lattice) { return base::degrees(lattice.latitude_rad(lattice.rows() - 1)); }
 
 double drape_texel_deg(const terrain::FileHeader& h) {
-    return h.step_lat_deg * std::ldexp(double{terrain::kChunkCells} / (terrain::kDrapePosts - 1), h.drape_level);
+    return h.step_lat_deg * std::ldexp(double{terrain::kChunkCells} / terrain::kDrapeSteps, h.drape_level);
 }
 
 Json describe_levels(const std::vector<LevelSummary>& levels) {

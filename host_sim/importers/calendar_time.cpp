@@ -6,7 +6,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kSecondsPerDay = 86400, kMostSeconds = 7'000'000'000;
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kMostSeconds = 7'000'000'000;
 constexpr int kDaysOfMonth[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
 
 bool is_leap_year(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
@@ -70,14 +70,14 @@ std::optional<base::Time> midnight_of(int year, int month, int day) {
     for (int y = 1970; y < year; ++y) days += is_leap_year(y) ? 366 : 365;
     for (int y = year; y < 1970; ++y) days -= is_leap_year(y) ? 366 : 365;
     for (int m = 1; m < month; ++m) days += days_of(year, m);
-    return base::Time{} + base::Duration::seconds((days + day - 1) * kSecondsPerDay);
+    return base::Time{} + base::Duration::seconds((days + day - 1) * base::kSecondsPerDay);
 }
 
 CalendarDate calendar_date(base::Time time) {
     const std::int64_t second = time.ns / kNanosecondsPerSecond - (time.ns % kNanosecondsPerSecond < 0 ? 1 : 0);
-    std::int64_t days = second / kSecondsPerDay - (second % kSecondsPerDay < 0 ? 1 : 0);
+    std::int64_t days = second / base::kSecondsPerDay - (second % base::kSecondsPerDay < 0 ? 1 : 0);
     CalendarDate date;
-    date.second_of_day = static_cast<int>(second - days * kSecondsPerDay);
+    date.second_of_day = static_cast<int>(second - days * base::kSecondsPerDay);
     while (days < 0) days += is_leap_year(--date.year) ? 366 : 365;
     while (days >= (is_leap_year(date.year) ? 366 : 365)) days -= is_leap_year(date.year++) ? 366 : 365;
     while (days >= days_of(date.year, date.month)) days -= days_of(date.year, date.month++);

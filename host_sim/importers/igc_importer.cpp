@@ -14,7 +14,6 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kBasicFixLength = 35;
-constexpr std::int64_t kSecondsPerDay = 86400;
 
 /// Columns of an extension of the B record, counted from 1 as the I record states them, both included.
 struct Columns {
@@ -150,7 +149,7 @@ private:
         const std::int64_t second_of_day = *hours * 3600 + *minutes * 60 + *seconds;
         if (!advance_clock(second_of_day)) return true;
         RecordedFix fix;
-        fix.time = *midnight_ + base::Duration::seconds(day_ * kSecondsPerDay + second_of_day);
+        fix.time = *midnight_ + base::Duration::seconds(day_ * base::kSecondsPerDay + second_of_day);
         fix.latitude_rad = base::radians(*latitude);
         fix.longitude_rad = base::radians(*longitude);
         if (pressure_present_) fix.pressure_altitude_m = pressure;
@@ -163,7 +162,7 @@ private:
 
     /// False when the fix steps back in time.
     bool advance_clock(std::int64_t second_of_day) {
-        if (second_of_day + kSecondsPerDay / 2 < last_second_) {
+        if (second_of_day + base::kSecondsPerDay / 2 < last_second_) {
             ++day_;
         } else if (second_of_day < last_second_) {
             ++out_of_order_;

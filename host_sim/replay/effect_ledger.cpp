@@ -11,7 +11,7 @@ namespace {
 using display::EffectState;
 using effects::Effect;
 
-constexpr int kRounds = 3, kWarmUp = 1;  // frames of each side and sample; those that are not counted
+constexpr int kLedgerRounds = 3, kLedgerWarmUp = 1;  // frames of each side and sample; those that are not counted
 
 Effect effect_named(std::string_view name) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n)
@@ -54,9 +54,9 @@ public:
     void add(const LedgerSample& sample, bool as_the_run_showed_it) {
         intended_.settle(sample);
         shown_.settle(sample);
-        for (int n = 0; n < kRounds + kWarmUp; ++n) {
+        for (int n = 0; n < kLedgerRounds + kLedgerWarmUp; ++n) {
             const double intended_ms = intended_.draw_ms(sample), shown_ms = shown_.draw_ms(sample);
-            if (n < kWarmUp) continue;
+            if (n < kLedgerWarmUp) continue;
             intended_ms_.push_back(intended_ms);
             shown_ms_.push_back(shown_ms);
         }

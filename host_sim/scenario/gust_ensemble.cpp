@@ -14,8 +14,7 @@ namespace {
 
 constexpr double kShortestWave_m = 12'000, kLongestWave_m = 40'000, kWaveHeight_m = 3'000;
 constexpr double kHour_s = 3600;
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
-constexpr std::uint8_t kImportance = 110;
+constexpr std::uint8_t kGustImportance = 110;
 
 class GustMember {
 public:
@@ -47,12 +46,12 @@ LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square) {
     layer.source = kGeneratedOrigin;
     layer.shape = scene::LayerShape::grid;
     layer.role = scene::LayerRole::field;
-    layer.importance = kImportance;
+    layer.importance = kGustImportance;
     const LandingStrip& strip = scenario.strip;
     layer.grid = square.shape(LocalPlane(strip.latitude_rad, strip.longitude_rad), 1, kGustTimes);
-    for (int hour = 0; hour < kGustTimes; ++hour) layer.times_ns.push_back(scenario.start.ns + hour * kHour_ns);
+    for (int hour = 0; hour < kGustTimes; ++hour) layer.times_ns.push_back(scenario.start.ns + hour * base::kNanosecondsPerHour);
     layer.data_time_ns = scenario.start.ns;
-    layer.valid_until_ns = layer.times_ns.back() + kHour_ns;
+    layer.valid_until_ns = layer.times_ns.back() + base::kNanosecondsPerHour;
     return layer;
 }
 

@@ -12,7 +12,7 @@ using flight::Signal;
 
 constexpr double kSigmasOf95 = 1.96;
 constexpr double kFullHeightSigma_m = 100, kFullSpeedSigma_mps = 10, kFullClimbSigma_mps = 5;
-constexpr std::uint8_t kImportance = 225;
+constexpr std::uint8_t kRouteImportance = 225;
 
 LayerDraft empty_layer(base::Time start) {
     LayerDraft layer;
@@ -21,7 +21,7 @@ LayerDraft empty_layer(base::Time start) {
     layer.source = kGeneratedOrigin;
     layer.shape = scene::LayerShape::lines;
     layer.role = scene::LayerRole::trajectory;
-    layer.importance = kImportance;
+    layer.importance = kRouteImportance;
     layer.data_time_ns = start.ns;
     layer.position_accuracy_m = kPlanPosition_m;
     layer.height_accuracy_m = kPlanHeight_m;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kInterval_ns = kRadarInterval_s * std::int64_t{1'000'000'000};
 constexpr int kValidIntervals = 3;
 constexpr double kGrowth_per_hour = 0.6;
-constexpr std::uint8_t kImportance = 150;
+constexpr std::uint8_t kRadarImportance = 150;
 
 int frames_until(double duration_s) {
     return std::min(kMostRadarFrames, 1 + static_cast<int>(std::ceil(duration_s / kRadarInterval_s)));
@@ -32,7 +32,7 @@ LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square, int f
     layer.source = kGeneratedOrigin;
     layer.shape = scene::LayerShape::grid;
     layer.role = scene::LayerRole::field;
-    layer.importance = kImportance;
+    layer.importance = kRadarImportance;
     const LandingStrip& strip = scenario.strip;
     layer.grid = square.shape(LocalPlane(strip.latitude_rad, strip.longitude_rad), 1, static_cast<std::uint32_t>(frames));
     for (int frame = 0; frame < frames; ++frame) layer.times_ns.push_back(scenario.start.ns + frame * kInterval_ns);

@@ -16,9 +16,8 @@ constexpr double kShortestTexture_m = 800, kLongestTexture_m = 3'000, kTextureHe
 constexpr double kSigma_db = 5, kSigmaSpread_db = 2, kFullSigma_db = 12, kGrowth_per_hour = 0.6;
 constexpr double kSpeedSigma_mps = 1.5, kFullSpeedSigma_mps = 10;
 constexpr double kPositionAccuracy_m = 400, kHeightAccuracy_m = 500;
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 constexpr int kCorners = 24;
-constexpr std::uint8_t kImportance = 240;
+constexpr std::uint8_t kStormImportance = 240;
 
 double full_circle(SeededRandom& random) { return 2 * base::kPi * random.unit(); }
 
@@ -29,9 +28,9 @@ LayerDraft empty_layer(base::Time start) {
     layer.source = kGeneratedOrigin;
     layer.shape = scene::LayerShape::areas;
     layer.role = scene::LayerRole::storm_cell;
-    layer.importance = kImportance;
+    layer.importance = kStormImportance;
     layer.data_time_ns = start.ns;
-    layer.valid_until_ns = start.ns + kHour_ns;
+    layer.valid_until_ns = start.ns + base::kNanosecondsPerHour;
     layer.position_accuracy_m = kPositionAccuracy_m;
     layer.height_accuracy_m = kHeightAccuracy_m;
     layer.starts.push_back(0);

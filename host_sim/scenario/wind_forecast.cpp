@@ -13,8 +13,7 @@ namespace {
 constexpr double kShortestWave_m = 10'000, kLongestWave_m = 40'000, kWaveHeight_m = 3'000;
 constexpr double kPower = 1.0 / 7;
 constexpr double kHour_s = 3600;
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
-constexpr std::uint8_t kImportance = 120;
+constexpr std::uint8_t kWindImportance = 120;
 
 /// East and north vary on their own.
 class WindField {
@@ -52,13 +51,13 @@ LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square) {
     layer.source = kGeneratedOrigin;
     layer.shape = scene::LayerShape::grid;
     layer.role = scene::LayerRole::wind;
-    layer.importance = kImportance;
+    layer.importance = kWindImportance;
     const LandingStrip& strip = scenario.strip;
     layer.grid = square.shape(LocalPlane(strip.latitude_rad, strip.longitude_rad), kWindHeights_m.size(), kWindTimes);
     for (const double height_m : kWindHeights_m) layer.levels_m.push_back(static_cast<float>(strip.elevation_msl_m + height_m));
-    for (int hour = 0; hour < kWindTimes; ++hour) layer.times_ns.push_back(scenario.start.ns + hour * kHour_ns);
+    for (int hour = 0; hour < kWindTimes; ++hour) layer.times_ns.push_back(scenario.start.ns + hour * base::kNanosecondsPerHour);
     layer.data_time_ns = scenario.start.ns;
-    layer.valid_until_ns = layer.times_ns.back() + kHour_ns;
+    layer.valid_until_ns = layer.times_ns.back() + base::kNanosecondsPerHour;
     return layer;
 }
 

@@ -20,7 +20,6 @@ namespace {
 using scene::ValueState;
 
 constexpr std::uint64_t kMostPosts = 1u << 26;
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 
 bool are_alike(const GridPlaces& a, const GridPlaces& b) {
     const double tolerance_deg = 1e-6 * a.step_lon_deg;
@@ -82,7 +81,8 @@ private:
         layer_.data_time_ns = recipe_.data_time_ns.value_or(axes_.times_ns.empty() ? scene::kNoTime : axes_.times_ns.front());
         if (!axes_.times_ns.empty() && recipe_.valid_hours > 0)
             layer_.valid_until_ns =
-                axes_.times_ns.back() + static_cast<std::int64_t>(recipe_.valid_hours * static_cast<double>(kHour_ns));
+                axes_.times_ns.back() +
+                static_cast<std::int64_t>(recipe_.valid_hours * static_cast<double>(base::kNanosecondsPerHour));
     }
 
     /// Heights of levels: given, or the mean of a variable over the layer's posts and times. Ascending in the layer.

@@ -23,7 +23,7 @@ constexpr double kMeanRadius_m = 6371008.8;
 constexpr double kFlightLevel_m = 100 * base::kMetresPerFoot;
 constexpr double kUnlimited_m = 100000;
 constexpr double kNoHeight_m = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLargestRadius_m = 2000 * base::kMetresPerNauticalMile;
+constexpr double kLargestCircle_m = 2000 * base::kMetresPerNauticalMile;
 
 struct Place {
     double latitude_deg = 0, longitude_deg = 0;
@@ -219,7 +219,7 @@ private:
         } else if (command == "DA") {
             const std::vector<double> n = parse_number_list(without_spaces(rest), ',');
             const double radius_m = n.size() == 3 ? n[0] * base::kMetresPerNauticalMile : 0;
-            if (!(radius_m > 0 && radius_m <= kLargestRadius_m))
+            if (!(radius_m > 0 && radius_m <= kLargestCircle_m))
                 refuse("DA needs radius, first and last bearing; write for instance DA 10, 270, 290");
             add_arc(n[1], n[2], radius_m, std::abs(n[2] - n[1]) == 360);
         } else {
@@ -235,7 +235,7 @@ private:
     double radius_of(const std::string& text) const {
         const std::vector<double> numbers = parse_number_list(text, ',');
         const double radius_m = numbers.size() == 1 ? numbers[0] * base::kMetresPerNauticalMile : 0;
-        if (!(radius_m > 0 && radius_m <= kLargestRadius_m)) refuse("'" + text + "' is no radius; write nautical miles");
+        if (!(radius_m > 0 && radius_m <= kLargestCircle_m)) refuse("'" + text + "' is no radius; write nautical miles");
         return radius_m;
     }
     void add_arc(double from_deg, double to_deg, double radius_m, bool is_circle) {

@@ -27,8 +27,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kHour_ns = 3.6e12;
-
 void require_no_words_for_features(const LayerRecipe& recipe) {
     const char* word = nullptr;
     if (!recipe.aircraft.empty()) word = "aircraft";
@@ -75,7 +73,8 @@ void finish(const LayerRecipe& recipe, LayerDraft& layer) {
     if (layer.data_time_ns == scene::kNoTime)
         throw UserError(recipe.name + ": 'valid_hours' counts from the data's time, and " + recipe.source +
                         " states none; give it as data_time");
-    layer.valid_until_ns = layer.data_time_ns + static_cast<std::int64_t>(recipe.valid_hours * kHour_ns);
+    layer.valid_until_ns =
+        layer.data_time_ns + static_cast<std::int64_t>(recipe.valid_hours * static_cast<double>(base::kNanosecondsPerHour));
 }
 
 void set_model(const LayerRecipe& recipe, const std::string& folder, LayerDraft& layer) {

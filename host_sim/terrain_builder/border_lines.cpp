@@ -6,6 +6,7 @@
 #include "host_sim/terrain_builder/nested_polyline.hpp"
 #include "host_sim/terrain_builder/surface_heights.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -15,7 +16,6 @@ using namespace terrain;
 constexpr std::uint32_t kPiece = kChunkCells << (kMaxLevels - 2);  // posts of a line that are treated alone
 constexpr std::uint32_t kLinesOfTask = 32;
 constexpr std::uint32_t kRowsAtOnce = 256;
-constexpr double kSmallestRadius_m = 6335000, kLargestRadius_m = 6400000;
 
 std::uint32_t parts(std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; }
 
@@ -72,8 +72,9 @@ void BorderLines::keep_row(const LatticeWindow& window, std::uint32_t line) {
     piece.post_class = {window.post_class.data(), window.post_class.size()};
     piece.top_level = row_lines_.top_level(j);
     piece.tolerance_m = [this, j](std::uint32_t level, std::uint32_t) { return row_tolerance_m(level, j); };
-    const double cell_m = base::radians(plan_.header.step_lon_deg) * kLargestRadius_m * std::cos(plan_.lattice.latitude_rad(j));
-    piece.sagitta_m = cell_m * cell_m / (8 * kSmallestRadius_m);
+    const double cell_m =
+        base::radians(plan_.header.step_lon_deg) * earth::kGreatestCurvatureRadius_m * std::cos(plan_.lattice.latitude_rad(j));
+    piece.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
     const std::vector<std::uint8_t> levels = keep_levels(piece);
     rows_.write(std::uint64_t{line} * plan_.header.columns + piece.first, levels.data(), levels.size());
 }
@@ -113,8 +114,8 @@ void BorderLines::keep_column(const std::vector<float>& surface_m, const std::ve
     piece.tolerance_m = [this](std::uint32_t level, std::uint32_t post) {
         return plan_.tolerance_m(level, post / (kChunkCells << level));
     };
-    const double cell_m = base::radians(plan_.header.step_lat_deg) * kLargestRadius_m;
-    piece.sagitta_m = cell_m * cell_m / (8 * kSmallestRadius_m);
+    const double cell_m = base::radians(plan_.header.step_lat_deg) * earth::kGreatestCurvatureRadius_m;
+    piece.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
     const std::vector<std::uint8_t> levels = keep_levels(piece);
     columns_.write(std::uint64_t{line} * plan_.header.rows + first, levels.data(), levels.size());
 }

@@ -7,13 +7,13 @@
 #include "host_sim/terrain_builder/attributes/attribute_tile.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
 
-constexpr double kLargestRadius_m = 6400000;  // above any radius of curvature of the ellipsoid
 constexpr double kFinestQuantum_m = 1.0 / 16384;
 constexpr double kSlackOfHeights_m = 10;              // filled voids, rounding of centres
 constexpr double kStraightBelow_deg = 80, kBend = 4;  // eight times what the chord is below the arc
@@ -89,8 +89,8 @@ double largest_cosine(const Lattice& lattice) {
 
 void choose_tolerances(BuildPlan& plan) {
     FileHeader& h = plan.header;
-    const double north_m = base::radians(h.step_lat_deg) * kLargestRadius_m;
-    const double east_m = base::radians(h.step_lon_deg) * kLargestRadius_m * largest_cosine(plan.lattice);
+    const double north_m = base::radians(h.step_lat_deg) * earth::kGreatestCurvatureRadius_m;
+    const double east_m = base::radians(h.step_lon_deg) * earth::kGreatestCurvatureRadius_m * largest_cosine(plan.lattice);
     plan.cell_m = std::max(north_m, east_m);
     double tolerance_m = kFirstTolerance_m * std::pow(std::sqrt(north_m * east_m) / kFirstCell_m, kFirstGrowth);
     for (std::uint32_t level = 1; level < h.levels; ++level, tolerance_m *= kToleranceGrowth)
@@ -146,15 +146,18 @@ void BuildPlan::know_heights(double lowest_msl_m, double highest_msl_m) {
 /// none of its sides is straight enough.
 double BuildPlan::farthest_vertex_m(std::uint32_t level) const {
     const std::uint32_t cells = kChunkCells << level;
-    const double anywhere_m = std::min(half_relief_m + 0.75 * cell_m * cells, 2 * kLargestRadius_m);
+    const double anywhere_m = std::min(half_relief_m + 0.75 * cell_m * cells, 2 * earth::kGreatestCurvatureRadius_m);
     const Range latitude{lattice.latitude_rad(header.rows - 1), lattice.latitude_rad(0)};
     if (header.lattice_flags != 0 || base::degrees(std::max(-latitude.least, latitude.most)) > kStraightBelow_deg)
         return anywhere_m;
     const double first = base::radians(header.west_deg), step = base::radians(header.step_lon_deg);
     const Range longitude{first, first + step * (header.columns - 1)};
-    double east_m = 0.5 * step * std::min(cells, header.columns - 1) * kLargestRadius_m * largest_cosine(lattice);
-    double north_m = 0.5 * base::radians(header.step_lat_deg) * std::min(cells, header.rows - 1) * kLargestRadius_m;
-    const double bent_m = kBend * (east_m * east_m + north_m * north_m) / kLargestRadius_m, up_m = half_relief_m + bent_m;
+    double east_m =
+        0.5 * step * std::min(cells, header.columns - 1) * earth::kGreatestCurvatureRadius_m * largest_cosine(lattice);
+    double north_m =
+        0.5 * base::radians(header.step_lat_deg) * std::min(cells, header.rows - 1) * earth::kGreatestCurvatureRadius_m;
+    const double bent_m = kBend * (east_m * east_m + north_m * north_m) / earth::kGreatestCurvatureRadius_m,
+                 up_m = half_relief_m + bent_m;
     east_m += bent_m;
     north_m += bent_m;
     const double to_axis_m = north_m * greatest_sine(latitude) + up_m * greatest_cosine(latitude),

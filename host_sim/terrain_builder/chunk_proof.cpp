@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host_sim/user_error.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -44,7 +45,6 @@ void append_new(const std::vector<Corners>& own, const std::vector<Corners>& mes
 
 constexpr double kMostRise_m = 10000;  // that heights of a raster may have
 constexpr double kMostShift = 0.1;     // of a cell: slopes of the cells beside it then cover where a place went
-constexpr double kSmallestRadius_m = 6335000;
 
 CurvatureBound row_bound(const Lattice& lattice, std::uint32_t j0, std::uint32_t j1, double rise_m) {
     CurvatureBound bound;
@@ -60,8 +60,8 @@ struct CellSize {
 CellSize smallest_cell(const Lattice& lattice, const PostRange& domain) {
     const std::uint32_t j0 = std::max(domain.j0, 1u) - 1, j1 = std::min(domain.j1 + 1, lattice.rows() - 1);
     const double cosine = std::min(std::cos(lattice.latitude_rad(j0)), std::cos(lattice.latitude_rad(j1)));
-    return {kSmallestRadius_m * cosine * std::abs(lattice.longitude_rad(1) - lattice.longitude_rad(0)),
-            kSmallestRadius_m * (lattice.latitude_rad(j0) - lattice.latitude_rad(j1)) / (j1 - j0)};
+    return {earth::kLeastCurvatureRadius_m * cosine * std::abs(lattice.longitude_rad(1) - lattice.longitude_rad(0)),
+            earth::kLeastCurvatureRadius_m * (lattice.latitude_rad(j0) - lattice.latitude_rad(j1)) / (j1 - j0)};
 }
 
 /// The cells of a chunk and those round it, by their north-west posts: how steep the surface is there, drawn ones with void

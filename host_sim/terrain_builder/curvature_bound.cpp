@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 // Upper bounds over all latitudes, for heights up to 10 km.
 constexpr double kRadius_m = 6410000;      // N + h and M + h
 constexpr double kRadiusChange_m = 65500;  // dM/dφ
-constexpr double kSmallestRadius_m = 6335000;
 
 struct LatitudeRange {
     double extent = 0, cosine = 1, sine = 0;  // largest values in the range
@@ -66,7 +66,7 @@ CurvatureBound curvature_bound(const terrain::Lattice& lattice, std::uint32_t co
     CurvatureBound bound;
     bound.shift_m = sideways + down * turn + (wedge ? 0 : pole_shift_m(lattice, j0, j1));
     bound.down_m = down + sideways * turn;
-    bound.up_m = sideways * turn + bound.shift_m * bound.shift_m / (2 * kSmallestRadius_m);
+    bound.up_m = sideways * turn + bound.shift_m * bound.shift_m / (2 * earth::kLeastCurvatureRadius_m);
     return bound;
 }
 

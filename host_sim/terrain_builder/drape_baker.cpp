@@ -10,8 +10,6 @@ namespace {
 
 using namespace terrain;
 
-constexpr std::uint32_t kSteps = kDrapePosts - 1;
-
 /// The pages below one page and beside those: texels from one before its first to one after its last.
 class FinerPages {
 public:
@@ -21,8 +19,8 @@ public:
         : level_(finer_corner.level),
           i0_(std::int64_t{finer_corner.i} - 1),
           j0_(std::int64_t{finer_corner.j} - 1),
-          last_column_(std::int64_t{lattice.grid_columns(level_)} * kSteps),
-          last_row_(std::int64_t{lattice.grid_rows(level_)} * kSteps) {}
+          last_column_(std::int64_t{lattice.grid_columns(level_)} * kDrapeSteps),
+          last_row_(std::int64_t{lattice.grid_rows(level_)} * kDrapeSteps) {}
 
     template <class Load>
     void load(const Lattice& lattice, Load load) {
@@ -38,9 +36,10 @@ public:
         x = std::clamp<std::int64_t>(x, 0, last_column_);
         y = std::clamp<std::int64_t>(y, 0, last_row_);
         // The last texels of the last pages are no other page's first.
-        const std::int64_t i = x == last_column_ ? x / kSteps - 1 : x / kSteps, j = y == last_row_ ? y / kSteps - 1 : y / kSteps;
+        const std::int64_t i = x == last_column_ ? x / kDrapeSteps - 1 : x / kDrapeSteps,
+                           j = y == last_row_ ? y / kDrapeSteps - 1 : y / kDrapeSteps;
         const auto& page = pages_[static_cast<std::size_t>((j - j0_) * kAcross + i - i0_)];
-        return page == nullptr ? nullptr : page->rgba[(y - j * kSteps) * kDrapePosts + x - i * kSteps];
+        return page == nullptr ? nullptr : page->rgba[(y - j * kDrapeSteps) * kDrapePosts + x - i * kDrapeSteps];
     }
 
 private:
@@ -99,7 +98,7 @@ void DrapeBaker::reduce(std::uint32_t level, std::uint32_t i, std::uint32_t j, D
     });
     for (std::uint32_t b = 0; b < kDrapePosts; ++b)
         for (std::uint32_t a = 0; a < kDrapePosts; ++a)
-            mean_texel(finer, 2 * (std::int64_t{i} * kSteps + a), 2 * (std::int64_t{j} * kSteps + b),
+            mean_texel(finer, 2 * (std::int64_t{i} * kDrapeSteps + a), 2 * (std::int64_t{j} * kDrapeSteps + b),
                        page.rgba[std::size_t{b} * kDrapePosts + a]);
 }
 

@@ -14,9 +14,9 @@ namespace tedavis::host_sim {
 namespace {
 
 using terrain::kDrapePosts;
+using terrain::kDrapeSteps;
 
-constexpr std::uint32_t kSteps = kDrapePosts - 1;
-constexpr double kTexelsPerPost = kSteps / double{terrain::kChunkCells};
+constexpr double kTexelsPerPost = kDrapeSteps / double{terrain::kChunkCells};
 constexpr std::uint32_t kKnot = 16;              // texels between places that others are interpolated from
 constexpr double kKnotAccuracy = 0.05;           // pixels; else every place is transformed
 constexpr double kNearlyAsFine = 1.01;           // a texel a hundredth larger than a pixel is as fine
@@ -55,7 +55,7 @@ PixelBounds bounds_of(const std::vector<Pixel>& places) {
 
 /// From places every half knot, those between all knots, if the ones in the middle prove that good enough.
 bool interpolate(const std::vector<Pixel>& halves, std::vector<Pixel>& pixels) {
-    constexpr std::uint32_t kAcross = 2 * kSteps / kKnot + 1;
+    constexpr std::uint32_t kAcross = 2 * kDrapeSteps / kKnot + 1;
     const auto half = [&](std::uint32_t a, std::uint32_t b) { return halves[std::size_t{b} * kAcross + a]; };
     const auto between = [&](std::uint32_t a, std::uint32_t b, double u, double v) {
         const Pixel nw = half(a, b), ne = half(a + 2, b), sw = half(a, b + 2), se = half(a + 2, b + 2);
@@ -71,7 +71,8 @@ bool interpolate(const std::vector<Pixel>& halves, std::vector<Pixel>& pixels) {
     pixels.resize(std::size_t{kDrapePosts} * kDrapePosts);
     for (std::uint32_t b = 0; b < kDrapePosts; ++b)
         for (std::uint32_t a = 0; a < kDrapePosts; ++a) {
-            const std::uint32_t k = std::min(a / kKnot, kSteps / kKnot - 1), l = std::min(b / kKnot, kSteps / kKnot - 1);
+            const std::uint32_t k = std::min(a / kKnot, kDrapeSteps / kKnot - 1),
+                                l = std::min(b / kKnot, kDrapeSteps / kKnot - 1);
             pixels[std::size_t{b} * kDrapePosts + a] =
                 between(2 * k, 2 * l, double(a - k * kKnot) / kKnot, double(b - l * kKnot) / kKnot);
         }
@@ -319,8 +320,8 @@ std::vector<DrapeSampler::Pixel> DrapeSampler::place_texels(const Reader& reader
         const double texel = std::ldexp(1 / kTexelsPerPost, static_cast<int>(finest_level_));
         for (std::uint32_t b = 0; b < kDrapePosts; b += step)
             for (std::uint32_t a = 0; a < kDrapePosts; a += step) {
-                x.push_back(plan_.header.west_deg + plan_.header.step_lon_deg * texel * (std::uint64_t{i} * kSteps + a));
-                y.push_back(latitude_deg(texel * static_cast<double>(std::uint64_t{j} * kSteps + b)));
+                x.push_back(plan_.header.west_deg + plan_.header.step_lon_deg * texel * (std::uint64_t{i} * kDrapeSteps + a));
+                y.push_back(latitude_deg(texel * static_cast<double>(std::uint64_t{j} * kDrapeSteps + b)));
             }
     };
     std::vector<double> x, y;

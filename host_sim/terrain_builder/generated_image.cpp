@@ -90,8 +90,8 @@ District district_at(double x, double y) {
 
 /// Parcels lie along one direction in a district: one of four with a rational sine, so that nothing depends on a library's.
 Color parcels(const District& d) {
-    constexpr double kTurns[4][2] = {{1, 0}, {0.8, 0.6}, {0.6, 0.8}, {12 / 13.0, -5 / 13.0}};
-    const double* const turn = kTurns[chance_bits(d.i, d.j, 3) % 4];
+    constexpr double kImageTurns[4][2] = {{1, 0}, {0.8, 0.6}, {0.6, 0.8}, {12 / 13.0, -5 / 13.0}};
+    const double* const turn = kImageTurns[chance_bits(d.i, d.j, 3) % 4];
     const double x = d.x * turn[0] + d.y * turn[1], y = d.y * turn[0] - d.x * turn[1];
     const std::int64_t row = cell_of(y, kParcelWidth_m);
     const double shifted = x + kParcelLength_m * chance(row, d.i, 4);

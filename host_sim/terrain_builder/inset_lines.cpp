@@ -5,13 +5,13 @@
 
 #include "host_sim/terrain_builder/surface_heights.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
 
-constexpr double kSmallestRadius_m = 6335000, kLargestRadius_m = 6400000;
 constexpr std::uint8_t kAnyLevel = 255;
 
 }  // namespace
@@ -110,8 +110,8 @@ LinePiece InsetLines::line_of(const Piece& piece) const {
     };
     const double step_deg =
         is_row ? plan_.header.step_lon_deg * std::cos(plan_.lattice.latitude_rad(row)) : plan_.header.step_lat_deg;
-    const double cell_m = base::radians(step_deg) * kLargestRadius_m;
-    line.sagitta_m = cell_m * cell_m / (8 * kSmallestRadius_m);
+    const double cell_m = base::radians(step_deg) * earth::kGreatestCurvatureRadius_m;
+    line.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
     return line;
 }
 

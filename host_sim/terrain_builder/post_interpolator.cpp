@@ -14,11 +14,11 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSnap = 1e-6;  // of a post: what rounding may take, so that aligned posts keep their heights
+constexpr double kPostRounding = 1e-6;  // of a post: what rounding may take, so that aligned posts keep their heights
 
 double snapped(double place) {
     const double nearest = std::round(place);
-    return std::abs(place - nearest) < kSnap ? nearest : place;
+    return std::abs(place - nearest) < kPostRounding ? nearest : place;
 }
 
 int nearest_pixel(double place, int count) { return std::clamp(static_cast<int>(std::floor(place + 0.5)), 0, count - 1); }

@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kSnap = 1e-9;  // of a step: what rounding may take
+constexpr double kBoundRounding = 1e-9;  // of a step: what rounding may take
 
 void require_size(double columns, double rows, const std::string& file, const RasterOptions& options) {
     if (options.bounds && (columns < 2 || rows < 2))
@@ -25,8 +25,8 @@ void require_size(double columns, double rows, const std::string& file, const Ra
 
 /// First and last post of an axis inside an interval, where post n lies at first + n * step.
 std::pair<int, int> posts_within(double first, double step, int count, double low, double high) {
-    const double from = std::ceil(std::min((low - first) / step, (high - first) / step) - kSnap);
-    const double to = std::floor(std::max((low - first) / step, (high - first) / step) + kSnap);
+    const double from = std::ceil(std::min((low - first) / step, (high - first) / step) - kBoundRounding);
+    const double to = std::floor(std::max((low - first) / step, (high - first) / step) + kBoundRounding);
     return {static_cast<int>(std::clamp(from, 0.0, static_cast<double>(count))),
             static_cast<int>(std::clamp(to, -1.0, count - 1.0))};
 }

@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr int kEdgeSamples = 41;
-constexpr double kSnap = 1e-6;  // of a step: what rounding may take
+constexpr double kStepRounding = 1e-6;  // of a step: what rounding may take
 
 /// Edges of the area, not posts.
 struct Extent {
@@ -99,7 +99,7 @@ Extent unite(std::vector<Extent>& extents) {
 /// Cut to posts inside the bounds, whole steps from where it began.
 void cut(Extent& all, const GeoBounds& bounds) {
     const double turns = turns_towards(0.5 * (bounds.west_deg + bounds.east_deg), 0.5 * (all.west_deg + all.east_deg));
-    const auto whole = [](double steps) { return std::max(0.0, std::ceil(steps - kSnap)); };
+    const auto whole = [](double steps) { return std::max(0.0, std::ceil(steps - kStepRounding)); };
     const double from_west = whole((bounds.west_deg + turns - all.west_deg) / all.step_lon_deg - 0.5),
                  from_north = whole((all.north_deg - bounds.north_deg) / all.step_lat_deg - 0.5),
                  from_east = whole((all.east_deg - bounds.east_deg - turns) / all.step_lon_deg - 0.5),
@@ -123,7 +123,7 @@ GeoLattice plan_lattice(const std::vector<RasterSource>& sources, const RasterOp
     Extent all = unite(extents);
     const auto first_plain = std::find_if(sources.begin(), sources.end(), [](const RasterSource& s) { return s.plain; });
     const Extent anchor = first_plain == sources.end() ? all : extents[static_cast<std::size_t>(first_plain - sources.begin())];
-    const auto steps = [](double distance, double step) { return std::ceil(distance / step - kSnap); };
+    const auto steps = [](double distance, double step) { return std::ceil(distance / step - kStepRounding); };
     all.west_deg = anchor.west_deg - steps(anchor.west_deg - all.west_deg, all.step_lon_deg) * all.step_lon_deg;
     all.north_deg = anchor.north_deg + steps(all.north_deg - anchor.north_deg, all.step_lat_deg) * all.step_lat_deg;
     if (options.bounds) cut(all, *options.bounds);

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using namespace terrain;
 
-constexpr double kSmallestRadius_m = 6335000;  // below any radius of curvature of the ellipsoid
-constexpr double kGeoidSlope = 5e-4;           // of the undulation that surfaces have on top of heights; EGM96's steepest is less
+constexpr double kGeoidSlope = 5e-4;  // of the undulation that surfaces have on top of heights; EGM96's steepest is less
 
 /// The largest steps between valid neighbours, in the row of cells below row j of posts.
 struct LargestSteps {
@@ -46,8 +46,9 @@ float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const P
     double steepest = 0;
     for (std::uint32_t j = posts.j0; j < posts.j1; ++j) {
         const LargestSteps steps = largest_steps(window, posts, j);
-        const double east_m = base::radians(plan.header.step_lon_deg) * kSmallestRadius_m * std::min(cosine(j), cosine(j + 1));
-        const double north_m = kSmallestRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1));
+        const double east_m =
+            base::radians(plan.header.step_lon_deg) * earth::kLeastCurvatureRadius_m * std::min(cosine(j), cosine(j + 1));
+        const double north_m = earth::kLeastCurvatureRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1));
         steepest = std::max(steepest, std::hypot(double{steps.east_m} / east_m, double{steps.south_m} / north_m));
     }
     return static_cast<float>(steepest + kGeoidSlope);

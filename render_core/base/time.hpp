@@ -7,6 +7,8 @@
 
 namespace tedavis::base {
 
+inline constexpr std::int64_t kSecondsPerDay = 86'400, kNanosecondsPerHour = 3'600'000'000'000;
+
 struct Duration {
     std::int64_t ns = 0;
 

@@ -6,12 +6,12 @@
 namespace tedavis::draw {
 namespace {
 
-enum Uniform : std::size_t { kPicture, kPart, kUniforms };
+enum KeptUniform : std::size_t { kKeptTexture, kKeptPart, kKeptUniforms };
 
 }  // namespace
 
 gl::GlError KeptPicture::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px) {
-    static constexpr const char* kNames[kUniforms] = {"picture", "part"};
+    static constexpr const char* kNames[kKeptUniforms] = {"picture", "part"};
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::linear, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
@@ -31,8 +31,8 @@ void KeptPicture::draw(gl::Gl& gl, std::int32_t begins_px, std::uint32_t width_p
     target_.color().bind(gl, 0);
     program_.use(gl);
     const auto whole = static_cast<float>(target_.color().settings().width_px);
-    gl->Uniform1i(program_.uniform(kPicture), 0);
-    gl->Uniform4f(program_.uniform(kPart), static_cast<float>(begins_px) / whole, 0, static_cast<float>(width_px) / whole, 1);
+    gl->Uniform1i(program_.uniform(kKeptTexture), 0);
+    gl->Uniform4f(program_.uniform(kKeptPart), static_cast<float>(begins_px) / whole, 0, static_cast<float>(width_px) / whole, 1);
     grid_.draw(gl);
 }
 

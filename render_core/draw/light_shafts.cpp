@@ -7,20 +7,28 @@
 namespace tedavis::draw {
 namespace {
 
-enum Uniform : std::size_t { kScene = kShadowUniforms, kRays, kBox, kLook, kHaze, kAir, kUniforms = kAir + kAirUniforms };
-constexpr const char* kNames[kUniforms] = {kShadowUniformNames[0],
-                                           kShadowUniformNames[1],
-                                           kShadowUniformNames[2],
-                                           kShadowUniformNames[3],
-                                           "scene",
-                                           "rays",
-                                           "caster_box",
-                                           "shaft_look",
-                                           "haze_color",
-                                           kAirUniformNames[0],
-                                           kAirUniformNames[1],
-                                           kAirUniformNames[2],
-                                           kAirUniformNames[3]};
+enum ShaftUniform : std::size_t {
+    kShaftScene = kShadowUniforms,
+    kShaftRays,
+    kShaftBox,
+    kShaftLook,
+    kShaftHaze,
+    kShaftAir,
+    kShaftUniforms = kShaftAir + kAirUniforms
+};
+constexpr const char* kNames[kShaftUniforms] = {kShadowUniformNames[0],
+                                                kShadowUniformNames[1],
+                                                kShadowUniformNames[2],
+                                                kShadowUniformNames[3],
+                                                "scene",
+                                                "rays",
+                                                "caster_box",
+                                                "shaft_look",
+                                                "haze_color",
+                                                kAirUniformNames[0],
+                                                kAirUniformNames[1],
+                                                kAirUniformNames[2],
+                                                kAirUniformNames[3]};
 
 float number(double value) { return static_cast<float>(value); }
 
@@ -60,20 +68,20 @@ void LightShafts::draw(gl::Gl& gl, const ShaftInput& input) {
     gl->Disable(GL_BLEND);
     program_.use(gl);
     set_shadow_uniforms(gl, program_, 0, input.shadow, view.eye);
-    if (with_air_) set_air_uniforms(gl, program_, kAir, input.air);
+    if (with_air_) set_air_uniforms(gl, program_, kShaftAir, input.air);
     float rays[3][3];
     set_vec3(rays[0], view.forward);
     set_vec3(rays[1], view.right * view.half_width_tangent());
     set_vec3(rays[2], -view.down * view.half_height_tangent());
-    gl->Uniform3fv(program_.uniform(kRays), 3, rays[0]);
+    gl->Uniform3fv(program_.uniform(kShaftRays), 3, rays[0]);
     const ShadowFrame& frame = *input.shadow.frame;
     const float box[6] = {number(frame.low_m.x),  number(frame.low_m.y),  number(frame.low_m.z),
                           number(frame.high_m.x), number(frame.high_m.y), number(frame.high_m.z)};
-    gl->Uniform3fv(program_.uniform(kBox), 2, box);
-    gl->Uniform3f(program_.uniform(kLook), number(input.strength), number(input.steps), number(input.haze_per_m));
-    gl->Uniform3f(program_.uniform(kHaze), number(input.haze.red / 255.0), number(input.haze.green / 255.0),
+    gl->Uniform3fv(program_.uniform(kShaftBox), 2, box);
+    gl->Uniform3f(program_.uniform(kShaftLook), number(input.strength), number(input.steps), number(input.haze_per_m));
+    gl->Uniform3f(program_.uniform(kShaftHaze), number(input.haze.red / 255.0), number(input.haze.green / 255.0),
                   number(input.haze.blue / 255.0));
-    gl->Uniform1i(program_.uniform(kScene), 0);
+    gl->Uniform1i(program_.uniform(kShaftScene), 0);
     input.scene.bind(gl, 0);
     grid_.draw(gl);
 }

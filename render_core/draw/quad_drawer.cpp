@@ -17,7 +17,7 @@ namespace {
 enum Attribute : GLuint { kPosition, kUv, kExtent, kColor, kDistance };
 constexpr gl::AttributeBinding kAttributes[] = {
     {"position", kPosition}, {"uv", kUv}, {"extent", kExtent}, {"color", kColor}, {"distance_m", kDistance}};
-enum Uniform : std::size_t { kClipPerPixel, kAtlas, kDepth, kParting, kIsNearer };
+enum QuadUniform : std::size_t { kQuadClipPerPixel, kQuadAtlas, kQuadDepth, kQuadParting, kQuadIsNearer };
 constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth", "parting_m", "is_nearer"};
 constexpr std::string_view kGlyphs = "#define GLYPHS 1\n", kAmongTerrain = "#define AMONG_TERRAIN 1\n";
 constexpr std::size_t kLinkShare = 4;  // links have one in so many of the vertices of billboards
@@ -139,10 +139,10 @@ std::uint32_t QuadDrawer::draw_within(gl::Gl& gl, std::uint32_t width, std::uint
 void QuadDrawer::set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) const {
     const double near_m = plan.ranges[n].near_m, far_m = plan.ranges[n].far_m;
     boxes_->use(gl);
-    gl->Uniform2f(boxes_->uniform(kDepth), static_cast<float>((far_m + near_m) / (far_m - near_m)),
+    gl->Uniform2f(boxes_->uniform(kQuadDepth), static_cast<float>((far_m + near_m) / (far_m - near_m)),
                   static_cast<float>(-2 * far_m * near_m / (far_m - near_m)));
-    gl->Uniform1f(boxes_->uniform(kParting), static_cast<float>(plan.parting_m()));
-    gl->Uniform1f(boxes_->uniform(kIsNearer), n > 0 ? 1.0f : 0.0f);
+    gl->Uniform1f(boxes_->uniform(kQuadParting), static_cast<float>(plan.parting_m()));
+    gl->Uniform1f(boxes_->uniform(kQuadIsNearer), n > 0 ? 1.0f : 0.0f);
 }
 
 std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last) {
@@ -154,10 +154,10 @@ std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32
     for (const gl::Program* program : {boxes_, glyphs_}) {
         if (program == nullptr) continue;
         program->use(gl);
-        gl->Uniform2f(program->uniform(kClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
+        gl->Uniform2f(program->uniform(kQuadClipPerPixel), 2.0f / static_cast<float>(width), 2.0f / static_cast<float>(height));
     }
     if (glyphs_ != nullptr) {
-        gl->Uniform1i(glyphs_->uniform(kAtlas), 0);
+        gl->Uniform1i(glyphs_->uniform(kQuadAtlas), 0);
         typeface_->bind(gl, 0);
     }
     vertices_.bind(gl);

@@ -192,7 +192,7 @@ void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::La
 void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
                         const terrain::ChunkKey& owner, const DrapeAtlas& atlas, std::uint32_t slot) {
     const terrain::PostRange posts = lattice.posts_of(chunk), page = lattice.posts_of(owner);
-    constexpr float kTexelsPerPost = (terrain::kDrapePosts - 1) / static_cast<float>(terrain::kChunkCells);
+    constexpr float kTexelsPerPost = terrain::kDrapeSteps / static_cast<float>(terrain::kChunkCells);
     const float texels_per_post = kTexelsPerPost / static_cast<float>(1u << owner.level);
     gl->Uniform3f(program.uniform(kDrapeWindow), texels_per_post, static_cast<float>(posts.i0 - page.i0) * texels_per_post,
                   static_cast<float>(posts.j0 - page.j0) * texels_per_post);
@@ -212,7 +212,7 @@ GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& 
 }
 
 GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {
-    constexpr double kPostsPerTexel = terrain::kChunkCells / (terrain::kDrapePosts - 1.0);
+    constexpr double kPostsPerTexel = terrain::kChunkCells / double{terrain::kDrapeSteps};
     return post_size(lattice, owner, std::ldexp(kPostsPerTexel, static_cast<int>(owner.level)));
 }
 

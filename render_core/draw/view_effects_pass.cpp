@@ -12,7 +12,7 @@
 namespace tedavis::draw {
 namespace {
 
-enum Uniform : std::size_t { kScene, kSceneSize, kFocus, kShafts, kUniforms };
+enum EffectUniform : std::size_t { kEffectScene, kEffectSceneSize, kEffectFocus, kEffectShafts, kEffectUniforms };
 
 }  // namespace
 
@@ -21,7 +21,7 @@ double distance_code(double distance_m) noexcept {
 }
 
 gl::GlError ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts) {
-    static constexpr const char* kNames[kUniforms] = {"scene", "scene_size", "focus", "shafts"};
+    static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "shafts"};
     base::FixedString<kMaxShaderText> fragment(blurs ? "#define BLUR 1\n" : "");
     if (smooths) fragment.append("#define SMOOTH 1\n");
     if (shafts) fragment.append("#define SHAFTS 1\n");
@@ -64,11 +64,11 @@ void ViewEffectsPass::finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewE
     target_.color().bind(gl, 0);
     program.use(gl);
     const gl::TextureSettings& size = target_.color().settings();
-    gl->Uniform1i(program.uniform(kScene), 0);
-    gl->Uniform2f(program.uniform(kSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
-    gl->Uniform3f(program.uniform(kFocus), static_cast<float>(input.focus.near_m), static_cast<float>(input.focus.far_m),
+    gl->Uniform1i(program.uniform(kEffectScene), 0);
+    gl->Uniform2f(program.uniform(kEffectSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
+    gl->Uniform3f(program.uniform(kEffectFocus), static_cast<float>(input.focus.near_m), static_cast<float>(input.focus.far_m),
                   static_cast<float>(input.focus.blur_px));
-    gl->Uniform1i(program.uniform(kShafts), static_cast<GLint>(LightShafts::kUnit));
+    gl->Uniform1i(program.uniform(kEffectShafts), static_cast<GLint>(LightShafts::kUnit));
     if (input.shafts != nullptr) input.shafts->bind(gl, LightShafts::kUnit);
     grid_.draw(gl);
 }

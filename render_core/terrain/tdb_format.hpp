@@ -41,7 +41,7 @@ inline constexpr int kHorizonDirections = 16;
 
 /// Drape pages belong to chunks of FileHeader::drape_level and above; a chunk below uses its part of an ancestor's. 128 steps
 /// across 32 cells, a power of two: texels of a level lie on every second one of the level below, and on posts.
-inline constexpr std::uint32_t kDrapePosts = 129;
+inline constexpr std::uint32_t kDrapePosts = 129, kDrapeSteps = kDrapePosts - 1;
 
 enum class PostClass : std::uint8_t {
     land,

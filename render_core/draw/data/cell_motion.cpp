@@ -12,7 +12,7 @@ namespace {
 
 constexpr design::Color kRim{16, 16, 20, 255};
 constexpr float kRim_px = 1.5f;
-constexpr int kSides = 8;
+constexpr int kArrowSides = 8;
 constexpr double kHead = 0.35, kHeadRadius = 0.12, kShaftRadius = 0.045;  // of the length
 constexpr double kWidest_m = 6000;                                        // what is longer is no thicker
 
@@ -23,8 +23,8 @@ void build_arrow(SolidMesh& mesh, const CellFront& from, double length_m, design
     const glm::dvec3 neck = from.place + way * (length_m - kHead * thick_m);
     mesh.begin(from.place);
     mesh.set_color(color);
-    add_frustum(mesh, from.place, neck, kShaftRadius * thick_m, kShaftRadius * thick_m, kSides, axes.up);
-    add_frustum(mesh, neck, from.place + way * length_m, kHeadRadius * thick_m, 0, kSides, axes.up);
+    add_frustum(mesh, from.place, neck, kShaftRadius * thick_m, kShaftRadius * thick_m, kArrowSides, axes.up);
+    add_frustum(mesh, neck, from.place + way * length_m, kHeadRadius * thick_m, 0, kArrowSides, axes.up);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kMargin_m = 300, kMarginShare = 0.005;
 constexpr double kLowest_m = -500, kHighest_m = 15'000;  // of what has no stated heights
-constexpr int kSides = 5;
-constexpr unsigned kAllSides = (1u << kSides) - 1;
+constexpr int kViewSides = 5;
+constexpr unsigned kAllViewSides = (1u << kViewSides) - 1;
 
 /// Round which the surroundings are mapped: the eye's own place; of eyes far above what they look at, from where the Earth is a
 /// small part of the view.
@@ -33,9 +33,9 @@ public:
     Sight(const terrain::View& view, const glm::dvec3& middle)
         : middle_(earth::from_ecef(middle)), from_eye_(middle - view.eye), axes_(local_axes(middle)) {
         const double across = view.half_width_tangent(), along = view.half_height_tangent();
-        const glm::dvec3 inwards[kSides] = {view.forward * across + view.right, view.forward * across - view.right,
-                                            view.forward * along + view.down, view.forward * along - view.down, view.forward};
-        for (int n = 0; n < kSides; ++n) inwards_[n] = glm::normalize(inwards[n]);
+        const glm::dvec3 inwards[kViewSides] = {view.forward * across + view.right, view.forward * across - view.right,
+                                                view.forward * along + view.down, view.forward * along - view.down, view.forward};
+        for (int n = 0; n < kViewSides; ++n) inwards_[n] = glm::normalize(inwards[n]);
         sine_ = std::sin(middle_.latitude_rad);
         cosine_ = std::cos(middle_.latitude_rad);
         across_m_ = earth::prime_vertical_radius_m(middle_.latitude_rad);
@@ -56,7 +56,7 @@ public:
         const glm::dvec3 level = from_eye_ + axes_.east * east_m + axes_.north * north_m;
         const glm::dvec3 low = level + axes_.up * (low_m - sunk_m), high = level + axes_.up * (high_m - sunk_m);
         unsigned sides = 0;
-        for (int n = 0; n < kSides; ++n)
+        for (int n = 0; n < kViewSides; ++n)
             if (glm::dot(inwards_[n], low) < -margin_m && glm::dot(inwards_[n], high) < -margin_m) sides |= 1u << n;
         return sides;
     }
@@ -65,7 +65,7 @@ private:
     earth::Geodetic middle_;
     glm::dvec3 from_eye_;
     LocalAxes axes_;
-    glm::dvec3 inwards_[kSides]{};
+    glm::dvec3 inwards_[kViewSides]{};
     double sine_ = 0, cosine_ = 1, across_m_ = 1, along_m_ = 1;
 };
 
@@ -78,7 +78,7 @@ bool has_heights(const ElementInput& input) {
 
 bool is_out(const Sight& sight, const ElementInput& input, const scene::Run& run, const glm::dvec2& gone_m) {
     const bool with_heights = has_heights(input);
-    unsigned sides = kAllSides;
+    unsigned sides = kAllViewSides;
     for (std::uint32_t n = 0; n < run.count && sides != 0; ++n) {
         const scene::ScenePoint& point = input.layer.points[run.first + n];
         const double height_m = static_cast<double>(point.height_m);

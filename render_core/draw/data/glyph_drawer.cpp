@@ -22,18 +22,18 @@ constexpr gl::AttributeBinding kAttributes[] = {{"place", kPlace},        {"colo
                                                 {"corner", kCorner},      {"look", kLook},   {"size", kSize},
                                                 {"direction", kDirection}};
 constexpr GLuint kInstancedAttributes = kDirection + 1;
-enum Uniform : std::size_t { kEarthToEye = kFirstOwnDataUniform, kFacing, kUniformCount };
-constexpr const char* kUniforms[kUniformCount] = {kDataUniformNames[0],
-                                                  kDataUniformNames[1],
-                                                  kDataUniformNames[2],
-                                                  kDataUniformNames[3],
-                                                  kDataUniformNames[4],
-                                                  kDataUniformNames[5],
-                                                  kDataUniformNames[6],
-                                                  kDataUniformNames[7],
-                                                  kDataUniformNames[8],
-                                                  "earth_to_eye",
-                                                  "facing"};
+enum GlyphUniform : std::size_t { kEarthToEye = kFirstOwnDataUniform, kFacing, kGlyphUniformCount };
+constexpr const char* kUniforms[kGlyphUniformCount] = {kDataUniformNames[0],
+                                                       kDataUniformNames[1],
+                                                       kDataUniformNames[2],
+                                                       kDataUniformNames[3],
+                                                       kDataUniformNames[4],
+                                                       kDataUniformNames[5],
+                                                       kDataUniformNames[6],
+                                                       kDataUniformNames[7],
+                                                       kDataUniformNames[8],
+                                                       "earth_to_eye",
+                                                       "facing"};
 enum CasterUniform : std::size_t { kCasterAxes, kCasterLevel, kCasterEarthToEye, kCasterFacing, kCasterUniformCount };
 constexpr const char* kCasterUniforms[kCasterUniformCount] = {"shadow_axes", "caster_level", "earth_to_eye", "facing"};
 constexpr float kOne = 127;  // of signed bytes
@@ -140,7 +140,7 @@ gl::GlError GlyphDrawer::build_programs(gl::Gl& gl) {
     vertex.append(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_glyph_vert));
     const std::size_t attributes = is_instanced_ ? kInstancedAttributes : kCornersAttributes;
-    const std::size_t uniforms = is_instanced_ ? kUniformCount : std::size_t{kFirstOwnDataUniform};
+    const std::size_t uniforms = is_instanced_ ? kGlyphUniformCount : std::size_t{kFirstOwnDataUniform};
     DataFragment fragment;
     add_data_fragment(fragment, with_air_);
     auto built = gl::build_program(

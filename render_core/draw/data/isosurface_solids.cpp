@@ -15,7 +15,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::uint64_t kAlignment_bytes = 256;
+constexpr std::uint64_t kSurfacePadding_bytes = 256;
 constexpr std::size_t kIndicesAVertex = 6, kShareOfRoom = 2;
 constexpr std::uint32_t kLeastAcross = 4;  // posts that are looked at along an axis, where there are as many
 constexpr std::uint64_t kAllCells = ~std::uint64_t{0};
@@ -93,7 +93,7 @@ IsosurfaceRoom IsosurfaceRoom::beside(std::uint32_t batch_vertices) {
 std::uint64_t IsosurfaceSolids::bytes_needed(const IsosurfaceRoom& room) {
     constexpr std::uint64_t kVertex = sizeof(scene::IsosurfaceVertex) + (kIndicesAVertex + 1) * sizeof(std::uint32_t);
     return room.posts * sizeof(float) + room.vertices * kVertex + scene::IsosurfaceBuilder::bytes_needed(room.posts_of_slice, 1) +
-           kAlignment_bytes;
+           kSurfacePadding_bytes;
 }
 
 bool IsosurfaceSolids::start(base::Arena& arena, const IsosurfaceRoom& room) {

@@ -27,7 +27,7 @@ struct ModelBox {
     glm::dvec3 low, high;
     design::Color color;
 };
-ModelBox box_of(const scene::Layer& layer) {
+ModelBox model_box(const scene::Layer& layer) {
     ModelBox box{glm::dvec3(1e9), glm::dvec3(-1e9), {}};
     std::uint64_t sums[4]{};
     for (const scene::ModelVertex& vertex : layer.vertices) {
@@ -72,7 +72,7 @@ bool build(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
     const scene::Uncertainty unsure = encoded_uncertainty(input, feature);
     mesh.begin(at.place);
     if (input.element.detail < kShapesFrom) {
-        const ModelBox box = box_of(layer);
+        const ModelBox box = model_box(layer);
         mesh.set_color(has_own_color ? box.color : color, unsure);
         build_box(mesh, box, {at.place, axes * scale});
         return mesh.is_whole();

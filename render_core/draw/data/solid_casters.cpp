@@ -10,8 +10,8 @@
 namespace tedavis::draw {
 namespace {
 
-enum Uniform : std::size_t { kAxes, kLevel, kAnchor, kFading, kCover, kUniforms };
-constexpr const char* kNames[kUniforms] = {"shadow_axes", "caster_level", "anchor", "fading", "cover"};
+enum CastUniform : std::size_t { kCastAxes, kCastLevel, kCastAnchor, kCastFading, kCastCover, kCastUniforms };
+constexpr const char* kNames[kCastUniforms] = {"shadow_axes", "caster_level", "anchor", "fading", "cover"};
 
 bool is_in_level(const SolidPiece& piece, const CasterView& view) {
     const ShadowLevel& level = view.shadow.levels[view.level];
@@ -61,13 +61,13 @@ std::uint32_t SolidCasters::draw(gl::Gl& gl, base::Span<const SolidBuffers* cons
 }
 
 std::uint32_t SolidCasters::draw_piece(gl::Gl& gl, const SolidPiece& piece, bool is_thin, const CasterView& view) const {
-    set_solid_place(gl, program_.uniform(kAnchor), piece, view.eye);
-    set_solid_fading(gl, program_.uniform(kFading), piece, 0);
-    gl->Uniform3f(program_.uniform(kCover), piece.look.opacity, 0, 0);
+    set_solid_place(gl, program_.uniform(kCastAnchor), piece, view.eye);
+    set_solid_fading(gl, program_.uniform(kCastFading), piece, 0);
+    gl->Uniform3f(program_.uniform(kCastCover), piece.look.opacity, 0, 0);
     point_solid_attributes(gl, piece);
     const std::uint32_t times = is_thin ? 2 : 1;
     for (std::uint32_t n = 0; n < times; ++n) {
-        set_caster_level(gl, program_.uniform(kAxes), program_.uniform(kLevel), view, n * 0.5 * view.texel_m);
+        set_caster_level(gl, program_.uniform(kCastAxes), program_.uniform(kCastLevel), view, n * 0.5 * view.texel_m);
         gl::draw_triangles(gl, {piece.first_index, piece.indices, piece.vertices - 1});
     }
     return times;

@@ -5,13 +5,13 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::uint64_t kAlignment_bytes = 64;
+constexpr std::uint64_t kMeshPadding_bytes = 64;
 
 }  // namespace
 
 std::uint64_t SolidMesh::bytes_needed() {
     return kVertices * sizeof(SolidVertex) + (kIndices + 3 * kCorners) * sizeof(std::uint16_t) + kCorners * sizeof(glm::dvec2) +
-           kAlignment_bytes;
+           kMeshPadding_bytes;
 }
 
 bool SolidMesh::start(base::Arena& arena) {

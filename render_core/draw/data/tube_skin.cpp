@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::uint32_t kSides = scene::kDefaultTubeSides;
 constexpr std::uint32_t kEndIndices = 3 * (kSides - 2), kWallIndices = 6 * kSides;
-constexpr std::uint32_t kMostRings = kTubeBlockRings + 1;
-constexpr std::uint32_t kBlockVertices = kMostRings * TubeSkin::kRingVertices + 2 * TubeSkin::kEndVertices;
+constexpr std::uint32_t kBlockRings = kTubeBlockRings + 1;
+constexpr std::uint32_t kBlockVertices = kBlockRings * TubeSkin::kRingVertices + 2 * TubeSkin::kEndVertices;
 constexpr std::uint32_t kBlockIndices = kTubeBlockRings * kWallIndices + 2 * kEndIndices;
-constexpr std::uint64_t kAlignment_bytes = 64;
+constexpr std::uint64_t kSkinPadding_bytes = 64;
 constexpr double kMarkerRadii = 2;  // of the tube that it stands for
-static_assert(kBlockVertices <= SolidMesh::kVertices && kMostRings * kTubeHullSides <= SolidMesh::kVertices);
-static_assert(6 * kTubeHullSides * kMostRings <= SolidMesh::kIndices);
+static_assert(kBlockVertices <= SolidMesh::kVertices && kBlockRings * kTubeHullSides <= SolidMesh::kVertices);
+static_assert(6 * kTubeHullSides * kBlockRings <= SolidMesh::kIndices);
 
 /// How far an ellipse reaches in a direction with this part of it upwards.
 double reach_m(const TubeMargin& margin, double upwards) {
@@ -81,7 +81,7 @@ private:
 }  // namespace
 
 std::uint64_t TubeSkin::bytes_needed() {
-    return kBlockVertices * sizeof(scene::TubeVertex) + kBlockIndices * sizeof(std::uint16_t) + kAlignment_bytes;
+    return kBlockVertices * sizeof(scene::TubeVertex) + kBlockIndices * sizeof(std::uint16_t) + kSkinPadding_bytes;
 }
 
 bool TubeSkin::start(base::Arena& arena) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kBatchVerticesARing = 24, kMostRings = 32768;
 constexpr std::size_t kShareOfRoom = 2;  // one half
-constexpr std::uint64_t kAlignment_bytes = 64;
+constexpr std::uint64_t kRingPadding_bytes = 64;
 constexpr std::size_t kSideIndices = 36;
 constexpr double kPostShare = 0.25;  // of the tube's radius
 constexpr double kSteep = 0.9;       // of a unit tangent upwards, from which on a side cannot well face upwards
@@ -52,7 +52,7 @@ std::uint32_t TubeSolids::rings_for(std::uint32_t batch_vertices) {
 
 std::uint64_t TubeSolids::bytes_needed(std::uint32_t rings) {
     return TubeWay::bytes_needed() + TubeLine::bytes_needed(rings) + TubeSkin::bytes_needed() +
-           std::uint64_t{with_cusps(rings)} * sizeof(scene::TubeRing) + kAlignment_bytes;
+           std::uint64_t{with_cusps(rings)} * sizeof(scene::TubeRing) + kRingPadding_bytes;
 }
 
 bool TubeSolids::start(base::Arena& arena, std::uint32_t rings) {

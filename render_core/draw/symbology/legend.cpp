@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/legend_sample.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 
 namespace tedavis::draw {
@@ -20,7 +21,6 @@ constexpr float kSample = 1.0f, kTightSample = 0.85f;
 constexpr float kBand = 1.0f;
 constexpr float kTallestBar = 7, kShortestBar = 2;
 constexpr float kInset = 0.3f;
-constexpr float kSampleWidth = 1.2f;
 constexpr float kNumberSize = 0.75f;
 constexpr float kNumberPitch = 1.0f;  // numbers on the bar stand at least so far apart
 
@@ -28,10 +28,7 @@ constexpr float kNumberPitch = 1.0f;  // numbers on the bar stand at least so fa
 constexpr float kHatchPitch_px = 12;
 constexpr double kHatchDark = 0.4;
 
-constexpr int kBarSlices = 32;
-constexpr float kUnder_px = 1;  // by which a slice reaches under its neighbour
 constexpr int kBandSlices = 5;
-constexpr int kMaxNumbers = 16;
 
 /// The values of the bar, as they are written.
 struct Scale {

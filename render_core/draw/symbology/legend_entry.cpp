@@ -12,20 +12,15 @@ namespace tedavis::draw {
 namespace {
 
 // In texts.
-constexpr float kTitle = 1.0f;
+constexpr float kEntryTitle = 1.0f;
 constexpr float kRow = 0.85f;
 constexpr float kBar = 0.75f, kNumbers = 0.75f;
 constexpr float kEnds = 0.45f;  // half a number beyond each end of an upright scale
 constexpr float kClass = 1.0f;
 constexpr float kContinuous = 5, kMostUpright = 8;
-constexpr float kInset = 0.3f, kPad = 0.1f;
-constexpr float kSampleWidth = 1.2f;
+constexpr float kEntryInset = 0.3f, kEntryPad = 0.1f;
 constexpr float kText = 0.7f;
 constexpr float kNumberGap = 0.12f;
-
-constexpr int kBarSlices = 32;
-constexpr float kUnder_px = 1;  // by which a slice reaches under its neighbour
-constexpr int kMaxNumbers = 16;
 
 /// Names that stand in the legend; the rest is counted in a row of its own.
 std::size_t named_classes(const DataLegend& legend, LegendDetail detail) {
@@ -158,7 +153,7 @@ private:
     [[nodiscard]] bool has_classes() const { return !legend_.scale.breaks.empty(); }
 
     void build_title(std::size_t cut) {
-        Rect at = row(kTitle);
+        Rect at = row(kEntryTitle);
         if (cut > 0) {
             ShortText more("+");
             more.append(whole_number(static_cast<double>(cut)).view());
@@ -228,7 +223,7 @@ private:
 
     void build_upright() {
         const Rect whole = row(scale_height(legend_, detail_));
-        const Rect bar{whole.x + kInset * t_, whole.y + kEnds * t_, kSampleWidth * t_, whole.height - 2 * kEnds * t_};
+        const Rect bar{whole.x + kEntryInset * t_, whole.y + kEnds * t_, kSampleWidth * t_, whole.height - 2 * kEnds * t_};
         build_bar(bar, true);
         const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, double{kRow * t_ / bar.height});
         float last = bar.bottom() + whole.height;
@@ -253,7 +248,8 @@ private:
 
     void build_flat() {
         const Rect upper = row(kBar), lower = row(kNumbers);
-        const Rect bar{upper.x + kInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kInset * t_, upper.height - 0.05f * t_};
+        const Rect bar{upper.x + kEntryInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kEntryInset * t_,
+                       upper.height - 0.05f * t_};
         build_bar(bar, false);
         if (!legend_.class_names.empty()) return count_names(lower, "", 0, " KINDS");
         const double widest =
@@ -302,7 +298,7 @@ private:
         const Rect at = row(kRow);
         if (sample.look == SampleLook::words)
             return painter_.fitted_text(text, at, TextAnchor::center, kText, kScaleColor, TextRim::none);
-        const Rect swatch{at.x + kInset * t_, at.y + 0.08f * t_, kSampleWidth * t_, at.height - 0.16f * t_};
+        const Rect swatch{at.x + kEntryInset * t_, at.y + 0.08f * t_, kSampleWidth * t_, at.height - 0.16f * t_};
         draw::build_sample(painter_, sample, swatch);
         build_text(text, {swatch.right(), at.y, at.right() - swatch.right(), at.height});
     }
@@ -315,8 +311,8 @@ private:
     void build_uncertainty_line(const Rect& at) const {
         constexpr float kSwatch = 0.6f, kLetter = 0.65f;
         const std::size_t count = legend_.uncertainty.size();
-        const float narrow = (kSwatch + kLetter) * t_, room = at.width - kInset * t_;
-        float x = at.x + kInset * t_;
+        const float narrow = (kSwatch + kLetter) * t_, room = at.width - kEntryInset * t_;
+        float x = at.x + kEntryInset * t_;
         for (std::size_t n = 0; n < count; ++n) {
             const LegendSample& sample = legend_.uncertainty[n];
             const std::string_view text = line_text(n);
@@ -346,8 +342,8 @@ private:
 
 float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept {
     if (!legend.has_scale && detail >= LegendDetail::scales_alone) return 0;
-    return kTitle + (has_part_row(legend, detail) ? kRow : 0) + scale_height(legend, detail) +
-           kRow * static_cast<float>(rows_of(legend, detail).count()) + kPad + kLegendEntryGap;
+    return kEntryTitle + (has_part_row(legend, detail) ? kRow : 0) + scale_height(legend, detail) +
+           kRow * static_cast<float>(rows_of(legend, detail).count()) + kEntryPad + kLegendEntryGap;
 }
 
 void build_legend_entry(const Painter& painter, const DataLegend& legend, LegendDetail detail, const Rect& box, std::size_t cut) {
