@@ -69,10 +69,37 @@ private:
         Path folder = path_beside(path_, root.text("palettes", ""));
         if (!folder.empty() && folder.view().back() != '/') folder.append("/");
         if (folder.cut()) return root.fault("palettes", "the path is longer than 1023 bytes; use a shorter one");
-        take(root, "design", settings_.design, [&folder](std::string_view text, std::string_view path) {
+        Path design;
+        design::NamedPhases phases;
+        take(root, "design", settings_.design, [&](std::string_view text, std::string_view path) {
             PaletteFiles palettes(path, folder.view());
-            return design::read_design_settings(text, path, palettes);
+            design = Path(path);
+            return design::read_design_settings(text, path, palettes, &phases);
         });
+        for (const design::NamedPhase& named : phases) read_phase_design(root, named, design.view(), folder.view());
+    }
+
+    /// A short name is a file beside the design that names it.
+    void read_phase_design(base::ConfigSection& root, const design::NamedPhase& named, std::string_view design,
+                           std::string_view palette_folder) {
+        if (const design::DesignSettings* const known = settings_.phases.find(named.design); known != nullptr)
+            return static_cast<void>(settings_.phases.add(named, *known));
+        Path path = path_beside(design, named.design.view());
+        if (design::is_short_name(named.design.view())) path.append(".toml");
+        const auto text = read_file_text(path.c_str());
+        if (path.cut() || !text.ok())
+            return root.fault("design",
+                              path.cut() ? "a phase's design has a path that is too long" : text.error().sentence.view());
+        PaletteFiles palettes(path.view(), palette_folder);
+        design::NamedPhases nested;
+        const auto loaded = design::read_design_settings(text.value().view(), path.view(), palettes, &nested);
+        if (!loaded.ok() && named_file_fault_.sentence.empty())
+            named_file_fault_ = make_board_error({loaded.error().sentence.view()});
+        if (!loaded.ok()) return;
+        if (!nested.empty())
+            return root.fault("design", "names a design for a phase that has a table [phases] itself; remove that");
+        if (!settings_.phases.add(named, loaded.value()))
+            root.fault("design", "names more than six different designs for phases; remove some");
     }
 
     void read_switches(base::ConfigSection section) {

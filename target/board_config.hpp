@@ -4,6 +4,7 @@
 ///     device = "es3-mid.toml"    files that the board file names are found from the board file's own folder
 ///     design = "default.toml"
 ///     palettes = "palettes"      folder of the palettes that the design names; absent: the board file's own
+///                                (designs that it names for phases lie beside it)
 ///     bus = "canaerospace.toml"
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"
@@ -42,7 +43,7 @@
 #include "platform/reservation/memory_reservation.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
-#include "render_core/design/design_settings.hpp"
+#include "render_core/design/phase_designs.hpp"
 #include "render_core/effects/device.hpp"
 #include "target/board_error.hpp"
 
@@ -54,6 +55,7 @@ struct BoardSettings {
     base::FixedString<95> title;
     effects::DeviceSettings device;
     design::DesignSettings design;
+    design::PhaseDesigns phases;
     bus::BusSettings bus;
     bus::SocketCanSettings can;
     bool has_switches = false;

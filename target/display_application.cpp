@@ -65,6 +65,7 @@ BoardError DisplayApplication::start_display() {
     display::DisplaySettings settings;
     settings.device = settings_.device;
     settings.design = settings_.design;
+    settings.phases = &settings_.phases;
     settings.width_px = settings_.width_px;
     settings.height_px = settings_.height_px;
     settings.expects_scene = !settings_.scene.empty();

@@ -55,12 +55,17 @@ void require_legible(const design::Palette& palette, const design::DesignSetting
     require_no_faults(palette_faults_in_design(palette, design, name));
 }
 
+void require_legible(const design::DesignSettings& design, const std::string& path) {
+    require_legible(design.terrain.palette, design, path);
+    if (design.data.ground.is_shown) require_legible(design.data.ground.scale.palette, design, path);
+}
+
 std::string check_design(const std::string& path) {
     PictureOptions options;
     options.design = path;
-    const design::DesignSettings design = load_design(options);
-    require_legible(design.terrain.palette, design, path);
-    if (design.data.ground.is_shown) require_legible(design.data.ground.scale.palette, design, path);
+    const std::unique_ptr<LoadedDesigns> designs = load_designs(options);
+    require_legible(designs->design, path);
+    for (std::size_t place = 1; place <= designs->phases.size(); ++place) require_legible(designs->phases.at(place), path);
     return "a design";
 }
 

@@ -46,7 +46,7 @@ int run_batch(const ReplayOptions& options, Console& console) {
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);
-    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
+    FrameApproach approach(player, session, session.device().frame_rate_hz);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
         approach.approach(times.at(n));
         const FrameResult& drawn = recorder.draw(times.at(n));

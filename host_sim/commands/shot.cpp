@@ -20,11 +20,11 @@ void require_png_name(const std::string& picture) {
         throw UserError("-o " + picture + ": the picture is a PNG; give it a name that ends in .png");
 }
 
-flight::PhaseStatus stated_phase(const std::string& name) {
+flight::PhaseStatus named_phase(const std::string& name) {
     if (name.empty()) return {};
     const flight::ParsedPhase phase = flight::phase_from_name(name);
     if (!phase.ok) throw UserError("--phase " + name + ": unknown; write for instance takeoff.first_climb or cruise");
-    return {phase.phase, flight::PhaseSource::switches, false, false};
+    return flight::stated_phase(phase.phase, flight::PhaseSource::switches);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     require_png_name(options.output);
     require_replaceable(options.output, "\x89PNG\r\n\x1a\n", "PNG picture");
     require_replaceable(record_path(options.output), "{\"frame\":", "record of a picture");
-    const flight::PhaseStatus phase = stated_phase(options.phase);
+    const flight::PhaseStatus phase = named_phase(options.phase);
     DisplaySession session(options.picture, false);
     AircraftPose pose = options.pose;
     pose.time = options.time.value_or(kPosedTime);

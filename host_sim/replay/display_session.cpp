@@ -68,7 +68,9 @@ void DisplaySession::open(const PictureOptions& options, bool generated_flight, 
     device_.forbidden.add(options.forbidden);
     display::DisplaySettings settings;
     settings.device = device_;
-    settings.design = load_design(options);
+    const std::unique_ptr<LoadedDesigns> designs = load_designs(options);
+    settings.design = designs->design;
+    settings.phases = &designs->phases;
     settings.width_px = options.size ? options.size->width : device_.width_px;
     settings.height_px = options.size ? options.size->height : device_.height_px;
     settings.generated_flight = generated_flight;

@@ -7,6 +7,7 @@ namespace tedavis::host_sim {
 namespace {
 
 const std::int64_t kWindow = terrain::StoreSettings().window_frames;
+constexpr base::Duration kLongestFade = base::Duration::from_seconds(design::kLongestFade_s);
 
 }  // namespace
 
@@ -23,10 +24,13 @@ void FrameApproach::approach(base::Time time) {
     const bool is_governed = display_.frame_budget().is_held();
     if (follows && is_governed) learn(frame);
     if (follows) return;
-    if (is_governed) reach(std::max<std::int64_t>(frame, 0));
+    display_.forget_turns();
+    const std::int64_t needed = first_needed(frame, time);
+    if (is_governed) reach(std::max<std::int64_t>(frame, 0), std::max<std::int64_t>(needed, 0));
     if (is_governed && is_on_grid) return;
+    if (is_governed) display_.forget_turns();
     const effects::FrameGovernor governor = display_.frame_budget().governor();
-    for (std::int64_t planned = frame - kWindow; planned < frame; ++planned) {
+    for (std::int64_t planned = needed - kWindow; planned < frame; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
         if (is_governed) restore_rung(planned);
         plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
@@ -34,14 +38,21 @@ void FrameApproach::approach(base::Time time) {
     if (is_governed) display_.frame_budget().restore(governor);
 }
 
-/// Plans the frames of the grid before this one, from the last one on whose governor is known.
-void FrameApproach::reach(std::int64_t frame) {
+/// The frame itself, or the last one before the phase's design began to take its place.
+std::int64_t FrameApproach::first_needed(std::int64_t frame, base::Time time) {
+    const base::Time since = player_.at(time).phase.presented_since;
+    if (!display_.fades() || since > time || time - since > kLongestFade) return frame;
+    return std::min(frame, frame - static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_)) - 1);
+}
+
+/// Plans the frames of the grid before this one, from the last one on whose governor is known, but not after the one needed.
+void FrameApproach::reach(std::int64_t frame, std::int64_t needed) {
     effects::FrameBudget& budget = display_.frame_budget();
     if (rungs_.empty()) {
         budget.restore(effects::FrameGovernor());
         learn(0);
     }
-    const std::int64_t kept = std::min<std::int64_t>(frame, static_cast<std::int64_t>(rungs_.size()) - 1) / kKeepEvery;
+    const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(rungs_.size()) - 1) / kKeepEvery;
     for (std::int64_t planned = kept * kKeepEvery - kWindow; planned < kept * kKeepEvery; ++planned) {
         restore_rung(planned);
         plan(grid_time(std::max<std::int64_t>(planned, 0)));
@@ -70,6 +81,7 @@ void FrameApproach::restore_rung(std::int64_t frame) {
 void FrameApproach::plan(base::Time time) {
     const PlayedInstant instant = player_.at(time);
     display_.approach(instant.aircraft, instant.phase, time, &player_.way());
+    if (display_.must_be_drawn()) session_.draw();
 }
 
 void FrameApproach::forget() {

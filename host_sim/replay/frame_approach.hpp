@@ -5,6 +5,9 @@
 /// a frame that does not follow the last one on this grid, the window before it is planned again. The log's first instant stands
 /// for what lies before it.
 ///
+/// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
+/// before it, and it is drawn.
+///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
@@ -14,15 +17,15 @@
 #include <optional>
 #include <vector>
 
+#include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
-#include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
 
 class FrameApproach {
 public:
-    FrameApproach(FlightPlayer& player, display::Display& display, double rate_hz)
-        : player_(player), display_(display), rate_hz_(rate_hz) {}
+    FrameApproach(FlightPlayer& player, DisplaySession& session, double rate_hz)
+        : player_(player), session_(session), display_(session.display()), rate_hz_(rate_hz) {}
 
     /// Call before the frame of this instant is drawn.
     void approach(base::Time time);
@@ -32,12 +35,14 @@ public:
 private:
     static constexpr std::int64_t kKeepEvery = 16;
     [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
+    [[nodiscard]] std::int64_t first_needed(std::int64_t frame, base::Time time);
     void plan(base::Time time);
-    void reach(std::int64_t frame);
+    void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
     void restore_rung(std::int64_t frame);
 
     FlightPlayer& player_;
+    DisplaySession& session_;
     display::Display& display_;
     double rate_hz_;
     std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last

@@ -25,31 +25,60 @@ void set_detail(design::DataStyle& data, double detail) {
     data.adjacent = design::at_detail(data.adjacent, detail);
 }
 
-}  // namespace
+void put_above(const PictureOptions& options, design::DesignSettings& design) {
+    if (options.tau_px) design.terrain.tau_px = *options.tau_px;
+    if (options.detail) set_detail(design.data, *options.detail);
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
+        const auto effect = static_cast<effects::Effect>(n);
+        if (options.with.has(effect)) design = display::with_effect(design, effect);
+        if (options.without.has(effect)) design = display::without_effect(design, effect);
+    }
+    if (!options.symbology) design.symbology = without_instruments(design.symbology);
+}
 
-std::string design_path(const PictureOptions& options) { return resolve_config(options.design, "designs"); }
-
-design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files) {
-    const std::string path = design_path(options);
+/// One design file, as the command line wants it.
+design::DesignSettings load_file(const std::string& path, const PictureOptions& options, design::NamedPhases& phases,
+                                 std::vector<ReadFile>* files) {
     PaletteFiles palettes(path);
     const std::string text = read_file(path);
-    auto design = design::read_design_settings(text, path, palettes);
+    auto design = design::read_design_settings(text, path, palettes, &phases);
     if (files != nullptr) {
-        *files = palettes.files();
+        files->insert(files->end(), palettes.files().begin(), palettes.files().end());
         files->push_back({path, text});
     }
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (const auto order = effects::replacement_order(design.value().effects.instead); !order.ok())
         throw UserError(path + ": " + std::string(order.error().view()));
-    if (options.tau_px) design.value().terrain.tau_px = *options.tau_px;
-    if (options.detail) set_detail(design.value().data, *options.detail);
-    for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
-        const auto effect = static_cast<effects::Effect>(n);
-        if (options.with.has(effect)) design.value() = display::with_effect(design.value(), effect);
-        if (options.without.has(effect)) design.value() = display::without_effect(design.value(), effect);
-    }
-    if (!options.symbology) design.value().symbology = without_instruments(design.value().symbology);
+    put_above(options, design.value());
     return design.value();
+}
+
+}  // namespace
+
+std::string design_path(const PictureOptions& options) { return resolve_config(options.design, "designs"); }
+
+design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files) {
+    design::NamedPhases phases;
+    return load_file(design_path(options), options, phases, files);
+}
+
+std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::vector<ReadFile>* files) {
+    auto loaded = std::make_unique<LoadedDesigns>();
+    const std::string path = design_path(options);
+    design::NamedPhases phases;
+    loaded->design = load_file(path, options, phases, files);
+    for (const design::NamedPhase& named : phases) {
+        const std::string of_phase = stated_config(std::string(named.design.view()), "designs", path);
+        const design::DesignSettings* const known = loaded->phases.find(named.design);
+        design::NamedPhases nested;
+        const design::DesignSettings design = known != nullptr ? *known : load_file(of_phase, options, nested, files);
+        if (!nested.empty())
+            throw UserError(of_phase + ": " + path + " names it for a phase, so it has no table [phases]; remove it");
+        if (!loaded->phases.add(named, design))
+            throw UserError(path + ": more than " + std::to_string(design::kMaxPhaseDesigns) +
+                            " different designs stand in [phases]; remove some");
+    }
+    return loaded;
 }
 
 }  // namespace tedavis::host_sim

@@ -1,12 +1,13 @@
 /// The design that a run is drawn with: the file, the palettes that it names, and what the command line puts above it.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/replay/palette_files.hpp"
-#include "render_core/design/design_settings.hpp"
+#include "render_core/design/phase_designs.hpp"
 
 namespace tedavis::host_sim {
 
@@ -14,5 +15,13 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string design_path(const PictureOptions& options);
 /// Throws UserError with file and line. `files`, where given, gets what the design was read from, also when it is not sound.
 [[nodiscard]] design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
+
+/// A design, and those that it names for phases; the command line stands above all of them.
+struct LoadedDesigns {
+    design::DesignSettings design;
+    design::PhaseDesigns phases;
+};
+/// As load_design().
+[[nodiscard]] std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
 
 }  // namespace tedavis::host_sim

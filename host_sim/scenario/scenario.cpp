@@ -6,6 +6,7 @@
 
 #include "bus/canaerospace/traffic_profile.hpp"
 #include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/scenario/read_angle.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
@@ -15,25 +16,21 @@ namespace tedavis::host_sim {
 namespace {
 
 using base::ConfigSection;
-using base::radians;
 
 constexpr std::array<std::string_view, 6> kKinds = {"stand", "roll", "hold", "fly_to", "final", "land"};
 constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switches"};
 constexpr std::size_t kMostLegs = 256;
 constexpr std::size_t kMostTraffic = bus::kTrafficNumbers;
 
-double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) {
-    return radians(section.number(key, low_deg, high_deg));
-}
-double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
+ouble pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
     return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa);
 }
 
 LandingStrip read_strip(ConfigSection section) {
     LandingStrip strip;
-    strip.latitude_rad = angle(section, "latitude_deg", -85, 85);
-    strip.longitude_rad = angle(section, "longitude_deg", -180, 180);
-    strip.heading_rad = angle(section, "heading_deg", 0, 360);
+    strip.latitude_rad = read_angle(section, "latitude_deg", -85, 85);
+    strip.longitude_rad = read_angle(section, "longitude_deg", -180, 180);
+    strip.heading_rad = read_angle(section, "heading_deg", 0, 360);
     strip.elevation_msl_m = section.number("elevation_msl_m", -500, 6000);
     strip.length_m = section.number("length_m", 200, 6000);
     strip.width_m = section.number("width_m", 5, 100);
@@ -48,9 +45,9 @@ Environment read_environment(ConfigSection section) {
     air.temperature_spread_k = section.number("temperature_spread_k", 0, 20);
     air.wind_speed_mps = section.number("wind_speed_mps", 0, 30);
     air.wind_speed_spread_mps = section.number("wind_speed_spread_mps", 0, 10);
-    air.wind_from_rad = angle(section, "wind_from_deg", 0, 360);
-    air.wind_from_spread_rad = angle(section, "wind_from_spread_deg", 0, 180);
-    air.magnetic_variation_rad = angle(section, "magnetic_variation_deg", -60, 60);
+    air.wind_from_rad = read_angle(section, "wind_from_deg", 0, 360);
+    air.wind_from_spread_rad = read_angle(section, "wind_from_spread_deg", 0, 180);
+    air.magnetic_variation_rad = read_angle(section, "magnetic_variation_deg", -60, 60);
     air.turbulence = section.number("turbulence", 0, 1);
     return air;
 }
@@ -58,8 +55,8 @@ Environment read_environment(ConfigSection section) {
 AircraftLimits read_aircraft(ConfigSection section) {
     AircraftLimits aircraft;
     aircraft.antenna_height_m = section.number("antenna_height_m", 0, 20);
-    aircraft.bank_rad = angle(section, "bank_deg", 5, 60);
-    aircraft.roll_rate_radps = angle(section, "roll_rate_dps", 2, 90);
+    aircraft.bank_rad = read_angle(section, "bank_deg", 5, 60);
+    aircraft.roll_rate_radps = read_angle(section, "roll_rate_dps", 2, 90);
     aircraft.acceleration_mps2 = section.number("acceleration_mps2", 0.1, 10);
     return aircraft;
 }
@@ -72,7 +69,7 @@ void read_target(ConfigSection& section, Leg& leg) {
 
 void read_glide(ConfigSection& section, Leg& leg) {
     leg.speed_mps = section.number("speed_mps", 20, 300);
-    leg.glide_rad = angle(section, "glide_deg", 2, 8);
+    leg.glide_rad = read_angle(section, "glide_deg", 2, 8);
 }
 
 /// Only the keys of the leg's kind are read; any other one is a fault of its own.
@@ -85,13 +82,13 @@ void read_kind(ConfigSection& section, Leg& leg) {
             break;
         case LegKind::hold:
             read_target(section, leg);
-            leg.heading_rad = angle(section, "heading_deg", 0, 360);
+            leg.heading_rad = read_angle(section, "heading_deg", 0, 360);
             leg.duration_s = section.number("duration_s", 0, 3600, 0);
             break;
         case LegKind::fly_to:
             read_target(section, leg);
-            leg.latitude_rad = angle(section, "latitude_deg", -85, 85);
-            leg.longitude_rad = angle(section, "longitude_deg", -180, 180);
+            leg.latitude_rad = read_angle(section, "latitude_deg", -85, 85);
+            leg.longitude_rad = read_angle(section, "longitude_deg", -180, 180);
             leg.capture_m = section.number("capture_m", 50, 20000);
             break;
         case LegKind::final_leg:

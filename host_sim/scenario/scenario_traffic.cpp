@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/scenario/local_plane.hpp"
+#include "host_sim/scenario/read_angle.hpp"
 #include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/geodetic.hpp"
@@ -15,10 +16,6 @@ using base::ConfigSection;
 /// The numbers that this draws are not those of the flight.
 constexpr std::uint64_t kStream = 0x7452414646494330;
 constexpr double kLongestFlight_s = 14'400;
-
-double angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg) {
-    return base::radians(section.number(key, low_deg, high_deg));
-}
 
 std::string read_callsign(ConfigSection& section) {
     constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
@@ -58,12 +55,12 @@ TrafficSettings read_traffic(ConfigSection& section) {
     TrafficSettings aircraft;
     aircraft.callsign = read_callsign(section);
     aircraft.address = read_address(section);
-    aircraft.latitude_rad = angle(section, "latitude_deg", -85, 85);
-    aircraft.longitude_rad = angle(section, "longitude_deg", -180, 180);
+    aircraft.latitude_rad = read_angle(section, "latitude_deg", -85, 85);
+    aircraft.longitude_rad = read_angle(section, "longitude_deg", -180, 180);
     aircraft.altitude_msl_m = section.number("altitude_msl_m", -500, 20000);
     aircraft.spread_m = section.number("spread_m", 0, 20000, 0);
     aircraft.at_s = section.number("at_s", 0, kLongestFlight_s);
-    aircraft.track_rad = angle(section, "track_deg", 0, 360);
+    aircraft.track_rad = read_angle(section, "track_deg", 0, 360);
     aircraft.speed_mps = section.number("speed_mps", 0, 350);
     aircraft.climb_mps = section.number("climb_mps", -50, 50, 0);
     aircraft.turn_radps = base::radians(section.number("turn_dps", -30, 30, 0));

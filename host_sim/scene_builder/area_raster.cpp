@@ -14,7 +14,7 @@ using scene::ScenePoint;
 
 constexpr double kEarthRadius_m = 6'371'000;
 constexpr double kMostSide = 8192, kWidest_rad = base::radians(180);
-constexpr std::int64_t kNone = -1;
+constexpr std::int64_t kNoArea = -1;
 
 struct Bounds {
     double west = std::numeric_limits<double>::infinity(), south = west, east = -west, north = -west;
@@ -60,7 +60,7 @@ scene::GridShape grid_over(const Bounds& bounds, double cell_m, const std::strin
 /// Which area covers each post.
 class Cover {
 public:
-    explicit Cover(const scene::GridShape& grid) : grid_(grid), areas_(std::size_t{grid.columns} * grid.rows, kNone) {}
+    explicit Cover(const scene::GridShape& grid) : grid_(grid), areas_(std::size_t{grid.columns} * grid.rows, kNoArea) {}
 
     void fill(const ScenePoint* points, std::size_t count, std::int64_t area) {
         double south = points[0].latitude_rad, north = south;
@@ -109,9 +109,9 @@ AttributeDraft spread_over(const AttributeDraft& of_areas, const std::vector<std
     attribute.uncertainties.clear();
     for (const std::int64_t area : cover) {
         const auto n = static_cast<std::size_t>(area);
-        attribute.values.push_back(area == kNone ? std::numeric_limits<float>::quiet_NaN() : of_areas.values[n]);
+        attribute.values.push_back(area == kNoArea ? std::numeric_limits<float>::quiet_NaN() : of_areas.values[n]);
         if (!of_areas.uncertainties.empty())
-            attribute.uncertainties.push_back(area == kNone ? scene::Uncertainty() : of_areas.uncertainties[n]);
+            attribute.uncertainties.push_back(area == kNoArea ? scene::Uncertainty() : of_areas.uncertainties[n]);
     }
     return attribute;
 }

@@ -25,7 +25,7 @@ using scene::Uncertainty;
 using scene::UncertaintyKind;
 using scene::ValueState;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothingDerived = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kPrefix = "derived:";
 constexpr std::array<std::string_view, 6> kNames = {"cross_wind", "cross_wind_speed", "head_wind",
                                                     "wind_speed", "ground_speed",     "vertical_speed"};
@@ -76,7 +76,7 @@ public:
             const glm::dvec2 gone = way(before(by), behind(by));
             if (glm::length(gone) >= kLeastTrack_m) return std::atan2(gone.x, gone.y);
         }
-        return kNone;
+        return kNothingDerived;
     }
 
 private:
@@ -89,7 +89,7 @@ private:
     }
     [[nodiscard]] double over_time(double gone) const {
         const std::int64_t from = before().time_ns, to = behind().time_ns;
-        if (from == scene::kNoTime || to == scene::kNoTime || to <= from) return kNone;
+        if (from == scene::kNoTime || to == scene::kNoTime || to <= from) return kNothingDerived;
         return gone / (1e-9 * static_cast<double>(to - from));
     }
 
@@ -100,7 +100,7 @@ private:
 
 /// A number with what is known of it.
 struct Derived {
-    double value = kNone;
+    double value = kNothingDerived;
     std::optional<double> unsure;  ///< in the value's unit
     Uncertainty level;             ///< where there is no unit
     ValueState state = ValueState::missing;
@@ -210,7 +210,7 @@ public:
             made.uncertainty_kind = wind_->kind();
             made.uncertainty_full = wind_->has_unit() ? wind_->full() * std::abs(attribute_.factor) : wind_->full();
         } else {
-            made.uncertainty_all = bound_uncertainty(attribute_, kNone);
+            made.uncertainty_all = bound_uncertainty(attribute_, kNothingDerived);
         }
         std::size_t missing = 0;
         LinePoints points(layer_);

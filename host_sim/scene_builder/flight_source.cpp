@@ -18,7 +18,7 @@ namespace {
 
 using flight::Signal;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
 
 bool is_named(const std::string& name, const std::string& asked) {
     return std::equal(name.begin(), name.end(), asked.begin(), asked.end(),
@@ -54,7 +54,7 @@ public:
 
 private:
     struct Sample {
-        double height_m = kNone, ground_speed_mps = kNone, vertical_speed_mps = kNone, track_rad = kNone;
+        double height_m = kNotStated, ground_speed_mps = kNotStated, vertical_speed_mps = kNotStated, track_rad = kNotStated;
     };
 
     void note(const RecordedFlight& flight, const std::string& sentence) {
@@ -132,12 +132,12 @@ private:
             if (const std::optional<SignalSample> at = resampled->at(fix.time))
                 return {(*at)[Signal::true_altitude], (*at)[Signal::ground_speed], (*at)[Signal::vertical_speed],
                         (*at)[Signal::true_track]};
-        return {height_of(flight, fix), fix.ground_speed_mps.value_or(kNone), fix.vertical_speed_mps.value_or(kNone),
-                fix.true_track_rad.value_or(kNone)};
+        return {height_of(flight, fix), fix.ground_speed_mps.value_or(kNotStated), fix.vertical_speed_mps.value_or(kNotStated),
+                fix.true_track_rad.value_or(kNotStated)};
     }
     /// Of a fix that stands alone.
     [[nodiscard]] double height_of(const RecordedFlight& flight, const RecordedFix& fix) const {
-        if (!fix.gnss_height_m) return fix.pressure_altitude_m.value_or(kNone);
+        if (!fix.gnss_height_m) return fix.pressure_altitude_m.value_or(kNotStated);
         if (flight.gnss_datum == HeightDatum::msl_egm96) return *fix.gnss_height_m;
         return *fix.gnss_height_m - fix.geoid_separation_m.value_or(geoid_.undulation(fix.latitude_rad, fix.longitude_rad).m);
     }

@@ -6,27 +6,27 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kFullTurn_deg = 360, kOnPost = 1e-6;  // of a step
+constexpr double kRound_deg = 360, kOnPost = 1e-6;  // of a step
 
 /// East of `from`, 0 .. 360.
 double east_of(double longitude_deg, double from_deg) {
     const double east = longitude_deg - from_deg;
-    return east - kFullTurn_deg * std::floor(east / kFullTurn_deg);
+    return east - kRound_deg * std::floor(east / kRound_deg);
 }
 
-bool is_closed(const GridPlaces& places) { return places.step_lon_deg * places.columns >= kFullTurn_deg - kOnPost; }
+bool is_closed(const GridPlaces& places) { return places.step_lon_deg * places.columns >= kRound_deg - kOnPost; }
 
 /// Columns round the Earth that differ: the last may stand upon the first.
 int columns_of_turn(const GridPlaces& places) {
-    return std::min(places.columns, static_cast<int>(std::lround(kFullTurn_deg / places.step_lon_deg)));
+    return std::min(places.columns, static_cast<int>(std::lround(kRound_deg / places.step_lon_deg)));
 }
 
 std::vector<int> columns_of(const GridPlaces& places, const RegionRecipe& region) {
     const double width_deg =
-        region.east_deg - region.west_deg >= kFullTurn_deg ? kFullTurn_deg : east_of(region.east_deg, region.west_deg);
+        region.east_deg - region.west_deg >= kRound_deg ? kRound_deg : east_of(region.east_deg, region.west_deg);
     // Posts from the region's west side on; those a whole turn away are those that lie just west of it.
     double first = east_of(region.west_deg, places.west_deg) / places.step_lon_deg;
-    if (!is_closed(places) && first > places.columns) first -= kFullTurn_deg / places.step_lon_deg;
+    if (!is_closed(places) && first > places.columns) first -= kRound_deg / places.step_lon_deg;
     const double last = first + width_deg / places.step_lon_deg;
     std::vector<int> columns;
     const int turn = columns_of_turn(places);
@@ -61,7 +61,7 @@ GridWindow window_of(const GridPlaces& places, const std::optional<RegionRecipe>
     }
     if (window.columns.empty() || window.rows.empty()) return {};
     window.west_deg = places.west_deg + places.step_lon_deg * window.columns.front();
-    if (window.west_deg >= 180) window.west_deg -= kFullTurn_deg;
+    if (window.west_deg >= 180) window.west_deg -= kRound_deg;
     window.north_deg = places.north_deg - places.step_lat_deg * window.rows.front();
     return window;
 }

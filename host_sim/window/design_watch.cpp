@@ -9,7 +9,7 @@ namespace tedavis::host_sim {
 
 DesignWatch::DesignWatch(const PictureOptions& options) : options_(options) {
     options_.design = design_path(options);
-    design_ = load_design(options_, &taken_);
+    designs_ = load_designs(options_, &taken_);
 }
 
 DesignNews DesignWatch::look() {
@@ -25,7 +25,8 @@ DesignNews DesignWatch::look() {
                                  [](const std::string& text, const ReadFile& file) { return text == file.text; });
     if (!settled || same) return DesignNews::none;
     try {
-        design_ = load_design(options_, &taken_);
+        taken_.clear();
+        designs_ = load_designs(options_, &taken_);
         return DesignNews::changed;
     } catch (const UserError& error) {
         sentence_ = error.what();

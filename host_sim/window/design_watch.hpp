@@ -1,19 +1,19 @@
-/// Notices that the design file, or a palette that it names, was changed while the window is open.
+/// Notices that the design file, or a palette or a phase's design that it names, was changed while the window is open.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/replay/load_design.hpp"
-#include "render_core/design/design_settings.hpp"
 
 namespace tedavis::host_sim {
 
 enum class DesignNews {
     none,
-    changed,  ///< `design()` is another one
-    broken,   ///< `sentence()` says why; `design()` is still the last sound one
+    changed,  ///< `designs()` are others
+    broken,   ///< `sentence()` says why; `designs()` are still the last sound ones
 };
 
 class DesignWatch {
@@ -24,14 +24,14 @@ public:
     /// Looks at the files. A new content counts once it has been met twice, so that a half written file is left alone.
     [[nodiscard]] DesignNews look();
 
-    [[nodiscard]] const design::DesignSettings& design() const { return design_; }
+    [[nodiscard]] const LoadedDesigns& designs() const { return *designs_; }
     [[nodiscard]] const std::string& sentence() const { return sentence_; }
 
 private:
     PictureOptions options_;
     std::vector<ReadFile> taken_;        ///< what the last design was read from
     std::vector<std::string> last_met_;  ///< their contents at the last look
-    design::DesignSettings design_;
+    std::unique_ptr<LoadedDesigns> designs_;
     std::string sentence_;
 };
 

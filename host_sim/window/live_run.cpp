@@ -64,7 +64,7 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       design_(options.picture),
       tour_(load_tour(options.tour, session.display())),
       controller_(transport_over(times_), static_cast<std::uint32_t>(player.switch_config().patterns.size()), tour_.has_value()),
-      approach_(player, session.display(), session.device().frame_rate_hz),
+      approach_(player, session, session.device().frame_rate_hz),
       recorder_(options_, session, player) {}
 
 bool LiveRun::turn(base::Duration wall) {
@@ -116,7 +116,7 @@ void LiveRun::watch_design(base::Duration wall) {
     const DesignNews news = design_.look();
     if (news == DesignNews::broken) console_.note(design_.sentence() + " (the design before stays)");
     if (news != DesignNews::changed) return;
-    if (!session_.display().set_design(design_.design()))
+    if (!session_.display().set_design(design_.designs().design, &design_.designs().phases))
         return console_.note(
             options_.picture.design +
             ": shows the terrain with other techniques than the display was started with; start the window again");
@@ -139,8 +139,8 @@ void LiveRun::aim(const Shown& wanted) {
     display::Display& display = session_.display();
     if (wanted.mode == CameraMode::cockpit) return display.clear_free_view();
     const double near_m = near_plane_m(display, wanted.camera, shown_time());
-    display.set_free_view(
-        view_of(wanted.camera, session_.width(), session_.height(), design_.design().view.horizontal_field_of_view_rad, near_m));
+    display.set_free_view(view_of(wanted.camera, session_.width(), session_.height(),
+                                  design_.designs().design.view.horizontal_field_of_view_rad, near_m));
 }
 
 void LiveRun::draw(const Shown& wanted) {

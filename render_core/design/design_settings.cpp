@@ -177,7 +177,7 @@ DesignSettings default_design_settings() noexcept {
 }
 
 base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name,
-                                                                     PaletteSource& palettes) {
+                                                                     PaletteSource& palettes, NamedPhases* phases) {
     base::ConfigReader reader(text, file_name);
     ConfigSection root = reader.root();
     DesignSettings design = default_design_settings();
@@ -197,9 +197,12 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     read_limits(root.section("degradation"), root.section("unusual_attitude"), design);
     ConfigSection symbology = root.section("symbology");
     read_symbology(symbology, design.symbology);
+    NamedPhases named;
+    read_named_phases(root.section("phases"), named);
     if (design.data.ground.members == GroundMembers::animated && !design.symbology.legend)
         fault_of(symbology, "legend", "must stay where members are animated: it names the one that is shown");
     if (!reader.finish()) return base::fail(reader.error());
+    if (phases != nullptr) *phases = named;
     return design;
 }
 

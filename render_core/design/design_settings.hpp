@@ -16,6 +16,7 @@
 #include "render_core/design/band_widening.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/design/named_phases.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/design/view_effects.hpp"
@@ -133,10 +134,11 @@ struct DesignSettings {
 static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
 /// Reads a design file and, through `palettes`, the palettes that it names; start-up only (allocates while it reads). The
-/// error is one sentence "file:line: what, what to do".
+/// error is one sentence "file:line: what, what to do". `phases`, where given, gets the designs that the file names for phases.
 [[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text,
                                                                                    std::string_view file_name,
-                                                                                   PaletteSource& palettes);
+                                                                                   PaletteSource& palettes,
+                                                                                   NamedPhases* phases = nullptr);
 
 /// The values of an empty file: the picture of a display that was given no design.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;

@@ -143,9 +143,13 @@ bool needs_map(const TerrainStyle& style, BakedMap map) noexcept {
     return false;
 }
 
-bool needs_any_map(const TerrainStyle& style) noexcept {
-    for (std::size_t map = 0; map < kBakedMaps; ++map)
-        if (needs_map(style, static_cast<BakedMap>(map))) return true;
+void MapSet::add(const TerrainStyle& style) noexcept {
+    for (std::size_t map = 0; map < kBakedMaps; ++map) maps_[map] = maps_[map] || needs_map(style, static_cast<BakedMap>(map));
+}
+
+bool MapSet::any() const noexcept {
+    for (const bool is_needed : maps_)
+        if (is_needed) return true;
     return false;
 }
 

@@ -115,7 +115,18 @@ enum class BakedMap : std::uint8_t { form, light, aperture, horizon, drape };
 inline constexpr std::size_t kBakedMaps = 5;
 [[nodiscard]] bool needs_map(const TerrainStyle& style, BakedMap map) noexcept;
 
-[[nodiscard]] bool needs_any_map(const TerrainStyle& style) noexcept;
+/// Maps that one style needs, or several together.
+class MapSet {
+public:
+    MapSet() = default;
+    MapSet(const TerrainStyle& style) noexcept { add(style); }  // NOLINT(google-explicit-constructor): one style's maps are a set
+    void add(const TerrainStyle& style) noexcept;
+    [[nodiscard]] bool has(BakedMap map) const noexcept { return maps_[static_cast<std::size_t>(map)]; }
+    [[nodiscard]] bool any() const noexcept;
+
+private:
+    bool maps_[kBakedMaps]{};
+};
 
 /// True when two styles need the same shader programs and maps, so that one can follow the other while running.
 [[nodiscard]] bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept;

@@ -19,16 +19,16 @@ using flight::Signal;
 gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
-    if (const auto order = effects::replacement_order(settings.design.effects.instead); !order.ok())
-        return gl::make_error("the design's ", order.error().view());
-    keep_design(settings.design, possible_design(settings.design, settings.device));
+    if (gl::GlError error = take_designs(settings); !error.sentence.empty()) return error;
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     gl_.use_programs(settings.programs);
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
-    if (gl::GlError error = start_drawers(); !error.sentence.empty()) return error;
+    base::FixedVector<draw::DrawnDesign, design::kMaxPhaseDesigns + 1> designs;
+    for (std::size_t place = 0; place <= phases_.size(); ++place)
+        static_cast<void>(designs.try_push_back(drawn_design(design_at(place))));
+    if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
-        const gl::GlError error =
-            terrain_.start(gl_, terrain, settings_.design, settings_.device, memory_.terrain(), passes_.output());
+        const gl::GlError error = terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
         if (!error.sentence.empty()) return error;
     }
     if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
@@ -41,12 +41,15 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 gl::GlError Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
-    const design::DataElementList& elements = settings_.design.data.elements;
-    const bool has_data = data_.has_scene() || settings_.expects_scene || asks_for_own(elements) || asks_for_traffic(elements);
+    bool has_data = data_.has_scene() || settings_.expects_scene, has_shadows = false;
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        const design::DesignSettings& design = design_at(place);
+        has_data = has_data || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
+        has_shadows = has_shadows || design.effects.shadows.is_any();
+    }
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
-    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, settings_.design.sky.air.is_shown,
-                           settings_.design.effects.shadows.is_any());
+    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, design_.sky.air.is_shown, has_shadows);
 }
 
 /// 0: one picture is for both eyes.
@@ -55,21 +58,26 @@ std::uint32_t Display::stereo_margin_px(const design::DesignSettings& design) co
     return eye_margin_px(design.view.horizontal_field_of_view_rad, settings_.width_px);
 }
 
-gl::GlError Display::start_drawers() {
+gl::GlError Display::start_drawers(draw::DrawnDesigns designs) {
     const std::uint32_t width_px = settings_.width_px, height_px = settings_.height_px;
-    const std::uint32_t margin_px = stereo_margin_px(settings_.design);
+    const std::uint32_t margin_px = stereo_margin_px(design_);
+    bool fades = false, dims = false;
+    for (const draw::DrawnDesign& drawn : designs) {
+        fades = fades || drawn.design->effects.fade_s > 0;
+        dims = dims || drawn.design->effects.lighting != design::PanelLighting::day;
+    }
     const bool is_stereo = margin_px > 0;
     if (is_stereo)
         if (gl::GlError error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px);
             !error.sentence.empty())
             return error;
-    if (settings_.design.effects.fade_s > 0 && !is_stereo)
+    if (fades && !is_stereo)
         if (gl::GlError error = fade_.start(gl_, settings_.device.budget, width_px, height_px); !error.sentence.empty())
             return error;
-    if (gl::GlError error = passes_.start(gl_, settings_.device, settings_.design, width_px + 2 * margin_px, height_px);
+    if (gl::GlError error = passes_.start(gl_, settings_.device, designs, width_px + 2 * margin_px, height_px);
         !error.sentence.empty())
         return error;
-    if (settings_.design.effects.lighting != design::PanelLighting::day)
+    if (dims)
         if (gl::GlError error = dimmer_.start(gl_, settings_.device.budget); !error.sentence.empty()) return error;
     return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
 }
@@ -85,29 +93,7 @@ void Display::stop() {
     terrain_.destroy(gl_);
 }
 
-void Display::keep_design(const design::DesignSettings& design, const design::DesignSettings& possible) {
-    asked_ = asked_effects(design);
-    settings_.design = possible;
-    if (elements_.is_started()) set_elements();
-    band_deviations_ = design::deviations_of_coverage(possible.widening.coverage);
-}
-
 void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements); }
-
-bool Display::set_design(const design::DesignSettings& design) {
-    const design::DesignSettings possible = possible_design(design, settings_.device);
-    const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    if (stereo_margin_px(possible) != stereo_.margin_px()) return false;
-    if (!is_dimmable || !passes_.shows(possible.effects)) return false;
-    keep_scene();
-    if (!terrain_.set_design(gl_, possible)) {
-        fades_next_ = false;
-        return false;
-    }
-    passes_.forget_design();
-    keep_design(design, possible);
-    return true;
-}
 
 bool Display::take_scene(const scene::Scene& scene) {
     const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
@@ -137,13 +123,14 @@ TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                      const flight::FlownWay* way) {
+    follow_phase(phase);
     state_ = state;
     conditions_ = {};
     conditions_.terrain = terrain_source(state.own_ship);
     conditions_.phase = phase;
     conditions_.generated_flight = settings_.generated_flight;
-    conditions_.image_is_missing =
-        terrain_.drape() == DrapeState::not_in_database || terrain_.drape() == DrapeState::not_on_device;
+    const DrapeState drape = terrain_.drape(settings_.design.terrain.style);
+    conditions_.image_is_missing = drape == DrapeState::not_in_database || drape == DrapeState::not_on_device;
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
@@ -159,10 +146,10 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
 }
 
 void Display::plan_effects() {
-    EffectFacts facts{asked_, settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
+    EffectFacts facts{asked_of_[shown_], settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
     facts.is_near = is_near();
     facts.light = record_.light.source;
-    facts.drape = terrain_.drape();
+    facts.drape = terrain_.drape(settings_.design.terrain.style);
     facts.ground_data = data_plan_.ground;
     facts.adjacent = maps_beside_.state;
     facts.adjacent_maps = maps_beside_.drawn;
@@ -181,7 +168,8 @@ void Display::plan_effects() {
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
     facts.is_forced = effects_are_forced_;
-    facts.fade_share = fade_share();
+    fade_share_ = next_fade_share();
+    facts.fade_share = fade_share_;
     facts.order = order_of(settings_.design);
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
@@ -229,6 +217,7 @@ void Display::approach(const flight::AircraftState& state, const flight::PhaseSt
 
 void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     constexpr int kMostTimes = 64;
+    forget_turns();
     for (int n = 0; n < kMostTimes; ++n) {
         approach(state, phase, now);
         if (record_.terrain.pending == 0) return;

@@ -9,7 +9,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/surface.hpp"
-#include "render_core/design/design_settings.hpp"
+#include "render_core/design/phase_designs.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_memory.hpp"
 #include "render_core/display/draw_inputs.hpp"
@@ -36,7 +36,8 @@ namespace tedavis::display {
 
 struct DisplaySettings {
     effects::DeviceSettings device;
-    design::DesignSettings design;
+    design::DesignSettings design;                 ///< where no phase has another
+    const design::PhaseDesigns* phases = nullptr;  ///< null: none has; copied at start()
     std::uint32_t width_px = 0, height_px = 0;
     bool generated_flight = false;           ///< said on the display
     bool expects_scene = false;              ///< one may come later, by take_scene()
@@ -71,10 +72,19 @@ public:
     void draw(base::Surface& surface);
     void stop();
 
-    /// Colours, thresholds and view of another design; no new objects. Takes effect with the next update(), from which the eye
-    /// travels to another mode of view. False, and nothing changes, when its terrain needs techniques that the display was not
-    /// started with.
-    [[nodiscard]] bool set_design(const design::DesignSettings& design);
+    /// Colours, thresholds and views of other designs, and which phases have them; no new objects. Takes effect with the next
+    /// update(), from which the eye travels to another mode of view. False, and nothing changes, when one needs techniques that
+    /// the display was not started with.
+    [[nodiscard]] bool set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases = nullptr);
+    /// Whether a phase's design takes the place of another one little by little.
+    [[nodiscard]] bool fades() const { return fade_.is_started(); }
+    /// True where a later frame shows the planned one again: it must be drawn, even if nobody looks at it.
+    [[nodiscard]] bool must_be_drawn() const { return turn_ == Turn::keeps; }
+    /// The next update() does not follow the last one: the phase it is told has its design at once.
+    void forget_turns() {
+        turn_ = Turn::none;
+        is_new_to_phases_ = true;
+    }
     /// Room to load the next scene into, by whoever reads files; it is empty, and stays whoever's it is until take_scene().
     [[nodiscard]] base::Arena& spare_scene_memory() { return data_.spare(); }
     /// Takes over a scene that lies in that room, whole, with the next update(). False, and nothing changes, where it is no newer
@@ -115,15 +125,29 @@ public:
     }
 
 private:
+    /// To the design of another phase: one frame is drawn as it was, and kept; the next is drawn anew.
+    enum class Turn : std::uint8_t { none, keeps };
+
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
-    [[nodiscard]] gl::GlError start_drawers();
+    [[nodiscard]] gl::GlError take_designs(const DisplaySettings& settings);
+    [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
+        return place == 0 ? design_ : phases_.at(place);
+    }
+    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design) const;
+    [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
+    void follow_phase(const flight::PhaseStatus& phase);
+    void show_design(std::size_t place);
+    [[nodiscard]] gl::GlError start_drawers(draw::DrawnDesigns designs);
     [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void decide(base::Time now);
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
     void keep_scene();
-    [[nodiscard]] double fade_share();
+    [[nodiscard]] bool has_warning() const;
+    draw::TerrainDrawResult draw_kept();
+    void begin_fade();
+    [[nodiscard]] double next_fade_share();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
     void plan_data();
@@ -136,7 +160,6 @@ private:
     void give_up_terrain(TerrainSource reason);
     void decide_again();
     [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
-    void keep_design(const design::DesignSettings& design, const design::DesignSettings& possible);
     void set_elements();
     [[nodiscard]] DrawContext context() const { return context_of(eye_); }
     [[nodiscard]] DrawContext context_of(const Eye& eye) const;
@@ -152,7 +175,13 @@ private:
     }
     void put_symbology();
 
-    DisplaySettings settings_;
+    DisplaySettings settings_;                                   ///< its design is the one that is shown
+    design::DesignSettings design_;                              ///< as the device can show it; where no phase has another
+    design::PhaseDesigns phases_;                                ///< likewise
+    effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
+    std::size_t shown_ = 0, turns_to_ = 0;                       ///< places of designs
+    Turn turn_ = Turn::none;
+    bool is_new_to_phases_ = true;
     gl::Gl gl_;
     DisplayMemory memory_;
     TerrainScene terrain_;
@@ -167,11 +196,11 @@ private:
     bool fades_next_ = false;   ///< from the next update() on
     base::Time fade_began_{0};  ///< with fade_lasts_
     bool fade_lasts_ = false;
+    double fade_share_ = 0;  ///< of the planned frame
     draw::Dimmer dimmer_;
     PanelLight panel_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
-    effects::EffectSet asked_;  ///< by the design as it was handed over
     effects::FrameBudget frame_budget_;
     effects::FrameCounters counters_;
     effects::FramePlan plan_;

@@ -1,6 +1,4 @@
 // The drawing half of the display: what update() planned gets to the surface.
-#include <glm/geometric.hpp>
-
 #include "render_core/display/display.hpp"
 #include "render_core/display/effect_notes.hpp"
 #include "render_core/display/frame_notes.hpp"
@@ -8,12 +6,6 @@
 #include "render_core/display/terrain_ground.hpp"
 
 namespace tedavis::display {
-namespace {
-
-constexpr double kLeastTurnCosine = 0.9997;  // of a degree and a half
-
-}  // namespace
-
 void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     work_ = {};
@@ -31,7 +23,7 @@ void Display::draw(base::Surface& surface) {
     const draw::TerrainDrawResult drawn = draw_scene(surface);
     if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started()) {
         const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
-        fade_.draw(gl_, fade_share());
+        fade_.draw(gl_, fade_share_);
     }
     if (!free_view_active_) draw_symbology(surface);
     if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
@@ -48,31 +40,12 @@ void Display::draw(base::Surface& surface) {
 
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
     if (stereo_.is_started()) return draw_eyes(surface);
-    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
-}
-
-/// What is planned, once more, before it is replaced.
-void Display::keep_scene() {
-    if (!fade_.is_started() || frame_ == 0) return;
-    kept_view_ = eye_.view;
-    static_cast<void>(passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_}));
-    fades_next_ = true;
-}
-
-/// Of the scene as it was, in the planned frame.
-double Display::fade_share() {
-    if (fades_next_) {
-        fades_next_ = false;
-        fade_lasts_ = true;
-        fade_began_ = record_.time;
+    if (turn_ == Turn::keeps) {
+        const draw::TerrainDrawResult drawn = draw_kept();
+        gl::bind_surface(gl_, surface);
+        return drawn;  // what was kept covers the surface
     }
-    if (!fade_lasts_) return 0;
-    const double share = 1 - (record_.time - fade_began_).to_seconds() / settings_.design.effects.fade_s;
-    // A scene that stands still while the horizon turns would mislead.
-    const bool has_turned = glm::dot(kept_view_.forward, eye_.view.forward) < kLeastTurnCosine ||
-                            glm::dot(kept_view_.right, eye_.view.right) < kLeastTurnCosine;
-    fade_lasts_ = share > 0 && share <= 1 && !has_turned;
-    return fade_lasts_ ? share : 0;
+    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
 }
 
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {

@@ -6,6 +6,7 @@
 
 #include "render_core/flight/motion_phase_detector.hpp"
 #include "render_core/flight/phase_arbiter.hpp"
+#include "render_core/flight/presented_phase.hpp"
 
 namespace tedavis::display {
 
@@ -22,6 +23,7 @@ private:
     flight::PhaseArbiterSettings arbiter_settings_;
     flight::MotionPhaseState motion_;
     flight::PhaseArbiterState arbiter_;
+    flight::PresentedPhaseState presented_;
     flight::PhaseStatus status_;
 };
 static_assert(std::is_trivially_copyable_v<PhaseMonitor>);

@@ -14,6 +14,12 @@ void draw_terrain(gl::Gl& gl, const PassInput& input, const draw::DepthRange& ra
     gl->Disable(GL_CULL_FACE);
 }
 
+/// Terrain that serves light shafts alone needs no pass of its own.
+bool is_off_screen(const draw::DrawnDesign& design) {
+    const bool serves_shafts = design.output == draw::TerrainOutput::color_and_distance && draw::has_shafts_only(*design.design);
+    return design.output != draw::TerrainOutput::color && !serves_shafts;
+}
+
 /// What is not to be blurred leaves a distance that is in focus.
 void leave_distances(DrawContext& frame) {
     const design::DepthOfField& field = frame.design.effects.depth_of_field;
@@ -25,35 +31,54 @@ void leave_distances(DrawContext& frame) {
 
 }  // namespace
 
-gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design,
-                               std::uint32_t width_px, std::uint32_t height_px) {
+gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs, std::uint32_t width_px,
+                               std::uint32_t height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
-    output_ = draw::output_of(design, device.capability.depth24_targets);
-    const bool with_air = design.sky.air.is_shown;
-    if (gl::GlError error = sky_.start(gl, device.budget, with_air); !error.sentence.empty()) return error;
-    if (with_air)
-        if (gl::GlError error = air_.start(gl, *device.budget.find(effects::kRenderTargets)); !error.sentence.empty())
+    has_air_ = designs[0].design->sky.air.is_shown;
+    base::BudgetLine& targets = *device.budget.find(effects::kRenderTargets);
+    if (gl::GlError error = sky_.start(gl, device.budget, has_air_); !error.sentence.empty()) return error;
+    if (has_air_)
+        if (gl::GlError error = air_.start(gl, targets); !error.sentence.empty()) return error;
+    bool has_shadows = false, goes_off_screen = false;
+    for (const draw::DrawnDesign& drawn : designs) {
+        has_shadows = has_shadows || drawn.design->effects.shadows.is_any();
+        goes_off_screen = goes_off_screen || is_off_screen(drawn);
+    }
+    if (has_shadows)
+        if (gl::GlError error = shadows_.start(gl, targets, device.capability.shadow_map_px); !error.sentence.empty())
             return error;
-    if (design.effects.shadows.is_any())
-        if (gl::GlError error = shadows_.start(gl, *device.budget.find(effects::kRenderTargets), device.capability.shadow_map_px);
-            !error.sentence.empty())
-            return error;
-    if (gl::GlError error = start_view_effects(gl, device, design); !error.sentence.empty()) return error;
-    const bool serves_shafts = output_ == draw::TerrainOutput::color_and_distance && draw::has_shafts_only(design);
-    if (output_ == draw::TerrainOutput::color || serves_shafts) return {};
-    return picture_.start(gl, device.budget, width_px, height_px, design, output_);
+    if (gl::GlError error = start_view_effects(gl, device, designs); !error.sentence.empty()) return error;
+    goes_off_screen_ = is_off_screen(designs[0]);
+    return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : gl::GlError{};
 }
 
-gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design) {
-    smooths_ = design.effects.antialiasing;
-    blurs_ = design.effects.depth_of_field.blur_px > 0;
-    const bool has_shafts = design.effects.shadows.in_air > 0, with_air = design.sky.air.is_shown;
+/// What any of the designs asks for.
+gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs) {
+    bool has_shafts = false;
+    for (const draw::DrawnDesign& drawn : designs) {
+        const design::ViewEffects& effects = drawn.design->effects;
+        smooths_ = smooths_ || effects.antialiasing;
+        blurs_ = blurs_ || effects.depth_of_field.blur_px > 0;
+        has_shafts = has_shafts || effects.shadows.in_air > 0;
+    }
     if (has_shafts)
-        if (gl::GlError error = shafts_.start(gl, device.budget, width_px_, height_px_, with_air); !error.sentence.empty())
+        if (gl::GlError error = shafts_.start(gl, device.budget, width_px_, height_px_, has_air_); !error.sentence.empty())
             return error;
     if (!smooths_ && !blurs_ && !has_shafts) return {};
-    return view_effects_.start(gl, device.budget, width_px_, height_px_, design.effects, with_air);
+    return view_effects_.start(gl, device.budget, width_px_, height_px_, {smooths_, blurs_, has_shafts}, has_air_);
+}
+
+bool ScenePasses::shows(const draw::DrawnDesign& design) const {
+    const design::ViewEffects& effects = design.design->effects;
+    return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0) &&
+           (shadows_.is_started() || !effects.shadows.is_any()) && (shafts_.is_started() || effects.shadows.in_air <= 0) &&
+           design.design->sky.air.is_shown == has_air_ && (!is_off_screen(design) || picture_.shows(design));
+}
+
+void ScenePasses::set_design(const draw::DrawnDesign& design) {
+    goes_off_screen_ = is_off_screen(design);
+    if (goes_off_screen_) picture_.set_design(design);
 }
 
 /// The first light of the style stands for the sun.
@@ -136,7 +161,7 @@ void ScenePasses::draw_shafts(gl::Gl& gl, const PassInput& input, const draw::Sh
 void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {
     place.bind(gl);
     const bool shows_terrain = input.frame.decisions.show_terrain;
-    const bool off_screen = shows_terrain && picture_.is_started();
+    const bool off_screen = shows_terrain && goes_off_screen_;
     if (off_screen)
         picture_.begin(gl);
     else
@@ -162,7 +187,7 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
         if (n > 0) gl->Clear(GL_DEPTH_BUFFER_BIT);
         draw_terrain(gl, input, depth.ranges[n], drawn);
         gl->Disable(GL_DEPTH_TEST);
-        if (picture_.is_started()) continue;
+        if (goes_off_screen_) continue;
         if (n == 0) sky_.draw(gl, make_sky_input(input.frame));
         if (!input.elements.has_anything()) continue;
         gl->Enable(GL_DEPTH_TEST);

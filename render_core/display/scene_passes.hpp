@@ -35,17 +35,13 @@ struct PassInput {
 
 class ScenePasses {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, effects::DeviceSettings& device, const design::DesignSettings& design,
+    /// For designs that follow one another; the first is drawn first. All have air, or none.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs,
                                     std::uint32_t width_px, std::uint32_t height_px);
-    /// How terrain programs must write; after start().
-    [[nodiscard]] draw::TerrainOutput output() const { return output_; }
-    /// Whether what start() built shows the effects of another design, too.
-    [[nodiscard]] bool shows(const design::ViewEffects& effects) const {
-        return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0) &&
-               (shadows_.is_started() || !effects.shadows.is_any()) && (shafts_.is_started() || effects.shadows.in_air <= 0);
-    }
-    /// The next picture is of another design.
-    void forget_design() { picture_.forget_design(); }
+    /// Whether what start() built shows a design, too.
+    [[nodiscard]] bool shows(const draw::DrawnDesign& design) const;
+    /// The next picture is of this design, which shows() has said it can.
+    void set_design(const draw::DrawnDesign& design);
     /// Leaves the place bound, without depth test. Returns what the terrain drew.
     draw::TerrainDrawResult draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input);
     void destroy(gl::Gl& gl);
@@ -58,18 +54,18 @@ private:
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
     void draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow);
-    [[nodiscard]] gl::GlError start_view_effects(gl::Gl& gl, effects::DeviceSettings& device,
-                                                 const design::DesignSettings& design);
+    [[nodiscard]] gl::GlError start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs);
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
 
-    draw::TerrainOutput output_ = draw::TerrainOutput::color;
     draw::PicturePass picture_;
+    bool goes_off_screen_ = false;  ///< the design's terrain, for picture_
     draw::SkyDrawer sky_;
     draw::AirTable air_;
     ShadowCasters shadows_;
     draw::ViewEffectsPass view_effects_;
     draw::LightShafts shafts_;
     bool smooths_ = false, blurs_ = false;  ///< there are programs that do
+    bool has_air_ = false;
     std::uint32_t width_px_ = 0, height_px_ = 0;
 };
 

@@ -65,25 +65,24 @@ std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
 }
 
-gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, const design::DesignSettings& design,
-                                effects::DeviceSettings& device, const TerrainMemory& memory, draw::TerrainOutput output) {
+gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
+                                effects::DeviceSettings& device, const TerrainMemory& memory) {
     device_ = &device;
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
     if (!opened.ok()) return database_error(opened.error());
     database_ = opened.value();
-    decide_drape(design);
+    for (const draw::DrawnDesign& drawn : designs)
+        if (needs_map(drawn.design->terrain.style, design::BakedMap::drape)) decide_drape();
     if (gl::GlError error = start_store(input, memory); !error.sentence.empty()) return error;
     if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
-    if (gl::GlError error = drawer_.start(gl, store_, design, device, memory.staging, output); !error.sentence.empty())
-        return error;
+    if (gl::GlError error = drawer_.start(gl, store_, designs, device, memory.staging); !error.sentence.empty()) return error;
     store_.fetch_attributes(drawer_.reads_pages());
     started_ = true;
     return {};
 }
 
-/// Pages are read only where the style shows them.
-void TerrainScene::decide_drape(const design::DesignSettings& design) {
-    if (!needs_map(design.terrain.style, design::BakedMap::drape)) return;
+/// Pages are read only where a style shows them.
+void TerrainScene::decide_drape() {
     const terrain::FileHeader& h = database_.header();
     drape_ = h.drape_posts == 0          ? DrapeState::not_in_database
              : device_->drape_pages == 0 ? DrapeState::not_on_device
@@ -118,8 +117,8 @@ gl::GlError TerrainScene::start_selection(base::Arena& lod) {
     return {};
 }
 
-bool TerrainScene::set_design(gl::Gl& gl, const design::DesignSettings& design) {
-    return !started_ || drawer_.set_design(gl, design);
+void TerrainScene::set_design(gl::Gl& gl, const draw::DrawnDesign& design) {
+    if (started_) drawer_.set_design(gl, design);
 }
 
 void TerrainScene::destroy(gl::Gl& gl) { drawer_.destroy(gl); }
@@ -145,7 +144,7 @@ terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& de
     lod.haze_per_m = eye.haze_per_m;
     lod.height_weight = eye.height_weight;
     lod.conservative_up = design.terrain.conservative_up;
-    lod.drape = drape_detail_;
+    if (needs_map(design.terrain.style, design::BakedMap::drape)) lod.drape = drape_detail_;
     return lod;
 }
 

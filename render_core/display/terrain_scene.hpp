@@ -53,14 +53,19 @@ class TerrainScene final : public terrain::DrawnMeshes {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, const design::DesignSettings& design,
-                                    effects::DeviceSettings& device, const TerrainMemory& memory, draw::TerrainOutput output);
+    /// For designs that follow one another; the first is drawn first.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
+                                    effects::DeviceSettings& device, const TerrainMemory& memory);
     [[nodiscard]] bool is_started() const { return started_; }
-    /// False, and nothing changes, where the design's style needs other programs.
-    [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
+    /// Whether what start() built shows a design, too.
+    [[nodiscard]] bool shows(const draw::DrawnDesign& design) const { return !started_ || drawer_.shows(design); }
+    /// From here on this design, which shows() has said it can.
+    void set_design(gl::Gl& gl, const draw::DrawnDesign& design);
     void destroy(gl::Gl& gl);
 
-    [[nodiscard]] DrapeState drape() const { return drape_; }
+    [[nodiscard]] DrapeState drape(const design::TerrainStyle& style) const {
+        return needs_map(style, design::BakedMap::drape) ? drape_ : DrapeState::not_asked_for;
+    }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
 
@@ -105,7 +110,7 @@ private:
     [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;
-    void decide_drape(const design::DesignSettings& design);
+    void decide_drape();
     [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye,
                                                     double tau_factor) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);

@@ -28,6 +28,7 @@ public:
     static constexpr std::uint32_t kGroundAtHorizon = 64, kSkyAtHorizon = 128;  ///< columns; see sky_color.frag
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
+    [[nodiscard]] bool is_started() const { return texture_.valid(); }
     /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
                 const design::SkySettings& sky, double haze_per_m);

@@ -30,34 +30,34 @@ gl::TexelRect place_of(std::uint32_t slot, std::uint32_t slots, std::uint32_t pa
     return {slot % across * page_px, slot / across * page_px, page_px, page_px};
 }
 
-bool is_needed(const design::TerrainStyle& style, bool coast, BakedMap map) {
-    return needs_map(style, map) || (coast && map == BakedMap::light);
+bool is_needed(const design::MapSet& maps, bool coast, BakedMap map) {
+    return maps.has(map) || (coast && map == BakedMap::light);
 }
 
 std::size_t index_of(BakedMap map) { return static_cast<std::size_t>(map); }
 
 }  // namespace
 
-std::uint64_t PageAtlas::bytes_needed(const design::TerrainStyle& style, bool coast, std::uint32_t slots) {
+std::uint64_t PageAtlas::bytes_needed(const design::MapSet& maps, bool coast, std::uint32_t slots) {
     std::uint64_t bytes = 0;
     for (const BakedMap map : kPageMaps)
-        if (is_needed(style, coast, map)) bytes += gl::texture_bytes(settings_of(map, slots));
+        if (is_needed(maps, coast, map)) bytes += gl::texture_bytes(settings_of(map, slots));
     return bytes;
 }
 
-gl::GlError PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::TerrainStyle& style, bool coast,
-                             std::uint32_t slots, base::Arena& staging) {
+gl::GlError PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast, std::uint32_t slots,
+                             base::Arena& staging) {
     TEDAVIS_CHECK(slots > 0);
     horizon_ = staging.allocate_array<std::uint8_t>(std::size_t{kHorizonPosts} * kHorizonPosts);
     if (horizon_.empty())
         return gl::make_error("the budget line 'staging' is too small for a horizon page; raise it in the device file");
     for (const BakedMap map : kPageMaps) {
-        if (!is_needed(style, coast, map)) continue;
+        if (!is_needed(maps, coast, map)) continue;
         auto texture = gl::make_texture(gl, line, settings_of(map, slots));
         if (!texture.ok()) return texture.error();
         textures_[index_of(map)] = static_cast<gl::Texture&&>(texture.value());
     }
-    light_is_for_coasts_ = !needs_map(style, BakedMap::light);
+    light_is_for_coasts_ = !maps.has(BakedMap::light);
     slots_ = slots;
     return {};
 }

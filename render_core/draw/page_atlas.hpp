@@ -1,4 +1,4 @@
-/// Attribute pages on the GPU: one atlas a map that the style reads, a fixed number of page slots in each.
+/// Attribute pages on the GPU: one atlas a map that styles read, a fixed number of page slots in each.
 ///
 /// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. Sides are
 /// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain.frag. The
@@ -21,9 +21,9 @@ struct PageOrigin {
 class PageAtlas {
 public:
     /// `slots` 1 or more; `staging` holds one page of texels. With `coast`, the map that tells sea from land is there too.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, const design::TerrainStyle& style, bool coast,
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast,
                                     std::uint32_t slots, base::Arena& staging);
-    [[nodiscard]] static std::uint64_t bytes_needed(const design::TerrainStyle& style, bool coast, std::uint32_t slots);
+    [[nodiscard]] static std::uint64_t bytes_needed(const design::MapSet& maps, bool coast, std::uint32_t slots);
     [[nodiscard]] bool is_started() const { return slots_ > 0; }
     [[nodiscard]] bool has(design::BakedMap map) const { return textures_[static_cast<std::size_t>(map)].valid(); }
 
@@ -43,7 +43,7 @@ public:
 private:
     gl::Texture textures_[design::kBakedMaps];
     std::uint32_t slots_ = 0;
-    bool light_is_for_coasts_ = false;  ///< the style itself does not read the light map
+    bool light_is_for_coasts_ = false;  ///< no style itself reads the light map
     base::Span<std::uint8_t> horizon_;
 };
 

@@ -41,22 +41,40 @@ void set_color(gl::Gl& gl, GLint location, design::Color color) {
 }  // namespace
 
 gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                               const design::DesignSettings& design, TerrainOutput output) {
-    coded_ = output == TerrainOutput::code;
-    with_air_ = design.sky.air.is_shown;
+                               DrawnDesigns designs) {
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
     if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
-    if (coded_)
-        if (gl::GlError error = colors_.start(gl, *budget.find(effects::kRenderTargets)); !error.sentence.empty()) return error;
-    return build_programs(gl, design.terrain.style);
+    for (const DrawnDesign& drawn : designs) {
+        if (drawn.output == TerrainOutput::color || shows(drawn)) continue;
+        const bool coded = drawn.output == TerrainOutput::code;
+        with_air_ = drawn.design->sky.air.is_shown;
+        if (coded && !colors_.is_started())
+            if (gl::GlError error = colors_.start(gl, *budget.find(effects::kRenderTargets)); !error.sentence.empty())
+                return error;
+        if (gl::GlError error = build_programs(gl, coded, drawn.design->terrain.style.sketch.silhouettes > 0);
+            !error.sentence.empty())
+            return error;
+    }
+    set_design(designs[0]);
+    return {};
 }
 
-gl::GlError PicturePass::build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const {
+bool PicturePass::shows(const DrawnDesign& design) const {
+    const Programs& programs = programs_[design.output == TerrainOutput::code ? 1 : 0];
+    return programs.ground[0][design.design->terrain.style.sketch.silhouettes > 0 ? 1 : 0].valid();
+}
+
+void PicturePass::set_design(const DrawnDesign& design) {
+    coded_ = design.output == TerrainOutput::code;
+    colors_.forget();
+}
+
+gl::GlError PicturePass::build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const {
     const UniformNames uniforms;
-    base::FixedString<kMaxShaderText> fragment(coded_ ? "#define CODED 1\n" : "");
+    base::FixedString<kMaxShaderText> fragment(coded ? "#define CODED 1\n" : "");
     fragment.append(defines);
     if (with_air_) fragment.append("#define AIR 1\n");
     if (with_air_) fragment.append(shader_text(k_air_frag));
@@ -70,15 +88,18 @@ gl::GlError PicturePass::build_program(gl::Gl& gl, std::string_view defines, gl:
     return {};
 }
 
-gl::GlError PicturePass::build_programs(gl::Gl& gl, const design::TerrainStyle& style) {
-    if (gl::GlError error = build_program(gl, "#define SKY 1\n", sky_); !error.sentence.empty()) return error;
+/// Without silhouettes too: the time may not suffice for them.
+gl::GlError PicturePass::build_programs(gl::Gl& gl, bool coded, bool outlined) {
+    Programs& programs = programs_[coded ? 1 : 0];
+    if (!programs.sky.valid())
+        if (gl::GlError error = build_program(gl, coded, "#define SKY 1\n", programs.sky); !error.sentence.empty()) return error;
     for (const bool hatched : {false, true})
-        for (const bool outlined : {false, true}) {
-            if ((hatched && !coded_) || (outlined && style.sketch.silhouettes == 0)) continue;
+        for (const bool lines : {false, true}) {
+            gl::Program& program = programs.ground[hatched ? 1 : 0][lines ? 1 : 0];
+            if ((hatched && !coded) || (lines && !outlined) || program.valid()) continue;
             base::FixedString<40> defines(hatched ? "#define HATCHED 1\n" : "");
-            if (outlined) defines.append("#define OUTLINED 1\n");
-            gl::Program& program = programs_[hatched ? 1 : 0][outlined ? 1 : 0];
-            if (gl::GlError error = build_program(gl, defines.view(), program); !error.sentence.empty()) return error;
+            if (lines) defines.append("#define OUTLINED 1\n");
+            if (gl::GlError error = build_program(gl, coded, defines.view(), program); !error.sentence.empty()) return error;
         }
     return {};
 }
@@ -97,7 +118,7 @@ void PicturePass::finish(gl::Gl& gl, const gl::DrawPlace& place, const design::D
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
     paint_ground(gl, design, input);
-    use(gl, sky_, design, input);
+    use(gl, programs_[coded_ ? 1 : 0].sky, design, input);
     grid_.draw_cells(gl, input.ground, false);
 }
 
@@ -112,7 +133,7 @@ void PicturePass::repaint(gl::Gl& gl, const design::DesignSettings& design, cons
 
 void PicturePass::paint_ground(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) const {
     target_.color().bind(gl, 0);
-    const gl::Program& ground = programs_[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
+    const gl::Program& ground = programs_[coded_ ? 1 : 0].ground[coded_ && input.has_void ? 1 : 0][input.outlined ? 1 : 0];
     use(gl, ground, design, input);
     grid_.draw_cells(gl, input.ground, true);
 }
@@ -142,9 +163,11 @@ void PicturePass::set_colors(gl::Gl& gl, const gl::Program& program, const desig
 }
 
 void PicturePass::destroy(gl::Gl& gl) {
-    for (auto& some : programs_)
-        for (gl::Program& program : some) program.destroy(gl);
-    sky_.destroy(gl);
+    for (Programs& programs : programs_) {
+        programs.sky.destroy(gl);
+        for (auto& some : programs.ground)
+            for (gl::Program& program : some) program.destroy(gl);
+    }
     colors_.destroy(gl);
     grid_.destroy(gl);
     target_.destroy(gl);

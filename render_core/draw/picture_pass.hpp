@@ -31,9 +31,14 @@ struct PictureInput {
 
 class PicturePass {
 public:
-    /// `output` is not TerrainOutput::color.
+    /// For designs that follow one another; those whose output is TerrainOutput::color have no use for it. The first is drawn
+    /// first.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                                    const design::DesignSettings& design, TerrainOutput output);
+                                    DrawnDesigns designs);
+    /// Whether there are the programs that a design needs.
+    [[nodiscard]] bool shows(const DrawnDesign& design) const;
+    /// The next picture is of this design.
+    void set_design(const DrawnDesign& design);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     /// What is drawn from here on goes off-screen, on a picture of nothing but sky.
     void begin(gl::Gl& gl) const;
@@ -42,13 +47,16 @@ public:
     /// Paints the ground of the finished picture once more, where the depth there is not empty: near terrain, over what was
     /// drawn behind it since.
     void repaint(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input);
-    /// The next picture is of another design.
-    void forget_design() { colors_.forget(); }
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, const design::TerrainStyle& style);
-    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) const;
+    /// Of coloured terrain, or of codes.
+    struct Programs {
+        gl::Program ground[2][2];  ///< the second with what is not known; the second with silhouettes
+        gl::Program sky;
+    };
+    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, bool coded, bool outlined);
+    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const;
     void paint_ground(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) const;
     void use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, const PictureInput& input) const;
     void set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const;
@@ -57,9 +65,9 @@ private:
     gl::RenderTarget target_;
     ScreenGrid grid_;
     ColorTable colors_;
-    gl::Program programs_[2][2];  ///< the second with what is not known; the second with silhouettes
-    gl::Program sky_;
-    bool coded_ = false, with_air_ = false;
+    Programs programs_[2];  ///< the second of codes
+    bool coded_ = false;    ///< the design's
+    bool with_air_ = false;
 };
 
 }  // namespace tedavis::draw

@@ -54,20 +54,23 @@ double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
 
 }  // namespace
 
-gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
-                                 effects::DeviceSettings& device, base::Arena& staging, TerrainOutput output) {
+gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
+                                 effects::DeviceSettings& device, base::Arena& staging) {
     store_ = &store;
-    design_ = design;
-    output_ = output;
+    design_ = *designs[0].design;
     if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_pages(gl, device, staging); !error.sentence.empty()) return error;
+    if (gl::GlError error = start_pages(gl, designs, device, staging); !error.sentence.empty()) return error;
     if (gl::GlError error = start_drape(gl, device, staging); !error.sentence.empty()) return error;
-    if (design.data.ground.is_shown)
-        if (gl::GlError error =
-                ground_.start(gl, *device.budget.find(effects::kSceneGround), device.capability.gl.max_texture_px);
-            !error.sentence.empty())
-            return error;
-    return build_programs(gl);
+    if (gl::GlError error = start_ground(gl, designs, device); !error.sentence.empty()) return error;
+    bool are_coded = true;
+    for (const DrawnDesign& design : designs) {
+        are_coded = are_coded && design.output == TerrainOutput::code;
+        if (shows(design)) continue;
+        if (!styles_.try_push_back({design.design->terrain.style, variant_of(design), {}}))
+            return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
+        if (gl::GlError error = build_programs(gl, styles_.back()); !error.sentence.empty()) return error;
+    }
+    return are_coded ? gl::GlError{} : start_palette(gl, device);
 }
 
 gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -87,7 +90,10 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
                                    gl::BufferUse::streamed, slots * kSlotIndices * sizeof(std::uint16_t));
     if (!indices.ok()) return indices.error();
     indices_ = static_cast<gl::Buffer&&>(indices.value());
-    if (output_ == TerrainOutput::code) return {};
+    return {};
+}
+
+gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& device) {
     auto palette = gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
                                     {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
     if (!palette.ok()) return palette.error();
@@ -96,15 +102,18 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
     return {};
 }
 
-gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
+/// The maps of all designs.
+gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
+    design::MapSet maps;
+    for (const DrawnDesign& design : designs) maps.add(design.design->terrain.style);
+    needs_maps_ = maps.any();
     const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
     if (slots == 0 || !reads_pages()) return {};
     page_slots_ = staging.allocate_array<PageSlot>(slots);
     if (page_slots_.empty())
         return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
     for (PageSlot& slot : page_slots_) slot = PageSlot{};
-    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), design_.terrain.style, database_has_coast(), slots,
-                        staging);
+    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), maps, database_has_coast(), slots, staging);
 }
 
 gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -117,38 +126,62 @@ gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& devi
     return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
 }
 
-gl::GlError TerrainDrawer::build_programs(gl::Gl& gl) {
+gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device) {
+    for (const DrawnDesign& design : designs)
+        if (design.design->data.ground.is_shown)
+            return ground_.start(gl, *device.budget.find(effects::kSceneGround), device.capability.gl.max_texture_px);
+    return {};
+}
+
+TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
+    const design::DesignSettings& design = *drawn.design;
     TerrainVariant variant;
-    variant.output = output_;
-    variant.lifted = design_.terrain.conservative_up;
-    variant.flat = design_.view.reference == design::Reference::flat;
-    variant.ground_data = ground_.is_started();
-    variant.uncertainty = design_.data.ground.uncertainty.technique;
-    variant.overlay = design_.data.ground.overlay.technique;
-    variant.air = design_.sky.air.is_shown;
-    variant.shafts = has_shafts_only(design_) && output_ == TerrainOutput::color_and_distance;
-    variant.shadows = design_.effects.shadows.on_ground > 0;
+    variant.output = drawn.output;
+    variant.lifted = design.terrain.conservative_up;
+    variant.flat = design.view.reference == design::Reference::flat;
+    variant.ground_data = design.data.ground.is_shown;
+    if (variant.ground_data) {
+        variant.uncertainty = design.data.ground.uncertainty.technique;
+        variant.overlay = design.data.ground.overlay.technique;
+    }
+    variant.air = design.sky.air.is_shown;
+    variant.shafts = has_shafts_only(design) && drawn.output == TerrainOutput::color_and_distance;
+    variant.shadows = design.effects.shadows.on_ground > 0;
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
-    for (std::size_t bands = 0; bands < (output_ == TerrainOutput::code ? 1 : kBandVariants); ++bands)
+    return variant;
+}
+
+std::size_t TerrainDrawer::style_of(const DrawnDesign& design) const {
+    const TerrainVariant variant = variant_of(design);
+    for (std::size_t n = 0; n < styles_.size(); ++n)
+        if (variant == styles_[n].variant && same_programs(styles_[n].style, design.design->terrain.style)) return n;
+    return styles_.size();
+}
+
+gl::GlError TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
+    TerrainVariant variant = style.variant;
+    const bool is_coded = variant.output == TerrainOutput::code;
+    for (std::size_t bands = 0; bands < (is_coded ? 1 : kBandVariants); ++bands)
         for (std::size_t pages = 0; pages < kPageVariants; ++pages) {
-            const bool land_codes = output_ == TerrainOutput::code && pages == kWithPages;
+            const bool land_codes = is_coded && pages == kWithPages;
             if (pages > 0 && !atlas_.is_started() && !land_codes) continue;
             if (pages == kWithCoast && !database_has_coast()) continue;
             variant.bands = kBandsOfVariant[bands];
             variant.baked = pages > 0;
             variant.coast = pages == kWithCoast;
             variant.classes = !land_codes;
-            auto program = build_terrain_program(gl, design_.terrain.style, variant);
+            auto program = build_terrain_program(gl, style.style, variant);
             if (!program.ok()) return program.error();
-            programs_[bands][pages] = program.value();
+            style.programs[bands][pages] = program.value();
         }
     return {};
 }
 
 void TerrainDrawer::destroy(gl::Gl& gl) {
-    for (auto& of_bands : programs_)
-        for (gl::Program& program : of_bands) program.destroy(gl);
+    for (Style& style : styles_)
+        for (auto& of_bands : style.programs)
+            for (gl::Program& program : of_bands) program.destroy(gl);
     ground_.destroy(gl);
     drape_.destroy(gl);
     atlas_.destroy(gl);
@@ -157,21 +190,16 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
     vertices_.destroy(gl);
 }
 
-bool TerrainDrawer::set_design(gl::Gl& gl, const design::DesignSettings& design) {
-    if (!same_programs(design_.terrain.style, design.terrain.style) || !same_programs(design_.data, design.data) ||
-        design_.terrain.conservative_up != design.terrain.conservative_up || design_.view.reference != design.view.reference ||
-        design_.sky.air.is_shown != design.sky.air.is_shown ||
-        (design_.effects.shadows.on_ground > 0) != (design.effects.shadows.on_ground > 0) ||
-        has_shafts_only(design_) != has_shafts_only(design))
-        return false;
-    design_ = design;
-    if (ground_.has_data()) ground_.set_look(gl, design.data.ground);
+void TerrainDrawer::set_design(gl::Gl& gl, const DrawnDesign& design) {
+    style_ = style_of(design);
+    TEDAVIS_CHECK(style_ < styles_.size());
+    design_ = *design.design;
+    if (ground_.has_data() && has_ground_data()) ground_.set_look(gl, design_.data.ground);
     if (palette_.valid()) upload_palette(gl);
-    return true;
 }
 
 bool TerrainDrawer::set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) {
-    if (slice != nullptr) return ground_.is_started() && ground_.upload(gl, *slice, design_.data.ground);
+    if (slice != nullptr) return has_ground_data() && ground_.upload(gl, *slice, design_.data.ground);
     ground_.clear();
     return true;
 }
@@ -236,7 +264,7 @@ TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) c
     return {};
 }
 
-bool TerrainDrawer::reads_pages() const { return design::needs_any_map(design_.terrain.style) || database_has_coast(); }
+bool TerrainDrawer::reads_pages() const { return needs_maps_ || database_has_coast(); }
 
 /// The coarsest chunks, which never leave the store, know what lies in all below them.
 bool TerrainDrawer::database_has_coast() const {
@@ -295,12 +323,12 @@ bool TerrainDrawer::upload_drape(gl::Gl& gl, const SelectedChunk& chunk, const t
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
     for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
-        for (const gl::Program& program : programs_[bands])
+        for (const gl::Program& program : style().programs[bands])
             if (program.valid()) set_frame_uniforms(gl, program, input, range);
     if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
     if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
-    if (ground_.is_started()) ground_.bind(gl, kGroundMapUnit, kGroundColorUnit);
+    if (has_ground_data()) ground_.bind(gl, kGroundMapUnit, kGroundColorUnit);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
@@ -321,27 +349,27 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     gl->Uniform2f(program.uniform(kTerrainLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
     if (program.uniform(kTerrainShadow) >= 0)
         set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
-    if (output_ == TerrainOutput::code) set_height_range(gl, program, input.heights);
+    if (is_coded()) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
         gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
-    if (ground_.is_started()) ground_.set_frame_uniforms(gl, program, kGroundMapUnit, kGroundColorUnit);
+    if (has_ground_data()) ground_.set_frame_uniforms(gl, program, kGroundMapUnit, kGroundColorUnit);
 }
 
 std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool baked) const {
     if (baked && is_coast(entry)) return kWithCoast;
-    if (output_ != TerrainOutput::code) return baked ? kWithPages : kWithoutPages;
+    if (!is_coded()) return baked ? kWithPages : kWithoutPages;
     return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
 }
 
 const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
                                               const TerrainDrawInput& input) const {
     TerrainBands bands;
-    if (input.warning_colors && output_ != TerrainOutput::code)
+    if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
-    const gl::Program& program = programs_[n][pages];
+    const gl::Program& program = style().programs[n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
@@ -373,7 +401,7 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
         else
             set_no_drape(gl, program, drape_);
     }
-    if (ground_.is_started()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
+    if (has_ground_data()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
     point_attributes(gl, chunk.slot);
     gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});

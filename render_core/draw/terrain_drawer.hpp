@@ -8,7 +8,8 @@
 ///           one sentence.
 #pragma once
 
-#include "render_core/design/design_settings.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/design/phase_designs.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/drape_atlas.hpp"
 #include "render_core/draw/ground_map.hpp"
@@ -50,11 +51,15 @@ public:
     /// alone, a coast by the pages.
     static constexpr std::size_t kPageVariants = 3;
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, const design::DesignSettings& design,
-                                    effects::DeviceSettings& device, base::Arena& staging,
-                                    TerrainOutput output = TerrainOutput::color);
-    /// Palette, lights and bands of another design. False, and nothing changes, where its style needs other programs.
-    [[nodiscard]] bool set_design(gl::Gl& gl, const design::DesignSettings& design);
+    static constexpr std::size_t kMaxStyles = design::kMaxPhaseDesigns + 1;
+
+    /// For designs that follow one another while it runs; the first is drawn first.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
+                                    effects::DeviceSettings& device, base::Arena& staging);
+    /// Whether there are the programs and maps that a design needs.
+    [[nodiscard]] bool shows(const DrawnDesign& design) const { return style_of(design) < styles_.size(); }
+    /// From here on another design, which shows() has said it can.
+    void set_design(gl::Gl& gl, const DrawnDesign& design);
 
     /// A finished slice of the scene's field that the design colours the ground by; null: there is none, and the ground is as it
     /// is. False where it has no room.
@@ -75,6 +80,12 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    /// One kind of style: designs that differ only in palettes, lights, strengths and bands share it.
+    struct Style {
+        design::TerrainStyle style;  ///< of the first such design: what same_programs() reads of it
+        TerrainVariant variant;      ///< without bands and pages
+        gl::Program programs[kBandVariants][kPageVariants];
+    };
     struct GpuSlot {
         std::uint32_t generation = 0;  ///< of the store's slot when it was uploaded
         std::uint32_t index_count = 0;
@@ -91,9 +102,17 @@ private:
         terrain::ChunkKey owner;
     };
     [[nodiscard]] gl::GlError start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
-    [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
+    [[nodiscard]] gl::GlError start_palette(gl::Gl& gl, effects::DeviceSettings& device);
+    [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device,
+                                          base::Arena& staging);
     [[nodiscard]] gl::GlError start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
-    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
+    [[nodiscard]] gl::GlError start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device);
+    [[nodiscard]] TerrainVariant variant_of(const DrawnDesign& design) const;
+    [[nodiscard]] std::size_t style_of(const DrawnDesign& design) const;
+    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, Style& style);
+    [[nodiscard]] const Style& style() const { return styles_[style_]; }
+    [[nodiscard]] bool has_ground_data() const { return style().variant.ground_data; }
+    [[nodiscard]] bool is_coded() const { return style().variant.output == TerrainOutput::code; }
     void upload_palette(gl::Gl& gl);
     [[nodiscard]] terrain::MeshCount build_indices(const terrain::SelectedChunk& chunk);
     [[nodiscard]] bool upload_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk);
@@ -110,10 +129,11 @@ private:
 
     const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
-    TerrainOutput output_ = TerrainOutput::color;
-    gl::Program programs_[kBandVariants][kPageVariants];
+    base::FixedVector<Style, kMaxStyles> styles_;
+    std::size_t style_ = 0;  ///< of design_
+    bool needs_maps_ = false;
     gl::Buffer vertices_, indices_;
-    gl::Texture palette_;  ///< not for codes: who colours them has it
+    gl::Texture palette_;  ///< not where all write codes: who colours them has it
     PageAtlas atlas_;
     DrapeAtlas drape_;
     GroundMap ground_;

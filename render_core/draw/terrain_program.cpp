@@ -1,5 +1,9 @@
 #include "render_core/draw/terrain_program.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
 namespace tedavis::draw {
 namespace {
 
@@ -169,6 +173,14 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 bool has_shafts_only(const design::DesignSettings& design) noexcept {
     return design.effects.shadows.in_air > 0 && design.terrain.style.sketch.silhouettes <= 0 &&
            design.effects.depth_of_field.blur_px <= 0;
+}
+
+bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
+    const auto all = [](const TerrainVariant& v) {
+        return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
+                        v.air, v.shafts, v.shadows);
+    };
+    return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
 
 TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {

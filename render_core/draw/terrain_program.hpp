@@ -8,6 +8,7 @@
 #pragma once
 
 #include "render_core/base/fixed_string.hpp"
+#include "render_core/base/span.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
 #include "render_core/draw/shader_texts.hpp"
@@ -86,6 +87,13 @@ enum class TerrainOutput : std::uint8_t {
     color_and_distance,  ///< the distance in alpha: silhouettes are found in it
     code,                ///< heights, light and distance of terrain_code.frag
 };
+/// A design, and what terrain programs write for it.
+struct DrawnDesign {
+    const design::DesignSettings* design = nullptr;
+    TerrainOutput output = TerrainOutput::color;
+};
+using DrawnDesigns = base::Span<const DrawnDesign>;
+
 /// Whether the distances in the picture serve volumetric light alone: then warning colours say that they are near, so that no
 /// shaft makes them darker, and the picture needs no pass of its own before the others.
 [[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
@@ -107,6 +115,8 @@ struct TerrainVariant {
     bool shafts = false;                                                            ///< of light, before it
     bool shadows = false;                                                           ///< of data
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
+
+    friend bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept;
 };
 
 inline constexpr std::size_t kMaxTerrainDefines = 1023;

@@ -36,7 +36,7 @@ gl::GlError ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths,
 }
 
 gl::GlError ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                                   const design::ViewEffects& effects, bool with_air) {
+                                   const PictureEffects& effects, bool with_air) {
     with_air_ = with_air;
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::linear, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
@@ -46,8 +46,8 @@ gl::GlError ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::u
     for (const bool blurs : {false, true})
         for (const bool smooths : {false, true})
             for (const bool shafts : {false, true}) {
-                const bool is_asked_for = (!blurs || effects.depth_of_field.blur_px > 0) && (!smooths || effects.antialiasing) &&
-                                          (!shafts || effects.shadows.in_air > 0);
+                const bool is_asked_for =
+                    (!blurs || effects.blurs) && (!smooths || effects.smooths) && (!shafts || effects.has_shafts);
                 if (!is_asked_for || !(blurs || smooths || shafts)) continue;
                 if (gl::GlError error = build_program(gl, blurs, smooths, shafts); !error.sentence.empty()) return error;
             }

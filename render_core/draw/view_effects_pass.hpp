@@ -39,10 +39,15 @@ struct DistanceLeft {
     [[nodiscard]] bool is_left() const { return least < 1; }
 };
 
+/// Effects that frames may ask for.
+struct PictureEffects {
+    bool smooths = false, blurs = false, has_shafts = false;
+};
+
 class ViewEffectsPass {
 public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
-                                    const design::ViewEffects& effects, bool with_air = false);
+                                    const PictureEffects& effects, bool with_air = false);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
     /// Puts the target's picture where it belongs, whole. At least one effect is asked for, and was at start().

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "render_core/base/time.hpp"
+
 namespace tedavis::flight {
 
 enum class Scenario : std::uint8_t { ground = 1, takeoff, cruise, approach, go_around, unknown };
@@ -56,8 +58,14 @@ struct PhaseStatus {
     PhaseSource source = PhaseSource::none;
     bool switch_fault = false;  ///< an impossible switch pattern was read; the last valid one is kept
     bool disagreement = false;  ///< a source of lower authority states another scenario, and is not just late
+    FlightPhase presented;      ///< what the picture follows: the phase, but for flicker (presented_phase.hpp)
+    base::Time presented_since;
 };
 static_assert(std::is_trivially_copyable_v<PhaseStatus>);
+/// A status that somebody states at once, without a past.
+[[nodiscard]] constexpr PhaseStatus stated_phase(FlightPhase phase, PhaseSource source) {
+    return {phase, source, false, false, phase, {}};
+}
 
 /// Which aspect is shown in detail (thesis Table 5.1).
 enum class Aspect : std::uint8_t { terrain, data, uncertainty };

@@ -50,7 +50,8 @@ public:
           bytes_(scene.built.image),
           terrain_(bytes_, session_.device.max_chunk_slots, pages ? session_.device.attribute_pages : 0),
           design_(design) {
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), design, session_.device, staging_).sentence.view(), "");
+        const draw::DrawnDesign only{&design};
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
         session_.gl.seal();
     }
     ~ChunkDrawing() {
@@ -79,7 +80,12 @@ public:
         }
         return draw_chunks(drawn, input, depth);
     }
-    [[nodiscard]] bool set_design(const design::DesignSettings& design) { return drawer_.set_design(session_.gl, design); }
+    /// False, and nothing changes, where it needs other programs.
+    [[nodiscard]] bool set_design(const design::DesignSettings& design) {
+        if (!drawer_.shows({&design})) return false;
+        drawer_.set_design(session_.gl, {&design});
+        return true;
+    }
     [[nodiscard]] bool set_ground_data(const scene::GridSlice* slice) { return drawer_.set_ground_data(session_.gl, slice); }
     [[nodiscard]] const std::set<std::uint32_t>& levels() const { return levels_; }
     [[nodiscard]] int beside_coarser() const { return beside_coarser_; }

@@ -22,8 +22,8 @@ public:
             arena("terrain_index"), arena("terrain_chunk_slots"), arena("terrain_heights"), arena("terrain_attributes"),
             arena("terrain_drape"), arena("lod_scratch"),         arena("staging")};
         const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
-        const draw::TerrainOutput output = draw::output_of(design_, session_.device.capability.depth24_targets);
-        const gl::GlError error = scene_.start(session_.gl, input, design_, session_.device, memory, output);
+        const draw::DrawnDesign only{&design_, draw::output_of(design_, session_.device.capability.depth24_targets)};
+        const gl::GlError error = scene_.start(session_.gl, input, {&only, 1}, session_.device, memory);
         if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
         session_.surface->release_current();
     }

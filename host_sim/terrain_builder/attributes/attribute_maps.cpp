@@ -15,8 +15,6 @@ using terrain::AttributeChannel;
 using terrain::kHorizonDirections;
 using terrain::kHorizonPostStep;
 
-constexpr float kHalfPi = 1.57079632679f;
-
 /// Measures a tile four posts at a time and writes what it finds.
 class Surveyor {
 public:

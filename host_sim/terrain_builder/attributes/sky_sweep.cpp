@@ -5,7 +5,6 @@ namespace {
 
 using terrain::kHorizonDirections;
 
-constexpr float kHalfPi = 1.57079632679f;
 constexpr float kVanishing = 1e-8f;  // square of the length of a direction that is none
 
 /// sin²H and H - sin H cos H of a limit at this tangent of elevation.

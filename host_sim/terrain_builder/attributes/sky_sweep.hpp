@@ -10,6 +10,9 @@
 
 namespace tedavis::host_sim {
 
+/// Of openness over level ground without a horizon.
+inline constexpr float kHalfPi = 1.57079632679f;
+
 /// Of four neighbouring posts.
 struct SkyLanes {
     Lanes horizon[terrain::kHorizonDirections];  ///< tangent of the horizon's elevation, not below 0

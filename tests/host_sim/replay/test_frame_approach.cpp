@@ -44,7 +44,7 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
     DisplaySession session(asked.picture, false);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
-    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
+    FrameApproach approach(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (approached) approach.approach(times.at(n));
@@ -122,7 +122,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approach
     session.display().frame_budget().hold(kScarce_ms, costs_of_triangles(), settings);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
-    FrameApproach approach(player, session.display(), session.device().frame_rate_hz);
+    FrameApproach approach(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
     std::set<std::uint32_t> rungs;
     for (std::uint64_t n = 0; n < times.count(); ++n) {

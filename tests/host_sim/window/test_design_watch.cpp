@@ -31,7 +31,7 @@ TEST(DesignWatch, TakesAChangeThatHasSettled) {
     watched.write(kOther);
     EXPECT_EQ(watch.look(), DesignNews::none) << "may be half written";
     EXPECT_EQ(watch.look(), DesignNews::changed);
-    EXPECT_EQ(watch.design().terrain.tau_px, 3);
+    EXPECT_EQ(watch.designs().design.terrain.tau_px, 3);
     EXPECT_EQ(watch.look(), DesignNews::none);
 }
 
@@ -43,7 +43,7 @@ TEST(DesignWatch, ABrokenEditIsToldOnceAndTheOldDesignStays) {
     EXPECT_EQ(watch.look(), DesignNews::broken);
     EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("design.toml:3"));
     EXPECT_EQ(watch.look(), DesignNews::none);
-    EXPECT_EQ(watch.design().terrain.tau_px, 2);
+    EXPECT_EQ(watch.designs().design.terrain.tau_px, 2);
     watched.write(kOther);
     static_cast<void>(watch.look());
     EXPECT_EQ(watch.look(), DesignNews::changed) << "mended";
@@ -72,13 +72,13 @@ TEST(DesignWatch, ThePaletteIsWatchedToo) {
     EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("mine.toml"));
     watched.folder.write("mine.toml", grey);
     EXPECT_EQ(settled(), DesignNews::changed);
-    EXPECT_EQ(watch.design().terrain.palette.stops[0].color, (design::Color{0x2C, 0x2C, 0x2C}));
+    EXPECT_EQ(watch.designs().design.terrain.palette.stops[0].color, (design::Color{0x2C, 0x2C, 0x2C}));
     EXPECT_EQ(settled(), DesignNews::none);
     std::string darker = grey;
     darker.replace(darker.find("#2c2c2c"), 7, "#202020");
     watched.folder.write("mine.toml", darker);
     EXPECT_EQ(settled(), DesignNews::changed);
-    EXPECT_EQ(watch.design().terrain.palette.stops[0].color, (design::Color{0x20, 0x20, 0x20}));
+    EXPECT_EQ(watch.designs().design.terrain.palette.stops[0].color, (design::Color{0x20, 0x20, 0x20}));
 }
 
 TEST(DesignWatch, TheCommandLineStaysAboveTheFile) {
@@ -88,7 +88,7 @@ TEST(DesignWatch, TheCommandLineStaysAboveTheFile) {
     watched.write(kOther);
     static_cast<void>(watch.look());
     EXPECT_EQ(watch.look(), DesignNews::changed);
-    EXPECT_EQ(watch.design().terrain.tau_px, 8);
+    EXPECT_EQ(watch.designs().design.terrain.tau_px, 8);
 }
 
 TEST(DesignWatch, AnUnsoundDesignIsRefusedAtTheStart) {

@@ -143,7 +143,7 @@ TEST(TerrainStyle, OnlyTheMapsThatATechniqueReadsAreNeeded) {
 
 TEST(TerrainStyle, NormalsComeFromTheMeshUnlessTheMapsAreAskedFor) {
     const TerrainStyle mesh = read("[terrain.shade]\ntechnique = \"lambert\"\n").style;
-    EXPECT_FALSE(needs_any_map(mesh));
+    EXPECT_FALSE(MapSet(mesh).any());
     EXPECT_TRUE(fits_pixel_code(mesh));
     const TerrainStyle baked = read("[terrain.shade]\ntechnique = \"lambert\"\nnormals = \"baked\"\n").style;
     EXPECT_TRUE(needs_map(baked, BakedMap::form));

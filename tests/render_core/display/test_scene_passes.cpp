@@ -17,7 +17,11 @@ constexpr std::uint32_t kWidth = 64, kHeight = 48;
 class ScenePassesStart : public ::testing::Test {
 protected:
     [[nodiscard]] std::uint64_t target_bytes() { return session_.device.budget.find(effects::kRenderTargets)->use.in_use; }
-    [[nodiscard]] gl::GlError start() { return passes_.start(session_.gl, session_.device, design_, kWidth, kHeight); }
+    [[nodiscard]] draw::DrawnDesign drawn() const { return {&design_, draw::output_of(design_, true)}; }
+    [[nodiscard]] gl::GlError start() {
+        const draw::DrawnDesign only = drawn();
+        return passes_.start(session_.gl, session_.device, {&only, 1}, kWidth, kHeight);
+    }
 
     GlSession session_{"egl", "es3-mid", kWidth, kHeight};
     design::DesignSettings design_ = design::default_design_settings();
@@ -28,7 +32,7 @@ TEST_F(ScenePassesStart, TakesPicturesOffScreenOnlyForStylesThatNeedThem) {
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.terrain.style.sketch.silhouettes = 0;
     ASSERT_EQ(start().sentence.view(), "");
-    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color);
+    EXPECT_EQ(drawn().output, draw::TerrainOutput::color);
     EXPECT_EQ(target_bytes(), 0u);
     passes_.destroy(session_.gl);
 }
@@ -36,7 +40,7 @@ TEST_F(ScenePassesStart, TakesPicturesOffScreenOnlyForStylesThatNeedThem) {
 TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
     design_.terrain.style.sketch.silhouettes = 1;
     ASSERT_EQ(start().sentence.view(), "");
-    EXPECT_NE(passes_.output(), draw::TerrainOutput::color);
+    EXPECT_NE(drawn().output, draw::TerrainOutput::color);
     EXPECT_GE(target_bytes(), std::uint64_t{kWidth} * kHeight * 8) << "colour and depth";
     passes_.destroy(session_.gl);
     EXPECT_EQ(target_bytes(), 0u);
@@ -45,10 +49,14 @@ TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
 TEST_F(ScenePassesStart, EffectsThatWereNotBuiltAreNotShown) {
     design_.effects.antialiasing = true;
     ASSERT_EQ(start().sentence.view(), "");
-    EXPECT_TRUE(passes_.shows(design_.effects));
-    EXPECT_TRUE(passes_.shows({})) << "less is no matter";
+    EXPECT_TRUE(passes_.shows(drawn()));
+    design_.effects.antialiasing = false;
+    EXPECT_TRUE(passes_.shows(drawn())) << "less is no matter";
     design_.effects.depth_of_field.blur_px = 2;
-    EXPECT_FALSE(passes_.shows(design_.effects));
+    EXPECT_FALSE(passes_.shows(drawn()));
+    design_.effects.depth_of_field.blur_px = 0;
+    design_.sky.air.is_shown = true;
+    EXPECT_FALSE(passes_.shows(drawn()));
     passes_.destroy(session_.gl);
 }
 
@@ -57,11 +65,10 @@ TEST_F(ScenePassesStart, AMapOfShadowsIsPaidForWhereADesignAsksForThem) {
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.effects.shadows.on_ground = 0.5;
     ASSERT_EQ(start().sentence.view(), "");
-    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color) << "read where the ground is drawn";
+    EXPECT_EQ(drawn().output, draw::TerrainOutput::color) << "read where the ground is drawn";
     EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8);
-    design::ViewEffects with_shafts = design_.effects;
-    with_shafts.shadows.in_air = 0.5;
-    EXPECT_FALSE(passes_.shows(with_shafts)) << "they were not built";
+    design_.effects.shadows.in_air = 0.5;
+    EXPECT_FALSE(passes_.shows(drawn())) << "shafts of light were not built";
     passes_.destroy(session_.gl);
     EXPECT_EQ(target_bytes(), 0u);
 }
@@ -71,8 +78,27 @@ TEST_F(ScenePassesStart, ShaftsOfLightTakeAPictureAndAQuarterOfOneBesides) {
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.effects.shadows.in_air = 0.5;
     ASSERT_EQ(start().sentence.view(), "");
-    EXPECT_EQ(passes_.output(), draw::TerrainOutput::color_and_distance);
+    EXPECT_EQ(drawn().output, draw::TerrainOutput::color_and_distance);
     EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8 + std::uint64_t{kWidth} * kHeight * (8 + 1));
+    passes_.destroy(session_.gl);
+}
+
+TEST_F(ScenePassesStart, DesignsThatFollowOneAnotherHaveTheProgramsOfAll) {
+    design::DesignSettings lined = design_, coloured = design_, blurred = design_;
+    lined.terrain.style.sketch.silhouettes = 1;
+    coloured.terrain.style.texture = design::TerrainTexture::slope;
+    coloured.terrain.style.sketch.silhouettes = 0;
+    blurred.effects.depth_of_field.blur_px = 2;
+    draw::DrawnDesign designs[] = {{&coloured}, {&lined}, {&blurred}};
+    for (draw::DrawnDesign& one : designs) one.output = draw::output_of(*one.design, true);
+    ASSERT_NE(designs[1].output, designs[0].output);
+    ASSERT_EQ(passes_.start(session_.gl, session_.device, designs, kWidth, kHeight).sentence.view(), "");
+    for (const draw::DrawnDesign& one : designs) {
+        EXPECT_TRUE(passes_.shows(one));
+        passes_.set_design(one);
+    }
+    coloured.effects.shadows.on_ground = 1;
+    EXPECT_FALSE(passes_.shows({&coloured}));
     passes_.destroy(session_.gl);
 }
 

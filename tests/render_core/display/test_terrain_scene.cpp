@@ -67,9 +67,9 @@ public:
             memory_[n].resize(name == small_line ? 1000 : static_cast<std::size_t>(at_.device.budget.find(name)->bytes));
             arenas_[n] = base::Arena(memory_[n].data(), memory_[n].size());
         }
-        error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, design, at_.device,
-                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5], arenas_[6]},
-                            draw::TerrainOutput::color);
+        const draw::DrawnDesign only{&design};
+        error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, {&only, 1}, at_.device,
+                            {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5], arenas_[6]});
         at_.gl.seal();
     }
     ~Stage() {
@@ -90,7 +90,7 @@ public:
         EXPECT_EQ(at_.gl.denied().total, 0u);
         return result;
     }
-    bool set_design(const design::DesignSettings& design) { return scene.set_design(at_.gl, design); }
+    bool shows(const design::DesignSettings& design) const { return scene.shows({&design}); }
 
     TerrainScene scene;
     gl::GlError error;
@@ -339,9 +339,9 @@ TEST(TerrainScene, DesignsOfOtherProgramsAreRefused) {
     Stage stage(plain_design());
     design::DesignSettings other = plain_design();
     other.terrain.tau_px = 3;
-    EXPECT_TRUE(stage.set_design(other));
+    EXPECT_TRUE(stage.shows(other));
     other.terrain.style.shade.technique = design::TerrainShade::phong;
-    EXPECT_FALSE(stage.set_design(other));
+    EXPECT_FALSE(stage.shows(other));
 }
 
 TEST(TerrainScene, TheTrueHeightIsThatOfThePosts) {

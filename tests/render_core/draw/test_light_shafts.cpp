@@ -38,9 +38,7 @@ protected:
         auto scene =
             gl::make_texture(session_.gl, targets, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
         scene_ = static_cast<gl::Texture&&>(scene.value());
-        design::ViewEffects asked;
-        asked.shadows.in_air = 1;
-        EXPECT_EQ(pass_.start(session_.gl, budget, kWidth, kHeight, asked).sentence.view(), "");
+        EXPECT_EQ(pass_.start(session_.gl, budget, kWidth, kHeight, {false, false, true}).sentence.view(), "");
         session_.gl.seal();
         view_ = test_support::free_view(earth::to_ecef({kLatitude, kLongitude, {1000}}),
                                         earth::body_axes(kLatitude, kLongitude, 0, 0, 0), kWidth, kHeight, 10);

@@ -60,9 +60,8 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     GlSession session("egl", device, kWidth, kHeight);
     PicturePass pass;
     EXPECT_FALSE(pass.is_started());
-    EXPECT_EQ(
-        pass.start(session.gl, session.device.budget, kWidth, kHeight, design, TerrainOutput::color_and_distance).sentence.view(),
-        "");
+    const DrawnDesign only{&design, TerrainOutput::color_and_distance};
+    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1}).sentence.view(), "");
     EXPECT_TRUE(pass.is_started());
     base::BudgetLine line;
     line.bytes = 100'000;
@@ -150,7 +149,8 @@ TEST(PicturePass, WhereNothingWasDrawnIsTheSky) {
         GlSession session("egl", device, kWide, kHigh);
         PicturePass pass;
         SkyDrawer sky;
-        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, design, TerrainOutput::code).sentence.view(), "");
+        const DrawnDesign only{&design, TerrainOutput::code};
+        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, {&only, 1}).sentence.view(), "");
         ASSERT_EQ(sky.start(session.gl, session.device.budget).sentence.view(), "");
         session.gl.seal();
         session.gl.begin_frame();
@@ -190,8 +190,9 @@ TEST(PicturePass, ADeviceWithoutRoomIsRefused) {
     GlSession session("egl", "es3-mid", kWidth, kHeight);
     session.device.budget.find(effects::kRenderTargets)->use.in_use = session.device.budget.find(effects::kRenderTargets)->bytes;
     PicturePass pass;
-    const gl::GlError error =
-        pass.start(session.gl, session.device.budget, kWidth, kHeight, design_with(1), TerrainOutput::color_and_distance);
+    const design::DesignSettings design = design_with(1);
+    const DrawnDesign only{&design, TerrainOutput::color_and_distance};
+    const gl::GlError error = pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1});
     EXPECT_NE(error.sentence.view(), "");
     EXPECT_FALSE(pass.is_started());
     session.gl.seal();

@@ -60,7 +60,9 @@ public:
           terrain_(bytes_, session_.device.max_chunk_slots, 0, drape_slots) {
         const terrain::FileHeader& h = scene.built.database.header();
         detail_ = {base::radians(std::ldexp(h.step_lat_deg / 4, h.drape_level)) * 6371000, h.drape_level};
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), image_design(), session_.device, staging_).sentence.view(), "");
+        const design::DesignSettings design = image_design();
+        const DrawnDesign only{&design};
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
         session_.gl.seal();
     }
     ~Drawing() {

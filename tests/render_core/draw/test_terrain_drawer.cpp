@@ -211,8 +211,11 @@ TEST(TerrainDrawer, CodesTakeNoPalette) {
         std::vector<std::uint8_t> memory(8 << 20);
         base::Arena staging(memory.data(), memory.size());
         TerrainDrawer drawer;
-        EXPECT_EQ(drawer.start(session.gl, terrain.store(), clear_design(), session.device, staging, output).sentence.view(), "");
-        EXPECT_TRUE(drawer.set_design(session.gl, clear_design()));
+        const design::DesignSettings design = clear_design();
+        const DrawnDesign only{&design, output};
+        EXPECT_EQ(drawer.start(session.gl, terrain.store(), {&only, 1}, session.device, staging).sentence.view(), "");
+        EXPECT_TRUE(drawer.shows(only));
+        drawer.set_design(session.gl, only);
         const std::uint64_t taken = session.device.budget.find(effects::kRenderTargets)->use.in_use;
         drawer.destroy(session.gl);
         return taken;

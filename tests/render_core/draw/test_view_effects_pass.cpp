@@ -35,11 +35,10 @@ std::vector<int> seen(const Scene& scene, const ViewEffectsInput& input) {
             const auto code = static_cast<std::uint8_t>(std::lround(255 * distance_code(texel.distance_m)));
             texels.insert(texels.end(), {texel.grey, texel.grey, texel.grey, code});
         }
-    design::ViewEffects effects;
-    effects.antialiasing = true;
-    effects.depth_of_field.blur_px = input.focus.blur_px;
     ViewEffectsPass pass;
-    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, effects).sentence.view(), "");
+    EXPECT_EQ(
+        pass.start(session.gl, session.device.budget, kWidth, kHeight, {true, input.focus.blur_px > 0, false}).sentence.view(),
+        "");
     base::BudgetLine line;
     line.bytes = 100'000;
     auto picture = gl::make_texture(session.gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});

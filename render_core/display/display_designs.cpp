@@ -1,0 +1,128 @@
+// The designs of the display: which phase has which, and how one takes the place of another.
+#include <glm/geometric.hpp>
+
+#include "render_core/display/display.hpp"
+#include "render_core/display/effect_calls.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr double kLeastTurnCosine = 0.9997;  // of a degree and a half
+
+gl::GlError differing(const design::DesignSettings& one, const design::DesignSettings& other) {
+    gl::GlError error = gl::make_error("the designs '", one.name.view(), "' and '", other.name.view());
+    error.sentence.append("' follow one another, so both need aerial perspective, and the same stereo, or neither; change one");
+    return error;
+}
+
+}  // namespace
+
+gl::GlError Display::take_designs(const DisplaySettings& settings) {
+    if (settings.phases != nullptr) phases_ = *settings.phases;
+    settings_.phases = nullptr;
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        const design::DesignSettings& asked = place == 0 ? settings.design : settings.phases->at(place);
+        if (const auto order = effects::replacement_order(asked.effects.instead); !order.ok())
+            return gl::make_error("the design's ", order.error().view());
+        asked_of_[place] = asked_effects(asked);
+        design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
+        kept = possible_design(asked, settings_.device);
+        if (kept.sky.air.is_shown != design_.sky.air.is_shown || stereo_margin_px(kept) != stereo_margin_px(design_))
+            return differing(design_, kept);
+    }
+    settings_.design = design_;
+    band_deviations_ = design::deviations_of_coverage(design_.widening.coverage);
+    return {};
+}
+
+draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design) const {
+    return {&design, draw::output_of(design, settings_.device.capability.depth24_targets)};
+}
+
+bool Display::can_show(const design::DesignSettings& possible) const {
+    const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
+    const draw::DrawnDesign drawn = drawn_design(possible);
+    return is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && passes_.shows(drawn) && terrain_.shows(drawn);
+}
+
+bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {
+    const std::size_t count = phases != nullptr ? phases->size() : 0;
+    for (std::size_t place = 0; place <= count; ++place)
+        if (!can_show(possible_design(place == 0 ? design : phases->at(place), settings_.device))) return false;
+    keep_scene();
+    phases_ = phases != nullptr ? *phases : design::PhaseDesigns();
+    for (std::size_t place = 0; place <= count; ++place) {
+        const design::DesignSettings& asked = place == 0 ? design : phases->at(place);
+        asked_of_[place] = asked_effects(asked);
+        (place == 0 ? design_ : phases_.at(place)) = possible_design(asked, settings_.device);
+    }
+    forget_turns();
+    show_design(0);
+    return true;
+}
+
+void Display::show_design(std::size_t place) {
+    shown_ = place;
+    settings_.design = design_at(place);
+    const draw::DrawnDesign drawn = drawn_design(settings_.design);
+    passes_.set_design(drawn);
+    terrain_.set_design(gl_, drawn);
+    if (elements_.is_started()) set_elements();
+    band_deviations_ = design::deviations_of_coverage(settings_.design.widening.coverage);
+}
+
+/// While there is a warning the picture turns at once: nobody shall look for it in a picture that is half another.
+void Display::follow_phase(const flight::PhaseStatus& phase) {
+    if (turn_ == Turn::keeps) {
+        turn_ = Turn::none;
+        begin_fade();
+        show_design(turns_to_);
+    }
+    const std::size_t place = phases_.place_of(phase.presented);
+    const bool is_new = is_new_to_phases_;
+    is_new_to_phases_ = false;
+    if (place == shown_) return;
+    if (is_new || !fade_.is_started() || has_warning()) return show_design(place);
+    turns_to_ = place;
+    turn_ = Turn::keeps;
+}
+
+/// Of the frame planned last.
+bool Display::has_warning() const {
+    return decisions_.unusual_attitude || !decisions_.show_terrain || conditions_.terrain != TerrainSource::ready;
+}
+
+/// What is planned, once more, before it is replaced.
+void Display::keep_scene() {
+    if (!fade_.is_started() || frame_ == 0) return;
+    draw_kept();
+    fades_next_ = true;
+}
+
+draw::TerrainDrawResult Display::draw_kept() {
+    kept_view_ = eye_.view;
+    return passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
+}
+
+void Display::begin_fade() {
+    fade_lasts_ = true;
+    fade_began_ = record_.time;
+}
+
+/// Of the scene as it was, in the planned frame.
+double Display::next_fade_share() {
+    if (turn_ == Turn::keeps) return 1;
+    if (fades_next_) {
+        fades_next_ = false;
+        begin_fade();
+    }
+    if (!fade_lasts_) return 0;
+    const double share = 1 - (record_.time - fade_began_).to_seconds() / settings_.design.effects.fade_s;
+    // A scene that stands still while the horizon turns would mislead.
+    const bool has_turned = glm::dot(kept_view_.forward, eye_.view.forward) < kLeastTurnCosine ||
+                            glm::dot(kept_view_.right, eye_.view.right) < kLeastTurnCosine;
+    fade_lasts_ = share > 0 && share <= 1 && !has_turned && !has_warning();
+    return fade_lasts_ ? share : 0;
+}
+
+}  // namespace tedavis::display
