@@ -90,10 +90,11 @@ public:
         : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design, wrap, scene) {}
     HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
                     base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is,
-                    base::ByteSource* scene = nullptr) {
+                    base::ByteSource* scene = nullptr, const design::PhaseDesigns* phases = nullptr) {
         display::DisplaySettings settings;
         settings.device = device;
         settings.design = design;
+        settings.phases = phases;
         settings.width_px = width;
         settings.height_px = height;
         settings.generated_flight = true;

@@ -15,7 +15,7 @@
 namespace tedavis::test_support {
 
 /// Eight seconds of a climbing left turn over rough terrain near 47 N 9.7 E.
-class FlownCircle final : public host_sim::FlightSource {
+class FlownCircle : public host_sim::FlightSource {
 public:
     static constexpr std::int64_t kBegin_s = 1'700'000'000;
     base::Time begin() const override { return base::Time{kBegin_s * 1'000'000'000}; }
@@ -45,9 +45,9 @@ struct FlownFiles {
     std::string log = folder.file("flight.log");
     std::string terrain = folder.file("terrain.tdb");
 
-    FlownFiles() {
+    explicit FlownFiles(const host_sim::FlightSource& flight = FlownCircle()) {
         std::ofstream stream(log, std::ios::binary);
-        host_sim::write_flight_log(FlownCircle(), {}, stream, [](double) { return true; });
+        host_sim::write_flight_log(flight, {}, stream, [](double) { return true; });
         const host_sim::Raster raster = make_rough_raster(193, 193);
         host_sim::build_terrain(posts_of(raster), terrain, {});
     }

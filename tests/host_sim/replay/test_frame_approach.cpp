@@ -152,5 +152,39 @@ TEST(FrameApproach, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
     EXPECT_EQ(differences(between, governed(options(0.011, 3.611, -0.15), true)), 0u);
 }
 
+/// Cruise is stated from 0.6 s on, and the bus is believed a second later; its design takes half a second.
+class TurningCircle final : public test_support::FlownCircle {
+public:
+    std::optional<flight::FlightPhase> stated_phase(base::Time time) const override {
+        if ((time - begin()).to_seconds() < 0.6) return flight::kTakeoffFirstClimb;
+        return flight::FlightPhase{flight::Scenario::cruise, 0};
+    }
+};
+
+ReplayOptions of_two_designs(double from_s, double to_s, double step_s) {
+    static const test_support::FlownFiles kFiles{TurningCircle()};
+    static const std::string kDesign = kFiles.folder.write("climb.toml",
+                                                           "name = \"climb\"\n[effects]\nfade_s = 0.5\n[phases]\n"
+                                                           "cruise = \"lines.toml\"\n");
+    static const std::string kLines = kFiles.folder.write("lines.toml",
+                                                          "name = \"lines\"\n[terrain.texture]\ntechnique = \"plain\"\n"
+                                                          "[terrain.sketch]\ncontours = 1\n[effects]\nfade_s = 0.5\n");
+    ReplayOptions o = kFiles.options("unused");
+    o.picture.design = kDesign;
+    o.from_s = from_s;
+    o.to_s = to_s;
+    o.step_s = step_s;
+    return o;
+}
+
+TEST(FrameApproach, AFadeOfTwoDesignsIsTheSameHoweverAFrameIsReached) {
+    const auto all = run(of_two_designs(1.4, 2.4, kStep_s), true);
+    for (const double frames : {47.0, 48.0, 49.0, 55.0, 60.0, 66.0})
+        EXPECT_EQ(differences(all, run(of_two_designs(frames * kStep_s, 2.4, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {3.0, -1.0})
+        EXPECT_EQ(differences(all, run(of_two_designs(1.4, 2.4, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+    EXPECT_GT(differences(all, run(of_two_designs(50 * kStep_s, 2.4, kStep_s), false)), 0u) << "control";
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_frame_approach

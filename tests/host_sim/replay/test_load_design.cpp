@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -19,6 +23,42 @@ TEST(LoadDesign, FindsShippedAndOwnFiles) {
     EXPECT_EQ(load_design(options).name.view(), "own");
     EXPECT_EQ(load_design(options).terrain.tau_px, 4);
     EXPECT_EQ(design_path(options), options.design);
+}
+
+TEST(LoadDesigns, PhasesHaveTheDesignsThatTheFileNames) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.tau_px = 7;
+    folder.write("low.toml", "name = \"low\"\n");
+    options.design = folder.write("own.toml",
+                                  "name = \"own\"\n[phases]\ntakeoff = \"low.toml\"\napproach = \"low.toml\"\n"
+                                  "cruise = \"cruise\"\n");
+    std::vector<ReadFile> files;
+    const auto designs = load_designs(options, &files);
+    EXPECT_EQ(designs->design.name.view(), "own");
+    ASSERT_EQ(designs->phases.size(), 2u);
+    EXPECT_EQ(designs->phases.at(designs->phases.place_of(flight::kApproachFinal)).name.view(), "low");
+    EXPECT_EQ(designs->phases.at(designs->phases.place_of({flight::Scenario::cruise, 0})).name.view(), "cruise")
+        << "a shipped one";
+    for (std::size_t place = 1; place <= 2; ++place) EXPECT_EQ(designs->phases.at(place).terrain.tau_px, 7);
+    const auto was_read = [&files](const std::string& end) {
+        return std::any_of(files.begin(), files.end(), [&end](const ReadFile& file) {
+            return file.path.size() >= end.size() && file.path.substr(file.path.size() - end.size()) == end;
+        });
+    };
+    EXPECT_TRUE(was_read("own.toml") && was_read("low.toml") && was_read("cruise.toml") && was_read("alpine.toml"));
+}
+
+TEST(LoadDesigns, FaultsNameTheFileThatHasThem) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.design = folder.write("own.toml", "name = \"own\"\n[phases]\ncruise = \"low.toml\"\n");
+    const auto load = [&options] { static_cast<void>(load_designs(options)); };
+    test_support::expect_user_error(load, "low.toml");
+    folder.write("low.toml", "name = \"low\"\n[terrain]\ntau = 4\n");
+    test_support::expect_user_error(load, "low.toml:3");
+    folder.write("low.toml", "name = \"low\"\n[phases]\ncruise = \"cruise\"\n");
+    test_support::expect_user_error(load, "it has no table [phases]; remove it");
 }
 
 TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
