@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switche
 constexpr std::size_t kMostLegs = 256;
 constexpr std::size_t kMostTraffic = bus::kTrafficNumbers;
 
-ouble pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
+double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
     return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa);
 }
 

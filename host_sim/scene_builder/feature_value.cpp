@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<std::size_t> class_of(const std::vector<std::string>& classes, const std::string& text) {
     const auto is_text = [&text](const std::string& name) {
@@ -28,12 +28,12 @@ double stated(const SourceFeature& feature, const std::vector<std::string>& clas
     if (field == feature.fields.end()) {
         const auto values = feature.point_values.find(variable);
         const bool is_one = values != feature.point_values.end() && values->second.size() == 1;
-        return is_one ? values->second[0] : kMissing;
+        return is_one ? values->second[0] : kNoValue;
     }
     if (const auto number = class_of(classes, field->second)) return static_cast<double>(*number);
     const std::optional<double> number = stated_number(field->second);
     if (!number) misfits.add(field->second);
-    return number.value_or(kMissing);
+    return number.value_or(kNoValue);
 }
 
 double stated_of_point(const SourceFeature& feature, const std::vector<std::string>& classes, const std::string& variable,
@@ -80,14 +80,14 @@ float point_value(const AttributeRecipe& recipe, const SourceFeature& feature, s
 
 scene::Uncertainty feature_uncertainty(const AttributeRecipe& recipe, const SourceFeature& feature, Misfits& misfits) {
     const UncertaintyRecipe& unsure = recipe.uncertainty;
-    if (unsure.variable.empty()) return bound_uncertainty(recipe, kMissing);
+    if (unsure.variable.empty()) return bound_uncertainty(recipe, kNoValue);
     return uncertainty_from(recipe, stated(feature, unsure.classes, unsure.variable, misfits));
 }
 
 scene::Uncertainty point_uncertainty(const AttributeRecipe& recipe, const SourceFeature& feature, std::size_t point,
                                      Misfits& misfits) {
     const UncertaintyRecipe& unsure = recipe.uncertainty;
-    if (unsure.variable.empty()) return bound_uncertainty(recipe, kMissing);
+    if (unsure.variable.empty()) return bound_uncertainty(recipe, kNoValue);
     return uncertainty_from(recipe, stated_of_point(feature, unsure.classes, unsure.variable, point, misfits));
 }
 

@@ -130,7 +130,10 @@ PhaseStatus arbitrate_phase(const PhaseInputs& inputs, base::Time now, const Pha
     if (top.source != PhaseSource::none && top.statement.phase == state.phase) state.stated_at = now;
     update_disagreement(contradicted(all, now, settings, state), now, settings, state);
     const bool held = state.source != PhaseSource::none && !speaks(all, state.source);
-    return {state.phase, held ? PhaseSource::held : state.source, inputs.switch_fault, state.disagreement};
+    PhaseStatus status = stated_phase(state.phase, held ? PhaseSource::held : state.source);
+    status.switch_fault = inputs.switch_fault;
+    status.disagreement = state.disagreement;
+    return status;
 }
 
 }  // namespace tedavis::flight
