@@ -32,18 +32,20 @@ void read_list(ConfigSection& section, std::string_view key, double low, double 
     for (std::size_t n = 0; n < count; ++n) static_cast<void>(list.try_push_back(values[n]));
 }
 
-/// Tubes and areas have their own heights, and solids and ribbons stand on the ground.
-bool may_float(DataTechnique technique) {
+bool is_surface(DataTechnique technique) {
     switch (technique) {
         case DataTechnique::tube:
         case DataTechnique::space_time:
         case DataTechnique::prism:
         case DataTechnique::solid:
         case DataTechnique::ribbon:
-        case DataTechnique::isosurface: return false;
-        default: return true;
+        case DataTechnique::isosurface: return true;
+        default: return false;
     }
 }
+
+/// Tubes and areas have their own heights, and solids and ribbons stand on the ground.
+bool may_float(DataTechnique technique) { return !is_surface(technique); }
 
 /// Lines that may have a height of their own.
 bool may_have_cues(DataTechnique technique) {
@@ -111,6 +113,10 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     element.opacity = section.number("opacity", 0, 1, element.opacity);
     element.ghost = section.number("ghost", 0, 1, element.ghost);
     element.halo_px = section.number("halo_px", 0, 20, element.halo_px);
+    element.grid = section.boolean("grid", element.grid);
+    if (element.grid && !is_surface(element.technique))
+        fault_of(section, "grid",
+                 "is for tubes, prisms, solids, ribbons and isosurfaces, which have a surface; leave it out here");
     element.link = section.boolean("link", element.link);
     if (element.link && !may_float(element.technique))
         fault_of(section, "link", "is for signs, diagrams and glyphs, which float over a place; leave it out here");
@@ -147,6 +153,12 @@ bool asks_for_own(const DataElementList& elements) noexcept {
 bool asks_for_traffic(const DataElementList& elements) noexcept {
     for (const DataElement& element : elements)
         if (element.role == scene::LayerRole::traffic) return true;
+    return false;
+}
+
+bool asks_for_grid(const DataElementList& elements) noexcept {
+    for (const DataElement& element : elements)
+        if (element.grid) return true;
     return false;
 }
 

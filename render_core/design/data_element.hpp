@@ -18,6 +18,7 @@
 ///     opacity = 0.5                0..1
 ///     ghost = 0.25                 what terrain before it leaves of the opacity, 0..1
 ///     halo_px = 1.5                dark rim, 0 for none
+///     grid = true                  the surface grid's lines on it, of what is a surface (design_settings.hpp)
 ///     link = true                  a line down to the ground, of signs, diagrams and glyphs that float
 ///     detail = 0.7                 0..1: what the technique is to convey of its most
 ///     [data.element.uncertainty]
@@ -102,6 +103,7 @@ struct DataElement {
     double opacity = 1;
     double ghost = 0;
     double halo_px = 0;
+    bool grid = false;
     bool link = false;
     double detail = 1;
     ElementUncertainty uncertainty = ElementUncertainty::none;
@@ -119,6 +121,8 @@ using DataElementList = base::FixedVector<DataElement, kMaxDataElements>;
 [[nodiscard]] bool asks_for_own(const DataElementList& elements) noexcept;
 /// By role: other aircraft that the own one hears of are shown without a scene.
 [[nodiscard]] bool asks_for_traffic(const DataElementList& elements) noexcept;
+/// For the surface grid's lines.
+[[nodiscard]] bool asks_for_grid(const DataElementList& elements) noexcept;
 
 /// `data` is the section [data].
 void read_data_elements(base::ConfigSection& data, PaletteSource& palettes, DataElementList& elements);

@@ -166,7 +166,20 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
         static_cast<HeightUnit>(section.choice("legend_unit", kUnits, static_cast<std::size_t>(shown.legend_unit)));
 }
 
+void refuse_grid_without_spacing(ConfigSection data, const DesignSettings& design) {
+    if (design.terrain.style.grid.spacing_m > 0) return;
+    for (std::size_t n = 0; n < design.data.elements.size(); ++n) {
+        if (!design.data.elements[n].grid) continue;
+        ConfigSection element = data.table_at("element", n);
+        return fault_of(element, "grid", "asks for the surface grid, and there is none; add [terrain.grid], or leave it out");
+    }
+}
+
 }  // namespace
+
+bool has_grid_on_data(const DesignSettings& design) noexcept {
+    return design.terrain.style.grid.spacing_m > 0 && asks_for_grid(design.data.elements);
+}
 
 DesignSettings default_design_settings() noexcept {
     DesignSettings design;
@@ -191,6 +204,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
         fault_of(terrain, "conservative_up", "has no meaning where the ground is drawn flat; leave it out");
     }
     read_data_style(root.section("data"), palettes, design.data);
+    refuse_grid_without_spacing(root.section("data"), design);
     read_sky(root.section("sky"), design.sky);
     read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);

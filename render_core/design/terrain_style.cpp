@@ -1,5 +1,7 @@
 #include "render_core/design/terrain_style.hpp"
 
+#include <cmath>
+
 #include "render_core/base/utc_time.hpp"
 #include "render_core/design/config_values.hpp"
 
@@ -95,14 +97,33 @@ bool reads_light(const TerrainStyle& style) {
            style.texture == TerrainTexture::local_relief || style.texture == TerrainTexture::openness;
 }
 
+constexpr double kMostHeightSpacing_m = 10'000;
+
+/// Of a tenth, the nearest of 1, 2 and 5 of its power of ten.
+double tenth_of(double spacing) {
+    const double tenth = spacing / 10, power = std::pow(10, std::floor(std::log10(tenth))), first = tenth / power;
+    return power * (first < 1.5 ? 1 : first < 3.5 ? 2 : first < 7.5 ? 5 : 10);
+}
+
+/// Round in feet where the spacing is in nautical miles.
+double height_spacing_m(ConfigSection& section, double spacing_m) {
+    if (section.has("height_spacing_ft")) return section.number("height_spacing_ft", 3, 30'000, 500) * base::kMetresPerFoot;
+    const double unit_m = section.has("spacing_nm") ? base::kMetresPerFoot : 1;
+    const double usual_m = std::fmin(unit_m * tenth_of(spacing_m / unit_m), kMostHeightSpacing_m);
+    return section.number("height_spacing_m", 1, kMostHeightSpacing_m, usual_m);
+}
+
 void read_grid(ConfigSection section, GridSettings& grid) {
     if (!section.present()) return;
     if (section.has("spacing_m") && section.has("spacing_nm"))
         fault_of(section, "spacing_nm", "stands beside spacing_m; state one of them");
+    if (section.has("height_spacing_m") && section.has("height_spacing_ft"))
+        fault_of(section, "height_spacing_ft", "stands beside height_spacing_m; state one of them");
     grid.spacing_m = section.has("spacing_nm") ? section.number("spacing_nm", 0.01, 60, 1) * base::kMetresPerNauticalMile
                                                : section.number("spacing_m", 10, 100'000, 1000);
     read_color(section, "color", grid.line);
     grid.strength = section.number("strength", 0.05, 1, grid.strength);
+    grid.height_spacing_m = height_spacing_m(section, grid.spacing_m);
 }
 
 }  // namespace

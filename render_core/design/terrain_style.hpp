@@ -85,11 +85,13 @@ struct SketchSettings {
 };
 
 /// Lines of known spacing along meridians and parallels over the ground: a depth cue. To the north they stand exactly so far
-/// apart; to the east so at the middle latitude of the terrain, elsewhere by the ratio of the latitudes' cosines.
+/// apart; to the east so at the middle latitude of the terrain, elsewhere by the ratio of the latitudes' cosines. Data that ask
+/// for it have the same lines, and lines of equal height above MSL besides.
 struct GridSettings {
     double spacing_m = 0;  ///< 0: none
     Color line{0, 0, 0};
-    double strength = 0.65;  ///< 0..1
+    double strength = 0.65;       ///< 0..1
+    double height_spacing_m = 0;  ///< on data; 0: no lines of equal height
 };
 
 struct TerrainStyle {

@@ -112,6 +112,18 @@ TEST(DataElement, DashedRimsAreForSigns) {
     }
 }
 
+TEST(DataElement, TheSurfaceGridIsForWhatHasASurface) {
+    for (std::size_t n = 0; n < kDataTechniques; ++n) {
+        const std::string name(kDataTechniqueNames[n]);
+        const Read got = read("[[data.element]]\nlayer = \"a\"\ntechnique = \"" + name + "\"\ngrid = true\n");
+        const bool is_surface = name == "tube" || name == "space_time" || name == "prism" || name == "solid" ||
+                                name == "ribbon" || name == "isosurface";
+        EXPECT_EQ(got.fault.find("d.toml:4: 'grid' is for tubes") != std::string::npos, !is_surface) << name << got.fault;
+        EXPECT_EQ(asks_for_grid(got.elements), true) << name;
+    }
+    EXPECT_FALSE(asks_for_grid(read("[[data.element]]\nlayer = \"a\"\n").elements));
+}
+
 TEST(DataElement, LinksAreForWhatFloats) {
     for (std::size_t n = 0; n < kDataTechniques; ++n) {
         const std::string name(kDataTechniqueNames[n]);

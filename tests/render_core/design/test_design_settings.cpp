@@ -177,6 +177,22 @@ TEST(DesignSettings, TooManyBandsAreRefused) {
     EXPECT_NE(error_of(bands).find("at most 8"), std::string::npos);
 }
 
+TEST(DesignSettings, DataHaveNoGridWhereTheGroundHasNone) {
+    const std::string elements =
+        "[[data.element]]\nlayer = 'a'\n[[data.element]]\nlayer = 'b'\ntechnique = 'prism'\ngrid = true\n";
+    EXPECT_NE(error_of("name = 'x'\n" + elements).find("d.toml:7: 'grid' asks for the surface grid, and there is none"),
+              std::string::npos);
+    const std::string whole = "name = 'x'\n[terrain.grid]\n" + elements;
+    EXPECT_EQ(error_of(whole), "");
+    DesignSettings design = read_seeded(whole).value();
+    EXPECT_TRUE(has_grid_on_data(design));
+    design.terrain.style.grid.spacing_m = 0;
+    EXPECT_FALSE(has_grid_on_data(design));
+    design.terrain.style.grid.spacing_m = 1000;
+    for (DataElement& element : design.data.elements) element.grid = false;
+    EXPECT_FALSE(has_grid_on_data(design));
+}
+
 TEST(DesignSettings, ThePaletteComesFromTheSource) {
     const std::string head = "name = 'x'\n[terrain]\n";
     SeededPalettes palettes;

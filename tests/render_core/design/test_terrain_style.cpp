@@ -58,6 +58,28 @@ TEST(TerrainStyle, TheGridStatesItsSpacingInOneUnit) {
     EXPECT_NE(read("[terrain.grid]\nspacing_m = 0\n").error, "");
 }
 
+TEST(TerrainStyle, HeightsAreATenthOfTheGridsSpacingUnlessStated) {
+    const auto heights_m = [](const std::string& keys) {
+        const ReadStyle got = read("[terrain.grid]\n" + keys);
+        EXPECT_EQ(got.error, "");
+        return got.style.grid.height_spacing_m;
+    };
+    EXPECT_EQ(heights_m(""), 100);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_m = 2000\n"), 200);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_m = 3000\n"), 200);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_m = 4000\n"), 500);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_m = 8000\n"), 1000);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_m = 10\n"), 1);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_nm = 1\n"), 500 * base::kMetresPerFoot);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_nm = 0.5\n"), 200 * base::kMetresPerFoot);
+    EXPECT_LE(heights_m("spacing_nm = 60\n"), 10'000);
+    EXPECT_EQ(heights_m("height_spacing_m = 70\n"), 70);
+    EXPECT_DOUBLE_EQ(heights_m("height_spacing_ft = 1000\n"), 304.8);
+    EXPECT_NE(read("[terrain.grid]\nheight_spacing_ft = 100\nheight_spacing_m = 100\n").error.find("state one of them"),
+              std::string::npos);
+    EXPECT_EQ(read("[terrain]\n").style.grid.height_spacing_m, 0) << "without a grid";
+}
+
 TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
     const ReadStyle got = read(
         "[terrain.shade]\ntechnique = 'lights'\n[[terrain.shade.light]]\nazimuth_deg = 180\nelevation_deg = 30\nweight = 0.5\n"
