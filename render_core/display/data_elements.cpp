@@ -103,7 +103,7 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 }  // namespace
 
 gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                bool with_air, bool with_shadows) {
+                                const draw::DataVariant& variant) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
     if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
@@ -112,7 +112,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
         !error.sentence.empty())
         return error;
-    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, with_air, with_shadows); !error.sentence.empty())
+    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, variant.air, variant.shadows); !error.sentence.empty())
         return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
@@ -121,7 +121,7 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
     if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
     if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
         return error;
-    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces, with_air);
+    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces, variant);
 }
 
 /// Builders that keep nothing from one element to the next share their memory.

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
-#include "render_core/design/data_style.hpp"
+#include "render_core/design/design_settings.hpp"
 #include "render_core/display/caster_set.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/display/glyph_elements.hpp"
@@ -56,10 +56,14 @@ public:
         base::Arena &solids, &glyphs, &billboards;
     };
     /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
-    /// that lends it; must outlive this. `with_air`: frames may have air.
+    /// that lends it; must outlive this.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                    bool with_air = false, bool with_shadows = false);
+                                    const draw::DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
+    /// False where the design needs programs that were not built.
+    [[nodiscard]] bool can_show(const design::DesignSettings& design) const {
+        return !is_started() || drawer_.has_grid() || !has_grid_on_data(design);
+    }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
     /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing.

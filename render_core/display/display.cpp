@@ -41,15 +41,17 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 gl::GlError Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
     if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
-    bool has_data = data_.has_scene() || settings_.expects_scene, has_shadows = false;
+    bool has_data = data_.has_scene() || settings_.expects_scene;
+    draw::DataVariant variant{design_.sky.air.is_shown};
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
         const design::DesignSettings& design = design_at(place);
         has_data = has_data || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
-        has_shadows = has_shadows || design.effects.shadows.is_any();
+        variant.grid = variant.grid || has_grid_on_data(design);
+        variant.shadows = variant.shadows || design.effects.shadows.is_any();
     }
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
-    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, design_.sky.air.is_shown, has_shadows);
+    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, variant);
 }
 
 /// 0: one picture is for both eyes.

@@ -42,7 +42,8 @@ draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design) co
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
     const draw::DrawnDesign drawn = drawn_design(possible);
-    return is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && passes_.shows(drawn) && terrain_.shows(drawn);
+    return is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && passes_.shows(drawn) && terrain_.shows(drawn) &&
+           elements_.can_show(possible);
 }
 
 bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {

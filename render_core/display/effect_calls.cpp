@@ -166,7 +166,10 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
             break;
         case Effect::aerial_perspective: without.sky.air.is_shown = false; break;
         case Effect::haze: without.sky.haze_distance_m = 0; break;
-        case Effect::surface_grid: style.grid.spacing_m = 0; break;
+        case Effect::surface_grid:
+            style.grid.spacing_m = 0;
+            for (design::DataElement& element : without.data.elements) element.grid = false;
+            break;
         case Effect::ground_data: without.data.ground.is_shown = false; break;
         case Effect::adjacent: without.data.adjacent.is_shown = false; break;
         case Effect::depth_of_field: without.effects.depth_of_field.blur_px = 0; break;

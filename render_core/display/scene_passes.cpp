@@ -20,6 +20,12 @@ bool is_off_screen(const draw::DrawnDesign& design) {
     return design.output != draw::TerrainOutput::color && !serves_shafts;
 }
 
+draw::DataFrame data_frame(const PassInput& input) {
+    draw::DataFrame frame = make_data_frame(input.frame);
+    frame.grid = {&input.frame.design.terrain.style.grid, &input.terrain.database()};
+    return frame;
+}
+
 /// What is not to be blurred leaves a distance that is in focus.
 void leave_distances(DrawContext& frame) {
     const design::DepthOfField& field = frame.design.effects.depth_of_field;
@@ -191,7 +197,7 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
         if (n == 0) sky_.draw(gl, make_sky_input(input.frame));
         if (!input.elements.has_anything()) continue;
         gl->Enable(GL_DEPTH_TEST);
-        input.elements.draw(gl, make_data_frame(input.frame), depth, n);
+        input.elements.draw(gl, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
 }
@@ -206,7 +212,7 @@ void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input)
         draw_terrain(gl, input, depth.ranges[n], depths_only);
         gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         if (n > 0) picture_.repaint(gl, input.frame.design, picture_input(input));
-        input.elements.draw(gl, make_data_frame(input.frame), depth, n);
+        input.elements.draw(gl, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
 }

@@ -38,7 +38,7 @@ using Words = base::FixedString<23>;
 class Signs {
 public:
     explicit Signs(const design::DesignSettings& design)
-        : ground_(design.terrain.style.plain), heights_(design.symbology.legend_unit) {
+        : ground_(design.terrain.style.plain), heights_(design.symbology.legend_unit), grid_(design.terrain.style.grid) {
         legend_.has_scale = false;
         legend_.title = "SIGNS";
     }
@@ -46,6 +46,7 @@ public:
     void add(const ElementReport& report) {
         add_technique(report);
         add_lines(report);
+        add_grid(report);
     }
 
     [[nodiscard]] const draw::DataLegend& legend() const { return legend_; }
@@ -71,12 +72,26 @@ private:
     /// "LINES 0.5 NM": distances are told by them.
     void add_lines(const ElementReport& report) {
         if (report.cues[static_cast<std::size_t>(draw::Cue::vertical_lines)].drawn == 0) return;
-        const double spacing_m = report.element->cues.line_spacing_m;
+        Words words("LINES ");
+        add_words(append_spacing(report.element->cues.line_spacing_m, words).view());
+    }
+
+    /// "GRID 1 NM", "GRID UP 500 FT".
+    void add_grid(const ElementReport& report) {
+        if (!report.element->grid || !(grid_.spacing_m > 0)) return;
+        Words level("GRID "), up("GRID UP ");
+        add_words(append_spacing(grid_.spacing_m, level).view());
+        if (grid_.height_spacing_m > 0) add_words(append_length(grid_.height_spacing_m, up).view());
+    }
+
+    /// "0.5 NM", "1000 M".
+    static Words& append_spacing(double spacing_m, Words& words) {
         const double tenths_nm = 10 * spacing_m / base::kMetresPerNauticalMile;
         const bool is_miles = std::fabs(tenths_nm - std::round(tenths_nm)) < 1e-6;
         char text[24];
-        std::snprintf(text, sizeof text, is_miles ? "LINES %.4g NM" : "LINES %.0f M", is_miles ? tenths_nm / 10 : spacing_m);
-        add_words(text);
+        std::snprintf(text, sizeof text, is_miles ? "%.4g NM" : "%.0f M", is_miles ? tenths_nm / 10 : spacing_m);
+        words.append(text);
+        return words;
     }
 
     void add_sample(const LegendSample& sample) {
@@ -188,7 +203,7 @@ private:
     }
 
     void add_isosurface(const ElementReport& report) {
-        if (report.element->detail < draw::kIsosurfaceLinesFrom) return;
+        if (!draw::has_isosurface_lines(*report.element)) return;
         Words words("LINES ");
         add_words(append_length(draw::kIsosurfaceLines_m, words).view());
     }
@@ -236,6 +251,7 @@ private:
 
     Color ground_;
     design::HeightUnit heights_;
+    const design::GridSettings& grid_;
     LegendSample made_;
     draw::DataLegend legend_;
 };

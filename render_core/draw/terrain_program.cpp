@@ -242,6 +242,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     if (variant.air && !code) fragment.append(shader_text(k_air_frag));
     if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
     if (!code) fragment.append(shader_text(k_terrain_image_frag));
+    if (!code) fragment.append(shader_text(k_surface_line_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

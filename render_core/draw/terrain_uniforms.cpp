@@ -75,14 +75,20 @@ void set_lift(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of) {
     gl->Uniform2f(program.uniform(kPlaceEnd), static_cast<float>(posts.i1 - posts.i0), static_cast<float>(posts.j1 - posts.j0));
 }
 
+struct PostStep {
+    double east_rad, south_rad;
+};
+PostStep post_step(const terrain::Lattice& lattice) {
+    const std::uint32_t j = lattice.rows() / 2;
+    return {lattice.longitude_rad(1) - lattice.longitude_rad(0), lattice.latitude_rad(j - 1) - lattice.latitude_rad(j)};
+}
+
 /// Metres a post at the middle latitude of the whole lattice, so that strokes meet at every chunk's border.
 GroundSize common_cell(const terrain::Lattice& lattice) {
-    const std::uint32_t j = lattice.rows() / 2;
-    const double latitude = lattice.latitude_rad(j);
-    const double step_lon = lattice.longitude_rad(1) - lattice.longitude_rad(0);
-    const double step_lat = lattice.latitude_rad(j - 1) - latitude;
-    return {step_lon * earth::prime_vertical_radius_m(latitude) * std::cos(latitude),
-            step_lat * earth::meridian_radius_m(latitude)};
+    const double latitude = lattice.latitude_rad(lattice.rows() / 2);
+    const PostStep step = post_step(lattice);
+    return {step.east_rad * earth::prime_vertical_radius_m(latitude) * std::cos(latitude),
+            step.south_rad * earth::meridian_radius_m(latitude)};
 }
 
 void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of) {
@@ -95,13 +101,12 @@ void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of
 
 /// Lines of a chunk by its posts, from the nearest line before its first one.
 void set_grid(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::GridSettings& grid) {
-    const GroundSize cell = common_cell(of.lattice);
+    const GridStep step = grid_step(of.lattice, grid.spacing_m);
     const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
-    const double east = cell.east_m / grid.spacing_m, north = cell.north_m / grid.spacing_m;
-    const double first_east = posts.i0 * east, first_north = posts.j0 * north;
-    gl->Uniform4f(program.uniform(kGridWindow), static_cast<float>(east), static_cast<float>(north),
+    const double first_east = posts.i0 * step.lines_east, first_south = posts.j0 * step.lines_south;
+    gl->Uniform4f(program.uniform(kGridWindow), static_cast<float>(step.lines_east), static_cast<float>(step.lines_south),
                   static_cast<float>(first_east - std::floor(first_east)),
-                  static_cast<float>(first_north - std::floor(first_north)));
+                  static_cast<float>(first_south - std::floor(first_south)));
 }
 
 /// Of so many posts, in the middle of a chunk.
@@ -205,6 +210,12 @@ void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::L
 void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atlas) {
     gl->Uniform3f(program.uniform(kDrapeWindow), 0, 0, 0);
     gl->Uniform4f(program.uniform(kDrapeOrigin), atlas.nowhere().x, atlas.nowhere().y, 1, atlas.scale());
+}
+
+GridStep grid_step(const terrain::Lattice& lattice, double spacing_m) {
+    const GroundSize cell = common_cell(lattice);
+    const PostStep step = post_step(lattice);
+    return {cell.east_m / spacing_m, cell.north_m / spacing_m, step.east_rad, step.south_rad};
 }
 
 GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner) {

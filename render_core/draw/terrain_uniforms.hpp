@@ -44,6 +44,14 @@ void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atla
 struct GroundSize {
     double east_m = 0, north_m = 0;
 };
+/// Lines of the surface grid from post to post of a lattice, and the angles between these.
+struct GridStep {
+    double lines_east = 0, lines_south = 0;
+    double east_rad = 0, south_rad = 0;
+};
+/// The first post lies on lines. At the middle latitude of the whole lattice lines are `spacing_m` apart.
+[[nodiscard]] GridStep grid_step(const terrain::Lattice& lattice, double spacing_m);
+
 /// Spacing of the texels of a chunk's attribute page, at its middle; and of its drape page.
 [[nodiscard]] GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
 [[nodiscard]] GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);

@@ -45,7 +45,7 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
     {Effect::haze, "haze", Contribution::color, Need::nothing, true, "1 - exp(-farthest ground / haze distance)",
      "an exponential a vertex, and a blend a pixel"},
     {Effect::surface_grid, "surface_grid", Contribution::content, Need::nothing, true, "",
-     "two lines' distances, a pixel of the ground"},
+     "two lines' distances, a pixel of the ground; three, and a place's latitude, longitude and height, a pixel of data"},
     {Effect::ground_data, "ground_data", Contribution::content, Need::nothing, true, "",
      "taps of the slice and of its colours, a pixel of the ground"},
     {Effect::adjacent, "adjacent", Contribution::content, Need::nothing, true, "", "quads of the symbology"},

@@ -201,7 +201,7 @@ void add_margin(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, s
     SolidLook look = look_of(input);
     look.opacity *= kMarginShare * static_cast<float>(input.element.uncertainty_strength);
     look.is_mixed = true;
-    look.is_thing = false;
+    look.is_thing = look.has_grid = false;
     batch.set_look(look, input.layer.entry->data_time_ns);
     if (Prism(mesh, input, feature).build(accuracy_m)) mesh.add_to(batch);
 }

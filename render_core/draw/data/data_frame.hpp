@@ -9,6 +9,7 @@
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/draw/air_table.hpp"
+#include "render_core/draw/data/data_grid.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
@@ -25,6 +26,12 @@ struct DataFrame {
     design::Color haze;
     AirFrame air;
     DistanceLeft left;  ///< in the picture's alpha, by what is opaque
+    DataGrid grid;      ///< on what asks for it
+};
+
+/// What frames may have; for what they have not nothing is compiled.
+struct DataVariant {
+    bool air = false, grid = false, shadows = false;
 };
 
 /// Every program of data begins its list of uniforms with these.

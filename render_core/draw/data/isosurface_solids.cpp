@@ -258,10 +258,15 @@ std::uint16_t IsosurfaceSolids::add_vertex(SolidMesh& mesh, const ElementInput& 
     return mesh.vertex(at.place, normal_in(input, sampling, at, vertex.normal));
 }
 
+bool has_isosurface_lines(const design::DataElement& element) {
+    constexpr double kLeastDetail = 0.5;
+    return element.detail >= kLeastDetail && !element.grid;
+}
+
 /// Where the surface last made goes through whole multiples of kIsosurfaceLines_m; all of its lines or, where these have no room,
 /// none.
 void IsosurfaceSolids::add_lines(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const Sampling& sampling) {
-    if (input.element.detail < kIsosurfaceLinesFrom) return;
+    if (!has_isosurface_lines(input.element)) return;
     const std::uint32_t end = builder_.counts().indices;
     std::size_t lines = 0;
     for (std::uint32_t n = 0; n < end; n += 3) visit_lines(input, sampling, n, [&](const LinePiece&) { ++lines; });

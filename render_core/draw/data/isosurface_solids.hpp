@@ -25,7 +25,8 @@ inline constexpr std::uint32_t kMostIsosurfaceSteps = 64;  ///< posts passed ove
 
 /// Between lines of equal height: 1000 ft.
 inline constexpr double kIsosurfaceLines_m = 304.8;
-inline constexpr double kIsosurfaceLinesFrom = 0.5;  ///< detail
+/// From half detail on, but for those that have the surface grid's.
+[[nodiscard]] bool has_isosurface_lines(const design::DataElement& element);
 
 struct IsosurfaceRoom {
     std::uint32_t posts = 0, posts_of_slice = 0, vertices = 0;

@@ -56,7 +56,7 @@ std::uint32_t add_place_ellipsoids(SolidBatch& batch, SolidMesh& mesh, const Ele
     SolidLook look = look_of(input);
     look.opacity *= kOpacity * static_cast<float>(input.element.uncertainty_strength);
     look.is_mixed = true;
-    look.is_thing = false;
+    look.is_thing = look.has_grid = false;
     look.is_hollow = is_own(input);  // whoever is in it looks out of it
     batch.set_look(look, input.layer.entry->data_time_ns);
     std::uint32_t count = 0;

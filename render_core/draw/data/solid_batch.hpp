@@ -17,9 +17,12 @@
 
 namespace tedavis::draw {
 
+/// Length of the normal of what is not shaded; it still says how the surface lies. Below half, by which shaders tell.
+inline constexpr double kUnshaded = 0.4;
+
 struct SolidVertex {
     glm::vec3 place_m{0};  ///< ECEF minus the piece's anchor
-    /// Unit normal in ECEF, -1..1 as 0..254; (127, 127, 127) is none: the colour is not shaded.
+    /// Normal in ECEF, -1..1 as 0..254; one of kUnshaded or none leaves the colour as it is.
     std::uint8_t normal[3] = {127, 127, 127};
     std::uint8_t uncertainty = 0;  ///< scene::Uncertainty::code
     std::uint8_t rgba[4] = {};
@@ -40,6 +43,7 @@ struct SolidLook {
     float halo_px = 0;    ///< the piece is the rim of others: swollen along its normals by so many pixels, drawn inside out
     float raised_px = 0;  ///< along its normals: of what lies on the ground, which is drawn a little above or below the true one
     SolidFading fading = SolidFading::none;
+    bool has_grid = false;      ///< the surface grid's lines, where the frame has one
     float fading_strength = 0;  ///< 0..1: what the least sure loses
     float fading_levels = 0;    ///< gradations; 0 for continuous
     float growth_per_hour = 0;  ///< of the uncertainty, by the data's age

@@ -12,7 +12,14 @@
 namespace tedavis::draw {
 namespace {
 
-enum Uniform : std::size_t { kAnchor = kFirstOwnDataUniform, kFading, kCover, kNearFade, kUniforms };
+enum Uniform : std::size_t {
+    kAnchor = kFirstOwnDataUniform,
+    kFading,
+    kCover,
+    kNearFade,
+    kGrid,
+    kUniforms = kGrid + kGridUniforms
+};
 
 constexpr double kHour_ns = 3.6e12;
 
@@ -36,6 +43,13 @@ NearFade near_fade(const SolidLook& look, bool is_opaque) {
     if (look.near_m <= 0) return {-1, 1};
     if (is_opaque) return {SolidLook::kOpaqueFrom * look.near_m, kAtOnce_per_m};
     return {look.near_m, 1 / ((SolidLook::kWholeFrom - 1) * look.near_m)};
+}
+
+/// The ground has no lines of equal height, nor has what lies on it.
+GridPlace grid_of(const SolidPiece& piece, const DataGrid& grid) {
+    const SolidLook& look = piece.look;
+    if (!look.has_grid || look.halo_px > 0) return {};
+    return grid_place(grid, piece.anchor, look.raised_px <= 0);
 }
 
 }  // namespace
@@ -91,10 +105,15 @@ void SolidBuffers::destroy(gl::Gl& gl) {
     indices_.destroy(gl);
 }
 
-gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, bool with_air) {
+gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant) {
     order_ = memory.allocate_array<Ordered>(most_pieces);
     if (order_.size() < most_pieces)
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+    has_grid_ = variant.grid;
+    return build(gl, variant);
+}
+
+gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant) {
     static constexpr const char* kNames[kUniforms] = {kDataUniformNames[0],
                                                       kDataUniformNames[1],
                                                       kDataUniformNames[2],
@@ -107,11 +126,24 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
                                                       "anchor",
                                                       "fading",
                                                       "cover",
-                                                      "near_fade"};
-    base::FixedString<kMaxShaderText> vertex(shader_text(k_data_light_vert));
+                                                      "near_fade",
+                                                      kGridUniformNames[0],
+                                                      kGridUniformNames[1],
+                                                      kGridUniformNames[2],
+                                                      kGridUniformNames[3],
+                                                      kGridUniformNames[4],
+                                                      kGridUniformNames[5],
+                                                      kGridUniformNames[6]};
+    base::FixedString<kMaxShaderText> vertex(variant.grid ? "#define GRID 1\n" : "");
+    vertex.append(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_solid_vert));
     DataFragment fragment("#define SOLIDS 1\n");
-    add_data_fragment(fragment, with_air);
+    if (variant.grid) {
+        fragment.append("#define GRID 1\n");
+        fragment.append(shader_text(k_surface_line_frag));
+        fragment.append(shader_text(k_data_grid_frag));
+    }
+    add_data_fragment(fragment, variant.air);
     auto built =
         gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kSolidBindings),
                                base::Span<const char* const>(kNames), true});
@@ -198,6 +230,7 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
                   look.raised_px / focal_px);
     const NearFade fade = near_fade(look, pass == Pass::opaque);
     gl->Uniform2f(program_.uniform(kNearFade), fade.from_m, fade.per_m);
+    if (has_grid_) set_grid_place(gl, program_, kGrid, grid_of(piece, frame.frame.grid), frame.frame.view.focal_px);
     point_solid_attributes(gl, piece);
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
     if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {

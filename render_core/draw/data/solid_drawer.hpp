@@ -62,8 +62,9 @@ public:
     static constexpr std::size_t kMostBuffers = 2;
 
     /// `most_pieces` of all buffers that are drawn together.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, bool with_air = false);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return program_.valid(); }
+    [[nodiscard]] bool has_grid() const { return has_grid_; }
     /// At most kMostBuffers of them; all uploaded. Returns the number of draws. The depth test is on, blending and culling off,
     /// before and after.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
@@ -80,10 +81,12 @@ private:
     void order_by_depth();
     void draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass);
     void draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
+    [[nodiscard]] gl::GlError build(gl::Gl& gl, const DataVariant& variant);
 
     gl::Program program_;
     base::Span<Ordered> order_;
     std::uint32_t chosen_ = 0, draws_ = 0;
+    bool has_grid_ = false;
 };
 
 }  // namespace tedavis::draw

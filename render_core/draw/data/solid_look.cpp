@@ -21,6 +21,7 @@ SolidLook look_of(const ElementInput& input) {
     look.opacity = static_cast<float>(element.opacity);
     look.ghost = static_cast<float>(element.ghost);
     look.fading = fading_of(element.uncertainty);
+    look.has_grid = element.grid;
     look.fading_strength = static_cast<float>(element.uncertainty_strength);
     look.fading_levels = static_cast<float>(element.uncertainty_levels);
     look.growth_per_hour = static_cast<float>(uncertainty_growth_per_hour(input));

@@ -60,6 +60,7 @@ public:
         SolidLook look = look_of(input_);
         look.ghost = 0;
         look.is_thing = false;
+        look.has_grid = look.has_grid && cue_ != Cue::vertical_lines;
         look.near_m = cue_ == Cue::projection ? 0 : kNearRadii * static_cast<float>(radius_m);
         if (cue_ != Cue::vertical_lines)
             look.opacity *= static_cast<float>(cue_ == Cue::curtain ? cues.curtain : cues.projection);
@@ -197,7 +198,10 @@ private:
     [[nodiscard]] Rung rung(const Station& at, const glm::dvec3& along) const {
         TubeColor shown = color_at(at);
         if (!std::isfinite(at.ground_m)) return {};
-        if (cue_ == Cue::curtain) return {at.foot(), at.place, glm::dvec3(0), glm::dvec3(0), shown};
+        if (cue_ == Cue::curtain) {
+            const glm::dvec3 normal = kUnshaded * across(at, along);
+            return {at.foot(), at.place, normal, normal, shown};
+        }
         shown.color = darker(shown.color);
         const SectionEnds ends = section_ends(ground_section(input_, middle_of(at), half_of(at, along)));
         return {ends.left, ends.right, ends.left_normal, ends.right_normal, shown};
@@ -205,6 +209,12 @@ private:
 
     [[nodiscard]] static scene::ScenePoint middle_of(const Station& at) {
         return {at.over.latitude_rad, at.over.longitude_rad, std::numeric_limits<float>::quiet_NaN(), 0, scene::kNoTime};
+    }
+
+    /// Level, to the right of the way; none where it climbs straight up.
+    [[nodiscard]] static glm::dvec3 across(const Station& at, const glm::dvec3& along) {
+        const glm::dvec2 right = right_of({glm::dot(along, at.axes.east), glm::dot(along, at.axes.north)});
+        return right.x * at.axes.east + right.y * at.axes.north;
     }
 
     [[nodiscard]] glm::dvec2 half_of(const Station& at, const glm::dvec3& along) const {

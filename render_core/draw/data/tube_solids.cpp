@@ -108,7 +108,7 @@ std::uint32_t TubeSolids::add_layer(const Work& work, Layer layer) {
     } else if (layer == Layer::margin) {
         look.opacity *= kMarginShare * static_cast<float>(work.input.element.uncertainty_strength);
         look.is_mixed = true;
-        look.is_thing = false;
+        look.is_thing = look.has_grid = false;
     }
     look.is_hollow = true;  // whoever flies along it looks out of it
     look.near_m = kNearRadii * largest_radius_m(work, layer);

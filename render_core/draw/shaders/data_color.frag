@@ -16,12 +16,18 @@ void main() {
     shown *= max(step(v_unknown, 0.004), step(3.0, mod(gl_FragCoord.x - gl_FragCoord.y, 9.0)));  // cut as on the ground
     if (shown <= 0.0) discard;  // what is not seen hides nothing
 #endif
-#ifdef AIR
-    vec3 color = through_air(v_color.rgb, v_eye / distance_m, distance_m);
-#else
-    vec3 color = mix(v_color.rgb, haze_color, 1.0 - exp(-distance_m * haze_per_m));
-#endif
+    vec3 own = v_color.rgb;
     float alpha = v_color.a * shown;
+#ifdef GRID
+    float line = grid_at(v_eye / distance_m, distance_m * grid_size.w);
+    own = mix(own, grid_look.rgb, line);
+    alpha *= 1.0 + line * (1.0 - alpha);  // lines on what is nearly clear are seen, on what is not there they are not
+#endif
+#ifdef AIR
+    vec3 color = through_air(own, v_eye / distance_m, distance_m);
+#else
+    vec3 color = mix(own, haze_color, 1.0 - exp(-distance_m * haze_per_m));
+#endif
     if (left.z > 0.5) alpha = clamp(log2(1.0 + distance_m / 50.0) / 13.0, left.x, left.y);
     FRAGMENT_COLOR = vec4(color, alpha);
 }

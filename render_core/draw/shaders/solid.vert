@@ -8,10 +8,18 @@ uniform vec4 fading;             // lost transparency and saturation of the leas
 uniform vec3 cover;              // opacity; metres to swell, and to raise, a metre of distance
 
 VARYING float v_unknown;
+#ifdef GRID
+VARYING vec3 v_place;
+VARYING vec3 v_normal;
+#endif
 
 void main() {
     vec3 normal = normal_unsure.xyz * (255.0 / 127.0) - 1.0;
     vec3 eye_relative = anchor + place;
+#ifdef GRID
+    v_place = place;
+    v_normal = normal;
+#endif
     eye_relative += normal * (cover.y + cover.z) * length(eye_relative);
     bool is_unknown = normal_unsure.w > 254.5 / 255.0;
     float unsure = is_unknown ? 0.0 : min(normal_unsure.w * (255.0 / 254.0) + fading.w, 1.0);

@@ -98,12 +98,6 @@ vec3 normal_of(vec2 code) {
     return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
 }
 
-/// Metres along `axis` (a unit vector) from a pixel to the next across the surface, at most; `facing`: cosine between the
-/// normal and the way to the eye.
-float reach_of(vec3 axis, vec3 n, vec3 ray, float facing, float pixel_m) {
-    return pixel_m * length(axis + n * (dot(ray, axis) / facing));
-}
-
 /// Mesh and map do not know the same slope. The shorter of both reaches: with the longer one lines would run into blots.
 float shorter_reach(vec3 axis, vec3 n, vec3 bare, vec3 ray, float pixel_m) {
     return min(reach_of(axis, n, ray, max(-dot(n, ray), 0.03), pixel_m),
@@ -362,12 +356,12 @@ void main() {
     color = mix(color, line_color, ink);
 #endif
 
-    // -- lines of known spacing; they fade before they would stand closer than a few pixels
+    // -- lines of known spacing
 #ifdef SURFACE_GRID
     vec2 from_line = (fract(v_grid + 0.5) - 0.5) * grid_spacing;
-    vec2 line_reach_m = vec2(reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m), reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
-    vec2 lines = clamp(1.3 - abs(from_line) / line_reach_m, 0.0, 1.0) * clamp(grid_spacing / line_reach_m * 0.2 - 0.8, 0.0, 1.0);
-    color = mix(color, grid_look.rgb, grid_look.a * max(lines.x, lines.y));
+    float meridian = grid_line(from_line.x, grid_spacing, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m));
+    float parallel = grid_line(from_line.y, grid_spacing, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
+    color = mix(color, grid_look.rgb, grid_look.a * max(meridian, parallel));
 #endif
 
     // -- what is not known, whatever the style: hatched on the screen

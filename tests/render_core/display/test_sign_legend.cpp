@@ -27,8 +27,8 @@ host_sim::LayerDraft layer_of(LayerRole role, scene::LayerShape shape, float acc
 }
 
 /// What the entry says of one element over one layer, a row after a ";".
-std::string said(const host_sim::LayerDraft& layer, const design::DataElement& element,
-                 ElementState state = ElementState::shown) {
+std::string said(const host_sim::LayerDraft& layer, const design::DataElement& element, ElementState state = ElementState::shown,
+                 const design::DesignSettings& design = {}) {
     const test_support::LoadedScene loaded(layer);
     ElementReport report;
     report.state = state;
@@ -39,7 +39,7 @@ std::string said(const host_sim::LayerDraft& layer, const design::DataElement& e
     ElementReports reports;
     EXPECT_TRUE(reports.try_push_back(report));
     draw::DataLegends legends;
-    add_sign_legend(reports, {}, legends);
+    add_sign_legend(reports, design, legends);
     std::string text;
     if (legends.empty()) return text;
     EXPECT_FALSE(legends[0].has_scale);
@@ -72,6 +72,23 @@ TEST(SignLegend, VerticalLinesSayHowFarApartTheyAre) {
     EXPECT_EQ(said(flight, tube), "FLIGHT;LINES 1000 M;");
     tube.technique = DataTechnique::ribbon;
     EXPECT_EQ(said(flight, tube), "LINES 1000 M;");
+}
+
+TEST(SignLegend, TheSurfaceGridSaysHowFarApartItsLinesAre) {
+    const auto air = layer_of(LayerRole::wind, scene::LayerShape::points);
+    design::DataElement surface = element_of(DataTechnique::isosurface);
+    surface.grid = true;
+    design::DesignSettings design;
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "") << "a device may have forbidden it";
+    design.terrain.style.grid.spacing_m = 926;
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;");
+    design.terrain.style.grid.height_spacing_m = 60.96;
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;GRID UP 200 FT;") << "in place of its own lines";
+    design.symbology.legend_unit = design::HeightUnit::metres;
+    design.terrain.style.grid.spacing_m = 2500;
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 2500 M;GRID UP 61 M;");
+    surface.grid = false;
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "LINES 305 M;");
 }
 
 TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {

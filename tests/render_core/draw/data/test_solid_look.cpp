@@ -29,6 +29,16 @@ TEST(SolidLook, IsWhatTheDesignSays) {
     EXPECT_EQ(look.group, 3);
 }
 
+TEST(SolidLook, HasTheSurfaceGridWhereTheElementAsks) {
+    test_support::ElementOfTest test(test_support::small_grid());
+    EXPECT_FALSE(look_of(test.input()).has_grid);
+    test.element.grid = true;
+    EXPECT_TRUE(look_of(test.input()).has_grid);
+    SolidLook other = look_of(test.input());
+    other.has_grid = false;
+    EXPECT_FALSE(other == look_of(test.input())) << "they are drawn apart";
+}
+
 TEST(SolidLook, WhatIsNotOpaqueIsMixed) {
     EXPECT_FALSE(look_with(ElementUncertainty::none).is_mixed);
     EXPECT_FALSE(look_with(ElementUncertainty::saturation).is_mixed);

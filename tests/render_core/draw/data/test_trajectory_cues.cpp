@@ -145,6 +145,34 @@ TEST_F(TrajectoryCuesOfTest, LinesStandOnTheGroundWhereTheyAreToReachIt) {
     for (const Place& low : ends(0)) EXPECT_NEAR(low.height_m, 2500 - 50 * kTickRadii, kTolerance_m) << "no ground to reach";
 }
 
+/// Curtains are not shaded, but say how they hang: level, across their way.
+TEST_F(TrajectoryCuesOfTest, CurtainsHaveNormalsTooShortToBeShaded) {
+    ElementOfTest test(way());
+    test.element.cues.curtain = 0.5;
+    test.element.grid = true;
+    ASSERT_GT(add(test, Cue::curtain, hills).drawn, 50u);
+    int eastwards = 0, southwards = 0;
+    for (const SolidPiece& piece : room.batch.pieces()) {
+        EXPECT_TRUE(piece.look.has_grid);
+        for (std::uint32_t n = 0; n < piece.vertices; ++n) {
+            const SolidVertex& vertex = room.batch.vertices()[piece.first_vertex + n];
+            const glm::dvec3 normal = glm::dvec3(vertex.normal[0], vertex.normal[1], vertex.normal[2]) / 127.0 - 1.0;
+            EXPECT_NEAR(glm::length(normal), kUnshaded, 0.01);
+            EXPECT_LT(glm::length(normal), 0.5) << "or it would be shaded";
+            const earth::Geodetic at = earth::from_ecef(piece.anchor + glm::dvec3(vertex.place_m));
+            const glm::dmat3 ned = earth::north_east_down(at.latitude_rad, at.longitude_rad);
+            EXPECT_NEAR(glm::dot(normal, ned[2]), 0, 0.01);
+            eastwards += glm::dot(normal, ned[1]) > 0.99 * kUnshaded ? 1 : 0;    // of the leg to the north
+            southwards += glm::dot(normal, ned[0]) < -0.99 * kUnshaded ? 1 : 0;  // of that to the east
+        }
+    }
+    EXPECT_GT(eastwards, 50);
+    EXPECT_GT(southwards, 50);
+    test.element.cues.line_spacing_m = 500;
+    static_cast<void>(add(test, Cue::vertical_lines, hills));
+    for (const SolidPiece& piece : room.batch.pieces()) EXPECT_FALSE(piece.look.has_grid) << "they are lines themselves";
+}
+
 TEST_F(TrajectoryCuesOfTest, LinesTravelByTheFlightsTime) {
     ElementOfTest test(way());
     test.element.cues.line_spacing_m = 1000;
