@@ -1,5 +1,7 @@
 #include "render_core/design/named_phases.hpp"
 
+#include "render_core/design/config_values.hpp"
+
 namespace tedavis::design {
 
 void read_named_phases(base::ConfigSection section, NamedPhases& phases) {
@@ -9,11 +11,11 @@ void read_named_phases(base::ConfigSection section, NamedPhases& phases) {
         const std::string_view design = section.text(key);
         const NamedPhase named{phase.phase, DesignFileName(design)};
         if (!phase.ok)
-            section.fault(key, "no phase has this name; write for instance takeoff, cruise or \"go_around.replanning\"");
+            fault_of(section, key, "is no phase; write for instance takeoff, cruise or \"go_around.replanning\"");
         else if (named.design.empty() || named.design.cut())
-            section.fault(key, "a design's name or path has 1 to 127 letters");
+            fault_of(section, key, "names a design by 1 to 127 letters");
         else if (!phases.try_push_back(named))
-            section.fault(key, "there are more phases than kMaxNamedPhases; remove one");
+            fault_of(section, key, "is one phase too many; remove one");
     }
 }
 

@@ -56,9 +56,16 @@ struct PhasedHills {
     /// Of a design alone, all arrived.
     std::vector<std::uint8_t> alone(const design::DesignSettings& design, FlightPhase phase, double seconds,
                                     const char* device = "es3-mid") {
-        HeadlessDisplay display("egl", device, kWidth, kHeight, &bytes, design);
-        const base::Time now = test_support::kHillsNow + base::Duration::from_seconds(seconds);
-        return test_support::settled_pixels(display, state, now, flight::stated_phase(phase, flight::PhaseSource::can));
+        headless->surface().release_current();  // one is current at a time
+        std::vector<std::uint8_t> pixels;
+        {
+            HeadlessDisplay display("egl", device, kWidth, kHeight, &bytes, design);
+            const base::Time now = test_support::kHillsNow + base::Duration::from_seconds(seconds);
+            pixels = test_support::settled_pixels(display, state, now, flight::stated_phase(phase, flight::PhaseSource::can));
+        }
+        EXPECT_TRUE(headless->surface().make_current());
+        headless->display().gl().activate();
+        return pixels;
     }
     void settle(FlightPhase phase) {
         headless->display().settle(state, flight::stated_phase(phase, flight::PhaseSource::can), test_support::kHillsNow);
