@@ -142,7 +142,9 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                      {"uploaded", record.bytes.uploaded}};
     json["governor"] = governor_json(record.governor);
     json["effects"] = effects_json(record);
-    json["presentation"] = {{"terrain", aspect_json(record.terrain_aspect)},
+    json["presentation"] = {{"design", text(record.design.view())},
+                            {"earlier_share", record.earlier_share},
+                            {"terrain", aspect_json(record.terrain_aspect)},
                             {"data", aspect_json(record.data_aspect)},
                             {"uncertainty", aspect_json(record.uncertainty_aspect)}};
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};

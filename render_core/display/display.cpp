@@ -172,6 +172,8 @@ void Display::plan_effects() {
     facts.is_forced = effects_are_forced_;
     fade_share_ = next_fade_share();
     facts.fade_share = fade_share_;
+    record_.design = design_at(turn_ == Turn::keeps ? turns_to_ : shown_).name;
+    record_.earlier_share = fade_share_;
     facts.order = order_of(settings_.design);
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);

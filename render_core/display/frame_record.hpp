@@ -93,6 +93,8 @@ struct FrameRecord {
     ByteRecord bytes;
     GovernorRecord governor;
     base::FixedVector<EffectRecord, 32> effects;
+    base::FixedString<47> design;  ///< that the phase has
+    double earlier_share = 0;      ///< of the design before it, which fades out
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord>);

@@ -20,10 +20,12 @@ vec3 sky_color() {
 #ifdef AIR
     if (air_look.x > 0.0) {
         vec3 ray = normalize(vec3(1.0, (v_at * 2.0 - 1.0) * vec2(half_tangent.x, -half_tangent.y)));
-        sky = mix(sky, min(sqrt(air_light(ray, kAirOut)), vec3(1.0)), air_look.x);
-        // The sea's distance, as far as the horizon.
-        float height_m = max(air_sun.w, 1.0), down = -dot(ray, air_up.xyz);
-        ground = through_air(ground, ray, height_m / max(down, 0.5 * max(air_up.w, 1e-4)));
+        if (shares.z > 0.0) sky = mix(sky, min(sqrt(air_light(ray, kAirOut)), vec3(1.0)), air_look.x);
+        if (shares.z < 1.0) {
+            // The sea's distance, as far as the horizon.
+            float height_m = max(air_sun.w, 1.0), down = -dot(ray, air_up.xyz);
+            ground = through_air(ground, ray, height_m / max(down, 0.5 * max(air_up.w, 1e-4)));
+        }
     }
 #endif
     return mix(ground, sky, shares.z);

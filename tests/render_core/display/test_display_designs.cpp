@@ -104,11 +104,15 @@ TEST(DisplayDesigns, ATurnBeginsWithTheFrameAsItWasAndFadesIntoTheNext) {
     const auto kept = hills.at(kCruise, 0.04);
     const FrameRecord& record = hills.headless->display().record();
     EXPECT_EQ(record.phase.phase, kCruise) << "the record says so at once";
+    EXPECT_EQ(record.design.view(), "sketched");
+    EXPECT_EQ(record.earlier_share, 1);
     EXPECT_TRUE(hills.headless->display().must_be_drawn());
     EXPECT_EQ(kept, hills.alone(hills.own, kCruise, 0.04)) << "to a bit";
     const auto half = hills.at(kCruise, 0.14);
+    EXPECT_NEAR(hills.headless->display().record().earlier_share, 0.5, 1e-9);
     EXPECT_FALSE(hills.headless->display().must_be_drawn());
     const auto is = hills.at(kCruise, 0.34);
+    EXPECT_EQ(hills.headless->display().record().earlier_share, 0);
     EXPECT_EQ(is, hills.alone(hills.other, kCruise, 0.34));
     std::size_t apart = 0;
     for (std::size_t n = 0; n < half.size(); ++n) apart += std::abs(half[n] - 0.5 * (kept[n] + is[n])) > 1.6 ? 1 : 0;
