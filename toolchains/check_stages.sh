@@ -165,8 +165,8 @@ compiled_sources() {
 tidy_source() {
     local joint options
     joint=$(grep -rlF --include='*.cxx' "\"$PWD/$1\"" build/host | head -n 1)
-    if [ -z "$joint" ]; then timeout 300 clang-tidy -p build/host --quiet "$1"; return; fi
+    if [ -z "$joint" ]; then timeout 600 clang-tidy -p build/host --quiet "$1"; return; fi
     options=$(sed -nE "s|^ *\"command\": \"(.*) -o [^ ]* -c $PWD/$joint\",?$|\1|p" build/host/compile_commands.json)
     eval "options=(${options//\\\\/})"  # one level of escapes is JSON's
-    timeout 300 clang-tidy --quiet "$1" -- "${options[@]:1}"
+    timeout 600 clang-tidy --quiet "$1" -- "${options[@]:1}"
 }
