@@ -12,7 +12,8 @@ TEST(PosedFrame, IsSettledAndHashed) {
     const test_support::FlownFiles files;
     const PictureOptions options = files.options("unused").picture;
     const AircraftPose pose{47.03, 9.68, 2500, 40, -6, 12};
-    const flight::PhaseStatus cruise{flight::phase_from_name("cruise").phase, flight::PhaseSource::switches, false, false};
+    const flight::PhaseStatus cruise =
+        flight::stated_phase(flight::phase_from_name("cruise").phase, flight::PhaseSource::switches);
     std::uint64_t hash = 0;
     {
         DisplaySession session(options, false);

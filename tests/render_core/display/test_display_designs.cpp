@@ -24,6 +24,7 @@ constexpr FlightPhase kCruise{Scenario::cruise, 0};
 design::DesignSettings own_design(const char* name) {
     design::DesignSettings design = test_support::shipped_design("default");
     design.name = name;
+    design.symbology.legend = false;  // each has its own
     design.effects.fade_s = 0.2;
     return design;
 }
