@@ -58,11 +58,13 @@ design::DesignSettings load_file(const std::string& path, const PictureOptions& 
 std::string design_path(const PictureOptions& options) { return resolve_config(options.design, "designs"); }
 
 design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files) {
+    if (files != nullptr) files->clear();
     design::NamedPhases phases;
     return load_file(design_path(options), options, phases, files);
 }
 
 std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::vector<ReadFile>* files) {
+    if (files != nullptr) files->clear();
     auto loaded = std::make_unique<LoadedDesigns>();
     const std::string path = design_path(options);
     design::NamedPhases phases;

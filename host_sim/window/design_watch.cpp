@@ -25,7 +25,6 @@ DesignNews DesignWatch::look() {
                                  [](const std::string& text, const ReadFile& file) { return text == file.text; });
     if (!settled || same) return DesignNews::none;
     try {
-        taken_.clear();
         designs_ = load_designs(options_, &taken_);
         return DesignNews::changed;
     } catch (const UserError& error) {
