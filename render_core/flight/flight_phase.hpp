@@ -70,5 +70,6 @@ static_assert(std::is_trivially_copyable_v<PhaseStatus>);
 /// Which aspect is shown in detail (thesis Table 5.1).
 enum class Aspect : std::uint8_t { terrain, data, uncertainty };
 [[nodiscard]] Aspect prioritized_aspect(FlightPhase phase) noexcept;
+[[nodiscard]] inline bool has_terrain_first(FlightPhase phase) noexcept { return prioritized_aspect(phase) == Aspect::terrain; }
 
 }  // namespace tedavis::flight

@@ -32,11 +32,9 @@ bool speaks(const AllSpoken& all, PhaseSource source) {
     return false;
 }
 
-bool shows_terrain(FlightPhase phase) { return prioritized_aspect(phase) == Aspect::terrain; }
-
 base::Duration dwell_of(const Spoken& spoken, const PhaseArbiterSettings& settings, const PhaseArbiterState& state) {
     if (spoken.source == PhaseSource::switches) return {};
-    const bool turns_to_terrain = shows_terrain(spoken.statement.phase) && !shows_terrain(state.phase);
+    const bool turns_to_terrain = has_terrain_first(spoken.statement.phase) && !has_terrain_first(state.phase);
     if (spoken.source == state.source && turns_to_terrain) return {};
     return spoken.source == PhaseSource::can ? settings.can_dwell : settings.motion_dwell;
 }

@@ -3,8 +3,6 @@
 namespace tedavis::flight {
 namespace {
 
-bool shows_terrain(FlightPhase phase) { return prioritized_aspect(phase) == Aspect::terrain; }
-
 void begin(FlightPhase phase, base::Time now, PresentedPhaseState& state) { state = {phase, now, phase, now, true, true}; }
 
 void note(FlightPhase phase, base::Time now, PresentedPhaseState& state) {
@@ -15,7 +13,7 @@ void note(FlightPhase phase, base::Time now, PresentedPhaseState& state) {
 }
 
 bool may_turn(base::Time now, const PresentedPhaseState& state) {
-    const bool towards_terrain = shows_terrain(state.stated) && !shows_terrain(state.presented);
+    const bool towards_terrain = has_terrain_first(state.stated) && !has_terrain_first(state.presented);
     return state.after_calm || towards_terrain || now - state.stated_since >= PresentedPhaseState::kCalm;
 }
 

@@ -137,14 +137,35 @@ TEST(BoardConfig, TheShippedExamplesAreRight) {
 
     // The board's example names its neighbours in /etc/tedavis: put them beside it as the README says.
     const test_support::TemporaryFolder folder;
-    for (const char* file : {"configs/devices/es2-small.toml", "configs/designs/default.toml", "configs/palettes/alpine.toml",
-                             "configs/palettes/data_radar.toml", "configs/palettes/data_wind.toml",
-                             "configs/buses/canaerospace.toml", "configs/switches/one_hot.toml", "target/boards/arm_board.toml"})
+    for (const char* file : {"configs/devices/es2-small.toml", "configs/buses/canaerospace.toml", "configs/switches/one_hot.toml",
+                             "target/boards/arm_board.toml"})
         std::filesystem::copy(kRoot + "/" + file, folder.path());
+    for (const char* design : {"default", "takeoff", "cruise", "approach", "replanning"})
+        std::filesystem::copy(kRoot + "/configs/designs/" + design + ".toml", folder.path());
+    for (const auto& palette : std::filesystem::directory_iterator(kRoot + "/configs/palettes"))
+        std::filesystem::copy(palette.path(), folder.path());
     const auto board = load_board_settings(folder.file("arm_board.toml").c_str());
     ASSERT_TRUE(board.ok()) << board.error().sentence.view();
     EXPECT_TRUE(board.value().has_switches);
+    EXPECT_EQ(board.value().phases.size(), 4u);
+    EXPECT_EQ(board.value().phases.at(board.value().phases.place_of(flight::kGoAroundReplanning)).name.view(), "replanning");
     EXPECT_EQ(board.value().terrain.view(), "/var/lib/tedavis/area.tdb");
+}
+
+TEST(BoardConfig, DesignsOfPhasesLieBesideTheDesignThatNamesThem) {
+    Board board;
+    const auto with = [&board](const std::string& phases) {
+        board.folder.write("own.toml", "name = 'own'\n[phases]\n" + phases);
+        return board.load_text("device = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = 'own.toml'\nbus = '" + kRoot +
+                               "/configs/buses/canaerospace.toml'\n[can]\ninterface = 'can0'\n");
+    };
+    board.folder.write("low.toml", "name = 'low'\n");
+    EXPECT_EQ(with("takeoff = 'low'\napproach = 'low.toml'\n"), "");
+    EXPECT_THAT(with("takeoff = 'absent'\n"), HasSubstr(board.folder.file("absent.toml")));
+    board.folder.write("low.toml", "name = 'low'\ncolour = 'blue'\n");
+    EXPECT_THAT(with("takeoff = 'low'\n"), StartsWith(board.folder.file("low.toml") + ":2: "));
+    board.folder.write("low.toml", "name = 'low'\n[phases]\ncruise = 'high'\n");
+    EXPECT_THAT(with("takeoff = 'low'\n"), HasSubstr("has a table [phases] itself"));
 }
 
 TEST(PathBeside, StartsAtTheBoardFilesFolder) {
