@@ -137,8 +137,10 @@ const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNam
     "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra", "dashed_rim"};
 
 DataName subject_of(const DataElement& element) noexcept {
-    if (element.own == OwnData::none)
-        return element.layer.view().empty() ? DataName(scene::name_of(element.role)) : element.layer;
+    if (element.own == OwnData::none) {
+        const bool has_role = element.layer.view().empty() && element.role != scene::LayerRole::count;
+        return has_role ? DataName(scene::name_of(element.role)) : element.layer;
+    }
     DataName name("own ");
     name.append(kOwnDataNames[static_cast<std::size_t>(element.own) - 1]);
     return name;

@@ -145,6 +145,7 @@ TEST(DataElement, TheOwnFlightIsAskedForInsteadOfALayer) {
     const Read others = read("[[data.element]]\nlayer = \"a\"\n[[data.element]]\nrole = \"place\"\n");
     EXPECT_EQ(subject_of(others.elements[0]).view(), "a");
     EXPECT_EQ(subject_of(others.elements[1]).view(), "place");
+    EXPECT_EQ(subject_of(DataElement()).view(), "") << "of one that no file has named";
     EXPECT_FALSE(asks_for_own(others.elements));
     EXPECT_NE(read("[[data.element]]\nown = \"trail\"\nlayer = \"a\"\n").fault.find("give one"), std::string::npos);
     EXPECT_NE(read("[[data.element]]\nown = \"none\"\n").fault, "");
