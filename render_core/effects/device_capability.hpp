@@ -16,7 +16,7 @@ enum class Lane : std::uint8_t { es2, es3 };
 /// Which calls exist: OpenGL ES 2.0, ES 3.0, or OpenGL SC 2.0 (which has no compiler, no deletion, no DrawElements).
 enum class CallClass : std::uint8_t { es2, es3, sc2 };
 
-using CallName = base::FixedString<31>;  ///< without the `gl` prefix
+using CallName = base::FixedString<31>;            ///< without the `gl` prefix
 inline constexpr std::size_t kMaxNamedCalls = 16;  ///< that a device file names beside its class
 /// Those, and the calls of a compiler that makes its programs (gl/program.hpp).
 inline constexpr std::size_t kMaxCallExceptions = 2 * kMaxNamedCalls;
