@@ -218,7 +218,8 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 11> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 12> kConfigKinds = {{{"designs", "[view]", check_design},
+                                                      {"designs", "[phases]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
                                                       {"devices", "[[budget]]", check_device},

@@ -49,6 +49,8 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
         const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
         EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
     }
+    const std::string by_phase = place.write("x.toml", "name = 'x'\n[phases]\nlunch = 'cruise'\n");
+    EXPECT_THAT(check({by_phase}).notes, HasSubstr(by_phase + ":3: 'lunch' is no phase"));
 }
 
 TEST(CheckCommand, PalettesAreJudgedAloneAndInTheirDesign) {
