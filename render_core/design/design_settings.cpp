@@ -191,6 +191,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
         fault_of(terrain, "conservative_up", "has no meaning where the ground is drawn flat; leave it out");
     }
     read_data_style(root.section("data"), palettes, design.data);
+    read_label_settings(root.section("labels"), design.labels);
     read_sky(root.section("sky"), design.sky);
     read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);
