@@ -8,9 +8,14 @@
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
+///
+/// Which labels stand follows from all epochs of half a second since the log's start (display/element_labels.hpp): each is
+/// decided once, by the instant at which it begins, without the frames between; their memory is kept every kKeepEvery epochs, and
+/// of the last kKeptEpochs.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -30,12 +35,15 @@ public:
     void forget();
 
 private:
-    static constexpr std::int64_t kKeepEvery = 16;
+    static constexpr std::int64_t kKeepEvery = 16, kKeptEpochs = 4;
     [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
+    void approach_frame(base::Time time);
     void plan(base::Time time);
     void reach(std::int64_t frame);
     void learn(std::int64_t frame);
     void restore_rung(std::int64_t frame);
+    void reach_labels(base::Time time);
+    void keep_labels(std::int64_t epoch);
 
     FlightPlayer& player_;
     display::Display& display_;
@@ -44,6 +52,8 @@ private:
     // Before the frames of the grid, from the log's first on.
     std::vector<std::uint8_t> rungs_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
+    std::optional<std::int64_t> label_epoch_;        ///< that the display's labels are of
+    std::map<std::int64_t, draw::LabelMemory> labels_;
 };
 
 }  // namespace tedavis::host_sim

@@ -65,6 +65,12 @@ public:
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
     void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                   const flight::FlownWay* way = nullptr);
+    /// Decides the labels of an epoch (element_labels.hpp) that begins at `now`, and plans nothing else: what a replay does for
+    /// every epoch from the log's start on, so that labels are the same however a frame is reached.
+    void approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Whether labels remember anything; keep() and restore() what they do.
+    [[nodiscard]] bool has_labels() { return elements_.is_started() && elements_.labels().is_any(); }
+    [[nodiscard]] ElementLabels& labels() { return elements_.labels(); }
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
@@ -119,7 +125,9 @@ private:
     [[nodiscard]] gl::GlError start_drawers();
     [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
+    void begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void decide(base::Time now);
+    void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
     void keep_scene();

@@ -25,6 +25,7 @@ void Display::draw(base::Surface& surface) {
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
+        record_.labels = {};
         put_symbology();
         plan_effects();
     }
@@ -78,7 +79,7 @@ double Display::fade_share() {
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {
     const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
     if (shows_elements()) {
-        plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
+        plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px), true});
         elements_.stand_at(eye.view.eye);
         elements_.prepare(gl_);
     }

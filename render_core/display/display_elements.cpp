@@ -1,0 +1,74 @@
+// What of the display plans the data elements, and what lies before a frame.
+#include "render_core/display/display.hpp"
+#include "render_core/display/symbology_plan.hpp"
+#include "render_core/display/terrain_ground.hpp"
+
+namespace tedavis::display {
+
+ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
+    return {ground,
+            view,
+            settings_.design.terrain.unknown,
+            record_.flight_time,
+            {way, &state_, record_.time},
+            frame_budget_.detail_factor()};
+}
+
+/// Symbology first, then the signs in the room that it leaves.
+void Display::plan_elements(const flight::FlownWay* way) {
+    TerrainGround ground(terrain_, seen_);
+    if (shows_elements())
+        elements_.plan(element_frame(ground, seen_, way));
+    else
+        elements_.rest();
+    conditions_.data_are_out_of_date =
+        data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
+    if (conditions_.data_are_out_of_date) decide_again();
+    put_symbology();
+    way_ = way;
+    // Of a picture for each eye they are planned once more with the eye.
+    if (shows_elements()) plan_signs(eye_, {});
+    const LabelCounts& labels = elements_.label_counts();
+    record_.labels = {labels.placed, labels.suppressed, labels.changed};
+}
+
+void Display::plan_signs(const Eye& eye, SignFrame signs) {
+    TerrainGround ground(terrain_, eye.view);
+    terrain::DrawnSight sight = terrain_.sight(eye.view);
+    signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
+    signs.sight = &sight;
+    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
+    elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
+}
+
+/// Nothing of a picture without terrain.
+void Display::decide_labels() {
+    if (!elements_.is_started()) return;
+    if (!decisions_.show_terrain) return elements_.labels().forget();
+    TerrainGround ground(terrain_, eye_.view);
+    elements_.decide_labels(element_frame(ground, eye_.view, nullptr),
+                            text_px(context(), settings_.width_px, settings_.height_px));
+}
+
+void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                       const flight::FlownWay* way) {
+    const std::uint64_t frame = frame_;
+    update(state, phase, now, way);
+    frame_ = frame;
+}
+
+void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    constexpr int kMostTimes = 64;
+    for (int n = 0; n < kMostTimes; ++n) {
+        approach(state, phase, now);
+        if (record_.terrain.pending == 0) return;
+    }
+}
+
+void Display::approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    const std::uint64_t frame = frame_;
+    begin_update(state, phase, now);
+    frame_ = frame;
+}
+
+}  // namespace tedavis::display

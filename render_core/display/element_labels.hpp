@@ -1,0 +1,100 @@
+/// Icons and names of all elements that have them, as one: decided together at epochs of the source's time (label_planner.hpp),
+/// and put onto the sheet of every frame where they have room and the eye sees them.
+///
+///   start(arena) · set(...) when scene or design has changed · decide(frame) each frame, and at every epoch that a replay passes
+///   over · add_protected(), add_others() onto a sheet
+///
+/// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
+/// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
+/// another side, what terrain hides is not drawn, and lets those have its room that gave way to it.
+///
+/// Memory  from an arena, once. Thread  the display's.
+#pragma once
+
+#include "render_core/design/data_element.hpp"
+#include "render_core/display/element_report.hpp"
+#include "render_core/draw/data/billboards.hpp"
+#include "render_core/draw/data/label_features.hpp"
+#include "render_core/flight/flight_time.hpp"
+
+namespace tedavis::display {
+
+/// Of a frame; labels are names.
+struct LabelCounts {
+    std::uint32_t placed = 0;
+    std::uint32_t suppressed = 0;  ///< in the picture, but not shown: of too little interest, no room, behind terrain
+    std::uint32_t changed = 0;     ///< signs that came, went, or got another look, since the frame before
+};
+
+struct LabelFrame {
+    draw::Ground& ground;
+    const terrain::View& view;
+    design::Color missing;
+    flight::FlightTime time;  ///< by which data are valid
+    base::Time now;           ///< the source's
+    double text_px = 16;
+};
+
+/// Whether the technique gives a layer's features icons and names.
+[[nodiscard]] bool has_labels(const design::DataElement& element, const scene::Layer& layer);
+/// Whether the layer is meant by an element of the scene, by its name or role.
+[[nodiscard]] bool is_meant(const design::DataElement& element, const scene::Layer& layer);
+/// False where the layer's data are out of date; true where nobody knows the time.
+[[nodiscard]] bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time);
+
+class ElementLabels {
+public:
+    [[nodiscard]] bool start(base::Arena& arena) { return planner_.start(arena); }
+    /// All must stay. What stood is forgotten.
+    void set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings);
+    [[nodiscard]] bool is_any() const { return !groups_.empty(); }
+
+    void decide(const LabelFrame& frame);
+    void forget() { planner_.forget(); }
+    /// Labels of an element's layer that the epoch leaves out.
+    [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
+    void keep(draw::LabelMemory& memory) const { planner_.keep(memory); }
+    void restore(const draw::LabelMemory& memory);
+
+    /// Where an element's layer is shown in the frame: null where it is not.
+    class Inputs {
+    public:
+        virtual ~Inputs() = default;
+        [[nodiscard]] virtual const draw::ElementInput* input(const design::DataElement& element, const scene::Layer& layer) = 0;
+
+    protected:
+        Inputs() = default;
+        Inputs(const Inputs&) = default;
+        Inputs& operator=(const Inputs&) = default;
+    };
+    /// What warns, before all other signs; then, in the room that is left, the others.
+    void add_protected(draw::BillboardSheet& sheet, Inputs& inputs);
+    void add_others(draw::BillboardSheet& sheet, Inputs& inputs);
+    /// Instead of them in a frame without signs.
+    void rest() { planner_.rest(); }
+    /// Of this frame, once: the next one is compared with it.
+    [[nodiscard]] LabelCounts count();
+    /// That were added of an element's layer.
+    [[nodiscard]] std::uint32_t drawn(const design::DataElement& element, const scene::Layer& layer) const;
+
+private:
+    struct Group {
+        const design::DataElement* element;
+        const scene::Layer* layer;
+        std::uint32_t drawn;
+    };
+    class Shapes;
+    [[nodiscard]] std::size_t group_of(const design::DataElement& element, const scene::Layer& layer) const;
+    [[nodiscard]] bool has_leapt(const LabelFrame& frame);
+    void add(draw::BillboardSheet& sheet, Inputs& inputs, std::size_t label);
+    [[nodiscard]] bool has_its_room(const draw::Label& label) const;
+
+    draw::LabelPlanner planner_;
+    design::LabelSettings settings_;
+    base::FixedVector<Group, draw::kMostLabelGroups> groups_;
+    std::array<draw::BillboardAnswer, draw::LabelPlanner::kMost> answers_{};  ///< of the frame, by label
+    base::Time last_now_{0};
+    glm::dvec3 last_eye_{0}, last_forward_{0};
+};
+
+}  // namespace tedavis::display
