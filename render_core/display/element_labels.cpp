@@ -1,14 +1,27 @@
 #include "render_core/display/element_labels.hpp"
 
-#include <glm/geometric.hpp>
+#include <algorithm>
 
-#include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/billboard_place.hpp"
 
 namespace tedavis::display {
 
 using draw::BillboardFate;
 using draw::Label;
 using draw::LabelLevel;
+
+namespace {
+
+/// That it may be shown at: what stands may have to wait until it goes.
+LabelLevel most_of(const Label& label) { return std::max(label.level, label.wanted); }
+
+/// As it was decided, where it stands now.
+draw::Rect room_of(const Label& label, const draw::BillboardShape& shape) {
+    return label.level == LabelLevel::name ? shape.box.raised(label.stem, shape.text_px).with(label.side)
+                                           : shape.box.with(draw::SignSide::none);
+}
+
+}  // namespace
 
 bool has_labels(const design::DataElement& element, const scene::Layer& layer) {
     return element.technique == design::DataTechnique::billboard && element.own == design::OwnData::none &&
@@ -94,58 +107,6 @@ void ElementLabels::decide(const LabelFrame& frame) {
 
 void ElementLabels::restore(const draw::LabelMemory& memory) { planner_.restore(memory); }
 
-/// Or what took it is not there to be seen.
-bool ElementLabels::has_its_room(const Label& label) const {
-    return label.level == label.wanted ||
-           (label.blocker != Label::kNobody && answers_[label.blocker].fate == BillboardFate::hidden);
-}
-
-void ElementLabels::add(draw::BillboardSheet& sheet, Inputs& inputs, std::size_t n) {
-    if (answers_[n].fate == BillboardFate::stands) return;
-    const Label& label = planner_.labels()[n];
-    const LabelLevel level = has_its_room(label) ? label.wanted : label.level;
-    Group& group = groups_[draw::group_of(label.key)];
-    const draw::ElementInput* const input = inputs.input(*group.element, *group.layer);
-    if (level == LabelLevel::none || input == nullptr) return;
-    answers_[n] =
-        draw::add_billboard(sheet, *input, draw::feature_of(label.key), {level == LabelLevel::name, label.side, label.stem});
-    if (answers_[n].fate == BillboardFate::stands) ++group.drawn;
-}
-
-void ElementLabels::add_protected(draw::BillboardSheet& sheet, Inputs& inputs) {
-    answers_ = {};
-    for (Group& group : groups_) group.drawn = 0;
-    for (std::size_t n = 0; n < planner_.labels().size(); ++n)
-        if (draw::is_protected(*groups_[draw::group_of(planner_.labels()[n].key)].layer)) add(sheet, inputs, n);
-}
-
-/// Those that gave way to what is hidden come last: they must not take the room of what stands where it was placed.
-void ElementLabels::add_others(draw::BillboardSheet& sheet, Inputs& inputs) {
-    for (const bool gave_way : {false, true})
-        for (std::size_t n = 0; n < planner_.labels().size(); ++n) {
-            const Label& label = planner_.labels()[n];
-            if (draw::is_protected(*groups_[draw::group_of(label.key)].layer)) continue;
-            if ((label.level != label.wanted && has_its_room(label)) == gave_way) add(sheet, inputs, n);
-        }
-}
-
-LabelCounts ElementLabels::count() {
-    LabelCounts counts;
-    counts.changed = planner_.take_gone();
-    std::uint32_t expected = 0, shown = 0;
-    for (std::uint32_t n = 0; n < groups_.size(); ++n) expected += planner_.suppressed(n);
-    for (std::size_t n = 0; n < planner_.labels().size(); ++n) {
-        const Label& label = planner_.labels()[n];
-        const bool is_named = answers_[n].fate == BillboardFate::stands && answers_[n].side != draw::SignSide::none;
-        if (planner_.note(n, answers_[n].look())) ++counts.changed;
-        counts.placed += is_named ? 1 : 0;
-        expected += label.is_seen && label.level == LabelLevel::name ? 1 : 0;
-        shown += label.is_seen && is_named ? 1 : 0;
-    }
-    counts.suppressed = expected > shown ? expected - shown : 0;
-    return counts;
-}
-
 std::size_t ElementLabels::group_of(const design::DataElement& element, const scene::Layer& layer) const {
     std::size_t n = 0;
     while (n < groups_.size() && (groups_[n].element != &element || groups_[n].layer != &layer)) ++n;
@@ -159,6 +120,91 @@ std::uint32_t ElementLabels::drawn(const design::DataElement& element, const sce
 
 std::uint32_t ElementLabels::suppressed(const design::DataElement& element, const scene::Layer& layer) const {
     return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
+}
+
+ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs)
+    : labels_(labels),
+      sheet_(sheet),
+      inputs_(inputs),
+      left_({0, 0, static_cast<float>(sheet.view().width), static_cast<float>(sheet.view().height)}) {
+    for (Group& group : labels.groups_) group.drawn = 0;
+}
+
+bool ElementLabels::Pass::is_left(const draw::Rect& box) const {
+    const draw::Rect room = draw::LabelPlanner::with_margin(box, sheet_.text_px());
+    return !left_.is_free(room) && sheet_.is_free(box) && sheet_.is_clear_of_signs(room);
+}
+
+/// True where a name has its room, or better one that is left.
+bool ElementLabels::Pass::find_left_room(const Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
+                                         draw::BillboardWish& wish) const {
+    for (wish.stem = 0; wish.stem < draw::sign_stems(layer); ++wish.stem)
+        for (const draw::SignSide side : draw::kNameSides) {
+            wish.side = side;
+            const bool is_decided = label.level == LabelLevel::name && label.side == side && label.stem == wish.stem;
+            if (is_decided || is_left(shape.box.raised(wish.stem, shape.text_px).with(side))) return true;
+        }
+    return false;
+}
+
+void ElementLabels::Pass::add(std::size_t n) {
+    const Label& label = labels_.planner_.labels()[n];
+    Group& group = group_of(label);
+    const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
+    if (input != nullptr && most_of(label) != LabelLevel::none) add(n, *input);
+}
+
+void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input) {
+    const Label& label = labels_.planner_.labels()[n];
+    const std::uint32_t feature = draw::feature_of(label.key);
+    draw::BillboardShape shape;
+    const LabelLevel most = most_of(label);
+    if (!draw::billboard_shape(input, feature, sheet_.eye(), most == LabelLevel::name, shape)) return;
+    const draw::Rect decided = room_of(label, shape);
+    draw::BillboardWish wish{label.side, label.stem};
+    LabelLevel level = label.level;
+    if (!left_.is_empty() && label.wanted == LabelLevel::name && find_left_room(label, shape, input.layer, wish))
+        level = LabelLevel::name;
+    if (level == LabelLevel::none && is_left(shape.box.with(draw::SignSide::none))) level = LabelLevel::marker;
+    if (level == LabelLevel::none) return;
+    if (level < most && !draw::billboard_shape(input, feature, sheet_.eye(), false, shape)) return;
+    const bool is_covered = sheet_.is_clear_of_signs(decided) && !sheet_.is_free(decided);
+    const draw::BillboardAnswer answer = draw::add_billboard(sheet_, input, feature, shape, wish);
+    if (label.is_seen && (is_covered || answer.fate == BillboardFate::hidden)) left_.take(decided);
+    if (answer.fate != BillboardFate::stands) return;
+    ++group_of(label).drawn;
+    standing_[n] = {answer.look(), level == LabelLevel::name && answer.side != draw::SignSide::none};
+}
+
+void ElementLabels::Pass::add_protected() {
+    for (std::size_t n = 0; n < labels_.planner_.labels().size(); ++n)
+        if (draw::is_protected(*group_of(labels_.planner_.labels()[n]).layer)) add(n);
+}
+
+/// Those that gave way come last: they must not take the room of what stands where it was placed.
+void ElementLabels::Pass::add_others() {
+    for (const bool gave_way : {false, true})
+        for (std::size_t n = 0; n < labels_.planner_.labels().size(); ++n) {
+            const Label& label = labels_.planner_.labels()[n];
+            if (!draw::is_protected(*group_of(label).layer) && (label.level < label.wanted) == gave_way) add(n);
+        }
+}
+
+LabelCounts ElementLabels::Pass::count() {
+    draw::LabelPlanner& planner = labels_.planner_;
+    LabelCounts counts;
+    counts.changed = planner.take_gone();
+    std::uint32_t expected = 0, shown = 0;
+    for (std::uint32_t n = 0; n < labels_.groups_.size(); ++n) expected += planner.suppressed(n);
+    for (std::size_t n = 0; n < planner.labels().size(); ++n) {
+        const Label& label = planner.labels()[n];
+        if (planner.note(n, standing_[n].look)) ++counts.changed;
+        counts.placed += standing_[n].is_named ? 1 : 0;
+        expected += label.is_seen && label.level == LabelLevel::name ? 1 : 0;
+        shown += label.is_seen && standing_[n].is_named ? 1 : 0;
+    }
+    counts.suppressed = expected > shown ? expected - shown : 0;
+    return counts;
 }
 
 }  // namespace tedavis::display

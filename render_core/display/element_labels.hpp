@@ -2,11 +2,11 @@
 /// and put onto the sheet of every frame where they have room and the eye sees them.
 ///
 ///   start(arena) · set(...) when scene or design has changed · decide(frame) each frame, and at every epoch that a replay passes
-///   over · add_protected(), add_others() onto a sheet
+///   over · a Pass onto the frame's sheet
 ///
 /// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
 /// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
-/// another side, what terrain hides is not drawn, and lets those have its room that gave way to it.
+/// another side, what terrain hides is not drawn, and both leave their room to others.
 ///
 /// Memory  from an arena, once. Thread  the display's.
 #pragma once
@@ -67,14 +67,10 @@ public:
         Inputs(const Inputs&) = default;
         Inputs& operator=(const Inputs&) = default;
     };
-    /// What warns, before all other signs; then, in the room that is left, the others.
-    void add_protected(draw::BillboardSheet& sheet, Inputs& inputs);
-    void add_others(draw::BillboardSheet& sheet, Inputs& inputs);
+    class Pass;
     /// Instead of them in a frame without signs.
     void rest() { planner_.rest(); }
-    /// Of this frame, once: the next one is compared with it.
-    [[nodiscard]] LabelCounts count();
-    /// That were added of an element's layer.
+    /// Signs that the last pass added of an element's layer.
     [[nodiscard]] std::uint32_t drawn(const design::DataElement& element, const scene::Layer& layer) const;
 
 private:
@@ -86,15 +82,43 @@ private:
     class Shapes;
     [[nodiscard]] std::size_t group_of(const design::DataElement& element, const scene::Layer& layer) const;
     [[nodiscard]] bool has_leapt(const LabelFrame& frame);
-    void add(draw::BillboardSheet& sheet, Inputs& inputs, std::size_t label);
-    [[nodiscard]] bool has_its_room(const draw::Label& label) const;
 
     draw::LabelPlanner planner_;
     design::LabelSettings settings_;
     base::FixedVector<Group, draw::kMostLabelGroups> groups_;
-    std::array<draw::BillboardAnswer, draw::LabelPlanner::kMost> answers_{};  ///< of the frame, by label
     base::Time last_now_{0};
     glm::dvec3 last_eye_{0}, last_forward_{0};
+};
+
+/// The labels of a frame onto a sheet that has begun. Room that was decided for what does not stand there, for terrain hides it
+/// or the symbology covers it, is left to those that gave way.
+class ElementLabels::Pass {
+public:
+    /// All must stay.
+    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs);
+    /// What warns, before all other signs; then, in the room that is left, the others.
+    void add_protected();
+    void add_others();
+    /// Of a frame, once: the next one is compared with it.
+    [[nodiscard]] LabelCounts count();
+
+private:
+    struct Standing {
+        std::uint8_t look = 0;  ///< BillboardAnswer::look()
+        bool is_named = false;
+    };
+    [[nodiscard]] Group& group_of(const draw::Label& label) { return labels_.groups_[draw::group_of(label.key)]; }
+    [[nodiscard]] bool is_left(const draw::Rect& box) const;
+    [[nodiscard]] bool find_left_room(const draw::Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
+                                      draw::BillboardWish& wish) const;
+    void add(std::size_t label);
+    void add(std::size_t label, const draw::ElementInput& input);
+
+    ElementLabels& labels_;
+    draw::BillboardSheet& sheet_;
+    Inputs& inputs_;
+    draw::LabelRoom left_;  ///< decided for labels that do not stand there in this frame
+    std::array<Standing, draw::LabelPlanner::kMost> standing_{};
 };
 
 }  // namespace tedavis::display

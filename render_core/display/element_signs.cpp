@@ -45,10 +45,11 @@ void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs)
     sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
                   static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
     LabelInputs inputs(*this, frame);
-    labels_.add_protected(sheet_, inputs);
+    ElementLabels::Pass labels(labels_, sheet_, inputs);
+    labels.add_protected();
     plan_billboards(frame);
-    labels_.add_others(sheet_, inputs);
-    if (!signs.is_of_one_eye) label_counts_ = labels_.count();
+    labels.add_others();
+    if (!signs.is_of_one_eye) label_counts_ = labels.count();
     for (ElementReport& report : reports_) {
         if (report.state != ElementState::shown || !has_labels(*report.element, *report.layer)) continue;
         report.count.drawn = labels_.drawn(*report.element, *report.layer);

@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "platform/clock/monotonic_clock.hpp"
 #include "render_core/display/element_labels.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bench/bench_result.hpp"
@@ -85,7 +85,7 @@ host_sim::SceneDraft country() {
 
 struct Outcome {
     std::vector<double> epochs_ms, frames_ms;  ///< those that decide, and the others
-    std::uint64_t overlaps = 0, astray = 0, changes = 0, worst_second = 0, named = 0, frames = 0;
+    std::uint64_t overlaps = 0, astray = 0, changes = 0, worst_second = 0, calm_seconds = 0, named = 0, frames = 0;
 
     [[nodiscard]] double mean_ms() const {
         double sum = 0;
@@ -97,6 +97,13 @@ struct Outcome {
         return static_cast<double>(changes) * kFrames_hz / static_cast<double>(frames);
     }
 };
+
+/// Of this thread: what others do on the machine does not count.
+double processor_ms() {
+    std::timespec spent{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+    return static_cast<double>(spent.tv_sec) * 1e3 + static_cast<double>(spent.tv_nsec) * 1e-6;
+}
 
 double percentile(std::vector<double> ms, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(ms.size() - 1));
@@ -128,9 +135,9 @@ public:
             const base::Time now = base::Time{} + base::Duration::from_seconds(frame / kFrames_hz);
             const bool decides = frame % static_cast<int>(kFrames_hz / 2) == 0;
             if (decides && !remembers) labels_.forget();
-            const base::Time start = platform::monotonic_now();
+            const double start_ms = processor_ms();
             const display::LabelCounts counts = place(now);
-            const double ms = (platform::monotonic_now() - start).to_seconds() * 1e3;
+            const double ms = processor_ms() - start_ms;
             (decides ? outcome.epochs_ms : outcome.frames_ms).push_back(ms);
             check(outcome);
             outcome.named += counts.placed;
@@ -143,6 +150,7 @@ public:
             for (std::size_t k = n; k < std::min(n + static_cast<std::size_t>(kFrames_hz), changes.size()); ++k)
                 second += changes[k];
             outcome.worst_second = std::max(outcome.worst_second, second);
+            outcome.calm_seconds += second <= kMostChanges ? 1 : 0;
         }
         return outcome;
     }
@@ -166,9 +174,10 @@ private:
     display::LabelCounts place(base::Time now) {
         labels_.decide({ground_, room_.view, {}, {}, now, 16});
         room_.begin();
-        labels_.add_protected(room_.sheet, *this);
-        labels_.add_others(room_.sheet, *this);
-        return labels_.count();
+        display::ElementLabels::Pass pass(labels_, room_.sheet, *this);
+        pass.add_protected();
+        pass.add_others();
+        return pass.count();
     }
 
     /// By the boxes that were claimed, and by every corner that is drawn.
@@ -178,7 +187,9 @@ private:
             for (std::size_t k = 0; k < n; ++k) outcome.overlaps += boxes[n].overlaps(boxes[k]) ? 1 : 0;
         constexpr float kSmoothed_px = 2;
         for (const draw::QuadVertex& vertex : room_.batch.vertices()) {
-            const auto holds = [&](const draw::Rect& box) { return box.shrunk(-kSmoothed_px).contains(draw::Point{vertex.x, vertex.y}); };
+            const auto holds = [&](const draw::Rect& box) {
+                return box.shrunk(-kSmoothed_px).contains(draw::Point{vertex.x, vertex.y});
+            };
             outcome.astray += std::any_of(boxes.begin(), boxes.end(), holds) ? 0 : 1;
         }
     }
@@ -220,8 +231,11 @@ int main(int argc, char** argv) {
     add("placement of 5000: frames that decide, 95 %", percentile(calm.epochs_ms, 0.95), "ms", kTarget_ms, epoch_ms);
     add("overlaps", static_cast<double>(calm.overlaps + calm.astray), "signs", 0, static_cast<double>(nervous.overlaps));
     add("visible changes a second", calm.changes_a_second(), "changes", kMostChanges, nervous.changes_a_second());
-    std::fprintf(stderr, "%llu frames, %.1f names a frame, at most %llu changes in a second (%llu without a memory)\n",
-                 static_cast<unsigned long long>(calm.frames), static_cast<double>(calm.named) / static_cast<double>(calm.frames),
-                 static_cast<unsigned long long>(calm.worst_second), static_cast<unsigned long long>(nervous.worst_second));
+    for (const Outcome* outcome : {&calm, &nervous}) {
+        const auto frames = static_cast<double>(outcome->frames);
+        std::fprintf(stderr, "%s: %.0f frames, %.1f names a frame, %.1f %% of seconds with at most 2 changes, at most %.0f\n",
+                     outcome == &calm ? "as it is" : "without a memory", frames, static_cast<double>(outcome->named) / frames,
+                     100 * static_cast<double>(outcome->calm_seconds) / frames, static_cast<double>(outcome->worst_second));
+    }
     return bench::report(lines, json);
 }

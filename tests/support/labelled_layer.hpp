@@ -42,8 +42,10 @@ inline draw::ElementCount add_labelled(BillboardRoom& room, ElementOfTest& test)
     draw::ElementCount count;
     for (const draw::Label& label : planner.labels()) {
         if (label.level == draw::LabelLevel::none) continue;
-        const draw::BillboardWish wish{label.level == draw::LabelLevel::name, label.side, label.stem};
-        const draw::BillboardAnswer answer = draw::add_billboard(room.sheet, input, draw::feature_of(label.key), wish);
+        const std::uint32_t feature = draw::feature_of(label.key);
+        draw::BillboardShape shape;
+        if (!draw::billboard_shape(input, feature, room.sheet.eye(), label.level == draw::LabelLevel::name, shape)) continue;
+        const draw::BillboardAnswer answer = draw::add_billboard(room.sheet, input, feature, shape, {label.side, label.stem});
         count.drawn += answer.fate == draw::BillboardFate::stands ? 1 : 0;
     }
     count.hidden = input.layer.entry->feature_count - count.drawn;

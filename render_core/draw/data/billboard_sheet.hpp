@@ -62,6 +62,8 @@ public:
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
     /// Whether a box lies within the picture, clear of the symbology, and covers none that is taken.
     [[nodiscard]] bool is_free(const Rect& box) const;
+    /// The same, whatever the symbology draws there.
+    [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
     /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
     [[nodiscard]] bool claim(const Rect& box, const glm::dvec3& place) {
         return is_free(box) && claim_under_symbology(box, place);
@@ -82,7 +84,6 @@ public:
 private:
     /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
     [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view()); }
-    [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
     [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 

@@ -19,16 +19,16 @@ constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + Billbo
 
 class Billboard {
 public:
-    Billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature)
-        : sheet_(sheet), input_(input), feature_(feature) {}
+    Billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature, const BillboardShape& shape)
+        : sheet_(sheet), input_(input), feature_(feature), shape_(shape) {}
 
     BillboardAnswer add(const BillboardWish& wish) {
-        if (!billboard_shape(input_, feature_, sheet_.eye(), wish.with_name, shape_)) return {};
         if (!sheet_.has_room(kMostVertices + kMostLineVertices, kMostLinkVertices)) return {};
         BillboardAnswer answer;
         SignText text = shape_.text;
         answer.fate = BillboardFate::no_room;
         if (!find_room(text, wish, answer)) return answer;
+        answer.room = box(answer).with(answer.side);
         if (!claim(answer)) {
             if (!is_on_the_spot(answer)) answer.fate = BillboardFate::hidden;
             return answer;
@@ -77,9 +77,8 @@ private:
     }
 
     [[nodiscard]] bool claim(const BillboardAnswer& answer) const {
-        const Rect room = box(answer).with(answer.side);
         const glm::dvec3& place = shape_.place.place;
-        return is_on_the_spot(answer) ? sheet_.claim_under_symbology(room, place) : sheet_.claim(room, place);
+        return is_on_the_spot(answer) ? sheet_.claim_under_symbology(answer.room, place) : sheet_.claim(answer.room, place);
     }
 
     void add_link() const {
@@ -125,8 +124,8 @@ private:
 }  // namespace
 
 BillboardAnswer add_billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature,
-                              const BillboardWish& wish) {
-    return Billboard(sheet, input, feature).add(wish);
+                              const BillboardShape& shape, const BillboardWish& wish) {
+    return Billboard(sheet, input, feature, shape).add(wish);
 }
 
 }  // namespace tedavis::draw

@@ -8,7 +8,7 @@
 /// with its limits alone), then it is hidden; so is what terrain stands before. Obstacles have no longer stems, which would read
 /// as their heights: after their names they lose the stem, and stand on the spot, under the symbology. Stems are thin and grey.
 ///
-/// Pure but for the ground that is asked: at most once for the place and once for the link. Bounded.
+/// Pure but for the ground that is asked, once for the link. Bounded.
 #pragma once
 
 #include "render_core/draw/data/billboard_shape.hpp"
@@ -16,8 +16,8 @@
 
 namespace tedavis::draw {
 
+/// Where it should stand, if it has room there.
 struct BillboardWish {
-    bool with_name = true;
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
 };
@@ -32,6 +32,7 @@ struct BillboardAnswer {
     BillboardFate fate = BillboardFate::nowhere;
     SignSide side = SignSide::none;  ///< none: without a name
     std::uint8_t stem = 0;           ///< number of its length; kSignStems: on the spot
+    Rect room{};                     ///< that it takes, or would take if it were not hidden
 
     /// Tells looks apart; 0: it does not stand.
     [[nodiscard]] std::uint8_t look() const {
@@ -39,7 +40,8 @@ struct BillboardAnswer {
     }
 };
 
+/// `shape`: of this feature in the sheet's view, with the name that it is to have.
 [[nodiscard]] BillboardAnswer add_billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature,
-                                            const BillboardWish& wish);
+                                            const BillboardShape& shape, const BillboardWish& wish);
 
 }  // namespace tedavis::draw

@@ -49,7 +49,7 @@ double DegreeOfInterest::of(std::uint32_t feature, double distance_m) const {
         sum += weighs * criterion;
         weight += weighs;
     };
-    add(weights_.distance, distance(distance_m));
+    add(weights_.distance, nearness(distance_m));
     add(weights_.relevance, relevance_);
     if (population_ != nullptr || kind_ != nullptr) add(weights_.population, population(feature));
     if (height_ != nullptr) add(weights_.height, share(value_of(*height_, feature), double{height_->entry->maximum}));
@@ -57,7 +57,7 @@ double DegreeOfInterest::of(std::uint32_t feature, double distance_m) const {
     return weight > 0 ? sum / weight : 0;
 }
 
-double DegreeOfInterest::distance(double distance_m) const {
+double DegreeOfInterest::nearness(double distance_m) {
     return std::clamp(1 - std::log1p(distance_m / kNear_m) / std::log1p(kFarthestBillboard_m / kNear_m), 0.0, 1.0);
 }
 

@@ -29,8 +29,10 @@ public:
     /// `distance_m`: BillboardSheet::seen_distance_m().
     [[nodiscard]] double of(std::uint32_t feature, double distance_m) const;
 
+    /// The first criterion.
+    [[nodiscard]] static double nearness(double distance_m);
+
 private:
-    [[nodiscard]] double distance(double distance_m) const;
     [[nodiscard]] double population(std::uint32_t feature) const;
 
     const design::LabelWeights& weights_;

@@ -64,6 +64,7 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
     const DegreeOfInterest interest(input.layer, settings);
     const double widest = widest_cosine(view.view);
     const Reach reach(view);
+    const bool warns = is_protected(input.layer);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         scene::ScenePoint anchor;
         if (!anchor_of(input, feature, anchor) || !reach.may_hold(anchor)) continue;
@@ -72,7 +73,8 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
         const double length_m = glm::length(from_eye), distance_m = view.seen_distance_m(length_m);
         if (!(distance_m <= kFarthestBillboard_m)) continue;
         if (glm::dot(from_eye, view.view.forward) <= widest * length_m - kBehind_m) continue;
-        planner.offer(label_key(group, feature), interest.of(feature, distance_m));
+        const double degree = interest.of(feature, distance_m);
+        planner.offer(label_key(group, feature), degree, warns ? DegreeOfInterest::nearness(distance_m) : degree);
     }
 }
 

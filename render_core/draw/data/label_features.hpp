@@ -2,7 +2,8 @@
 /// away as 60 degrees of view would show them, that lie ahead, or so little beside the picture that they may be in it before the
 /// next epoch. Of layers without roles that warn, `detail` is the share of the features that have their names, those of the
 /// highest interest; places without one are left out, and so are more than kMostPlaces * detail of them. Obstacles, no-go areas,
-/// airspaces and storms have their icons whatever their interest, and their names likewise by `detail`.
+/// airspaces and storms have their icons whatever their interest, and their names likewise by `detail`; of them the nearest come
+/// first.
 ///
 /// Pure but for the ground that is asked, once a shape. Bounded by the features.
 #pragma once

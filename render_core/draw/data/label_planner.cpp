@@ -13,8 +13,6 @@ constexpr std::uint8_t kOldest = 255;
 
 bool has_smaller_key(const Label& a, const Label& b) { return a.key < b.key; }
 
-Rect grown(const Rect& box, float by) { return box.shrunk(-by); }
-
 bool looks_alike(const Label& a, const Label& b) {
     return a.level == b.level && (a.level != LabelLevel::name || (a.side == b.side && a.stem == b.stem));
 }
@@ -71,12 +69,12 @@ bool LabelPlanner::comes_first(const Candidate& a, const Candidate& b) const {
 }
 
 /// A heap with the last one on top: a better one takes its place.
-void LabelPlanner::offer(LabelKey key, double interest) {
-    if (group_of(key) >= groups_.size() || !std::isfinite(interest)) return;
+void LabelPlanner::offer(LabelKey key, double interest, double rank) {
+    if (group_of(key) >= groups_.size() || !std::isfinite(interest) || !std::isfinite(rank)) return;
     ++offered_[group_of(key)];
     const Label* const before = held(key);
     const bool stands = !is_first_ && before != nullptr && before->level != LabelLevel::none;
-    const Candidate candidate{key, static_cast<float>(interest + (stands ? kHeldBonus : 0)), static_cast<float>(interest)};
+    const Candidate candidate{key, static_cast<float>(rank + (stands ? kHeldBonus : 0)), static_cast<float>(interest)};
     const auto first_of = [this](const Candidate& a, const Candidate& b) { return comes_first(a, b); };
     Candidate* const all = candidates_.data();
     if (candidate_count_ == kMost) {
@@ -97,7 +95,7 @@ void LabelPlanner::settle(LabelShapes& shapes) {
         const LabelShape shape = shapes.shape(all[n].key);
         const Label label = decide(all[n], shape, taken);
         const bool takes_room = label.is_seen && label.level != LabelLevel::none;
-        taken.take(takes_room ? room_of(label, shape.box) : Rect{});
+        if (takes_room) taken.take(room_of(label, shape.box));
         if (label.is_seen && shape.box.name_width_px > 0 && label.level != LabelLevel::name) ++suppressed_[group_of(label.key)];
         if (takes_room) ++shown_[group_of(label.key)];
         labels_[count_++] = label;
@@ -149,9 +147,9 @@ Rect LabelPlanner::room_of(const Label& label, const SignBox& box) const {
     return label.level == LabelLevel::name ? box.raised(label.stem, epoch_.text_px).with(label.side) : box.with(SignSide::none);
 }
 
-bool LabelPlanner::has_room(const Label& label, const SignBox& box, const LabelRoom& taken, float margin_px) const {
+bool LabelPlanner::has_room(const Label& label, const SignBox& box, const LabelRoom& taken, bool stands) const {
     const Rect room = room_of(label, box);
-    return epoch_.screen.contains(room) && taken.in_the_way(grown(room, margin_px)) == Label::kNobody;
+    return epoch_.screen.contains(room) && taken.is_free(stands ? room : with_margin(room, epoch_.text_px));
 }
 
 /// Of the name: where it stands, as long as there is room.
@@ -160,12 +158,12 @@ bool LabelPlanner::find_side(Label& label, const Label* before, const LabelShape
     if (before != nullptr && before->level == LabelLevel::name) {
         label.side = before->side;
         label.stem = before->stem;
-        if (has_room(label, shape.box, taken, 0)) return true;
+        if (has_room(label, shape.box, taken, true)) return true;
     }
     for (label.stem = 0; label.stem < shape.stems; ++label.stem)
         for (const SignSide side : kNameSides) {
             label.side = side;
-            if (has_room(label, shape.box, taken, kMargin * epoch_.text_px)) return true;
+            if (has_room(label, shape.box, taken, false)) return true;
         }
     return false;
 }
@@ -174,18 +172,12 @@ bool LabelPlanner::find_side(Label& label, const Label* before, const LabelShape
 Label LabelPlanner::fit(const Label& asked, const Label* before, const LabelShape& shape, const LabelRoom& taken) const {
     const bool stands = before != nullptr && before->level != LabelLevel::none;
     Label fitted = asked;
-    if (asked.wanted == LabelLevel::name) {
-        if (find_side(fitted, before, shape, taken)) return fitted;
-        fitted.side = SignSide::right;
-        fitted.stem = 0;
-        fitted.blocker = taken.in_the_way(room_of(fitted, shape.box));
-    }
-    fitted.level = LabelLevel::none;
+    if (asked.wanted == LabelLevel::name && find_side(fitted, before, shape, taken)) return fitted;
+    fitted = asked;
     if (asked.wanted == LabelLevel::none) return fitted;
     fitted.level = LabelLevel::marker;
-    if (has_room(fitted, shape.box, taken, stands ? 0 : kMargin * epoch_.text_px)) return fitted;
-    fitted.blocker = taken.in_the_way(room_of(fitted, shape.box));
-    if (!groups_[group_of(asked.key)].is_protected) fitted.level = LabelLevel::none;
+    const bool is_protected = groups_[group_of(asked.key)].is_protected;
+    if (!is_protected && !has_room(fitted, shape.box, taken, stands)) fitted.level = LabelLevel::none;
     return fitted;
 }
 
@@ -227,8 +219,7 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
         // Only what nobody may miss is there at once; its name waits like all others.
         const bool is_protected = groups_[group_of(asked.key)].is_protected, is_new = kept.level == LabelLevel::none;
         if (is_protected && is_new) return next.level = LabelLevel::marker, next;
-        if (is_new || has_room(kept, shape.box, taken, 0))
-            return kept.blocker = kept.level < kept.wanted ? next.blocker : Label::kNobody, kept;
+        if (is_new || has_room(kept, shape.box, taken, true)) return kept;
     }
     changes_left_ = std::max(changes_left_ - 1, -kMostDebt_s * settings_.most_changes);
     return next;

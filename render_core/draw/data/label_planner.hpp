@@ -1,12 +1,12 @@
 /// Which signs have a marker and a name, on which side, decided anew at every epoch of the source's time and kept between them:
-/// of all that are offered those of the highest interest, without overlaps, and calmly.
+/// of all that are offered those of the highest rank, without overlaps, and calmly.
 ///
 ///   start(arena) · each epoch: begin(epoch, ...), add_group() and offer() for all features, settle(shapes) · labels()
 ///
-/// Those that nobody may miss (is_protected) come first, then those of higher interest; who stands already counts kHeldBonus
-/// more, and keeps level and side for the dwell time as long as there is room. What would overlap by then leaves at once; all
-/// other changes in view spend of a number a second, and wait where it is spent. New places need kMargin of room round them, so
-/// that the way between two epochs seldom brings two labels together. Markers of protected features neither wait nor leave.
+/// Those that nobody may miss (is_protected) come first, then those of higher rank; who stands already counts kHeldBonus more,
+/// and keeps level and side for the dwell time as long as there is room. What would overlap by then leaves at once; all other
+/// changes in view spend of a number a second, and wait where it is spent. New places need kMargin of room round them, so that
+/// the way between two epochs seldom brings two labels together. Markers of protected features neither wait nor leave.
 ///
 /// What is decided is a function of what was offered, in any order, and of the labels before: who replays a flight brings these
 /// along (keep(), restore()), or begins at its start. Work is bounded by kMost, whatever is offered; what is not among the best
@@ -40,12 +40,9 @@ inline constexpr std::uint32_t kMostLabelGroups = 32, kLabelFeatureBits = 24;
 
 /// Order is rank: of two the first has the room.
 struct Label {
-    static constexpr std::uint8_t kNobody = 0xff;
-
     LabelKey key = 0;
-    std::uint8_t blocker = kNobody;  ///< the label (by its place in the list) whose room it would need for `wanted`
     LabelLevel level = LabelLevel::none;
-    LabelLevel wanted = LabelLevel::none;
+    LabelLevel wanted = LabelLevel::none;  ///< more than its level where it has no room, or waits
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
     std::uint8_t age = 0;   ///< epochs since its last change, as far as a byte counts
@@ -56,7 +53,7 @@ struct Label {
 /// How a group's features are labelled.
 struct LabelGroup {
     bool is_protected = false;  ///< has its markers whatever its interest
-    double named_share = 1;     ///< of the offered ones: those of the highest interest may have names
+    double named_share = 1;     ///< of the offered ones: those of the highest rank may have names
     bool only_named = false;    ///< the others have no marker either
     double most = 1e9;          ///< so many of such a group at most
 };
@@ -93,7 +90,7 @@ public:
     static constexpr base::Duration kEpoch = base::Duration::milliseconds(500);
     static constexpr std::int64_t kMostGap = 4;
     static constexpr double kHeldBonus = 0.04;
-    static constexpr float kMargin = 0.5f;  ///< of the text's size
+    static constexpr float kMargin = 0.3f;  ///< of the text's size
     [[nodiscard]] static std::int64_t epoch_of(base::Time now);
 
     [[nodiscard]] bool start(base::Arena& arena);
@@ -108,9 +105,11 @@ public:
     void begin(const LabelEpoch& epoch, const design::LabelSettings& settings);
     /// The groups in their order; a number beyond kMostLabelGroups is refused.
     [[nodiscard]] bool add_group(const LabelGroup& group);
-    /// `interest` 0..1; what is no number is left out.
-    void offer(LabelKey key, double interest);
+    /// Both 0..1: `interest` decides on marker and name, `rank` on who comes first; what is no number is left out.
+    void offer(LabelKey key, double interest, double rank);
     void settle(LabelShapes& shapes);
+    /// Round what is placed anew, so that the way between two epochs seldom brings two labels together.
+    [[nodiscard]] static Rect with_margin(const Rect& box, float text_px) { return box.shrunk(-kMargin * text_px); }
 
     [[nodiscard]] base::Span<const Label> labels() const { return {labels_.data(), has_memory_ ? count_ : 0}; }
     /// Features of a group in view that have a name which is not shown; of those that are not among the best kMost all that are
@@ -137,7 +136,7 @@ private:
     [[nodiscard]] Label decide(const Candidate& candidate, const LabelShape& shape, const LabelRoom& taken);
     [[nodiscard]] Label fit(const Label& asked, const Label* before, const LabelShape& shape, const LabelRoom& taken) const;
     [[nodiscard]] bool find_side(Label& label, const Label* before, const LabelShape& shape, const LabelRoom& taken) const;
-    [[nodiscard]] bool has_room(const Label& label, const SignBox& box, const LabelRoom& taken, float margin_px) const;
+    [[nodiscard]] bool has_room(const Label& label, const SignBox& box, const LabelRoom& taken, bool stands) const;
     [[nodiscard]] Rect room_of(const Label& label, const SignBox& box) const;
     [[nodiscard]] bool may_change(const Label* before) const;
     [[nodiscard]] Label before_now(const Label& asked, const Label* before) const;

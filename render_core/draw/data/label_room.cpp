@@ -14,25 +14,22 @@ LabelRoom::Parts LabelRoom::parts_of(const Rect& box) const {
 
 void LabelRoom::take(const Rect& box) {
     if (count_ == kMost) return;
-    boxes_[count_] = box;
-    if (!box.empty()) {
-        const Parts parts = parts_of(box);
-        for (int y = parts.top; y <= parts.bottom; ++y)
-            for (int x = parts.left; x <= parts.right; ++x)
-                sets_[static_cast<std::size_t>(y * kParts + x)][count_ / 64] |= std::uint64_t{1} << count_ % 64;
-    }
-    ++count_;
+    const Parts parts = parts_of(box);
+    for (int y = parts.top; y <= parts.bottom; ++y)
+        for (int x = parts.left; x <= parts.right; ++x)
+            sets_[static_cast<std::size_t>(y * kParts + x)][count_ / 64] |= std::uint64_t{1} << count_ % 64;
+    boxes_[count_++] = box;
 }
 
-std::uint8_t LabelRoom::in_the_way(const Rect& box) const {
+bool LabelRoom::is_free(const Rect& box) const {
     Set near{};
     const Parts parts = parts_of(box);
     for (int y = parts.top; y <= parts.bottom; ++y)
         for (int x = parts.left; x <= parts.right; ++x)
             for (std::size_t n = 0; n < near.size(); ++n) near[n] |= sets_[static_cast<std::size_t>(y * kParts + x)][n];
     for (std::size_t n = 0; n < count_; ++n)
-        if ((near[n / 64] >> n % 64 & 1u) != 0 && boxes_[n].overlaps(box)) return static_cast<std::uint8_t>(n);
-    return kNobody;
+        if ((near[n / 64] >> n % 64 & 1u) != 0 && boxes_[n].overlaps(box)) return false;
+    return true;
 }
 
 }  // namespace tedavis::draw

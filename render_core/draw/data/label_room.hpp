@@ -1,4 +1,4 @@
-/// Which room in the picture labels have taken: boxes in the order in which they come, found by the part of the screen in which
+/// Which room in the picture labels have taken: boxes, found by the part of the screen in which
 /// they lie. Exact. Memory  its own 12 KiB, for the time of a decision. Pure; any thread.
 #pragma once
 
@@ -12,13 +12,13 @@ namespace tedavis::draw {
 class LabelRoom {
 public:
     static constexpr std::size_t kMost = 255;
-    static constexpr std::uint8_t kNobody = 0xff;
 
     explicit LabelRoom(const Rect& screen) : screen_(screen) {}
-    /// An empty box takes nothing, but counts. Beyond kMost it is refused.
+    /// Beyond kMost it is refused.
     void take(const Rect& box);
-    /// The first box that overlaps this one; kNobody where it is clear of all.
-    [[nodiscard]] std::uint8_t in_the_way(const Rect& box) const;
+    /// Whether a box is clear of all.
+    [[nodiscard]] bool is_free(const Rect& box) const;
+    [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
 private:
     static constexpr int kParts = 16;

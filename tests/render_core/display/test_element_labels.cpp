@@ -49,9 +49,10 @@ public:
         room.view = turned.view;
         room.begin();
         decide(now_s, time);
-        labels.add_protected(room.sheet, *this);
-        labels.add_others(room.sheet, *this);
-        return labels.count();
+        ElementLabels::Pass pass(labels, room.sheet, *this);
+        pass.add_protected();
+        pass.add_others();
+        return pass.count();
     }
     void decide(double now_s, flight::FlightTime time = {}) {
         labels.decide({ground_, room.view, {}, time, base::Time{} + base::Duration::from_seconds(now_s), 16});
@@ -161,7 +162,7 @@ TEST(ElementLabels, WhatIsOutOfDateIsNotOffered) {
     time.is_date = true;
     EXPECT_EQ(shown.frame(10, 0, time).placed, 2u);
     time.is_date = false;
-    EXPECT_EQ(shown.frame(12, 0, time).placed, 5u) << "nobody knows the time";
+    EXPECT_EQ(shown.frame(20, 0, time).placed, 5u) << "nobody knows the time";
 }
 
 TEST(ElementLabels, OnlyIconsAndNamesOfTheSceneAreLabels) {

@@ -41,6 +41,30 @@ TEST(LabelFeatures, WhatMayBeInThePictureIsOffered) {
         << "a little beside the picture, for it may turn; not far beside it, behind it or too far away";
 }
 
+/// The tall one far behind is of more interest, but it must not hide the near one.
+TEST(LabelFeatures, OfWhatWarnsTheNearestComesFirst) {
+    host_sim::LayerDraft masts =
+        layer_of({BillboardRoom::point(9000, 0, 1000), BillboardRoom::point(3000, 5, 1000)}, scene::LayerRole::obstacle);
+    host_sim::AttributeDraft height;
+    height.name = "height";
+    height.of = scene::AttributeOf::feature;
+    height.values = {300, 10};
+    masts.attributes = {height};
+    for (const scene::LayerRole role : {scene::LayerRole::obstacle, scene::LayerRole::sample}) {
+        masts.role = role;
+        ElementOfTest test(masts);
+        const BillboardRoom room;
+        std::vector<unsigned char> block(1u << 16);
+        base::Arena arena(block.data(), block.size());
+        LabelPlanner planner;
+        ASSERT_TRUE(planner.start(arena));
+        const ElementInput input = test.input();
+        test_support::decide_labels(planner, input, room.sheet.eye());
+        ASSERT_EQ(planner.labels().size(), 2u);
+        EXPECT_EQ(feature_of(planner.labels()[0].key), role == scene::LayerRole::obstacle ? 1u : 0u);
+    }
+}
+
 TEST(LabelFeatures, WhatWarnsIsProtected) {
     using scene::LayerRole;
     for (const LayerRole role : {LayerRole::obstacle, LayerRole::no_go, LayerRole::airspace, LayerRole::storm_cell}) {

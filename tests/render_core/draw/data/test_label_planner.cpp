@@ -54,7 +54,7 @@ public:
         epoch_ = epoch;
         planner.begin({epoch, kScreen, kText_px}, settings);
         for (const LabelGroup& group : groups_) EXPECT_TRUE(planner.add_group(group));
-        for (const Feature& feature : features) planner.offer(feature.key, feature.interest);
+        for (const Feature& feature : features) planner.offer(feature.key, feature.interest, feature.interest);
         Shapes shapes(features);
         planner.settle(shapes);
     }
@@ -79,7 +79,7 @@ bool are_equal(const LabelPlanner& a, const LabelPlanner& b) {
     for (std::size_t n = 0; n < first.size(); ++n) {
         const Label &x = first[n], &y = second[n];
         if (x.key != y.key || x.level != y.level || x.wanted != y.wanted || x.side != y.side || x.stem != y.stem ||
-            x.blocker != y.blocker || x.age != y.age || x.is_seen != y.is_seen)
+            x.age != y.age || x.is_seen != y.is_seen)
             return false;
     }
     return true;
@@ -241,17 +241,6 @@ TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
     EXPECT_EQ(LabelPlanner::epoch_of({-1}), -1);
     EXPECT_EQ(LabelPlanner::epoch_of({499'999'999}), 0);
     EXPECT_EQ(LabelPlanner::epoch_of({500'000'000}), 1);
-}
-
-TEST(LabelPlanner, WhoGivesWayKnowsForWhom) {
-    Plan plan;
-    Feature first{1, 0.9, {500, 300}, 80, true, 1}, second{2, 0.8, {505, 305}, 80, true, 1};
-    plan.decide({first, second});
-    EXPECT_EQ(plan.of(2).wanted, LabelLevel::name);
-    EXPECT_LT(plan.of(2).level, LabelLevel::name);
-    ASSERT_EQ(plan.of(2).blocker, 0u);
-    EXPECT_EQ(plan.planner.labels()[plan.of(2).blocker].key, 1u);
-    EXPECT_EQ(plan.of(1).blocker, Label::kNobody);
 }
 
 TEST(LabelPlanner, LooksAreComparedWithTheFrameBefore) {
