@@ -86,7 +86,8 @@ void FrameApproach::reach_labels(base::Time time) {
     const std::int64_t wanted = std::max(draw::LabelPlanner::epoch_of(time), first);
     const auto after = labels_.upper_bound(wanted);
     const std::int64_t known = after == labels_.begin() ? first - 1 : std::prev(after)->first;
-    if (!label_epoch_ || wanted < *label_epoch_ || *label_epoch_ < known) {
+    // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
+    if (!label_epoch_ || wanted < *label_epoch_ || *label_epoch_ + kKeptEpochs < known) {
         display_.labels().restore(known < first ? draw::LabelMemory() : std::prev(after)->second);
         label_epoch_ = known;
     }

@@ -44,7 +44,7 @@ void Display::plan_signs(const Eye& eye, SignFrame signs) {
 /// Nothing of a picture without terrain.
 void Display::decide_labels() {
     if (!elements_.is_started()) return;
-    if (!decisions_.show_terrain) return elements_.labels().forget();
+    if (!decisions_.show_terrain) return elements_.labels().skip(record_.time);
     TerrainGround ground(terrain_, eye_.view);
     elements_.decide_labels(element_frame(ground, eye_.view, nullptr),
                             text_px(context(), settings_.width_px, settings_.height_px));

@@ -107,6 +107,13 @@ void ElementLabels::decide(const LabelFrame& frame) {
 
 void ElementLabels::restore(const draw::LabelMemory& memory) { planner_.restore(memory); }
 
+void ElementLabels::skip(base::Time now) {
+    last_now_ = now;
+    last_forward_ = glm::dvec3(0);
+    const std::int64_t epoch = draw::LabelPlanner::epoch_of(now);
+    if (planner_.is_due(epoch)) planner_.skip(epoch);
+}
+
 std::size_t ElementLabels::group_of(const design::DataElement& element, const scene::Layer& layer) const {
     std::size_t n = 0;
     while (n < groups_.size() && (groups_[n].element != &element || groups_[n].layer != &layer)) ++n;

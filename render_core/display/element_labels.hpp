@@ -50,7 +50,8 @@ public:
     [[nodiscard]] bool is_any() const { return !groups_.empty(); }
 
     void decide(const LabelFrame& frame);
-    void forget() { planner_.forget(); }
+    /// Instead of it in a frame without a place to stand: until the next epoch there are none.
+    void skip(base::Time now);
     /// Labels of an element's layer that the epoch leaves out.
     [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
     void keep(draw::LabelMemory& memory) const { planner_.keep(memory); }

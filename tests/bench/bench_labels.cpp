@@ -129,12 +129,11 @@ public:
     Outcome fly(double minutes, bool remembers) {
         Outcome outcome;
         std::vector<std::uint64_t> changes;
-        labels_.forget();
         for (int frame = 0; frame < minutes * 60 * kFrames_hz; ++frame) {
             look(frame / kFrames_hz);
             const base::Time now = base::Time{} + base::Duration::from_seconds(frame / kFrames_hz);
             const bool decides = frame % static_cast<int>(kFrames_hz / 2) == 0;
-            if (decides && !remembers) labels_.forget();
+            if (decides && !remembers) forget();
             const double start_ms = processor_ms();
             const display::LabelCounts counts = place(now);
             const double ms = processor_ms() - start_ms;
@@ -178,6 +177,14 @@ private:
         pass.add_protected();
         pass.add_others();
         return pass.count();
+    }
+
+    /// All but what the frame before showed.
+    void forget() {
+        draw::LabelMemory memory;
+        labels_.keep(memory);
+        memory.has_memory = false;
+        labels_.restore(memory);
     }
 
     /// By the boxes that were claimed, and by every corner that is drawn.

@@ -38,7 +38,7 @@ void LabelPlanner::rest() {
 
 void LabelPlanner::begin(const LabelEpoch& epoch, const design::LabelSettings& settings) {
     const std::int64_t elapsed = epoch.number - epoch_.number;
-    is_first_ = !has_memory_ || elapsed < 1 || elapsed > kMostGap;
+    is_first_ = !has_memory_ || was_skipped_ || elapsed < 1 || elapsed > kMostGap;
     elapsed_ = static_cast<std::uint8_t>(is_first_ ? 1 : elapsed);
     epoch_ = epoch;
     settings_ = settings;
@@ -50,6 +50,14 @@ void LabelPlanner::begin(const LabelEpoch& epoch, const design::LabelSettings& s
     groups_.clear();
     offered_ = visited_ = shown_ = suppressed_ = {};
     count_ = candidate_count_ = 0;
+}
+
+void LabelPlanner::skip(std::int64_t epoch) {
+    epoch_.number = epoch;
+    for (std::size_t n = 0; n < count_; ++n) gone_ += labels_[n].look != 0 ? 1 : 0;
+    count_ = 0;
+    suppressed_ = {};
+    has_memory_ = was_skipped_ = true;
 }
 
 bool LabelPlanner::add_group(const LabelGroup& group) { return groups_.try_push_back(group); }
@@ -101,6 +109,7 @@ void LabelPlanner::settle(LabelShapes& shapes) {
         labels_[count_++] = label;
     }
     has_memory_ = true;
+    was_skipped_ = false;
     count_gone();
 }
 
@@ -230,6 +239,7 @@ void LabelPlanner::keep(LabelMemory& memory) const {
     memory.changes_left = changes_left_;
     memory.suppressed = suppressed_;
     memory.has_memory = has_memory_;
+    memory.was_skipped = was_skipped_;
     memory.labels.clear();
     for (const Label& label : labels()) static_cast<void>(memory.labels.try_push_back(label));
 }
@@ -239,6 +249,7 @@ void LabelPlanner::restore(const LabelMemory& memory) {
     changes_left_ = memory.changes_left;
     suppressed_ = memory.suppressed;
     has_memory_ = memory.has_memory;
+    was_skipped_ = memory.was_skipped;
     gone_ = 0;
     count_ = memory.labels.size();
     std::copy_n(memory.labels.data(), count_, labels_.data());

@@ -101,6 +101,8 @@ public:
     /// Whether this epoch is still to be decided.
     [[nodiscard]] bool is_due(std::int64_t epoch) const { return !has_memory_ || epoch != epoch_.number; }
 
+    /// An epoch without labels; the next one places all at once.
+    void skip(std::int64_t epoch);
     /// An epoch that is not one of the next kMostGap forgets what stood.
     void begin(const LabelEpoch& epoch, const design::LabelSettings& settings);
     /// The groups in their order; a number beyond kMostLabelGroups is refused.
@@ -152,7 +154,7 @@ private:
     double changes_left_ = 0;
     std::uint32_t gone_ = 0;
     std::uint8_t elapsed_ = 1;  ///< epochs since the one before
-    bool has_memory_ = false, is_first_ = true;
+    bool has_memory_ = false, was_skipped_ = false, is_first_ = true;
 };
 
 /// All that one epoch leaves to the next. Plain data.
@@ -160,7 +162,7 @@ struct LabelMemory {
     std::int64_t epoch = 0;
     double changes_left = 0;
     std::array<std::uint32_t, kMostLabelGroups> suppressed{};
-    bool has_memory = false;
+    bool has_memory = false, was_skipped = false;
     base::FixedVector<Label, LabelPlanner::kMost> labels;
 };
 

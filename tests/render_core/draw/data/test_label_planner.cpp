@@ -238,6 +238,11 @@ TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
     plan.decide({many[0]}, 101);
     plan.decide(many, 50);
     EXPECT_EQ(named(), 20) << "backwards";
+    plan.planner.skip(51);
+    EXPECT_TRUE(plan.planner.labels().empty());
+    EXPECT_FALSE(plan.planner.is_due(51));
+    plan.decide(many, 52);
+    EXPECT_EQ(named(), 20) << "after an epoch without labels";
     EXPECT_EQ(LabelPlanner::epoch_of({-1}), -1);
     EXPECT_EQ(LabelPlanner::epoch_of({499'999'999}), 0);
     EXPECT_EQ(LabelPlanner::epoch_of({500'000'000}), 1);
