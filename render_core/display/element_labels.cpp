@@ -15,6 +15,10 @@ namespace {
 /// That it may be shown at: what stands may have to wait until it goes.
 LabelLevel most_of(const Label& label) { return std::max(label.level, label.wanted); }
 
+draw::Rect screen_of(const terrain::View& view) {
+    return {0, 0, static_cast<float>(view.width), static_cast<float>(view.height)};
+}
+
 /// As it was decided, where it stands now.
 draw::Rect room_of(const Label& label, const draw::BillboardShape& shape) {
     return label.level == LabelLevel::name ? shape.box.raised(label.stem, shape.text_px).with(label.side)
@@ -94,8 +98,7 @@ void ElementLabels::decide(const LabelFrame& frame) {
     if (has_leapt(frame)) planner_.forget();
     const std::int64_t epoch = draw::LabelPlanner::epoch_of(frame.now);
     if (!planner_.is_due(epoch)) return;
-    const draw::Rect screen{0, 0, static_cast<float>(frame.view.width), static_cast<float>(frame.view.height)};
-    planner_.begin({epoch, screen, static_cast<float>(frame.text_px)}, settings_);
+    planner_.begin({epoch, screen_of(frame.view), static_cast<float>(frame.text_px)}, settings_);
     Shapes shapes(*this, frame);
     for (std::uint32_t n = 0; n < groups_.size(); ++n) {
         const draw::ElementInput input = shapes.input(n);
@@ -130,10 +133,7 @@ std::uint32_t ElementLabels::suppressed(const design::DataElement& element, cons
 }
 
 ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs)
-    : labels_(labels),
-      sheet_(sheet),
-      inputs_(inputs),
-      left_({0, 0, static_cast<float>(sheet.view().width), static_cast<float>(sheet.view().height)}) {
+    : labels_(labels), sheet_(sheet), inputs_(inputs), markers_(screen_of(sheet.view())), left_(screen_of(sheet.view())) {
     for (Group& group : labels.groups_) group.drawn = 0;
 }
 
@@ -168,7 +168,7 @@ void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input) {
     const LabelLevel most = most_of(label);
     if (!draw::billboard_shape(input, feature, sheet_.eye(), most == LabelLevel::name, shape)) return;
     const draw::Rect decided = room_of(label, shape);
-    draw::BillboardWish wish{label.side, label.stem};
+    draw::BillboardWish wish{label.side, label.stem, n < protected_ ? &markers_ : nullptr, n};
     LabelLevel level = label.level;
     if (!left_.is_empty() && label.wanted == LabelLevel::name && find_left_room(label, shape, input.layer, wish))
         level = LabelLevel::name;
@@ -183,18 +183,30 @@ void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input) {
     standing_[n] = {answer.look(), level == LabelLevel::name && answer.side != draw::SignSide::none};
 }
 
+/// Nothing where it is not shown.
+draw::Rect ElementLabels::Pass::marker_room(std::size_t n) {
+    const Label& label = labels_.planner_.labels()[n];
+    const Group& group = group_of(label);
+    const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
+    draw::BillboardShape shape;
+    const bool is_shown =
+        input != nullptr && draw::billboard_shape(*input, draw::feature_of(label.key), sheet_.eye(), false, shape);
+    return is_shown ? shape.box.with(draw::SignSide::none) : draw::Rect{};
+}
+
 void ElementLabels::Pass::add_protected() {
-    for (std::size_t n = 0; n < labels_.planner_.labels().size(); ++n)
-        if (draw::is_protected(*group_of(labels_.planner_.labels()[n]).layer)) add(n);
+    const base::Span<const Label> labels = labels_.planner_.labels();
+    for (; protected_ < labels.size() && draw::is_protected(*group_of(labels[protected_]).layer); ++protected_)
+        markers_.take(marker_room(protected_));
+    for (std::size_t n = 0; n < protected_; ++n) add(n);
 }
 
 /// Those that gave way come last: they must not take the room of what stands where it was placed.
 void ElementLabels::Pass::add_others() {
+    const base::Span<const Label> labels = labels_.planner_.labels();
     for (const bool gave_way : {false, true})
-        for (std::size_t n = 0; n < labels_.planner_.labels().size(); ++n) {
-            const Label& label = labels_.planner_.labels()[n];
-            if (!draw::is_protected(*group_of(label).layer) && (label.level < label.wanted) == gave_way) add(n);
-        }
+        for (std::size_t n = protected_; n < labels.size(); ++n)
+            if ((labels[n].level < labels[n].wanted) == gave_way) add(n);
 }
 
 LabelCounts ElementLabels::Pass::count() {

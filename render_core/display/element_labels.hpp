@@ -112,13 +112,16 @@ private:
     [[nodiscard]] bool is_left(const draw::Rect& box) const;
     [[nodiscard]] bool find_left_room(const draw::Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
                                       draw::BillboardWish& wish) const;
+    [[nodiscard]] draw::Rect marker_room(std::size_t label);
     void add(std::size_t label);
     void add(std::size_t label, const draw::ElementInput& input);
 
     ElementLabels& labels_;
     draw::BillboardSheet& sheet_;
     Inputs& inputs_;
-    draw::LabelRoom left_;  ///< decided for labels that do not stand there in this frame
+    std::size_t protected_ = 0;  ///< labels, which come first
+    draw::LabelRoom markers_;    ///< of them: their names leave it free
+    draw::LabelRoom left_;       ///< decided for labels that do not stand there in this frame
     std::array<Standing, draw::LabelPlanner::kMost> standing_{};
 };
 

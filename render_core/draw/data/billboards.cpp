@@ -54,13 +54,17 @@ private:
         answer.stem = stem;
         return sheet_.is_free(box(answer).with(side));
     }
+    [[nodiscard]] bool has_room(const BillboardWish& wish, SignSide side, std::uint8_t stem, BillboardAnswer& answer) const {
+        if (!has_room(side, stem, answer)) return false;
+        return wish.kept_clear == nullptr || wish.kept_clear->is_free(box(answer).with(side), wish.own);
+    }
 
     /// True where the whole text has room: first where it is wished for.
     [[nodiscard]] bool find_side(const BillboardWish& wish, BillboardAnswer& answer) const {
-        if (wish.side != SignSide::none && wish.stem < stems() && has_room(wish.side, wish.stem, answer)) return true;
+        if (wish.side != SignSide::none && wish.stem < stems() && has_room(wish, wish.side, wish.stem, answer)) return true;
         for (std::uint8_t stem = 0; stem < stems(); ++stem)
             for (const SignSide side : kNameSides)
-                if (has_room(side, stem, answer)) return true;
+                if (has_room(wish, side, stem, answer)) return true;
         return false;
     }
 

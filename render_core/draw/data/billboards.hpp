@@ -13,6 +13,7 @@
 
 #include "render_core/draw/data/billboard_shape.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/draw/data/label_room.hpp"
 
 namespace tedavis::draw {
 
@@ -20,6 +21,8 @@ namespace tedavis::draw {
 struct BillboardWish {
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
+    const LabelRoom* kept_clear = nullptr;  ///< of names, but for the box of this number and those that overlap it
+    std::size_t own = LabelRoom::kMost;
 };
 
 enum class BillboardFate : std::uint8_t {

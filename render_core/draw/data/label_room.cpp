@@ -21,14 +21,18 @@ void LabelRoom::take(const Rect& box) {
     boxes_[count_++] = box;
 }
 
-bool LabelRoom::is_free(const Rect& box) const {
+bool LabelRoom::is_beside(std::size_t n, std::size_t other) const {
+    return other < count_ && (n == other || boxes_[n].overlaps(boxes_[other]));
+}
+
+bool LabelRoom::is_free(const Rect& box, std::size_t except) const {
     Set near{};
     const Parts parts = parts_of(box);
     for (int y = parts.top; y <= parts.bottom; ++y)
         for (int x = parts.left; x <= parts.right; ++x)
             for (std::size_t n = 0; n < near.size(); ++n) near[n] |= sets_[static_cast<std::size_t>(y * kParts + x)][n];
     for (std::size_t n = 0; n < count_; ++n)
-        if ((near[n / 64] >> n % 64 & 1u) != 0 && boxes_[n].overlaps(box)) return false;
+        if ((near[n / 64] >> n % 64 & 1u) != 0 && boxes_[n].overlaps(box) && !is_beside(n, except)) return false;
     return true;
 }
 

@@ -16,8 +16,8 @@ public:
     explicit LabelRoom(const Rect& screen) : screen_(screen) {}
     /// Beyond kMost it is refused.
     void take(const Rect& box);
-    /// Whether a box is clear of all.
-    [[nodiscard]] bool is_free(const Rect& box) const;
+    /// Whether a box is clear of all, but for the one with this number and those that overlap it.
+    [[nodiscard]] bool is_free(const Rect& box, std::size_t except = kMost) const;
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
 private:
@@ -28,6 +28,7 @@ private:
     struct Parts {
         int left, top, right, bottom;
     };
+    [[nodiscard]] bool is_beside(std::size_t n, std::size_t other) const;
     [[nodiscard]] Parts parts_of(const Rect& box) const;
 
     Rect screen_;

@@ -119,6 +119,18 @@ TEST(ElementLabels, WhatWarnsHasTheRoomBeforeAllOthers) {
     EXPECT_EQ(alone.drawn(0), 1u);
 }
 
+/// The name of the nearer one would lie over the other.
+TEST(ElementLabels, NoNameHidesWhatWarns) {
+    for (const double aside_m : {180.0, -180.0}) {
+        host_sim::LayerDraft masts = layer_of("masts", LayerRole::obstacle, {0, aside_m}, 3000);
+        masts.points[1].latitude_rad += 1e-6;
+        masts.names[0] = "A mast with a long name";
+        Shown shown(scene_of({kPlaces, masts}));
+        static_cast<void>(shown.frame(10));
+        EXPECT_EQ(shown.drawn(1), 2u) << aside_m;
+    }
+}
+
 TEST(ElementLabels, WhatIsLeftOutIsCountedByElement) {
     std::vector<double> crowd;
     for (int n = 0; n < 60; ++n) crowd.push_back(10.0 * n - 300);

@@ -36,5 +36,17 @@ TEST(LabelRoom, IsFreeWhereNoBoxIsInTheWay) {
     EXPECT_GT(clear, 1000u);
 }
 
+TEST(LabelRoom, OneBoxMayBeLeftOut) {
+    LabelRoom room({0, 0, 640, 480});
+    room.take({100, 100, 50, 20});
+    room.take({300, 100, 50, 20});
+    EXPECT_FALSE(room.is_free({90, 90, 30, 30}));
+    EXPECT_TRUE(room.is_free({90, 90, 30, 30}, 0));
+    EXPECT_FALSE(room.is_free({90, 90, 30, 30}, 1));
+    room.take({140, 110, 50, 20});
+    EXPECT_FALSE(room.is_free({170, 100, 30, 30}));
+    EXPECT_TRUE(room.is_free({170, 100, 30, 30}, 0)) << "that overlaps it";
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_label_room
