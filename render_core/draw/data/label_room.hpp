@@ -21,12 +21,12 @@ public:
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
 private:
-    static constexpr int kParts = 16;
+    static constexpr std::size_t kParts = 16;
     using Set = std::array<std::uint64_t, 4>;  ///< a bit a box
 
     /// Of the screen: from the first to the last part, both within 0 .. kParts - 1.
     struct Parts {
-        int left, top, right, bottom;
+        std::size_t left, top, right, bottom;
     };
     [[nodiscard]] bool is_beside(std::size_t n, std::size_t other) const;
     [[nodiscard]] Parts parts_of(const Rect& box) const;

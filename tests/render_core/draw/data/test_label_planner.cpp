@@ -8,70 +8,16 @@
 #include <map>
 #include <vector>
 
+#include "tests/support/planned_labels.hpp"
+
 namespace tedavis::draw::test_label_planner {
 namespace {
 
-constexpr Rect kScreen{0, 0, 1000, 700};
-constexpr float kText_px = 16;
-
-/// A feature of a test: where its sign would stand, and what it is worth.
-struct Feature {
-    LabelKey key = 0;
-    double interest = 0;
-    Point at;
-    float name_px = 80;
-    bool is_known = true;
-    std::uint8_t stems = kSignStems;
-};
-
-SignBox box_of(const Feature& feature) {
-    constexpr float kHalf = 8, kFoot = 20;
-    return {{feature.at.x, feature.at.y - kFoot}, kHalf, 4, kFoot, feature.name_px, feature.name_px > 0 ? 15.0f : 0.0f};
-}
-
-class Shapes final : public LabelShapes {
-public:
-    explicit Shapes(const std::vector<Feature>& features) {
-        for (const Feature& feature : features) by_key_[feature.key] = feature;
-    }
-    LabelShape shape(LabelKey key) override {
-        const Feature& feature = by_key_.at(key);
-        return {box_of(feature), feature.is_known, feature.stems};
-    }
-
-private:
-    std::map<LabelKey, Feature> by_key_;
-};
-
-class Plan {
-public:
-    explicit Plan(const std::vector<LabelGroup>& groups = {LabelGroup{}}) : groups_(groups), block_(1u << 16) {
-        base::Arena arena(block_.data(), block_.size());
-        EXPECT_TRUE(planner.start(arena));
-    }
-    void decide(const std::vector<Feature>& features) { decide(features, ++epoch_); }
-    void decide(const std::vector<Feature>& features, std::int64_t epoch) {
-        epoch_ = epoch;
-        planner.begin({epoch, kScreen, kText_px}, settings);
-        for (const LabelGroup& group : groups_) EXPECT_TRUE(planner.add_group(group));
-        for (const Feature& feature : features) planner.offer(feature.key, feature.interest, feature.interest);
-        Shapes shapes(features);
-        planner.settle(shapes);
-    }
-    [[nodiscard]] Label of(LabelKey key) const {
-        for (const Label& label : planner.labels())
-            if (label.key == key) return label;
-        return {};
-    }
-
-    LabelPlanner planner;
-    design::LabelSettings settings;
-
-private:
-    std::vector<LabelGroup> groups_;
-    std::vector<unsigned char> block_;
-    std::int64_t epoch_ = 0;
-};
+using test_support::box_of;
+constexpr Rect kScreen = test_support::kLabelScreen;
+constexpr float kText_px = test_support::kLabelText_px;
+using Feature = test_support::LabelFeature;
+using Plan = test_support::PlannedLabels;
 
 bool are_equal(const LabelPlanner& a, const LabelPlanner& b) {
     const auto first = a.labels(), second = b.labels();
