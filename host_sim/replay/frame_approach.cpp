@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tedavis::host_sim {
 namespace {
@@ -16,6 +17,11 @@ base::Time FrameApproach::grid_time(std::int64_t frame) const {
 }
 
 void FrameApproach::approach(base::Time time) {
+    approach_frame(time);
+    reach_labels(time);
+}
+
+void FrameApproach::approach_frame(base::Time time) {
     const auto frame = static_cast<std::int64_t>(std::llround((time - player_.first()).to_seconds() * rate_hz_));
     const base::Duration off_grid = time - grid_time(frame);
     const bool is_on_grid = std::abs(off_grid.ns) <= 1;
@@ -79,13 +85,54 @@ void FrameApproach::restore_rung(std::int64_t frame) {
 }
 
 void FrameApproach::plan(base::Time time) {
+    reach_labels(time);
     const PlayedInstant instant = player_.at(time);
     display_.approach(instant.aircraft, instant.phase, time, &player_.way());
     if (display_.must_be_drawn()) session_.draw();
 }
 
+/// Decides the epochs up to this time's, from the last one on whose memory is known.
+void FrameApproach::reach_labels(base::Time time) {
+    if (!display_.has_labels()) return;
+    const std::int64_t first = draw::LabelPlanner::epoch_of(player_.first());
+    const std::int64_t wanted = std::max(draw::LabelPlanner::epoch_of(time), first);
+    const auto after = labels_.upper_bound(wanted);
+    const std::int64_t known = after == labels_.begin() ? first - 1 : std::prev(after)->first;
+    // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
+    if (!label_epoch_ || wanted < *label_epoch_ || *label_epoch_ + kKeptEpochs < known) restore_labels(known);
+    while (*label_epoch_ < wanted) {
+        if (display_.labels().is_anew()) restore_labels(*label_epoch_);
+        const std::int64_t epoch = *label_epoch_ + 1;
+        const base::Time begins = std::max(base::Time{epoch * draw::LabelPlanner::kEpoch.ns}, player_.first());
+        const flight::PhaseStatus phase = phase_before(begins);
+        display_.approach_labels(player_.at(begins).aircraft, phase, begins);
+        keep_labels(epoch);
+        label_epoch_ = epoch;
+    }
+}
+
+/// Before the log's first epoch there are none.
+void FrameApproach::restore_labels(std::int64_t epoch) {
+    const auto kept = labels_.find(epoch);
+    display_.labels().restore(kept == labels_.end() ? display::EpochMemory() : kept->second);
+    label_epoch_ = epoch;
+}
+
+/// Of the last frame of the grid before this time: what it is told the next frame shows.
+flight::PhaseStatus FrameApproach::phase_before(base::Time time) {
+    const auto frame = static_cast<std::int64_t>(std::ceil((time - player_.first()).to_seconds() * rate_hz_ - 1e-6)) - 1;
+    return player_.at(std::max(grid_time(frame), player_.first())).phase;
+}
+
+void FrameApproach::keep_labels(std::int64_t epoch) {
+    display_.labels().keep(labels_[epoch]);
+    if ((epoch - kKeptEpochs) % kKeepEvery != 0) labels_.erase(epoch - kKeptEpochs);
+}
+
 void FrameApproach::forget() {
     last_.reset();
+    labels_.clear();
+    label_epoch_.reset();
     rungs_.clear();
     governors_.clear();
 }

@@ -11,9 +11,14 @@
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
+///
+/// Which labels stand follows from all epochs of half a second since the log's start (display/element_labels.hpp): each is
+/// decided once, by the instant at which it begins and the design of the frame before, without the frames between; their memory
+/// is kept every kKeepEvery epochs, and of the last kKeptEpochs.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -33,13 +38,18 @@ public:
     void forget();
 
 private:
-    static constexpr std::int64_t kKeepEvery = 16;
+    static constexpr std::int64_t kKeepEvery = 16, kKeptEpochs = 4;
     [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
     [[nodiscard]] std::int64_t first_needed(std::int64_t frame, base::Time time);
+    void approach_frame(base::Time time);
     void plan(base::Time time);
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
     void restore_rung(std::int64_t frame);
+    void reach_labels(base::Time time);
+    void restore_labels(std::int64_t epoch);
+    [[nodiscard]] flight::PhaseStatus phase_before(base::Time time);
+    void keep_labels(std::int64_t epoch);
 
     FlightPlayer& player_;
     DisplaySession& session_;
@@ -49,6 +59,8 @@ private:
     // Before the frames of the grid, from the log's first on.
     std::vector<std::uint8_t> rungs_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
+    std::optional<std::int64_t> label_epoch_;        ///< that the display's labels are of
+    std::map<std::int64_t, display::EpochMemory> labels_;
 };
 
 }  // namespace tedavis::host_sim

@@ -134,7 +134,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"pending", record.terrain.pending}};
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
-    json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
+    json["labels"] = {
+        {"placed", record.labels.placed}, {"suppressed", record.labels.suppressed}, {"changed", record.labels.changed}};
     json["bytes"] = {{"cpu", record.bytes.cpu},
                      {"gpu", record.bytes.gpu},
                      {"cpu_budget", record.bytes.cpu_budget},

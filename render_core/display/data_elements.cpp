@@ -5,15 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/draw/data/area_prisms.hpp"
-#include "render_core/draw/data/billboards.hpp"
-#include "render_core/draw/data/diagrams.hpp"
 #include "render_core/draw/data/feature_sight.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
-#include "render_core/draw/data/traffic_signs.hpp"
-#include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -72,10 +68,6 @@ bool shows(const design::DataElement& element, const scene::Layer& layer) {
     return element.own == design::OwnData::none ? shows(element.technique, layer) : shows_own(element);
 }
 
-bool is_meant(const design::DataElement& element, const scene::Layer& layer) {
-    return element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name;
-}
-
 bool is_traffic(const scene::Layer& layer) {
     return layer.entry->role == scene::LayerRole::traffic && layer.entry->shape == scene::LayerShape::lines;
 }
@@ -95,11 +87,6 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
                                                                  : draw::add_cables(batch, mesh, input);
 }
 
-draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::ElementInput& input) {
-    if (input.element.technique == DataTechnique::diagram) return draw::add_diagrams(sheet, input);
-    return is_traffic(input.layer) ? draw::add_traffic_signs(sheet, input) : draw::add_billboards(sheet, input);
-}
-
 }  // namespace
 
 gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
@@ -116,7 +103,8 @@ gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Mem
         return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
-    if (!sheet_.start(memory.billboards) || !own_.start(memory.billboards) || !traffic_.start(memory.billboards))
+    if (!sheet_.start(memory.billboards) || !labels_.start(memory.billboards) || !own_.start(memory.billboards) ||
+        !traffic_.start(memory.billboards))
         return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
     if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
     if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
@@ -148,7 +136,9 @@ bool DataElements::distances_m(scene::LayerRole role, const glm::dvec3& eye, ter
     return is_any;
 }
 
-void DataElements::set(const scene::Scene* scene, const design::DataElementList& elements) {
+void DataElements::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& labels,
+                       std::size_t design) {
+    labels_.set(scene, elements, labels, design);
     scene_ = scene;
     elements_ = &elements;
     has_changed_ = true;
@@ -164,9 +154,7 @@ ElementState DataElements::state_of(const ElementReport& report) const {
     if (report.element->own != design::OwnData::none || report.layer == &traffic_.layer())
         return report.layer->entry->feature_count > 0 ? ElementState::shown : ElementState::not_measured;
     if (is_glyph_technique(report.element->technique) && report.slot == GlyphElements::kSlots) return ElementState::no_room;
-    const scene::LayerEntry& entry = *report.layer->entry;
-    const bool is_valid = time_.utc.ns >= entry.valid_from_ns && time_.utc.ns <= entry.valid_until_ns;
-    return time_.is_date && !is_valid ? ElementState::out_of_date : ElementState::shown;
+    return is_valid_at(*report.layer, time_) ? ElementState::shown : ElementState::out_of_date;
 }
 
 void DataElements::plan(const ElementFrame& frame) {
@@ -178,7 +166,9 @@ void DataElements::plan(const ElementFrame& frame) {
     own_.take(frame.own, frame.time, frame.ground);
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         reports_[n].state = state_of(reports_[n]);
-        if (reports_[n].state == ElementState::shown) shown_ |= 1u << n;
+        if (reports_[n].state != ElementState::shown) continue;
+        shown_ |= 1u << n;
+        reports_[n].suppressed_labels = labels_.suppressed(*reports_[n].element, *reports_[n].layer);
     }
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
@@ -199,6 +189,8 @@ void DataElements::hear_traffic(const ElementFrame& frame) {
 
 void DataElements::rest() {
     shown_ = 0;
+    labels_.rest();
+    label_counts_ = {};
     for (ElementReport& report : reports_) report.state = ElementState::no_terrain;
 }
 
@@ -235,21 +227,6 @@ void DataElements::judge_sight(const ElementFrame& frame) {
             is_glyph_technique(technique) || is_billboard_technique(technique) || technique == DataTechnique::isosurface;
         const bool is_judged = report.state == ElementState::shown && !counts_itself;
         report.out_of_view = is_judged ? draw::count_out_of_view(input_of(n, frame), frame.view) : 0;
-    }
-}
-
-/// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.
-void DataElements::plan_own_winds(const ElementFrame& frame) {
-    for (std::size_t n = 0; n < reports_.size(); ++n) {
-        ElementReport& report = reports_[n];
-        if (report.state != ElementState::shown || report.element->own != design::OwnData::wind) continue;
-        const base::Span<const scene::SelectedGlyph> glyphs = own_.wind_glyphs(frame.view.eye);
-        report.count = {};
-        for (std::size_t glyph = glyphs.size(); glyph-- > 0;) {
-            const draw::ElementCount one = draw::add_wind_barbs(sheet_, input_of(n, frame), glyphs.subspan(glyph, 1));
-            report.count.drawn += one.drawn;
-            report.count.hidden += one.hidden;
-        }
     }
 }
 
@@ -319,20 +296,6 @@ void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const Elemen
                 report.cues[kind] = cues_.add(batch, mesh_, input_of(n, frame), cue);
         }
     }
-}
-
-/// Only what is valid now: what is not shown must take no room from what is.
-void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
-    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
-                  static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
-    for (std::size_t n = 0; n < reports_.size(); ++n) {
-        ElementReport& report = reports_[n];
-        if (report.state != ElementState::shown || !is_billboard_technique(report.element->technique)) continue;
-        const draw::ElementInput input = input_of(n, frame);
-        report.count = build_billboard(sheet_, input);
-    }
-    plan_glyphs(frame, &sheet_);
-    plan_own_winds(frame);
 }
 
 draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {

@@ -11,6 +11,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/caster_set.hpp"
+#include "render_core/display/element_labels.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/display/glyph_elements.hpp"
 #include "render_core/display/own_flight.hpp"
@@ -48,6 +49,7 @@ struct SignFrame {
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
+    bool is_of_one_eye = false;                  ///< of a pair, whose frame has been planned: labels are counted with that
 };
 
 class DataElements {
@@ -66,12 +68,19 @@ public:
     }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
-    /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing.
-    void set(const scene::Scene* scene, const design::DataElementList& elements);
+    /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing. `design`: its number among
+    /// those that the display turns between.
+    void set(const scene::Scene* scene, const design::DataElementList& elements,
+             const design::LabelSettings& labels = design::LabelSettings(), std::size_t design = 0);
     void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
     /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
     /// left.
     void plan_signs(const ElementFrame& frame, const SignFrame& signs);
+    /// What plan_signs() does where it has not been done for the frame's epoch: also of epochs that a replay passes over
+    /// (element_labels.hpp). Of the middle eye.
+    void decide_labels(const ElementFrame& frame, double text_px);
+    [[nodiscard]] ElementLabels& labels() { return labels_; }
+    [[nodiscard]] const LabelCounts& label_counts() const { return label_counts_; }
     /// Instead of them in a frame that shows none of it.
     void rest();
     [[nodiscard]] const ElementReports& reports() const { return reports_; }
@@ -95,6 +104,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
+    class LabelInputs;
     [[nodiscard]] bool start_scratch(base::Arena& memory, std::uint32_t batch_vertices);
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
@@ -106,6 +116,7 @@ private:
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
+    void plan_billboards(const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);
     void plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
@@ -114,6 +125,8 @@ private:
     draw::SolidDrawer drawer_;
     draw::QuadDrawer sign_drawer_, link_drawer_;
     draw::BillboardSheet sheet_;
+    ElementLabels labels_;
+    LabelCounts label_counts_;  ///< of the planned frame
     draw::SolidBuffers standing_, moving_;
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;

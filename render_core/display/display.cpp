@@ -95,14 +95,14 @@ void Display::stop() {
     terrain_.destroy(gl_);
 }
 
-void Display::set_elements() { elements_.set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements); }
-
 bool Display::take_scene(const scene::Scene& scene) {
     const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
     if (is_unexpected || !data_.is_newer(scene)) return false;
     keep_scene();
     if (!data_.take(scene)) return false;
-    if (elements_.is_started()) set_elements();
+    if (!elements_.is_started()) return true;
+    set_elements();
+    elements_.labels().forget();
     return true;
 }
 
@@ -125,7 +125,16 @@ TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                      const flight::FlownWay* way) {
-    follow_phase(phase);
+    follow_phase(phase, now);
+    begin_update(state, phase, now);
+    plan_terrain();
+    plan_data();
+    plan_elements(way);
+    plan_effects();
+}
+
+/// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.
+void Display::begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     state_ = state;
     conditions_ = {};
     conditions_.terrain = terrain_source(state.own_ship);
@@ -141,10 +150,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     decide(now);
     begin_record(now);
     plan_view();
-    plan_terrain();
-    plan_data();
-    plan_elements(way);
-    plan_effects();
+    decide_labels();
 }
 
 void Display::plan_effects() {
@@ -210,22 +216,6 @@ void Display::decide(base::Time now) {
     transition_.arrive();
     conditions_.is_map = is_map();
     decisions_ = decide_display(state_, now, conditions_, settings_.design);
-}
-
-void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                       const flight::FlownWay* way) {
-    const std::uint64_t frame = frame_;
-    update(state, phase, now, way);
-    frame_ = frame;
-}
-
-void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
-    constexpr int kMostTimes = 64;
-    forget_turns();
-    for (int n = 0; n < kMostTimes; ++n) {
-        approach(state, phase, now);
-        if (record_.terrain.pending == 0) return;
-    }
 }
 
 /// Terrain that turns out not to be had: its notice must be on this frame already.
@@ -329,40 +319,6 @@ void Display::widen_bands() {
     record_.bands = design::band_widening(settings_.design.widening, band_deviations_, accuracy);
     if (record_.bands.position_assumed) flag("vertical_accuracy.assumed", record_);
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
-}
-
-ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
-    return {ground,
-            view,
-            settings_.design.terrain.unknown,
-            record_.flight_time,
-            {way, &state_, record_.time},
-            frame_budget_.detail_factor()};
-}
-
-/// Symbology first, then the signs in the room that it leaves.
-void Display::plan_elements(const flight::FlownWay* way) {
-    TerrainGround ground(terrain_, seen_);
-    if (shows_elements())
-        elements_.plan(element_frame(ground, seen_, way));
-    else
-        elements_.rest();
-    conditions_.data_are_out_of_date =
-        data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
-    if (conditions_.data_are_out_of_date) decide_again();
-    put_symbology();
-    way_ = way;
-    // Of a picture for each eye they are planned with the eye.
-    if (shows_elements() && !stereo_.is_started()) plan_signs(eye_, {});
-}
-
-void Display::plan_signs(const Eye& eye, SignFrame signs) {
-    TerrainGround ground(terrain_, eye.view);
-    terrain::DrawnSight sight = terrain_.sight(eye.view);
-    signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
-    signs.sight = &sight;
-    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
-    elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
 }
 
 void Display::put_symbology() {

@@ -66,6 +66,13 @@ public:
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
     void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                   const flight::FlownWay* way = nullptr);
+    /// Decides the labels of an epoch (element_labels.hpp) that begins at `now`, and plans nothing else: what a replay does for
+    /// every epoch from the log's start on, so that labels are the same however a frame is reached. `phase`: of the frame before
+    /// that instant, whose design the next frame shows.
+    void approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Whether labels remember anything; keep() and restore() what they do.
+    [[nodiscard]] bool has_labels() const { return elements_.is_started() && has_labels_; }
+    [[nodiscard]] ElementLabels& labels() { return elements_.labels(); }
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
@@ -135,18 +142,20 @@ private:
     }
     [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design) const;
     [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
-    void follow_phase(const flight::PhaseStatus& phase);
+    void follow_phase(const flight::PhaseStatus& phase, base::Time now);
     void show_design(std::size_t place);
     [[nodiscard]] gl::GlError start_drawers(draw::DrawnDesigns designs);
     [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
+    void begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void decide(base::Time now);
+    void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
     void keep_scene();
     [[nodiscard]] bool has_warning() const;
     draw::TerrainDrawResult draw_kept();
-    void begin_fade();
+    void begin_fade(base::Time now);
     [[nodiscard]] double next_fade_share();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     void plan_terrain();
@@ -161,6 +170,7 @@ private:
     void decide_again();
     [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
     void set_elements();
+    void label_by(std::size_t place);
     [[nodiscard]] DrawContext context() const { return context_of(eye_); }
     [[nodiscard]] DrawContext context_of(const Eye& eye) const;
     [[nodiscard]] ElementFrame element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
@@ -181,6 +191,7 @@ private:
     effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
     std::size_t shown_ = 0, turns_to_ = 0;                       ///< places of designs
     Turn turn_ = Turn::none;
+    base::Time turns_at_{0};  ///< with it
     bool is_new_to_phases_ = true;
     gl::Gl gl_;
     DisplayMemory memory_;
@@ -189,6 +200,7 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
+    bool has_labels_ = false;  ///< an element of some design has some
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;

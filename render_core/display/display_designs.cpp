@@ -59,6 +59,7 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
     }
     forget_turns();
     show_design(0);
+    elements_.labels().forget();
     return true;
 }
 
@@ -73,10 +74,10 @@ void Display::show_design(std::size_t place) {
 }
 
 /// While there is a warning the picture turns at once: nobody shall look for it in a picture that is half another.
-void Display::follow_phase(const flight::PhaseStatus& phase) {
+void Display::follow_phase(const flight::PhaseStatus& phase, base::Time now) {
     if (turn_ == Turn::keeps) {
         turn_ = Turn::none;
-        begin_fade();
+        begin_fade(turns_at_);
         show_design(turns_to_);
     }
     const std::size_t place = phases_.place_of(phase.presented);
@@ -85,6 +86,7 @@ void Display::follow_phase(const flight::PhaseStatus& phase) {
     if (place == shown_) return;
     if (is_new || !fade_.is_started() || has_warning()) return show_design(place);
     turns_to_ = place;
+    turns_at_ = now;
     turn_ = Turn::keeps;
 }
 
@@ -105,9 +107,9 @@ draw::TerrainDrawResult Display::draw_kept() {
     return passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
 }
 
-void Display::begin_fade() {
+void Display::begin_fade(base::Time now) {
     fade_lasts_ = true;
-    fade_began_ = record_.time;
+    fade_began_ = now;
 }
 
 /// Of the scene as it was, in the planned frame.
@@ -115,7 +117,7 @@ double Display::next_fade_share() {
     if (turn_ == Turn::keeps) return 1;
     if (fades_next_) {
         fades_next_ = false;
-        begin_fade();
+        begin_fade(record_.time);
     }
     if (!fade_lasts_) return 0;
     const double share = 1 - (record_.time - fade_began_).to_seconds() / settings_.design.effects.fade_s;

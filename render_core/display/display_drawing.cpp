@@ -17,6 +17,7 @@ void Display::draw(base::Surface& surface) {
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(TerrainSource::failed);
+        record_.labels = {};
         put_symbology();
         plan_effects();
     }
@@ -51,7 +52,7 @@ draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {
     const Eye eye = eye_of(eye_, pair, side, stereo_.margin_px());
     if (shows_elements()) {
-        plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px)});
+        plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px), true});
         elements_.stand_at(eye.view.eye);
         elements_.prepare(gl_);
     }

@@ -30,7 +30,8 @@ struct ElementReport {
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
     /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
     std::uint32_t out_of_view = 0;
-    double detail_factor = 1;  ///< of the element's detail, as shown
+    std::uint32_t suppressed_labels = 0;  ///< names of features in view that are not shown
+    double detail_factor = 1;             ///< of the element's detail, as shown
     std::array<draw::CueCount, draw::kCues> cues{};
 };
 /// Whether an element faces the eye, in pixels: signs that are built every frame.

@@ -65,6 +65,11 @@ struct DataRecord {
     std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
 };
 
+/// Of icons and names; labels are names.
+struct LabelRecord {
+    std::uint32_t placed = 0, suppressed = 0, changed = 0;  ///< display::LabelCounts
+};
+
 /// How the frame's deadline was held (effects::BudgetReport).
 struct GovernorRecord {
     double deadline_ms = 0;   ///< 0: none is held
@@ -90,6 +95,7 @@ struct FrameRecord {
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
     base::FixedVector<DataRecord, 16> data;
+    LabelRecord labels;
     ByteRecord bytes;
     GovernorRecord governor;
     base::FixedVector<EffectRecord, 32> effects;

@@ -49,6 +49,15 @@ public:
         add_grid(report);
     }
 
+    /// "LABELS +12".
+    void add_suppressed(const ElementReports& reports) {
+        unsigned count = 0;
+        for (const ElementReport& report : reports) count += report.state == ElementState::shown ? report.suppressed_labels : 0;
+        char text[24];
+        std::snprintf(text, sizeof text, "LABELS +%u", count);
+        if (count > 0) add_words(text);
+    }
+
     [[nodiscard]] const draw::DataLegend& legend() const { return legend_; }
 
 private:
@@ -260,6 +269,7 @@ private:
 
 void add_sign_legend(const ElementReports& reports, const design::DesignSettings& design, draw::DataLegends& legends) noexcept {
     Signs signs(design);
+    if (design.labels.show_suppressed) signs.add_suppressed(reports);
     for (const bool obstacles : {false, true})
         for (const ElementReport& report : reports) {
             if (report.state != ElementState::shown || report.layer == nullptr || shows_nothing(report)) continue;

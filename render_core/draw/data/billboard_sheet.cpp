@@ -7,8 +7,6 @@
 namespace tedavis::draw {
 namespace {
 
-/// Depths of lines are interpolated in the picture; far outside of it floats do not hold their places.
-constexpr float kFarthest_px = 32'000;
 constexpr float kCell = 0.5f;  // of the text's size: how finely the symbology's room is known
 
 bool comes_first(const BillboardCandidate& a, const BillboardCandidate& b) {
@@ -29,29 +27,11 @@ void BillboardSheet::begin(const Frame& frame) {
     sight_ = frame.sight;
     signs_->clear();
     links_->clear();
-    view_ = frame.view;
-    text_px_ = static_cast<float>(frame.text_px);
+    eye_ = {frame.view, static_cast<float>(frame.text_px)};
     box_count_ = 0;
-    symbology_.clear(view_.width, view_.height, kCell * text_px_);
+    symbology_.clear(view().width, view().height, kCell * text_px());
     if (frame.symbology != nullptr) symbology_.take(*frame.symbology, frame.screen_begins_px);
-    screen_ = {frame.screen_begins_px, 0, static_cast<float>(view_.width) - frame.margin_px, static_cast<float>(view_.height)};
-}
-
-BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
-    const glm::dvec3 from_eye = place - view_.eye;
-    Spot result;
-    result.distance_m = glm::dot(from_eye, view_.forward);
-    if (!(result.distance_m > view_.near_m)) return result;
-    const double x = 0.5 * view_.width + view_.focal_px * glm::dot(from_eye, view_.right) / result.distance_m;
-    const double y = 0.5 * view_.height + view_.focal_px * glm::dot(from_eye, view_.down) / result.distance_m;
-    result.at = {static_cast<float>(x), static_cast<float>(y)};
-    result.is_ahead = std::abs(result.at.x) < kFarthest_px && std::abs(result.at.y) < kFarthest_px;
-    return result;
-}
-
-double BillboardSheet::seen_distance_m(double distance_m) const {
-    constexpr double kUsual = 0.57735026918962576;  // of half of 60 degrees
-    return distance_m * std::fmin(view_.half_width_tangent() / kUsual, 1.0);
+    screen_ = {frame.screen_begins_px, 0, static_cast<float>(view().width) - frame.margin_px, static_cast<float>(view().height)};
 }
 
 void BillboardSheet::line(const Spot& from, const Spot& to, float width_px, design::Color color) const {
@@ -109,8 +89,8 @@ bool BillboardSheet::claim_beside(const Rect& box) {
 /// As high over its place as a stem in its length in the picture: upright, so that seen from above nothing beside it hides it.
 bool BillboardSheet::is_seen(const glm::dvec3& place) const {
     if (sight_ == nullptr) return true;
-    const double distance_m = glm::dot(place - view_.eye, view_.forward);
-    const double stem_m = static_cast<double>(kStem * text_px_) * distance_m / view_.focal_px;
+    const double distance_m = glm::dot(place - view().eye, view().forward);
+    const double stem_m = static_cast<double>(kStem * text_px()) * distance_m / view().focal_px;
     return !sight_->is_hidden(place + glm::normalize(place) * stem_m);
 }
 

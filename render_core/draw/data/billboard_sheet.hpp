@@ -9,11 +9,10 @@
 /// Thread  one. Memory  from an arena, once. Failure  claim() refuses what has no room; the batch counts what it refuses.
 #pragma once
 
-#include <cmath>
 #include <glm/vec3.hpp>
 
-#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/data/sign_view.hpp"
 #include "render_core/draw/quad_batch.hpp"
 #include "render_core/draw/screen_cover.hpp"
 #include "render_core/terrain/drawn_sight.hpp"
@@ -29,7 +28,7 @@ struct BillboardCandidate {
 class BillboardSheet {
 public:
     static constexpr std::size_t kMostCandidates = 256, kMostBoxes = 256;
-    static constexpr float kStem = 0.7f;  ///< of the text's size
+    static constexpr float kStem = kSignStem;
 
     [[nodiscard]] bool start(base::Arena& arena);
     struct Frame {
@@ -45,17 +44,12 @@ public:
     void begin(const Frame& frame);
 
     [[nodiscard]] QuadBatch& signs() const { return *signs_; }
-    [[nodiscard]] const terrain::View& view() const { return view_; }
-    [[nodiscard]] float text_px() const { return text_px_; }
-
-    struct Spot {
-        Point at;
-        double distance_m = 0;  ///< along the view
-        bool is_ahead = false;  ///< beyond the near plane; else the rest means nothing
-    };
-    [[nodiscard]] Spot spot(const glm::dvec3& place) const;
-    /// How far away 60 degrees of view would show as much: by this things far away are ranked and left out.
-    [[nodiscard]] double seen_distance_m(double distance_m) const;
+    [[nodiscard]] const SignView& eye() const { return eye_; }
+    [[nodiscard]] const terrain::View& view() const { return eye_.view; }
+    [[nodiscard]] float text_px() const { return eye_.text_px; }
+    using Spot = SignSpot;
+    [[nodiscard]] Spot spot(const glm::dvec3& place) const { return eye_.spot(place); }
+    [[nodiscard]] double seen_distance_m(double distance_m) const { return eye_.seen_distance_m(distance_m); }
     /// From one place to another over a dark rim of the same opacity, both ends with their own depths; nothing where one is not
     /// ahead.
     void line(const Spot& from, const Spot& to, float width_px, design::Color color) const;
@@ -68,12 +62,16 @@ public:
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
     /// Whether a box lies within the picture, clear of the symbology, and covers none that is taken.
     [[nodiscard]] bool is_free(const Rect& box) const;
+    /// The same, whatever the symbology draws there.
+    [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
     /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
     [[nodiscard]] bool claim(const Rect& box, const glm::dvec3& place) {
         return is_free(box) && claim_under_symbology(box, place);
     }
     /// The same, whatever the symbology draws over it: of what nobody may miss.
     [[nodiscard]] bool claim_under_symbology(const Rect& box, const glm::dvec3& place);
+    /// That are taken.
+    [[nodiscard]] base::Span<const Rect> boxes() const { return {boxes_.data(), box_count_}; }
     /// True, and the box is taken, where it is free: of what stands beside a sign that has its room.
     [[nodiscard]] bool claim_beside(const Rect& box);
 
@@ -85,8 +83,7 @@ public:
 
 private:
     /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
-    [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view_); }
-    [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
+    [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view()); }
     [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 
@@ -94,8 +91,7 @@ private:
     terrain::DrawnSight* sight_ = nullptr;
     Rect screen_{};  ///< the part of the picture that is shown
     ScreenCover symbology_;
-    terrain::View view_{};
-    float text_px_ = 16;
+    SignView eye_;
     base::Span<Rect> boxes_;
     base::Span<BillboardCandidate> candidates_;
     std::size_t box_count_ = 0, candidate_count_ = 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "tests/support/flown_circle.hpp"
+#include "tests/support/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_frame_approach {
 namespace {
@@ -34,8 +37,10 @@ struct Frame {
     std::uint64_t hash = 0;
     std::uint32_t pending = 0, triangles = 0;
     double tau_px = 0;
+    display::LabelRecord labels{};
     bool operator==(const Frame& o) const {
-        return hash == o.hash && pending == o.pending && triangles == o.triangles && tau_px == o.tau_px;
+        return hash == o.hash && pending == o.pending && triangles == o.triangles && tau_px == o.tau_px &&
+               labels.placed == o.labels.placed && labels.suppressed == o.labels.suppressed && labels.changed == o.labels.changed;
     }
 };
 
@@ -52,7 +57,8 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
         session.display().update(instant.aircraft, instant.phase, times.at(n));
         session.draw();
         const display::TerrainRecord& terrain = session.display().record().terrain;
-        frames[times.at(n).ns] = {session.frame_hash(), terrain.pending, terrain.triangles, terrain.tau_reached_px};
+        frames[times.at(n).ns] = {session.frame_hash(), terrain.pending, terrain.triangles, terrain.tau_reached_px,
+                                  session.display().record().labels};
     }
     return frames;
 }
@@ -131,8 +137,11 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approach
         session.display().update(instant.aircraft, instant.phase, times.at(n));
         session.draw();
         const display::FrameRecord& record = session.display().record();
-        frames[times.at(n).ns] = {session.frame_hash(), record.terrain.pending, record.terrain.triangles,
-                                  record.terrain.tau_px + 100.0 * record.governor.rung + (record.governor.changed ? 1000 : 0)};
+        frames[times.at(n).ns] = {session.frame_hash(),
+                                  record.terrain.pending,
+                                  record.terrain.triangles,
+                                  record.terrain.tau_px + 100.0 * record.governor.rung + (record.governor.changed ? 1000 : 0),
+                                  {}};
         rungs.insert(record.governor.rung);
     }
     if (most_rungs != nullptr) *most_rungs = rungs.size();
@@ -161,14 +170,18 @@ public:
     }
 };
 
+const std::string kPlaces = "[[data.element]]\nrole = \"place\"\ntechnique = \"billboard\"\n";
+
 ReplayOptions of_two_designs(double from_s, double to_s, double step_s) {
     static const test_support::FlownFiles kFiles{TurningCircle()};
     static const std::string kDesign = kFiles.folder.write("climb.toml",
                                                            "name = \"climb\"\n[effects]\nfade_s = 0.5\n[phases]\n"
-                                                           "cruise = \"lines.toml\"\n");
+                                                           "cruise = \"lines.toml\"\n" +
+                                                               kPlaces);
     static const std::string kLines = kFiles.folder.write("lines.toml",
                                                           "name = \"lines\"\n[terrain.texture]\ntechnique = \"plain\"\n"
-                                                          "[terrain.sketch]\ncontours = 1\n[effects]\nfade_s = 0.5\n");
+                                                          "[terrain.sketch]\ncontours = 1\n[effects]\nfade_s = 0.5\n" +
+                                                              kPlaces + "[labels]\nmost_changes = 20\npopulation = 0\n");
     ReplayOptions o = kFiles.options("unused");
     o.picture.design = kDesign;
     o.from_s = from_s;
@@ -184,6 +197,71 @@ TEST(FrameApproach, AFadeOfTwoDesignsIsTheSameHoweverAFrameIsReached) {
     for (const double frames : {3.0, -1.0})
         EXPECT_EQ(differences(all, run(of_two_designs(1.4, 2.4, frames * kStep_s), true)), 0u) << "every " << frames << "th";
     EXPECT_GT(differences(all, run(of_two_designs(50 * kStep_s, 2.4, kStep_s), false)), 0u) << "control";
+}
+
+/// So many places along the way that most of them have to wait.
+const std::string& crowded_scene() {
+    static const std::string kPath = [] {
+        host_sim::SceneDraft draft{"crowd", "a test", 1, {}};
+        host_sim::LayerDraft layer;
+        layer.name = "places";
+        layer.role = scene::LayerRole::place;
+        std::uint32_t state = 5;
+        const auto next = [&] { return static_cast<double>((state = state * 1664525u + 1013904223u) >> 8) / (1u << 24); };
+        for (int n = 0; n < 400; ++n) {
+            layer.points.push_back(
+                test_support::scene_point(47.03 + 0.06 * next(), 9.64 + 0.06 * next(), std::numeric_limits<float>::quiet_NaN()));
+            layer.names.push_back("Ort " + std::to_string(n));
+        }
+        draft.layers = {layer};
+        const std::vector<std::uint8_t> bytes = host_sim::sdb_bytes(draft);
+        std::string path = files().folder.file("crowd.sdb");
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        return path;
+    }();
+    return kPath;
+}
+
+ReplayOptions crowded(double from_s, double to_s, double step_s) {
+    ReplayOptions o = options(from_s, to_s, step_s);
+    o.picture.scene = crowded_scene();
+    return o;
+}
+
+TEST(FrameApproach, LabelsAreTheSameHoweverAFrameIsReached) {
+    const auto all = run(crowded(0, 5, kStep_s), true);
+    std::uint32_t placed = 0, changes = 0, suppressed = 0;
+    for (const auto& [time, frame] : all) {
+        placed = std::max(placed, frame.labels.placed);
+        suppressed = std::max(suppressed, frame.labels.suppressed);
+        changes += frame.labels.changed;
+    }
+    ASSERT_GT(placed, 3u);
+    ASSERT_GT(suppressed, 20u);
+    ASSERT_GT(changes, placed) << "some went and others came";
+    for (const double frames : {1.0, 16.0, 45.0, 100.0, 140.0})
+        EXPECT_EQ(differences(all, run(crowded(frames * kStep_s, 5, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {7.0, -1.0, -31.0})
+        EXPECT_EQ(differences(all, run(crowded(0, 5, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+    EXPECT_GT(differences(all, run(crowded(100 * kStep_s, 5, kStep_s), false)), 0u) << "control";
+}
+
+/// Each of the two designs has labels of its own.
+TEST(FrameApproach, LabelsOfTwoDesignsAreTheSameHoweverAFrameIsReached) {
+    const auto crowd = [](double from_s, double step_s) {
+        ReplayOptions o = of_two_designs(from_s, 3, step_s);
+        o.picture.scene = crowded_scene();
+        return o;
+    };
+    const auto all = run(crowd(0, kStep_s), true);
+    std::set<std::uint32_t> placed;
+    for (const auto& [time, frame] : all) placed.insert(frame.labels.placed);
+    ASSERT_GT(placed.size(), 3u) << "it turns";
+    for (const double frames : {40.0, 46.0, 47.0, 48.0, 49.0, 52.0, 59.0, 60.0, 61.0, 70.0})
+        EXPECT_EQ(differences(all, run(crowd(frames * kStep_s, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {3.0, -1.0})
+        EXPECT_EQ(differences(all, run(crowd(0, frames * kStep_s), true)), 0u) << "every " << frames << "th";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,9 @@ using Pixels = std::vector<std::uint8_t>;
 /// Places with names, seen from 46.7 N over the plain to the north.
 class Signs {
 public:
-    Signs(const std::string& device, const std::vector<double>& latitudes_deg)
-        : session_("egl", device, kWidth, kHeight), scene_(draft(latitudes_deg)), meshes_(ridge()) {
+    Signs(const std::string& device, const std::vector<double>& latitudes_deg) : Signs(device, draft(latitudes_deg)) {}
+    Signs(const std::string& device, const host_sim::LayerDraft& places)
+        : session_("egl", device, kWidth, kHeight), scene_(places), meshes_(ridge()) {
         const std::string_view lines[] = {effects::kSceneSolids, effects::kSceneGlyphs, effects::kSceneBillboards,
                                           effects::kSymbology};
         for (std::size_t n = 0; n < 4; ++n) {
@@ -83,6 +85,7 @@ public:
         elements_.plan_signs(frame, {14, over_ridge ? &sight : nullptr});
         return elements_.reports()[0].count;
     }
+    [[nodiscard]] const LabelCounts& labels() const { return elements_.label_counts(); }
     /// `depth`: of a surface over the whole picture, 0 before everything, 1 behind it. Top row first.
     Pixels picture(float depth) {
         gl::bind_surface(session_.gl, *session_.surface);
@@ -181,6 +184,38 @@ TEST(HiddenSigns, NothingCutsASignButItsStem) {
         EXPECT_GT(sign.pixels, 200u);
         EXPECT_GE(stem.top + 2, sign.bottom) << "the stem stands below icon and name";
     }
+}
+
+/// So many of many people behind the ridge that no room is left for the village before it.
+host_sim::LayerDraft crowd(bool has_village) {
+    host_sim::LayerDraft layer;
+    layer.name = "places";
+    layer.role = scene::LayerRole::place;
+    host_sim::AttributeDraft people;
+    people.name = "population";
+    people.of = scene::AttributeOf::feature;
+    const auto add = [&](double latitude_deg, double longitude_deg, float count) {
+        layer.points.push_back(test_support::scene_point(latitude_deg, longitude_deg, std::numeric_limits<float>::quiet_NaN()));
+        layer.names.emplace_back("Village");
+        people.values.push_back(count);
+    };
+    if (has_village) add(46.73, kLongitude_deg, 100);
+    for (int n = 0; n < 200; ++n) add(46.77 + 0.0003 * n, kLongitude_deg + 0.03 * std::sin(0.7 * n), 1e6f);
+    layer.attributes = {people};
+    return layer;
+}
+
+TEST(HiddenSigns, WhatIsHiddenLeavesItsRoomToOthers) {
+    const auto placed = [](bool has_village, bool over_ridge) {
+        Signs signs("es3-mid", crowd(has_village));
+        static_cast<void>(signs.plan(over_ridge));
+        return signs.labels().placed;
+    };
+    EXPECT_EQ(placed(true, true), 1u);
+    EXPECT_EQ(placed(false, true), 0u);
+    const std::uint32_t behind = placed(false, false);
+    EXPECT_GT(behind, 5u);
+    EXPECT_EQ(placed(true, false), behind) << "a control: but for the ridge the village has no room";
 }
 
 }  // namespace

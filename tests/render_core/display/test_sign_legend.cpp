@@ -190,5 +190,30 @@ TEST(SignLegend, StandsBehindTheScales) {
     EXPECT_FALSE(legends[1].has_scale);
 }
 
+TEST(SignLegend, LabelsThatAreLeftOutAreCountedOnDemand) {
+    const test_support::LoadedScene loaded(layer_of(LayerRole::place, scene::LayerShape::points));
+    const design::DataElement element = element_of(DataTechnique::billboard);
+    ElementReports reports;
+    for (const ElementState state : {ElementState::shown, ElementState::shown, ElementState::out_of_date}) {
+        ElementReport report;
+        report.state = state;
+        report.element = &element;
+        report.layer = &loaded.layer();
+        report.suppressed_labels = 6;
+        EXPECT_TRUE(reports.try_push_back(report));
+    }
+    const auto said_by = [&](const design::DesignSettings& design) {
+        draw::DataLegends legends;
+        add_sign_legend(reports, design, legends);
+        return legends.empty() ? std::string() : std::string(legends[0].signs[0].text.view());
+    };
+    design::DesignSettings asking;
+    EXPECT_EQ(said_by(asking), "");
+    asking.labels.show_suppressed = true;
+    EXPECT_EQ(said_by(asking), "LABELS +12");
+    for (ElementReport& report : reports) report.suppressed_labels = 0;
+    EXPECT_EQ(said_by(asking), "") << "nothing is left out";
+}
+
 }  // namespace
 }  // namespace tedavis::display::test_sign_legend

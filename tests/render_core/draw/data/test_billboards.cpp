@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "render_core/draw/data/placement.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/labelled_layer.hpp"
 
 namespace tedavis::draw::test_billboards {
 namespace {
@@ -28,7 +28,7 @@ host_sim::LayerDraft layer_of(const std::vector<scene::ScenePoint>& points, cons
 
 ElementCount built(BillboardRoom& room, ElementOfTest& test, const QuadBatch* symbology = nullptr) {
     room.begin(symbology);
-    return add_billboards(room.sheet, test.input());
+    return test_support::add_labelled(room, test);
 }
 
 TEST(Billboards, StandOverTheirPlaces) {
@@ -69,27 +69,30 @@ TEST(Billboards, WhatIsBehindFarOrNowhereIsHiddenAndCounted) {
 
 TEST(Billboards, TheNearestHasTheRoomAndTheHigherClassComesSooner) {
     std::vector<scene::ScenePoint> points{BillboardRoom::point(3000, 0, 900), BillboardRoom::point(2000, 0, 933)};
-    for (int n = 1; n < 8; ++n) points.push_back(BillboardRoom::point(3000 + 10 * n, 5, 900));
-    host_sim::LayerDraft layer = layer_of(points);
+    std::vector<std::string> names{"A", "B"};
+    for (int n = 1; n < 18; ++n) {
+        points.push_back(BillboardRoom::point(3000 + 10 * n, 5, 900));
+        names.emplace_back("Ort");
+    }
+    host_sim::LayerDraft layer = layer_of(points, names);
     ElementOfTest test(layer);
     BillboardRoom room;
     ElementCount count = built(room, test);
-    EXPECT_GT(count.drawn, 1u) << "some on longer stems";
+    EXPECT_GT(count.drawn, 2u) << "some on longer stems";
     EXPECT_GT(count.hidden, 1u);
-    EXPECT_EQ(count.all(), 9u);
-    const std::uint32_t with_room = count.drawn;
+    EXPECT_EQ(count.all(), 19u);
     EXPECT_NEAR(room.drawn()[0].distance_m, 2000, 20);
     host_sim::AttributeDraft kind;
     kind.name = "kind";
     kind.scale = scene::AttributeScale::ordinal;
     kind.of = scene::AttributeOf::feature;
     kind.classes = {"village", "town"};
-    kind.values = {0, 0, 1, 0, 0, 0, 0, 0, 0};
+    kind.values.assign(19, 0);
+    kind.values[2] = 1;
     layer.attributes.push_back(kind);
     ElementOfTest classed(layer);
     count = built(room, classed);
-    EXPECT_NEAR(count.drawn, with_room, 1);
-    EXPECT_NEAR(room.drawn()[0].distance_m, 3010, 30) << "half of 3010 m is less than 2000 m";
+    EXPECT_NEAR(room.drawn()[0].distance_m, 3010, 30) << "a town counts for more than a nearer village";
 }
 
 TEST(Billboards, DetailIsTheShareThatHasNames) {

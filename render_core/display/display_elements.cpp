@@ -1,0 +1,99 @@
+// What of the display plans the data elements, and what lies before a frame.
+#include "render_core/display/display.hpp"
+#include "render_core/display/symbology_plan.hpp"
+#include "render_core/display/terrain_ground.hpp"
+
+namespace tedavis::display {
+
+void Display::set_elements() {
+    const scene::Scene* const scene = data_.has_scene() ? &data_.scene() : nullptr;
+    elements_.set(scene, settings_.design.data.elements, settings_.design.labels, shown_);
+    has_labels_ = false;
+    for (std::size_t place = 0; scene != nullptr && place <= phases_.size(); ++place)
+        has_labels_ = has_labels_ || ElementLabels::is_any(*scene, design_at(place).data.elements);
+}
+
+ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
+    return {ground,
+            view,
+            settings_.design.terrain.unknown,
+            record_.flight_time,
+            {way, &state_, record_.time},
+            frame_budget_.detail_factor()};
+}
+
+/// Symbology first, then the signs in the room that it leaves.
+void Display::plan_elements(const flight::FlownWay* way) {
+    TerrainGround ground(terrain_, seen_);
+    if (shows_elements())
+        elements_.plan(element_frame(ground, seen_, way));
+    else
+        elements_.rest();
+    conditions_.data_are_out_of_date =
+        data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
+    if (conditions_.data_are_out_of_date) decide_again();
+    put_symbology();
+    way_ = way;
+    // Of a picture for each eye they are planned once more with the eye.
+    if (shows_elements()) plan_signs(eye_, {});
+    const LabelCounts& labels = elements_.label_counts();
+    record_.labels = {labels.placed, labels.suppressed, labels.changed};
+}
+
+void Display::plan_signs(const Eye& eye, SignFrame signs) {
+    TerrainGround ground(terrain_, eye.view);
+    terrain::DrawnSight sight = terrain_.sight(eye.view);
+    signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
+    signs.sight = &sight;
+    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
+    elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
+}
+
+/// Nothing of a picture without terrain.
+void Display::decide_labels() {
+    if (!elements_.is_started()) return;
+    if (!decisions_.show_terrain) return elements_.labels().skip(record_.time);
+    TerrainGround ground(terrain_, eye_.view);
+    elements_.decide_labels(element_frame(ground, eye_.view, nullptr),
+                            text_px(context(), settings_.width_px, settings_.height_px));
+}
+
+void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                       const flight::FlownWay* way) {
+    const std::uint64_t frame = frame_;
+    update(state, phase, now, way);
+    frame_ = frame;
+}
+
+void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    constexpr int kMostTimes = 64;
+    forget_turns();
+    for (int n = 0; n < kMostTimes; ++n) {
+        approach(state, phase, now);
+        if (record_.terrain.pending == 0) return;
+    }
+}
+
+void Display::approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    const std::uint64_t frame = frame_;
+    const DisplayConditions conditions = conditions_;
+    const DisplayDecisions decisions = decisions_;
+    const ViewTransition transition = transition_;
+    const std::size_t place = phases_.place_of(phase.presented);
+    if (place != shown_) label_by(place);
+    transition_ = ViewTransition();
+    begin_update(state, phase, now);
+    if (place != shown_) label_by(shown_);
+    transition_ = transition;
+    decisions_ = decisions;
+    conditions_ = conditions;
+    frame_ = frame;
+}
+
+void Display::label_by(std::size_t place) {
+    settings_.design = design_at(place);
+    elements_.labels().set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements, settings_.design.labels,
+                           place);
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,275 @@
+#include "render_core/display/element_labels.hpp"
+
+#include <algorithm>
+
+#include "render_core/draw/data/billboard_place.hpp"
+
+namespace tedavis::display {
+
+using draw::BillboardFate;
+using draw::Label;
+using draw::LabelLevel;
+
+namespace {
+
+/// That it may be shown at: what stands may have to wait until it goes.
+LabelLevel most_of(const Label& label) { return std::max(label.level, label.wanted); }
+
+draw::Rect screen_of(const terrain::View& view) {
+    return {0, 0, static_cast<float>(view.width), static_cast<float>(view.height)};
+}
+
+/// As it was decided, where it stands now.
+draw::Rect room_of(const Label& label, const draw::BillboardShape& shape) {
+    return label.level == LabelLevel::name ? shape.box.raised(label.stem, shape.text_px).with(label.side)
+                                           : shape.box.with(draw::SignSide::none);
+}
+
+}  // namespace
+
+bool has_labels(const design::DataElement& element, const scene::Layer& layer) {
+    return element.technique == design::DataTechnique::billboard && element.own == design::OwnData::none &&
+           layer.entry->role != scene::LayerRole::traffic && layer.entry->shape != scene::LayerShape::grid;
+}
+
+bool is_meant(const design::DataElement& element, const scene::Layer& layer) {
+    return element.layer.view().empty() ? layer.entry->role == element.role : element.layer.view() == layer.entry->name;
+}
+
+bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time) {
+    const scene::LayerEntry& entry = *layer.entry;
+    return !time.is_date || (time.utc.ns >= entry.valid_from_ns && time.utc.ns <= entry.valid_until_ns);
+}
+
+/// Of the groups' features, in the view of an epoch.
+class ElementLabels::Shapes final : public draw::LabelShapes {
+public:
+    Shapes(const ElementLabels& labels, const LabelFrame& frame)
+        : labels_(labels), frame_(frame), view_{frame.view, static_cast<float>(frame.text_px)} {}
+
+    [[nodiscard]] draw::ElementInput input(std::uint32_t group) const {
+        const Group& of = labels_.groups_[group];
+        return {*of.element,
+                static_cast<std::uint8_t>(group),
+                *of.layer,
+                frame_.ground,
+                frame_.missing,
+                frame_.time.utc.ns,
+                frame_.time.is_date,
+                frame_.view.eye,
+                0,
+                frame_.time.is_confirmed};
+    }
+    [[nodiscard]] draw::LabelShape shape(draw::LabelKey key) override {
+        return draw::label_shape(input(draw::group_of(key)), draw::feature_of(key), view_);
+    }
+    [[nodiscard]] const draw::SignView& view() const { return view_; }
+
+private:
+    const ElementLabels& labels_;
+    const LabelFrame& frame_;
+    draw::SignView view_;
+};
+
+void ElementLabels::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
+                        std::size_t design) {
+    settings_ = settings;
+    design_ = design;
+    groups_.clear();
+    planner_.rest();
+    if (scene == nullptr) return;
+    for (const design::DataElement& element : elements)
+        for (const scene::Layer& layer : scene->layers())
+            if (is_meant(element, layer) && has_labels(element, layer))
+                static_cast<void>(groups_.try_push_back({&element, &layer, 0}));
+}
+
+bool ElementLabels::is_any(const scene::Scene& scene, const design::DataElementList& elements) {
+    for (const design::DataElement& element : elements)
+        for (const scene::Layer& layer : scene.layers())
+            if (is_meant(element, layer) && has_labels(element, layer)) return true;
+    return false;
+}
+
+/// The same instant seen from elsewhere: nobody flies there, and what stood has no meaning.
+bool ElementLabels::has_leapt(const LabelFrame& frame) {
+    const bool is_same = last_eye_ == frame.view.eye && last_forward_ == frame.view.forward;
+    const bool leapt = frame.now == last_now_ && !is_same;
+    last_now_ = frame.now;
+    last_eye_ = frame.view.eye;
+    last_forward_ = frame.view.forward;
+    return leapt;
+}
+
+void ElementLabels::decide(const LabelFrame& frame) {
+    if (has_leapt(frame)) planner_.forget();
+    if (decided_for_ != design_) decide_anew(frame);
+    const std::int64_t epoch = draw::LabelPlanner::epoch_of(frame.now);
+    if (!planner_.is_due(epoch)) return;
+    view_ = frame.view;
+    time_ = frame.time;
+    epoch_now_ = frame.now;
+    text_px_ = frame.text_px;
+    is_anew_ = false;
+    decide_epoch(frame, epoch);
+}
+
+/// Of an epoch without labels there is nothing to decide.
+void ElementLabels::decide_anew(const LabelFrame& frame) {
+    decided_for_ = design_;
+    if (!planner_.is_decided()) return;
+    planner_.forget();
+    is_anew_ = true;
+    decide_epoch({frame.ground, view_, frame.missing, time_, epoch_now_, text_px_}, draw::LabelPlanner::epoch_of(epoch_now_));
+}
+
+void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
+    decided_for_ = design_;
+    planner_.begin({epoch, screen_of(frame.view), static_cast<float>(frame.text_px)}, settings_);
+    Shapes shapes(*this, frame);
+    for (std::uint32_t n = 0; n < groups_.size(); ++n) {
+        const draw::ElementInput input = shapes.input(n);
+        static_cast<void>(planner_.add_group(draw::label_group(input)));
+        if (is_valid_at(input.layer, frame.time)) draw::offer_features(input, n, shapes.view(), settings_, planner_);
+    }
+    planner_.settle(shapes);
+}
+
+void ElementLabels::keep(EpochMemory& memory) const {
+    planner_.keep(memory.labels);
+    memory.view = view_;
+    memory.time = time_;
+    memory.now = epoch_now_;
+    memory.text_px = text_px_;
+    memory.design = decided_for_;
+}
+
+void ElementLabels::restore(const EpochMemory& memory) {
+    planner_.restore(memory.labels);
+    view_ = memory.view;
+    time_ = memory.time;
+    epoch_now_ = memory.now;
+    text_px_ = memory.text_px;
+    decided_for_ = memory.design;
+    is_anew_ = false;
+}
+
+void ElementLabels::skip(base::Time now) {
+    last_now_ = now;
+    last_forward_ = glm::dvec3(0);
+    const std::int64_t epoch = draw::LabelPlanner::epoch_of(now);
+    if (!planner_.is_due(epoch)) return;
+    planner_.skip(epoch);
+    decided_for_ = design_;
+}
+
+std::size_t ElementLabels::group_of(const design::DataElement& element, const scene::Layer& layer) const {
+    std::size_t n = 0;
+    while (n < groups_.size() && (groups_[n].element != &element || groups_[n].layer != &layer)) ++n;
+    return n;
+}
+
+std::uint32_t ElementLabels::drawn(const design::DataElement& element, const scene::Layer& layer) const {
+    const std::size_t group = group_of(element, layer);
+    return group < groups_.size() ? groups_[group].drawn : 0;
+}
+
+std::uint32_t ElementLabels::suppressed(const design::DataElement& element, const scene::Layer& layer) const {
+    return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
+}
+
+ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs)
+    : labels_(labels), sheet_(sheet), inputs_(inputs), markers_(screen_of(sheet.view())), left_(screen_of(sheet.view())) {
+    for (Group& group : labels.groups_) group.drawn = 0;
+}
+
+bool ElementLabels::Pass::is_left(const draw::Rect& box) const {
+    const draw::Rect room = draw::LabelPlanner::with_margin(box, sheet_.text_px());
+    return !left_.is_free(room) && sheet_.is_free(box) && sheet_.is_clear_of_signs(room);
+}
+
+/// True where a name has its room, or better one that is left.
+bool ElementLabels::Pass::find_left_room(const Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
+                                         draw::BillboardWish& wish) const {
+    for (wish.stem = 0; wish.stem < draw::sign_stems(layer); ++wish.stem)
+        for (const draw::SignSide side : draw::kNameSides) {
+            wish.side = side;
+            const bool is_decided = label.level == LabelLevel::name && label.side == side && label.stem == wish.stem;
+            if (is_decided || is_left(shape.box.raised(wish.stem, shape.text_px).with(side))) return true;
+        }
+    return false;
+}
+
+void ElementLabels::Pass::add(std::size_t n) {
+    const Label& label = labels_.planner_.labels()[n];
+    Group& group = group_of(label);
+    const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
+    if (input != nullptr && most_of(label) != LabelLevel::none) add(n, *input);
+}
+
+void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input) {
+    const Label& label = labels_.planner_.labels()[n];
+    const std::uint32_t feature = draw::feature_of(label.key);
+    draw::BillboardShape shape;
+    const LabelLevel most = most_of(label);
+    if (!draw::billboard_shape(input, feature, sheet_.eye(), most == LabelLevel::name, shape)) return;
+    const draw::Rect decided = room_of(label, shape);
+    draw::BillboardWish wish{label.side, label.stem, n < protected_ ? &markers_ : nullptr, n};
+    LabelLevel level = label.level;
+    if (!left_.is_empty() && label.wanted == LabelLevel::name && find_left_room(label, shape, input.layer, wish))
+        level = LabelLevel::name;
+    if (level == LabelLevel::none && is_left(shape.box.with(draw::SignSide::none))) level = LabelLevel::marker;
+    if (level == LabelLevel::none) return;
+    if (level < most && !draw::billboard_shape(input, feature, sheet_.eye(), false, shape)) return;
+    const bool is_covered = sheet_.is_clear_of_signs(decided) && !sheet_.is_free(decided);
+    const draw::BillboardAnswer answer = draw::add_billboard(sheet_, input, feature, shape, wish);
+    if (label.is_seen && (is_covered || answer.fate == BillboardFate::hidden)) left_.take(decided);
+    if (answer.fate != BillboardFate::stands) return;
+    ++group_of(label).drawn;
+    standing_[n] = {answer.look(), level == LabelLevel::name && answer.side != draw::SignSide::none};
+}
+
+/// Nothing where it is not shown.
+draw::Rect ElementLabels::Pass::marker_room(std::size_t n) {
+    const Label& label = labels_.planner_.labels()[n];
+    const Group& group = group_of(label);
+    const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
+    draw::BillboardShape shape;
+    const bool is_shown =
+        input != nullptr && draw::billboard_shape(*input, draw::feature_of(label.key), sheet_.eye(), false, shape);
+    return is_shown ? shape.box.with(draw::SignSide::none) : draw::Rect{};
+}
+
+void ElementLabels::Pass::add_protected() {
+    const base::Span<const Label> labels = labels_.planner_.labels();
+    for (; protected_ < labels.size() && draw::is_protected(*group_of(labels[protected_]).layer); ++protected_)
+        markers_.take(marker_room(protected_));
+    for (std::size_t n = 0; n < protected_; ++n) add(n);
+}
+
+/// Those that gave way come last: they must not take the room of what stands where it was placed.
+void ElementLabels::Pass::add_others() {
+    const base::Span<const Label> labels = labels_.planner_.labels();
+    for (const bool gave_way : {false, true})
+        for (std::size_t n = protected_; n < labels.size(); ++n)
+            if ((labels[n].level < labels[n].wanted) == gave_way) add(n);
+}
+
+LabelCounts ElementLabels::Pass::count() {
+    draw::LabelPlanner& planner = labels_.planner_;
+    LabelCounts counts;
+    counts.changed = planner.take_gone();
+    std::uint32_t expected = 0, shown = 0;
+    for (std::uint32_t n = 0; n < labels_.groups_.size(); ++n) expected += planner.suppressed(n);
+    for (std::size_t n = 0; n < planner.labels().size(); ++n) {
+        const Label& label = planner.labels()[n];
+        if (planner.note(n, standing_[n].look)) ++counts.changed;
+        counts.placed += standing_[n].is_named ? 1 : 0;
+        expected += label.is_seen && label.level == LabelLevel::name ? 1 : 0;
+        shown += label.is_seen && standing_[n].is_named ? 1 : 0;
+    }
+    counts.suppressed = expected > shown ? expected - shown : 0;
+    return counts;
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,43 @@
+/// How much a feature is worth a sign: the degree of interest of the thesis (5.2.3), 0..1, the weighted mean of criteria that are
+/// 0..1 each:
+///
+///   distance       1 at the eye, 0 from kFarthestBillboard_m on, by the logarithm: 1 - ln(1 + d / 1 km) / ln(1 + farthest / 1
+///   km);
+///                  as far away as 60 degrees of view would show it
+///   population     of places: the attribute "population", 0 up to 100 people, 1 from a million on, by the logarithm; where the
+///                  layer has none, its ordinal attribute "kind", from its first class to its last
+///   height         the attribute "height", else "elevation" (m), of the largest in the layer
+///   runway_length  of runways: the attribute "length" (m), of kLongRunway_m
+///   relevance      of the feature's role, by the design, which is a phase's
+///
+/// A criterion that the layer does not state counts for none of its features; a value that is missing counts half: nobody knows.
+/// Pure; any thread.
+#pragma once
+
+#include "render_core/design/label_settings.hpp"
+#include "render_core/scene/scene.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr double kFarthestBillboard_m = 80'000;
+inline constexpr double kLongRunway_m = 3000;
+
+class DegreeOfInterest {
+public:
+    /// Both must stay.
+    DegreeOfInterest(const scene::Layer& layer, const design::LabelSettings& settings);
+    /// `distance_m`: BillboardSheet::seen_distance_m().
+    [[nodiscard]] double of(std::uint32_t feature, double distance_m) const;
+
+    /// The first criterion.
+    [[nodiscard]] static double nearness(double distance_m);
+
+private:
+    [[nodiscard]] double population(std::uint32_t feature) const;
+
+    const design::LabelWeights& weights_;
+    double relevance_ = 0;
+    const scene::Attribute *population_ = nullptr, *kind_ = nullptr, *height_ = nullptr, *length_ = nullptr;
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,26 @@
+// What lies before a frame: planned, but not shown and not counted.
+#include <gtest/gtest.h>
+
+#include "tests/support/hills_display.hpp"
+
+namespace tedavis::display::test_display_elements {
+namespace {
+
+TEST(DisplayElements, WhatLiesBeforeAFrameIsNotCounted) {
+    test_support::MemoryBytes bytes(test_support::hills().image);
+    test_support::HeadlessDisplay headless("egl", "es3-mid", 160, 120, &bytes);
+    const flight::AircraftState state = test_support::aircraft_over_hills(1400);
+    Display& display = headless.display();
+    EXPECT_FALSE(display.has_labels()) << "there is no scene";
+    display.update(state, {}, test_support::kHillsNow);
+    EXPECT_EQ(display.record().frame, 0u);
+    display.approach(state, {}, test_support::kHillsNow);
+    display.approach_labels(state, {}, test_support::kHillsNow);
+    display.settle(state, {}, test_support::kHillsNow);
+    display.update(state, {}, test_support::kHillsNow);
+    EXPECT_EQ(display.record().frame, 1u);
+    EXPECT_EQ(display.record().labels.placed, 0u);
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_display_elements

@@ -1,0 +1,98 @@
+#include "render_core/draw/data/label_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/labelled_layer.hpp"
+
+namespace tedavis::draw::test_label_features {
+namespace {
+
+using test_support::BillboardRoom;
+using test_support::ElementOfTest;
+
+host_sim::LayerDraft layer_of(const std::vector<scene::ScenePoint>& points, scene::LayerRole role = scene::LayerRole::place) {
+    host_sim::LayerDraft layer;
+    layer.name = "places";
+    layer.role = role;
+    layer.points = points;
+    return layer;
+}
+
+std::set<std::uint32_t> offered(ElementOfTest& test, const BillboardRoom& room) {
+    std::vector<unsigned char> block(1u << 16);
+    base::Arena arena(block.data(), block.size());
+    LabelPlanner planner;
+    EXPECT_TRUE(planner.start(arena));
+    const ElementInput input = test.input();
+    test_support::decide_labels(planner, input, room.sheet.eye());
+    std::set<std::uint32_t> features;
+    for (const Label& label : planner.labels()) features.insert(feature_of(label.key));
+    return features;
+}
+
+TEST(LabelFeatures, WhatMayBeInThePictureIsOffered) {
+    ElementOfTest test(layer_of({BillboardRoom::point(4000, 0, 1000), BillboardRoom::point(-20'000, 0, 1000),
+                                 BillboardRoom::point(79'000, 0, 1000), BillboardRoom::point(90'000, 0, 1000),
+                                 BillboardRoom::point(40'000, 35'000, 1000), BillboardRoom::point(5000, 60'000, 1000)}));
+    const BillboardRoom room;
+    EXPECT_EQ(offered(test, room), (std::set<std::uint32_t>{0, 2, 4}))
+        << "a little beside the picture, for it may turn; not far beside it, behind it or too far away";
+}
+
+/// The tall one far behind is of more interest, but it must not hide the near one.
+TEST(LabelFeatures, OfWhatWarnsTheNearestComesFirst) {
+    host_sim::LayerDraft masts =
+        layer_of({BillboardRoom::point(9000, 0, 1000), BillboardRoom::point(3000, 5, 1000)}, scene::LayerRole::obstacle);
+    host_sim::AttributeDraft height;
+    height.name = "height";
+    height.of = scene::AttributeOf::feature;
+    height.values = {300, 10};
+    masts.attributes = {height};
+    for (const scene::LayerRole role : {scene::LayerRole::obstacle, scene::LayerRole::sample}) {
+        masts.role = role;
+        ElementOfTest test(masts);
+        const BillboardRoom room;
+        std::vector<unsigned char> block(1u << 16);
+        base::Arena arena(block.data(), block.size());
+        LabelPlanner planner;
+        ASSERT_TRUE(planner.start(arena));
+        const ElementInput input = test.input();
+        test_support::decide_labels(planner, input, room.sheet.eye());
+        ASSERT_EQ(planner.labels().size(), 2u);
+        EXPECT_EQ(feature_of(planner.labels()[0].key), role == scene::LayerRole::obstacle ? 1u : 0u);
+    }
+}
+
+TEST(LabelFeatures, WhatWarnsIsProtected) {
+    using scene::LayerRole;
+    for (const LayerRole role : {LayerRole::obstacle, LayerRole::no_go, LayerRole::airspace, LayerRole::storm_cell}) {
+        ElementOfTest test(layer_of({BillboardRoom::point(4000, 0, 1000)}, role));
+        EXPECT_TRUE(label_group(test.input()).is_protected);
+        EXPECT_FALSE(label_group(test.input()).only_named);
+    }
+    ElementOfTest place(layer_of({BillboardRoom::point(4000, 0, 1000)}));
+    EXPECT_FALSE(label_group(place.input()).is_protected);
+    EXPECT_TRUE(label_group(place.input()).only_named);
+    EXPECT_GT(label_group(place.input()).most, 1e6);
+    place.element.detail = 0.5;
+    EXPECT_EQ(label_group(place.input()).most, 12);
+    EXPECT_EQ(label_group(place.input()).named_share, 0.5);
+}
+
+TEST(LabelFeatures, TheShapeIsThatOfTheBillboard) {
+    ElementOfTest test(layer_of({BillboardRoom::point(4000, 0, 1000), BillboardRoom::point(-4000, 0, 1000)}));
+    const BillboardRoom room;
+    BillboardShape shape;
+    ASSERT_TRUE(billboard_shape(test.input(), 0, room.sheet.eye(), true, shape));
+    const LabelShape label = label_shape(test.input(), 0, room.sheet.eye());
+    EXPECT_TRUE(label.is_known);
+    EXPECT_EQ(label.box.middle.x, shape.box.middle.x);
+    EXPECT_EQ(label.box.middle.y, shape.box.middle.y);
+    EXPECT_EQ(label.stems, kSignStems);
+    EXPECT_FALSE(label_shape(test.input(), 1, room.sheet.eye()).is_known);
+}
+
+}  // namespace
+}  // namespace tedavis::draw::test_label_features
