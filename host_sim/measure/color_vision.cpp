@@ -36,7 +36,7 @@ const char* to_string(ColorVision vision) noexcept {
     return "normal vision";
 }
 
-LinearRgb seen_with(ColorVision vision, const LinearRgb& light) noexcept {
+design::LinearRgb seen_with(ColorVision vision, const design::LinearRgb& light) noexcept {
     const auto row = [&light](const double(&r)[3]) {
         return std::clamp(r[0] * light.red + r[1] * light.green + r[2] * light.blue, 0.0, 1.0);
     };

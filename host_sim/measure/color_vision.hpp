@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "host_sim/measure/color_difference.hpp"
+#include "render_core/design/color_difference.hpp"
 
 namespace tedavis::host_sim {
 
@@ -18,6 +18,6 @@ inline constexpr std::array<ColorVision, 4> kColorVisions = {ColorVision::normal
 /// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE Transactions
 /// on Visualization and Computer Graphics 15 (2009), at severity 1, applied to linear light. It is weakest for tritanopia, as
 /// its authors say.
-[[nodiscard]] LinearRgb seen_with(ColorVision vision, const LinearRgb& light) noexcept;
+[[nodiscard]] design::LinearRgb seen_with(ColorVision vision, const design::LinearRgb& light) noexcept;
 
 }  // namespace tedavis::host_sim

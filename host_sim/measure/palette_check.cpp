@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <limits>
 
-#include "host_sim/measure/color_difference.hpp"
 #include "host_sim/measure/color_vision.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/design/color_difference.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using design::Color;
 using design::Palette;
-using Labs = std::vector<Lab>;
+using Labs = std::vector<design::Lab>;
 
 constexpr int kSamplesBetweenStops = 8;
 constexpr int kLights = 5;
@@ -38,7 +38,7 @@ std::string stop_text(const Palette& palette, std::size_t i) {
 /// As the terrain is drawn: encoded values times light.
 Color lit(Color color, double light) { return design::blended({0, 0, 0}, color, light); }
 
-Lab lab_of_color(Color color) { return lab_of(linear_rgb(color)); }
+design::Lab lab_of_color(Color color) { return lab_of(linear_rgb(color)); }
 
 Labs labs_of(const Palette& palette, ColorVision vision) {
     Labs labs;
@@ -69,7 +69,7 @@ void check_lightness(const Palette& palette, ColorVision vision, const std::stri
 }
 
 /// Degrees from one hue to the next, -180..180.
-double turn_deg(const Lab& from, const Lab& to) {
+double turn_deg(const design::Lab& from, const design::Lab& to) {
     return base::degrees(std::remainder(std::atan2(to.b, to.a) - std::atan2(from.b, from.a), 2 * base::radians(180)));
 }
 
@@ -172,7 +172,7 @@ void check_apart(const std::vector<Color>& colors, const Stranger& stranger, dou
     Labs labs;
     for (const Color color : colors) labs.push_back(lab_of_color(lit(color, light)));
     for (const Color color : stranger.colors) {
-        const Lab lab = lab_of_color(lit(color, light));
+        const design::Lab lab = lab_of_color(lit(color, light));
         for (std::size_t i = 0; i < colors.size(); ++i)
             if (const double d = color_difference(labs[i], lab); d < least) least = d, own = colors[i], other = color;
     }

@@ -8,7 +8,7 @@
 namespace tedavis::host_sim::test_color_vision {
 namespace {
 
-double seen_difference(ColorVision vision, const LinearRgb& first, const LinearRgb& second) {
+double seen_difference(ColorVision vision, const design::LinearRgb& first, const design::LinearRgb& second) {
     return color_difference(lab_of(seen_with(vision, first)), lab_of(seen_with(vision, second)));
 }
 
@@ -21,7 +21,7 @@ constexpr Copunctal kCopunctal[] = {
     {ColorVision::protan, 0.747, 0.253}, {ColorVision::deutan, 1.080, -0.080}, {ColorVision::tritan, 0.171, 0.0}};
 
 /// Linear sRGB of the missing cone's light alone, its largest part 1.
-LinearRgb missing_light(const Copunctal& point) {
+design::LinearRgb missing_light(const Copunctal& point) {
     const double z = 1 - point.x - point.y;
     const double red = 3.2404542 * point.x - 1.5371385 * point.y - 0.4985314 * z;
     const double green = -0.9692660 * point.x + 1.8760108 * point.y + 0.0415560 * z;
@@ -32,11 +32,12 @@ LinearRgb missing_light(const Copunctal& point) {
 
 TEST(ColorVision, ColoursOnAConfusionLineLookAlikeToItsOwnDeficiencyAlone) {
     for (const Copunctal& point : kCopunctal) {
-        const LinearRgb step = missing_light(point);
-        for (const LinearRgb& from : {LinearRgb{0.3, 0.3, 0.3}, LinearRgb{0.25, 0.3, 0.2}, LinearRgb{0.4, 0.3, 0.3}})
+        const design::LinearRgb step = missing_light(point);
+        for (const design::LinearRgb& from :
+             {design::LinearRgb{0.3, 0.3, 0.3}, design::LinearRgb{0.25, 0.3, 0.2}, design::LinearRgb{0.4, 0.3, 0.3}})
             for (const double amount : {0.1, -0.1}) {
-                const LinearRgb to{from.red + amount * step.red, from.green + amount * step.green,
-                                   from.blue + amount * step.blue};
+                const design::LinearRgb to{from.red + amount * step.red, from.green + amount * step.green,
+                                           from.blue + amount * step.blue};
                 const double normal = seen_difference(ColorVision::normal, from, to);
                 ASSERT_GT(normal, 6);
                 EXPECT_LT(seen_difference(point.vision, from, to), 0.3 * normal) << to_string(point.vision);
@@ -50,19 +51,19 @@ TEST(ColorVision, ColoursOnAConfusionLineLookAlikeToItsOwnDeficiencyAlone) {
 TEST(ColorVision, GreysStayAndNormalVisionChangesNothing) {
     for (const double light : {0.0, 0.05, 0.3, 0.7, 1.0})
         for (const ColorVision vision : kColorVisions) {
-            const LinearRgb seen = seen_with(vision, {light, light, light});
+            const design::LinearRgb seen = seen_with(vision, {light, light, light});
             EXPECT_NEAR(seen.red, light, 2e-6);
             EXPECT_NEAR(seen.green, light, 2e-6);
             EXPECT_NEAR(seen.blue, light, 2e-6);
         }
-    const LinearRgb same = seen_with(ColorVision::normal, {0.1, 0.5, 0.9});
+    const design::LinearRgb same = seen_with(ColorVision::normal, {0.1, 0.5, 0.9});
     EXPECT_EQ(same.red, 0.1);
     EXPECT_EQ(same.green, 0.5);
     EXPECT_EQ(same.blue, 0.9);
 }
 
 TEST(ColorVision, RedIsDarkToProtanopesAlone) {
-    const LinearRgb red{1, 0, 0};
+    const design::LinearRgb red{1, 0, 0};
     EXPECT_NEAR(seen_with(ColorVision::protan, red).red, 0.152286, 1e-9) << "as published";
     EXPECT_EQ(seen_with(ColorVision::protan, red).blue, 0) << "cut at black";
     const auto lightness = [&red](ColorVision vision) { return lab_of(seen_with(vision, red)).lightness; };

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "host_sim/measure/color_difference.hpp"
 #include "host_sim/measure/color_vision.hpp"
+#include "render_core/design/color_difference.hpp"
 #include "tests/support/device_files.hpp"
 
 namespace tedavis::host_sim::test_palette_check {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host_sim/measure/color_difference.hpp"
+#include "render_core/design/color_difference.hpp"
 #include "tests/support/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_picture_difference {
@@ -42,7 +42,7 @@ TEST(PictureDifference, OfAPictureAndItselfIsNothing) {
 }
 
 TEST(PictureDifference, OfFlatTonesIsTheirColorDifferenceWithoutEdges) {
-    const double expected = color_difference(lab_of(linear_rgb({200, 30, 30})), lab_of(linear_rgb({190, 40, 30})));
+    const double expected = color_difference(lab_of(design::linear_rgb({200, 30, 30})), lab_of(design::linear_rgb({190, 40, 30})));
     const PictureDifference two = picture_difference(view_of(flat({200, 30, 30})), view_of(flat({190, 40, 30})));
     EXPECT_DOUBLE_EQ(two.largest, expected);
     EXPECT_NEAR(two.mean, expected, 1e-9);

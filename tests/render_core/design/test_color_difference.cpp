@@ -1,10 +1,10 @@
-#include "host_sim/measure/color_difference.hpp"
+#include "render_core/design/color_difference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace tedavis::host_sim::test_color_difference {
+namespace tedavis::design::test_color_difference {
 namespace {
 
 struct Pair {
@@ -84,4 +84,4 @@ TEST(Lab, LightBeyondTheDisplayIsCut) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_color_difference
+}  // namespace tedavis::design::test_color_difference

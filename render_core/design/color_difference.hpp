@@ -6,7 +6,7 @@
 
 #include "render_core/design/color.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::design {
 
 /// CIE 1976 L*a*b*: lightness 0..100, red against green, yellow against blue.
 struct Lab {
@@ -18,7 +18,7 @@ struct LinearRgb {
     double red = 0, green = 0, blue = 0;
 };
 
-[[nodiscard]] LinearRgb linear_rgb(design::Color color) noexcept;
+[[nodiscard]] LinearRgb linear_rgb(Color color) noexcept;
 /// IEC 61966-2-1 for the primaries, CIE 15 for L*a*b*.
 [[nodiscard]] Lab lab_of(const LinearRgb& light) noexcept;
 
@@ -26,4 +26,4 @@ struct LinearRgb {
 /// Research and Application 30 (2005), which also gives the test pairs.
 [[nodiscard]] double color_difference(const Lab& first, const Lab& second) noexcept;
 
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::design

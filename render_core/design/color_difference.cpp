@@ -1,11 +1,11 @@
-#include "host_sim/measure/color_difference.hpp"
+#include "render_core/design/color_difference.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::host_sim {
+namespace tedavis::design {
 namespace {
 
 using base::degrees;
@@ -69,7 +69,7 @@ double weighted_difference(const Polar& first, const Polar& second) {
 
 }  // namespace
 
-LinearRgb linear_rgb(design::Color color) noexcept {
+LinearRgb linear_rgb(Color color) noexcept {
     return {design::linear_light(color.red), design::linear_light(color.green), design::linear_light(color.blue)};
 }
 
@@ -92,4 +92,4 @@ double color_difference(const Lab& first, const Lab& second) noexcept {
     return weighted_difference(polar(first), polar(second));
 }
 
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::design
