@@ -70,6 +70,13 @@ Json governor_json(const display::GovernorRecord& governor) {
             {"why", text(governor.why.view())}};
 }
 
+Json weights_json(const display::FrameRecord& record) {
+    Json json = Json::object();
+    for (const display::WeightRecord& one : record.weights)
+        json[text(one.aspect.view())] = {{"weight", one.weight}, {"stated", one.stated}};
+    return json;
+}
+
 Json aspect_json(const display::AspectRecord& aspect) {
     return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
 }
@@ -147,7 +154,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                             {"earlier_share", record.earlier_share},
                             {"terrain", aspect_json(record.terrain_aspect)},
                             {"data", aspect_json(record.data_aspect)},
-                            {"uncertainty", aspect_json(record.uncertainty_aspect)}};
+                            {"uncertainty", aspect_json(record.uncertainty_aspect)},
+                            {"weights", weights_json(record)}};
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
     json["latency_ms"] = result.latency_ms;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

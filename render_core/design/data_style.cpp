@@ -104,21 +104,28 @@ double detail_of(const GroundOverlay& overlay) noexcept {
 
 double detail_of_members(std::uint32_t members) noexcept { return detail_of_gradations(std::max(members, 1u)); }
 
-GroundData at_detail(const GroundData& ground, double detail) noexcept {
+std::uint32_t levels_at_detail(std::uint32_t levels, double detail) noexcept {
+    const auto most = static_cast<std::uint32_t>(gradations_of_detail(detail));
+    if (most < 2) return 1;
+    return most < kMaxClasses && (levels == 0 || levels > most) ? most : levels;
+}
+
+GroundData at_detail(const GroundData& ground, const GroundDetails& details) noexcept {
     GroundData reduced = ground;
     if (!ground.is_shown) return reduced;
-    const std::size_t most = gradations_of_detail(detail);
-    const auto levels = static_cast<std::uint32_t>(most);
-    reduced.most_members = std::min(reduced.most_members, levels);
-    if (detail_of(ground.scale) > detail) reduce_classes(reduced.scale, std::max<std::size_t>(most, 2));
-    if (most < 2) {
-        reduced.uncertainty.strength = reduced.overlay.strength = 0;
-        return reduced;
-    }
-    if (detail_of(ground.uncertainty) > detail) reduced.uncertainty.levels = levels;
-    if (detail_of(ground.overlay) > detail) reduced.overlay.levels = levels;
+    const std::size_t most = gradations_of_detail(details.data);
+    reduced.most_members = std::min(reduced.most_members, static_cast<std::uint32_t>(most));
+    if (detail_of(ground.scale) > details.data) reduce_classes(reduced.scale, std::max<std::size_t>(most, 2));
+    const auto intrinsic = static_cast<std::uint32_t>(gradations_of_detail(details.intrinsic));
+    const auto extrinsic = static_cast<std::uint32_t>(gradations_of_detail(details.extrinsic));
+    if (intrinsic < 2) reduced.uncertainty.strength = 0;
+    if (extrinsic < 2) reduced.overlay.strength = 0;
+    if (detail_of(reduced.uncertainty) > details.intrinsic) reduced.uncertainty.levels = intrinsic;
+    if (detail_of(reduced.overlay) > details.extrinsic) reduced.overlay.levels = extrinsic;
     return reduced;
 }
+
+GroundData at_detail(const GroundData& ground, double detail) noexcept { return at_detail(ground, {detail, detail, detail}); }
 
 AdjacentView at_detail(const AdjacentView& view, double detail) noexcept {
     AdjacentView reduced = view;

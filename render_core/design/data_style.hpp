@@ -106,6 +106,13 @@ void read_data_style(base::ConfigSection data, PaletteSource& palettes, DataStyl
 /// there were none), gradations and members; below two gradations a strength of 0, which needs no other programs, and one member.
 /// 1 changes nothing.
 [[nodiscard]] GroundData at_detail(const GroundData& ground, double detail) noexcept;
+/// The same with one for each part of the look: the data's colours, the uncertainty in them, and what is added to them.
+struct GroundDetails {
+    double data, intrinsic, extrinsic;
+};
+[[nodiscard]] GroundData at_detail(const GroundData& ground, const GroundDetails& details) noexcept;
+/// Of so many gradations (0: continuous) those that are left; 1: none can be told apart.
+[[nodiscard]] std::uint32_t levels_at_detail(std::uint32_t levels, double detail) noexcept;
 /// Fewer classes likewise; of one map fewer cells, of several fewer members.
 [[nodiscard]] AdjacentView at_detail(const AdjacentView& view, double detail) noexcept;
 

@@ -206,6 +206,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     read_data_style(root.section("data"), palettes, design.data);
     refuse_grid_without_spacing(root.section("data"), design);
     read_label_settings(root.section("labels"), design.labels);
+    read_priority(root.section("priority"), design.priority);
     read_sky(root.section("sky"), design.sky);
     read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);

@@ -19,6 +19,7 @@
 #include "render_core/design/label_settings.hpp"
 #include "render_core/design/named_phases.hpp"
 #include "render_core/design/palette.hpp"
+#include "render_core/design/priority.hpp"
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/design/view_effects.hpp"
 #include "render_core/design/warning_bands.hpp"
@@ -124,6 +125,7 @@ struct DesignSettings {
     TerrainSettings terrain;
     DataStyle data;
     LabelSettings labels;
+    PrioritySettings priority;
     SkySettings sky;
     ViewEffects effects;
     bool warning_colors = true;

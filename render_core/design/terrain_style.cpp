@@ -174,6 +174,11 @@ bool MapSet::any() const noexcept {
     return false;
 }
 
+double detail_of(const TerrainStyle& style) noexcept {
+    if (style.shade.technique != TerrainShade::none) return 1;
+    return has_lines(style.sketch) ? 0.5 : 0.25;
+}
+
 bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
     const auto on = [](double x, double y) { return (x > 0) == (y > 0); };
     const SketchSettings &s = a.sketch, &t = b.sketch;

@@ -112,6 +112,9 @@ static_assert(std::is_trivially_copyable_v<TerrainStyle>);
 /// Any line, hatch or dot at all.
 [[nodiscard]] bool has_lines(const SketchSettings& sketch) noexcept;
 
+/// 0..1: how much of the ground's form is told: 1 by shading, a half by lines alone, a quarter by colours alone.
+[[nodiscard]] double detail_of(const TerrainStyle& style) noexcept;
+
 /// Baked maps that a style reads.
 enum class BakedMap : std::uint8_t { form, light, aperture, horizon, drape };
 inline constexpr std::size_t kBakedMaps = 5;

@@ -232,6 +232,13 @@ bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEn
     return unit != field_text(attribute.unit);
 }
 
+bool is_stale(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept {
+    draw::DataLegend legend;
+    set_time(layer, time.utc.ns, legend);
+    if (legend.data_time_ns == scene::kNoTime || legend.is_forecast) return false;
+    return base::Duration{time.utc.ns - legend.data_time_ns} > base::Duration::from_seconds(stale_after_s);
+}
+
 draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, const flight::FlightTime& time,
                            const design::DesignSettings& design, const scene::Layer* made_of) noexcept {
     draw::DataLegend legend;

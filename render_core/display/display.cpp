@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/design/weighted_design.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_calls.hpp"
 #include "render_core/display/frame_notes.hpp"
@@ -23,19 +24,27 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     gl_.use_programs(settings.programs);
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
-    base::FixedVector<draw::DrawnDesign, design::kMaxPhaseDesigns + 1> designs;
-    for (std::size_t place = 0; place <= phases_.size(); ++place)
-        static_cast<void>(designs.try_push_back(drawn_design(design_at(place))));
-    if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
-    if (terrain.file != nullptr) {
-        const gl::GlError error = terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
-        if (!error.sentence.empty()) return error;
-    }
+    if (gl::GlError error = start_drawing(terrain); !error.sentence.empty()) return error;
     if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
     gl_.seal();
     gl_.use_programs(nullptr);
     memory_.note_use(settings_.device.budget);
     return {};
+}
+
+/// Every design as its weights leave it, the one that is shown first, and with all that may be raised.
+gl::GlError Display::start_drawing(const TerrainInput& terrain) {
+    design::DesignSettings weighted[draw::TerrainDrawer::kMaxStyles];
+    base::FixedVector<draw::DrawnDesign, draw::TerrainDrawer::kMaxStyles> designs;
+    for (const bool raised : {false, true})
+        for (std::size_t place = 0; place <= phases_.size(); ++place) {
+            if (raised && !design_at(place).priority.is_stated) continue;
+            weighted[designs.size()] = design::weighted(design_at(place), raised);
+            static_cast<void>(designs.try_push_back(drawn_design(weighted[designs.size()])));
+        }
+    if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
+    if (terrain.file == nullptr) return {};
+    return terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
 }
 
 gl::GlError Display::start_data(base::ByteSource* scene) {
@@ -127,6 +136,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
                      const flight::FlownWay* way) {
     follow_phase(phase, now);
     begin_update(state, phase, now);
+    if (has_new_look_) show_look();
     plan_terrain();
     plan_data();
     plan_elements(way);
@@ -146,6 +156,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
     conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
+    weigh(now);
     transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);
     decide(now);
     begin_record(now);
@@ -154,7 +165,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
 }
 
 void Display::plan_effects() {
-    EffectFacts facts{asked_of_[shown_], settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
+    EffectFacts facts{asked(), settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
     facts.is_near = is_near();
     facts.light = record_.light.source;
     facts.drape = terrain_.drape(settings_.design.terrain.style);

@@ -145,10 +145,18 @@ private:
     void follow_phase(const flight::PhaseStatus& phase, base::Time now);
     void show_design(std::size_t place);
     [[nodiscard]] gl::GlError start_drawers(draw::DrawnDesigns designs);
+    [[nodiscard]] gl::GlError start_drawing(const TerrainInput& terrain);
     [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void decide(base::Time now);
+    void weigh(base::Time now);
+    void take_weights();
+    void show_look();
+    [[nodiscard]] design::AspectWeights weights_at(base::Time now);
+    void raise_hazards(const design::PrioritySettings& priority, base::Time now, design::AspectWeights& weights);
+    [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
+    [[nodiscard]] effects::EffectSet asked() const;
     void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
@@ -170,7 +178,6 @@ private:
     void decide_again();
     [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
     void set_elements();
-    void label_by(std::size_t place);
     [[nodiscard]] DrawContext context() const { return context_of(eye_); }
     [[nodiscard]] DrawContext context_of(const Eye& eye) const;
     [[nodiscard]] ElementFrame element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
@@ -188,6 +195,8 @@ private:
     DisplaySettings settings_;                                   ///< its design is the one that is shown
     design::DesignSettings design_;                              ///< as the device can show it; where no phase has another
     design::PhaseDesigns phases_;                                ///< likewise
+    design::AspectWeights weights_;                              ///< of the shown design, in the planned frame
+    bool has_new_look_ = false;                                  ///< they have changed since the drawers were told
     effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
     std::size_t shown_ = 0, turns_to_ = 0;                       ///< places of designs
     Turn turn_ = Turn::none;

@@ -1,6 +1,7 @@
 // The designs of the display: which phase has which, and how one takes the place of another.
 #include <glm/geometric.hpp>
 
+#include "render_core/design/weighted_design.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/display/effect_calls.hpp"
 
@@ -30,7 +31,8 @@ gl::GlError Display::take_designs(const DisplaySettings& settings) {
         if (kept.sky.air.is_shown != design_.sky.air.is_shown || stereo_margin_px(kept) != stereo_margin_px(design_))
             return differing(design_, kept);
     }
-    settings_.design = design_;
+    weights_ = design_.priority.weights;
+    take_weights();
     band_deviations_ = design::deviations_of_coverage(design_.widening.coverage);
     return {};
 }
@@ -41,9 +43,13 @@ draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design) co
 
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    const draw::DrawnDesign drawn = drawn_design(possible);
-    return is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && passes_.shows(drawn) && terrain_.shows(drawn) &&
-           elements_.can_show(possible);
+    if (!is_dimmable || stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible)) return false;
+    for (const bool raised : {false, true}) {
+        const design::DesignSettings weighted = design::weighted(possible, raised);
+        const draw::DrawnDesign drawn = drawn_design(weighted);
+        if (!passes_.shows(drawn) || !terrain_.shows(drawn)) return false;
+    }
+    return true;
 }
 
 bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {
@@ -65,11 +71,9 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
 
 void Display::show_design(std::size_t place) {
     shown_ = place;
-    settings_.design = design_at(place);
-    const draw::DrawnDesign drawn = drawn_design(settings_.design);
-    passes_.set_design(drawn);
-    terrain_.set_design(gl_, drawn);
-    if (elements_.is_started()) set_elements();
+    weights_ = design_at(place).priority.weights;
+    take_weights();
+    show_look();
     band_deviations_ = design::deviations_of_coverage(settings_.design.widening.coverage);
 }
 

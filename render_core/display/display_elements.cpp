@@ -79,21 +79,21 @@ void Display::approach_labels(const flight::AircraftState& state, const flight::
     const DisplayConditions conditions = conditions_;
     const DisplayDecisions decisions = decisions_;
     const ViewTransition transition = transition_;
-    const std::size_t place = phases_.place_of(phase.presented);
-    if (place != shown_) label_by(place);
+    const design::AspectWeights weights = weights_;
+    const std::size_t shown = shown_;
+    shown_ = phases_.place_of(phase.presented);
+    if (shown_ != shown) take_weights();
     transition_ = ViewTransition();
     begin_update(state, phase, now);
-    if (place != shown_) label_by(shown_);
+    const bool is_as_shown = shown_ == shown && weights_ == weights;
+    shown_ = shown;
+    weights_ = weights;
+    if (!is_as_shown) take_weights();
+    has_new_look_ = false;
     transition_ = transition;
     decisions_ = decisions;
     conditions_ = conditions;
     frame_ = frame;
-}
-
-void Display::label_by(std::size_t place) {
-    settings_.design = design_at(place);
-    elements_.labels().set(data_.has_scene() ? &data_.scene() : nullptr, settings_.design.data.elements, settings_.design.labels,
-                           place);
 }
 
 }  // namespace tedavis::display

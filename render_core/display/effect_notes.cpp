@@ -43,7 +43,7 @@ void add_technique(std::string_view name, Name& technique) {
 
 void state_data_aspects(const design::GroundData& ground, std::uint32_t members, FrameRecord& record) {
     const bool has_classes = ground.scale.palette.is_nominal() || !ground.scale.breaks.empty();
-    record.data_aspect = {Name(has_classes ? "ground_color_classes" : "ground_color"), detail_of(ground.scale), 1};
+    record.data_aspect = {Name(has_classes ? "ground_color_classes" : "ground_color"), detail_of(ground.scale)};
     const bool has_members = ground.members == design::GroundMembers::animated;
     Name technique(has_members ? "animated_members" : "");
     if (ground.uncertainty.technique != design::IntrinsicUncertainty::none)
@@ -53,7 +53,7 @@ void state_data_aspects(const design::GroundData& ground, std::uint32_t members,
     if (technique.empty()) return;
     const double of_members = has_members ? design::detail_of_members(members) : 0;
     record.uncertainty_aspect = {technique,
-                                 std::fmax(of_members, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay))), 1};
+                                 std::fmax(of_members, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay)))};
 }
 
 void add_adjacent_aspect(const design::AdjacentView& adjacent, std::uint32_t maps, AspectRecord& aspect) {
@@ -61,15 +61,13 @@ void add_adjacent_aspect(const design::AdjacentView& adjacent, std::uint32_t map
     const bool has_members = adjacent.shows == design::AdjacentShows::members;
     add_technique(has_members ? "adjacent_members" : "adjacent_map", aspect.technique);
     aspect.detail = std::fmax(aspect.detail, has_members ? design::detail_of_members(maps) : detail_of(adjacent.scale));
-    aspect.weight = 1;
 }
 
 void state_terrain_aspect(const EffectNotes& notes, AspectRecord& aspect) {
     design::TerrainStyle shown = notes.design.terrain.style;
     if (notes.plan.runs(Effect::plain_color)) shown.texture = design::TerrainTexture::plain;
     aspect.technique = notes.decisions.show_terrain ? style_name(shown) : Name("none");
-    aspect.detail = notes.decisions.show_terrain ? 1 : 0;
-    aspect.weight = 1;
+    aspect.detail = notes.decisions.show_terrain ? detail_of(shown) : 0;
 }
 
 }  // namespace

@@ -74,9 +74,9 @@ private:
 void ElementLabels::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
                         std::size_t design) {
     settings_ = settings;
+    if (design != design_) planner_.rest();
     design_ = design;
     groups_.clear();
-    planner_.rest();
     if (scene == nullptr) return;
     for (const design::DataElement& element : elements)
         for (const scene::Layer& layer : scene->layers())

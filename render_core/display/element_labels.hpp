@@ -60,7 +60,10 @@ public:
     void set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
              std::size_t design = 0);
     /// Of all designs: what they are has changed, or the scene.
-    void forget() { planner_.forget(); }
+    void forget() {
+        planner_.forget();
+        planner_.rest();
+    }
     /// Whether an element of the scene has labels.
     [[nodiscard]] static bool is_any(const scene::Scene& scene, const design::DataElementList& elements);
 

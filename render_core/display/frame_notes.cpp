@@ -33,10 +33,9 @@ void note_aspects(const ElementReport& report, FrameRecord& record) {
     const design::DataElement& element = *report.element;
     const double detail = element.detail * report.detail_factor;
     if (report.state != ElementState::shown || detail <= record.data_aspect.detail) return;
-    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), detail, 1};
+    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), detail};
     if (element.uncertainty == design::ElementUncertainty::none) return;
-    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]), detail,
-                                 1};
+    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]), detail};
 }
 
 /// What is out of view counts as nothing else; of what is not told apart, the drawn ones are taken to be out of it first.
@@ -91,6 +90,14 @@ void note_elements(const ElementReports& reports, FrameRecord& record) {
         DataRecord* const type = record_of(scene::name_of(report.layer->entry->role), record);
         if (type == nullptr) continue;
         note_count(report, *type);
+    }
+}
+
+void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record) {
+    AspectRecord* const main[] = {&record.terrain_aspect, &record.data_aspect, &record.uncertainty_aspect};
+    for (std::size_t n = 0; n < priority.count(); ++n) {
+        if (n < design::kMainAspects) main[n]->weight = weights.of[n];
+        static_cast<void>(record.weights.try_push_back({Name(priority.name_of(n)), weights.of[n], priority.weights.of[n]}));
     }
 }
 

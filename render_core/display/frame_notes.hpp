@@ -19,6 +19,8 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record);
 /// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.
+/// The weight of each aspect, and of which one something has raised it.
+void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
 void note_budget(const effects::BudgetReport& report, FrameRecord& record);
 /// After note_effects().
 void note_work(const EffectWorkTable& work, FrameRecord& record);

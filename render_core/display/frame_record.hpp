@@ -36,6 +36,12 @@ struct AspectRecord {
     double weight = 0;
 };
 
+struct WeightRecord {
+    Name aspect;
+    double weight = 1;  ///< 0..1, of the frame
+    double stated = 1;  ///< by the design; a larger weight was raised
+};
+
 struct TerrainRecord {
     double tau_px = 0;          ///< asked for
     double worst_error_px = 0;  ///< upper bound reached over all drawn chunks
@@ -102,6 +108,7 @@ struct FrameRecord {
     base::FixedString<47> design;  ///< that the phase has
     double earlier_share = 0;      ///< of the design before it, which fades out
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
+    base::FixedVector<WeightRecord, design::kMaxAspects> weights;
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord>);
 

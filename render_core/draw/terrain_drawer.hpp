@@ -51,7 +51,8 @@ public:
     /// alone, a coast by the pages.
     static constexpr std::size_t kPageVariants = 3;
 
-    static constexpr std::size_t kMaxStyles = design::kMaxPhaseDesigns + 1;
+    /// Each design as its weights leave it, and with raised ones.
+    static constexpr std::size_t kMaxStyles = 2 * (design::kMaxPhaseDesigns + 1);
 
     /// For designs that follow one another while it runs; the first is drawn first.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,

@@ -39,6 +39,7 @@ struct PlannedEffect {
 class EffectSet {
 public:
     void add(const EffectSet& effects) { bits_ |= effects.bits_; }
+    void remove(Effect effect) { bits_ &= ~(1u << static_cast<unsigned>(effect)); }
     void add(Effect effect) { bits_ |= 1u << static_cast<unsigned>(effect); }
     [[nodiscard]] bool has(Effect effect) const { return (bits_ >> static_cast<unsigned>(effect) & 1u) != 0; }
 

@@ -242,7 +242,7 @@ std::string with_key(const DocumentedKey& documented, const std::string& value) 
         add("attribute", "'b'");
         add("palette", "'seeded'");
     };
-    add("name", "'x'");
+    if (!section.empty() || key != "name") text += "name = 'x'\n";
     if (section == "[[warning.band]]") text += "[warning]\nprofile = 'custom'\n";
     if (section.find("data.ground.") != std::string::npos)
         text += "[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'seeded'\n";
@@ -260,6 +260,11 @@ std::string with_key(const DocumentedKey& documented, const std::string& value) 
     if (section == "[data.element.cues]" && key.rfind("line_spacing", 0) != 0) text += "line_spacing_m = 100\n";
     if (section == "[[warning.band]]")
         for (const char* name : {"lower_ft", "color", "strength"}) add(name, name[0] == 'c' ? "'#ffffff'" : "0.5");
+    if (section == "[[priority.aspect]]") {
+        add("name", "'a'");
+        add("roles", "['road']");
+        add("weight", "1");
+    }
     return text + key + " = " + value + "\n";
 }
 

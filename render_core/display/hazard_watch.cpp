@@ -1,0 +1,138 @@
+#include "render_core/display/hazard_watch.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/data/area_limits.hpp"
+#include "render_core/draw/data/placement.hpp"
+
+namespace tedavis::display {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kParts = 8;
+
+/// From a place to the straight line between two others.
+double distance_m(double east, double north, double to_east, double to_north) {
+    const double length2 = to_east * to_east + to_north * to_north;
+    const double along = length2 > 0 ? -(east * to_east + north * to_north) / length2 : 0;
+    const double kept = std::fmin(std::fmax(along, 0), 1);
+    return std::hypot(east + kept * to_east, north + kept * to_north);
+}
+
+}  // namespace
+
+HazardWatch::HazardWatch(const design::PrioritySettings& settings, const Way& way, draw::Ground& ground, std::int64_t time_ns)
+    : settings_(settings),
+      way_(way),
+      ground_(ground),
+      time_ns_(time_ns),
+      metres_per_latitude_(earth::meridian_radius_m(way.from.latitude_rad)),
+      metres_per_longitude_(earth::prime_vertical_radius_m(way.from.latitude_rad) * std::cos(way.from.latitude_rad)) {}
+
+double HazardWatch::share_of(double seconds) const {
+    const double left = 2 * (1 - seconds / settings_.hazard_ahead_s);
+    return std::floor(kParts * std::fmin(std::fmax(left, 0), 1)) / kParts;
+}
+
+earth::Geodetic HazardWatch::geodetic_at(double seconds) const {
+    const Place at = way_at(seconds);
+    return {way_.from.latitude_rad + at.north_m / metres_per_latitude_,
+            way_.from.longitude_rad + at.east_m / metres_per_longitude_,
+            {way_.from.height.m + way_.up_mps * seconds}};
+}
+
+HazardWatch::Place HazardWatch::place_of(const scene::ScenePoint& point) const {
+    double east_rad = point.longitude_rad - way_.from.longitude_rad;
+    if (std::fabs(east_rad) > base::kPi) east_rad -= std::copysign(2 * base::kPi, east_rad);
+    return {east_rad * metres_per_longitude_, (point.latitude_rad - way_.from.latitude_rad) * metres_per_latitude_};
+}
+
+/// Between two steps nothing is flown past.
+double HazardWatch::reach_m() const {
+    return settings_.hazard_within_m + 0.5 * std::hypot(way_.east_mps, way_.north_mps) * settings_.hazard_ahead_s / kSteps;
+}
+
+/// Beyond one side of a box round the whole way.
+bool HazardWatch::is_aside(const scene::Layer& layer, scene::Run run, Place drift) const {
+    const Place end = way_at(settings_.hazard_ahead_s);
+    double west = kNever, east = -kNever, south = kNever, north = -kNever;
+    for (std::uint32_t n = 0; n < run.count; ++n) {
+        const Place at = place_of(layer.points[run.first + n]);
+        west = std::fmin(west, at.east_m + drift.east_m);
+        east = std::fmax(east, at.east_m + drift.east_m);
+        south = std::fmin(south, at.north_m + drift.north_m);
+        north = std::fmax(north, at.north_m + drift.north_m);
+    }
+    const double reach = reach_m();
+    return west > std::fmax(end.east_m, 0) + reach || east < std::fmin(end.east_m, 0) - reach ||
+           south > std::fmax(end.north_m, 0) + reach || north < std::fmin(end.north_m, 0) - reach;
+}
+
+double HazardWatch::terrain_share() {
+    for (int step = 0; step < kSteps; ++step) {
+        const earth::Geodetic at = geodetic_at(time_of(step));
+        const double ground_m = ground_.height_m(at.latitude_rad, at.longitude_rad);
+        if (at.height.m < ground_m + clearance_m()) return share_of(time_of(step));
+    }
+    return 0;
+}
+
+double HazardWatch::layer_share(const scene::Layer& layer) {
+    double share = 0;
+    for (std::uint32_t feature = 0; feature < layer.entry->feature_count && share < 1; ++feature)
+        share = std::fmax(share, share_of(seconds_to(layer, feature)));
+    return share;
+}
+
+double HazardWatch::seconds_to(const scene::Layer& layer, std::uint32_t feature) {
+    const design::DataElement plain;
+    const glm::dvec2 drift = draw::drift_m({plain, 0, layer, ground_, {}, time_ns_, true}, feature);
+    const scene::Run run = layer.points_of(feature);
+    if (is_aside(layer, run, {drift.x, drift.y})) return kNever;
+    for (int step = 0; step < kSteps; ++step)
+        if (is_near(layer, run, {drift.x, drift.y}, time_of(step)) && is_at_height(layer, feature, time_of(step)))
+            return time_of(step);
+    return kNever;
+}
+
+/// Within an area by how often its border is crossed to the east.
+bool HazardWatch::is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const {
+    const Place own = way_at(seconds);
+    const double reach = reach_m();
+    const bool is_area = layer.entry->shape == scene::LayerShape::areas;
+    bool is_inside = false;
+    for (std::uint32_t n = 0; n < run.count; ++n) {
+        const bool is_last = n + 1 == run.count;
+        const Place a = place_of(layer.points[run.first + n]);
+        const Place b = is_last && !is_area ? a : place_of(layer.points[run.first + (is_last ? 0 : n + 1)]);
+        const double east = a.east_m + drift.east_m - own.east_m, north = a.north_m + drift.north_m - own.north_m;
+        const double to_east = b.east_m - a.east_m, to_north = b.north_m - a.north_m;
+        if (distance_m(east, north, to_east, to_north) <= reach) return true;
+        const bool crosses = (north > 0) != (north + to_north > 0);
+        if (crosses && east - north * to_east / to_north > 0) is_inside = !is_inside;
+    }
+    return is_area && is_inside;
+}
+
+double HazardWatch::over_ellipsoid_m(double height_m, scene::HeightDatum datum, const earth::Geodetic& at) {
+    if (datum == scene::HeightDatum::ellipsoid) return height_m;
+    if (datum == scene::HeightDatum::msl) return height_m + ground_.undulation_m(at.latitude_rad, at.longitude_rad);
+    return height_m + ground_.height_m(at.latitude_rad, at.longitude_rad);
+}
+
+/// Comparisons with what is not a number are false: it is in the way.
+bool HazardWatch::is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds) {
+    const earth::Geodetic at = geodetic_at(seconds);
+    if (layer.entry->shape != scene::LayerShape::areas) {
+        const double top_m = static_cast<double>(layer.points[layer.points_of(feature).first].height_m);
+        return !(at.height.m > over_ellipsoid_m(top_m, layer.entry->height_datum, at) + clearance_m());
+    }
+    const draw::AreaLimits limits = draw::area_limits(layer, feature);
+    const bool is_over = at.height.m > over_ellipsoid_m(limits.ceiling.m, limits.ceiling.datum, at) + clearance_m();
+    const bool is_under = at.height.m < over_ellipsoid_m(limits.floor.m, limits.floor.datum, at) - clearance_m();
+    return !is_over && !is_under;
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,61 @@
+/// Which hazards lie on the way: terrain, and features of the data that may raise the weight of their aspect
+/// (design/priority.hpp).
+///
+/// The way is straight ahead at the speed of the instant, for `hazard_ahead_s`. A hazard counts from 0 at its end to 1 at half of
+/// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below: a
+/// function of the instant alone, and no step that could flicker is larger than an eighth. What is not known (heights, floors)
+/// counts as if it were at the aircraft's own height.
+///
+/// Bounded: kSteps places of the way, and every point of the layers. Thread  the display's.
+#pragma once
+
+#include <array>
+
+#include "render_core/design/priority.hpp"
+#include "render_core/draw/data/element_input.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::display {
+
+struct Way {
+    earth::Geodetic from;  ///< height over the ellipsoid
+    double north_mps = 0, east_mps = 0, up_mps = 0;
+};
+
+/// Shares 0..1 by aspect; 0 of those that are no hazard.
+using HazardShares = std::array<double, design::kMaxAspects>;
+
+class HazardWatch {
+public:
+    static constexpr int kSteps = 24;
+    /// All must stay while it is asked. `time_ns`: the frame's, for what moves.
+    HazardWatch(const design::PrioritySettings& settings, const Way& way, draw::Ground& ground, std::int64_t time_ns);
+
+    [[nodiscard]] double terrain_share();
+    [[nodiscard]] double layer_share(const scene::Layer& layer);
+
+private:
+    struct Place {
+        double east_m, north_m;
+    };
+    [[nodiscard]] double time_of(int step) const { return settings_.hazard_ahead_s * step / kSteps; }
+    [[nodiscard]] Place way_at(double seconds) const { return {way_.east_mps * seconds, way_.north_mps * seconds}; }
+    [[nodiscard]] earth::Geodetic geodetic_at(double seconds) const;
+    [[nodiscard]] Place place_of(const scene::ScenePoint& point) const;
+    [[nodiscard]] double reach_m() const;
+    [[nodiscard]] bool is_aside(const scene::Layer& layer, scene::Run run, Place drift) const;
+    [[nodiscard]] double clearance_m() const { return settings_.hazard_within_m / 3; }
+    [[nodiscard]] double share_of(double seconds) const;
+    [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
+    [[nodiscard]] bool is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const;
+    [[nodiscard]] bool is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds);
+    [[nodiscard]] double over_ellipsoid_m(double height_m, scene::HeightDatum datum, const earth::Geodetic& at);
+
+    const design::PrioritySettings& settings_;
+    const Way& way_;
+    draw::Ground& ground_;
+    std::int64_t time_ns_;
+    double metres_per_latitude_, metres_per_longitude_;  ///< a radian's
+};
+
+}  // namespace tedavis::display
