@@ -25,6 +25,9 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_surface_options(command, picture);
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
+    command->add_option_function<std::string>(
+        "--weights", [&picture](const std::string& text) { picture.weights = weights_from(text); },
+        "of aspects, 0 to 1, such as terrain=0.3,data=1; default: the design's");
     add_optional(command, "--deadline", picture.deadline_ms,
                  "milliseconds that a frame may take by the costs of --costs; default: none is held")
         ->check(above_zero());

@@ -6,12 +6,16 @@
 #include <string>
 
 #include "host_sim/console.hpp"
+#include "host_sim/replay/asked_weights.hpp"
 #include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::host_sim {
 
 enum class FrameOutput : std::uint8_t { png, hash, none };
 enum class GlChoice : std::uint8_t { egl, osmesa };
+
+/// Of a picture, for measures of one aspect: data on the ground over a plain one, or the plain ground alone.
+enum class ShownAspects : std::uint8_t { all, terrain, ground_data, nothing };
 
 struct PictureSize {
     std::uint32_t width = 0, height = 0;
@@ -24,10 +28,12 @@ struct PictureOptions {
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
-    std::optional<PictureSize> size;    ///< nothing: the device's
-    GlChoice gl = GlChoice::egl;        ///< the window has a surface of its own
-    std::optional<double> tau_px;       ///< nothing: the design's
-    std::optional<double> detail;       ///< of all data, 0..1; nothing: the design's
+    std::optional<PictureSize> size;  ///< nothing: the device's
+    GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
+    std::optional<double> tau_px;     ///< nothing: the design's
+    std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
+    AskedWeights weights;             ///< of aspects; those that are missing are the design's
+    ShownAspects shown = ShownAspects::all;
     std::optional<double> deadline_ms;  ///< of a frame; nothing: none
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen

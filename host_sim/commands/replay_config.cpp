@@ -84,6 +84,7 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.bus = text_of(section, "bus", picture.bus);
     picture.gl = static_cast<GlChoice>(section.choice("gl", {kGlNames.data(), kGlNames.size()}, 0));
     picture.tau_px = optional_number(section, "tau_px");
+    if (section.has("weights")) picture.weights = weights_from(text_of(section, "weights", ""));
     picture.deadline_ms = optional_number(section, "deadline_ms");
     picture.costs = text_of(section, "costs", "");
     picture.force_effects = section.boolean("force_effects", false);
@@ -117,6 +118,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     }
     toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
     toml.number("tau_px", picture.tau_px);
+    toml.word("weights", text_of(picture.weights));
     toml.number("deadline_ms", picture.deadline_ms);
     toml.path("costs", picture.costs);
     if (picture.force_effects) toml.truth("force_effects");

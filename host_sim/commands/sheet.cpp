@@ -52,6 +52,7 @@ PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture
     PictureOptions options = job.picture;
     options.design = picture.design;
     options.detail = picture.detail;
+    options.weights = picture.weights;
     return options;
 }
 
@@ -90,9 +91,24 @@ AircraftPose pose_of(const SheetJob& job, const SheetOptions& options, const She
     return pose;
 }
 
+RgbaPicture picture_of(PictureOptions options, ShownAspects shown, const AircraftPose& pose) {
+    options.shown = shown;
+    DisplaySession session(options, false);
+    static_cast<void>(posed_frame(session, pose, {}));
+    return upright(session.pixels());
+}
+
+AspectMeasures measures_of(const PictureOptions& options, const AircraftPose& pose) {
+    const RgbaPicture terrain = picture_of(options, ShownAspects::terrain, pose),
+                      data = picture_of(options, ShownAspects::ground_data, pose),
+                      bare = picture_of(options, ShownAspects::nothing, pose);
+    return {edge_density(view_of(terrain)), distinct_colors(view_of(data), view_of(bare), design::TerrainStyle().plain), 0};
+}
+
 /// Draws one picture into `drawn`; a sentence where a part of the terrain failed.
 std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const SheetPlan::Picture& planned,
                          DrawnSheet::Picture& drawn, std::string& gl) {
+    if (job.plan.measures_aspects) drawn.measures = measures_of(options_of(job, planned), pose);
     DisplaySession session(options_of(job, planned), false);
     drawn.title = planned.title;
     drawn.design = planned.design;
@@ -101,6 +117,7 @@ std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const Sh
     require_view_within(job, drawn.result);
     drawn.pixels = upright(session.pixels());
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
+    if (drawn.measures) drawn.measures->glyphs = session.display().counters().glyphs;
     gl = session.gl_description();
     return session.terrain_fault();
 }

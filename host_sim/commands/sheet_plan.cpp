@@ -47,6 +47,9 @@ SheetPlan::Picture read_picture(ConfigSection& section) {
     picture.title = read_title(section);
     picture.design = std::string(section.text("design"));
     picture.view = std::string(section.text("view", ""));
+    ConfigSection weights = section.section("weights");
+    for (std::size_t n = 0; n < weights.key_count(); ++n)
+        picture.weights[std::string(weights.key_at(n))] = weights.number(weights.key_at(n), 0, 1);
     picture.file = std::string(section.text("name", std::filesystem::path(picture.design).stem().string()));
     return picture;
 }
@@ -211,6 +214,7 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     plan.size.width = static_cast<std::uint32_t>(root.integer("width_px", 64, 4096));
     plan.size.height = static_cast<std::uint32_t>(root.integer("height_px", 48, 4096));
     plan.symbology = root.boolean("symbology", false);
+    plan.measures_aspects = root.boolean("measures_aspects", false);
     plan.pose = read_pose(root.section("pose"));
     read_views(root, plan);
     read_groups(root, file_name, plan);
@@ -241,6 +245,7 @@ void require_designs(const SheetPlan& plan, const std::string& file_name) {
     for (const SheetPlan::Group& group : plan.groups) {
         for (const SheetPlan::Picture& picture : group.pictures) {
             options.design = picture.design;
+            options.weights = picture.weights;
             try {
                 (void)load_design(options);
             } catch (const UserError& error) {

@@ -17,6 +17,7 @@ struct SheetPlan {
         std::string title;
         std::string design;            ///< shipped name or path
         std::optional<double> detail;  ///< of all its data, instead of the design's
+        AskedWeights weights;          ///< of aspects, above the design's
         std::string view;              ///< name of one of `views`; empty: the sheet's pose
         std::string file;  ///< "lambert.png", by its name, else the last part of the design's; with a detail "barbs_30.png"
     };
@@ -33,6 +34,7 @@ struct SheetPlan {
     bool generated_image = false;    ///< an invented image is draped over that terrain
     PictureSize size;                ///< of each picture, unless --size says another
     bool symbology = false;          ///< PictureOptions::symbology
+    bool measures_aspects = false;   ///< of each picture, which is drawn three times more for it
     AircraftPose pose;
     std::map<std::string, AircraftPose> views;  ///< with times of their own, or kPosedTime: the sheet's
     std::string groups_of;  ///< path of the sheet whose groups are shown before own ones; empty: own ones alone

@@ -25,9 +25,30 @@ void set_detail(design::DataStyle& data, double detail) {
     data.adjacent = design::at_detail(data.adjacent, detail);
 }
 
-void put_above(const PictureOptions& options, design::DesignSettings& design) {
+void leave_out(ShownAspects shown, design::DesignSettings& design) {
+    if (shown == ShownAspects::all) return;
+    design.symbology.legend = false;
+    design.data.elements.clear();
+    design.data.adjacent.is_shown = false;
+    if (shown == ShownAspects::terrain) {
+        design.data.ground.is_shown = false;
+        return;
+    }
+    design.terrain.style = {};
+    design.terrain.style.texture = design::TerrainTexture::plain;
+    design.terrain.style.shade.technique = design::TerrainShade::none;
+    design.sky.haze_distance_m = 0;
+    design.sky.air.is_shown = false;
+    design.data.ground.uncertainty = {};
+    design.data.ground.overlay = {};
+    design.data.ground.opacity = shown == ShownAspects::ground_data ? 1 : 0;  // by the same programs
+}
+
+void put_above(const PictureOptions& options, const std::string& path, design::DesignSettings& design) {
     if (options.tau_px) design.terrain.tau_px = *options.tau_px;
     if (options.detail) set_detail(design.data, *options.detail);
+    put_weights(options.weights, path, design.priority);
+    leave_out(options.shown, design);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<effects::Effect>(n);
         if (options.with.has(effect)) design = display::with_effect(design, effect);
@@ -49,7 +70,7 @@ design::DesignSettings load_file(const std::string& path, const PictureOptions& 
     if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
     if (const auto order = effects::replacement_order(design.value().effects.instead); !order.ok())
         throw UserError(path + ": " + std::string(order.error().view()));
-    put_above(options, design.value());
+    put_above(options, path, design.value());
     return design.value();
 }
 

@@ -1,9 +1,11 @@
 /// The pictures of one contact sheet with what was recorded of each: what the sheet's picture, page and JSON are made from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host_sim/measure/aspect_measures.hpp"
 #include "host_sim/png_file.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
@@ -20,6 +22,7 @@ struct DrawnSheet {
         std::string file;  ///< name in the sheet's folder
         FrameResult result;
         RgbaPicture pixels;
+        std::optional<AspectMeasures> measures;
     };
     struct Group {
         std::string title;

@@ -43,12 +43,19 @@ std::string flag_line(const FrameResult& result) {
     return names.empty() ? names : "<div class='bad'>" + escaped_html(names) + "</div>";
 }
 
+std::string measure_line(const DrawnSheet::Picture& picture) {
+    if (!picture.measures) return "";
+    const AspectMeasures& of = *picture.measures;
+    return "<div>edges on " + decimal(100 * of.edge_density, 1) + " % of the pixels of its terrain, " +
+           std::to_string(of.data_colors) + " colours of data, " + std::to_string(of.glyphs) + " glyphs</div>";
+}
+
 std::string figure(const DrawnSheet::Picture& picture) {
     const std::string title = escaped_html(picture.title);
     return "<figure id='" + escaped_html(picture.file.substr(0, picture.file.rfind('.'))) + "'><img alt='" + title +
            "' src='data:image/png;base64," + base64(encode_png(view_of(picture.pixels))) + "'><figcaption><b>" + title + "</b>" +
            escaped_html(picture.design) + ", " + std::to_string(picture.result.record.terrain.triangles) + " triangles" +
-           flag_line(picture.result) + effect_lines(picture.result) + "</figcaption></figure>\n";
+           flag_line(picture.result) + measure_line(picture) + effect_lines(picture.result) + "</figcaption></figure>\n";
 }
 
 std::string degrees_of(double angle_deg, char above_zero, char below_zero) {
@@ -65,15 +72,21 @@ std::string view_in_words(const DrawnSheet& sheet) {
 
 Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) {
     const Json record = Json::parse(frame_record_json(picture.result, picture.result.record.time));
-    return {{"group", group},
-            {"title", picture.title},
-            {"design", picture.design},
-            {"file", picture.file},
-            {"hash", record.at("hash")},
-            {"triangles", record.at("terrain").at("triangles")},
-            {"data", record.at("data")},
-            {"flags", record.at("flags")},
-            {"effects", record.at("effects")}};
+    Json json = {{"group", group},
+                 {"title", picture.title},
+                 {"design", picture.design},
+                 {"file", picture.file},
+                 {"hash", record.at("hash")},
+                 {"triangles", record.at("terrain").at("triangles")},
+                 {"data", record.at("data")},
+                 {"flags", record.at("flags")},
+                 {"effects", record.at("effects")},
+                 {"weights", record.at("presentation").at("weights")}};
+    if (picture.measures)
+        json["measures"] = {{"edge_density", picture.measures->edge_density},
+                            {"data_colors", picture.measures->data_colors},
+                            {"glyphs", picture.measures->glyphs}};
+    return json;
 }
 
 }  // namespace

@@ -112,12 +112,33 @@ TEST(SheetCommand, AGeneratedImageIsShownAndSaid) {
     EXPECT_EQ(without.at(0).at("hash"), shown.at(0).at("hash"));
 }
 
+/// Table 5.1 of the thesis, measured on one view.
+TEST(SheetCommand, PriorityMovesEdgesColorsAndGlyphs) {
+    SheetOptions o = options("priority");
+    o.sheet = "priority";
+    o.picture.terrain.clear();
+    o.picture.size = PictureSize{320, 240};
+    const auto pictures = run(o, true).json().at("pictures");
+    ASSERT_GE(pictures.size(), 3u);
+    const auto measure = [&](std::size_t n, const char* name) { return pictures.at(n).at("measures").at(name).get<double>(); };
+    constexpr std::size_t kTerrain = 0, kData = 1, kUncertainty = 2;
+    EXPECT_GT(measure(kTerrain, "edge_density"), 1.2 * measure(kData, "edge_density"));
+    EXPECT_GT(measure(kTerrain, "edge_density"), 1.2 * measure(kUncertainty, "edge_density"));
+    EXPECT_GT(measure(kData, "data_colors"), 10 * measure(kTerrain, "data_colors"));
+    EXPECT_GT(measure(kData, "data_colors"), 10 * measure(kUncertainty, "data_colors"));
+    EXPECT_GT(measure(kTerrain, "data_colors"), 1);
+    EXPECT_EQ(measure(kTerrain, "glyphs"), 0);
+    EXPECT_EQ(measure(kData, "glyphs"), 0);
+    EXPECT_GT(measure(kUncertainty, "glyphs"), 20);
+    EXPECT_EQ(pictures.at(kData).at("weights").at("data").at("weight"), 1);
+}
+
 TEST(SheetCommand, WrongInputLeavesNothing) {
     SheetOptions o = options("none");
     o.sheet = "no-such-sheet";
     refused(o,
             "no-such-sheet: no such file and no shipped one of sheets; name a file, or one of these: data-techniques, "
-            "effects, terrain-styles");
+            "effects, priority, terrain-styles");
     o.sheet = files().folder.write("missing.toml", sheet_of("styles/woods"));
     refused(o, "missing.toml: picture 'Heights': styles/woods: no such file");
     o = options("none");

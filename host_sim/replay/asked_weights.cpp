@@ -1,0 +1,58 @@
+#include "host_sim/replay/asked_weights.hpp"
+
+#include <charconv>
+#include <sstream>
+
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) {
+    throw UserError("weights \"" + text + "\": write names with numbers from 0 to 1, such as terrain=0.3,data=1");
+}
+
+std::size_t aspect_named(const std::string& name, const design::PrioritySettings& priority) {
+    std::size_t aspect = 0;
+    while (aspect < priority.count() && priority.name_of(aspect) != name) ++aspect;
+    return aspect;
+}
+
+}  // namespace
+
+AskedWeights weights_from(const std::string& text) {
+    AskedWeights weights;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');) {
+        const std::size_t sign = part.find('=');
+        if (sign == 0 || sign == std::string::npos) refuse(text);
+        double weight = -1;
+        const char *begin = part.data() + sign + 1, *end = part.data() + part.size();
+        const auto read = std::from_chars(begin, end, weight);
+        const bool is_weight = read.ec == std::errc() && read.ptr == end && weight >= 0 && weight <= 1;
+        if (!is_weight || !weights.emplace(part.substr(0, sign), weight).second) refuse(text);
+    }
+    if (weights.empty()) refuse(text);
+    return weights;
+}
+
+std::string text_of(const AskedWeights& weights) {
+    std::ostringstream text;
+    for (const auto& [name, weight] : weights) text << (text.tellp() > 0 ? "," : "") << name << '=' << weight;
+    return text.str();
+}
+
+void put_weights(const AskedWeights& weights, const std::string& design_file, design::PrioritySettings& priority) {
+    for (const auto& [name, weight] : weights) {
+        const std::size_t aspect = aspect_named(name, priority);
+        if (aspect == priority.count()) {
+            std::string known;
+            for (std::size_t n = 0; n < priority.count(); ++n) known += (n > 0 ? ", " : "") + std::string(priority.name_of(n));
+            throw UserError(design_file + ": has no aspect '" + name + "' to weigh; it has " + known);
+        }
+        priority.weights.of[aspect] = weight;
+        priority.is_stated = true;
+    }
+}
+
+}  // namespace tedavis::host_sim
