@@ -24,17 +24,20 @@ struct AngleBox {
 
     [[nodiscard]] bool is_empty() const { return south > north; }
     void add(double latitude, double longitude) {
-        south = std::fmin(south, latitude);
-        north = std::fmax(north, latitude);
-        west = std::fmin(west, longitude);
-        east = std::fmax(east, longitude);
+        if (latitude < south) south = latitude;
+        if (latitude > north) north = latitude;
+        if (longitude < west) west = longitude;
+        if (longitude > east) east = longitude;
     }
 };
 
 /// All places of the values that one layer has, from the same place of reference.
 template <class Take>
 void each_place(const LayerValues& values, std::size_t n, const scene::Layer& layer, double reference_rad, const Take& take) {
-    const auto from = [&](double longitude_rad) { return std::remainder(longitude_rad - reference_rad, 2 * base::kPi); };
+    const auto from = [&](double longitude_rad) {
+        const double east = longitude_rad - reference_rad;
+        return east > base::kPi ? east - 2 * base::kPi : east < -base::kPi ? east + 2 * base::kPi : east;
+    };
     if (values.is_grid()) {
         const LayerValues::Place post = values.post(n);
         take(post.latitude_rad, from(post.longitude_rad));
@@ -124,6 +127,9 @@ void cover(base::Span<const Disc> discs, scene::FocusRegion& region) {
     region.radius_m += most_m;
 }
 
+/// Posts of it. The first row and the last one of a grid reach as far as all of them.
+std::size_t first_row(const scene::Layer& layer) { return layer.entry->grid.columns; }
+
 struct Extent {
     AngleBox box;
     double reference_rad = kInfinite;  ///< longitude
@@ -138,6 +144,7 @@ Extent extent_of(const FocusOfData& data, const FocusFrame& frame) {
                                        : values.points_of(n).count > 0 ? layer.points[values.points_of(n).first].longitude_rad
                                                                        : kInfinite;
             if (extent.reference_rad == kInfinite) continue;
+            if (values.is_grid() && n >= first_row(layer) && n + first_row(layer) < values.size()) continue;
             each_place(values, n, layer, extent.reference_rad, [&](double lat, double lon) { extent.box.add(lat, lon); });
         }
     });
