@@ -28,6 +28,11 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_option_function<std::string>(
         "--weights", [&picture](const std::string& text) { picture.weights = weights_from(text); },
         "of aspects, 0 to 1, such as terrain=0.3,data=1; default: the design's");
+    command
+        ->add_option("--focus", picture.foci,
+                     "a focus before the design's: the keys of [[focus]] within one line of TOML, such as "
+                     "'shape = \"circle\", at = \"place\", place = \"DAVOS\", terrain.brightness = 0.5'; may be repeated")
+        ->allow_extra_args(false);
     add_optional(command, "--deadline", picture.deadline_ms,
                  "milliseconds that a frame may take by the costs of --costs; default: none is held")
         ->check(above_zero());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host_sim/console.hpp"
 #include "host_sim/replay/asked_weights.hpp"
@@ -34,6 +35,7 @@ struct PictureOptions {
     std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
     AskedWeights weights;             ///< of aspects; those that are missing are the design's
     ShownAspects shown = ShownAspects::all;
+    std::vector<std::string> foci;    ///< before the design's (design::read_focus)
     std::optional<double> deadline_ms;  ///< of a frame; nothing: none
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen

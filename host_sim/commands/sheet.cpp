@@ -53,6 +53,7 @@ PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture
     options.design = picture.design;
     options.detail = picture.detail;
     options.weights = picture.weights;
+    options.foci = picture.foci;
     return options;
 }
 

@@ -1,5 +1,7 @@
 #include "host_sim/commands/sheet_plan.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -10,6 +12,7 @@
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/utc_time.hpp"
+#include "render_core/scene/focus_region.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -50,6 +53,9 @@ SheetPlan::Picture read_picture(ConfigSection& section) {
     ConfigSection weights = section.section("weights");
     for (std::size_t n = 0; n < weights.key_count(); ++n)
         picture.weights[std::string(weights.key_at(n))] = weights.number(weights.key_at(n), 0, 1);
+    std::array<std::string_view, scene::kMaxFoci> foci;
+    const std::size_t count = section.texts("foci", foci);
+    picture.foci.assign(foci.begin(), foci.begin() + static_cast<std::ptrdiff_t>(std::min(count, foci.size())));
     picture.file = std::string(section.text("name", std::filesystem::path(picture.design).stem().string()));
     return picture;
 }
@@ -246,6 +252,7 @@ void require_designs(const SheetPlan& plan, const std::string& file_name) {
         for (const SheetPlan::Picture& picture : group.pictures) {
             options.design = picture.design;
             options.weights = picture.weights;
+            options.foci = picture.foci;
             try {
                 (void)load_design(options);
             } catch (const UserError& error) {

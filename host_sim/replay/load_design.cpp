@@ -44,7 +44,22 @@ void leave_out(ShownAspects shown, design::DesignSettings& design) {
     design.data.ground.opacity = shown == ShownAspects::ground_data ? 1 : 0;  // by the same programs
 }
 
+/// Before the design's own.
+void add_foci(const std::vector<std::string>& lines, design::FocusList& foci) {
+    const design::FocusList own = foci;
+    foci.clear();
+    bool has_room = true;
+    for (const std::string& line : lines) {
+        const auto focus = design::read_focus(line);
+        if (!focus.ok()) throw UserError(std::string(focus.error().sentence.view()));
+        has_room = foci.try_push_back(focus.value()) && has_room;
+    }
+    for (const design::FocusSettings& focus : own) has_room = foci.try_push_back(focus) && has_room;
+    if (!has_room) throw UserError("--focus: a display has room for 4, the design's among them; leave one out");
+}
+
 void put_above(const PictureOptions& options, const std::string& path, design::DesignSettings& design) {
+    add_foci(options.foci, design.foci);
     if (options.tau_px) design.terrain.tau_px = *options.tau_px;
     if (options.detail) set_detail(design.data, *options.detail);
     put_weights(options.weights, path, design.priority);

@@ -207,6 +207,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     refuse_grid_without_spacing(root.section("data"), design);
     read_label_settings(root.section("labels"), design.labels);
     read_priority(root.section("priority"), design.priority);
+    read_foci(root, design.foci);
     read_sky(root.section("sky"), design.sky);
     read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);

@@ -17,6 +17,7 @@
 #include "render_core/design/color.hpp"
 #include "render_core/design/data_style.hpp"
 #include "render_core/design/label_settings.hpp"
+#include "render_core/design/focus_settings.hpp"
 #include "render_core/design/named_phases.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/priority.hpp"
@@ -126,6 +127,7 @@ struct DesignSettings {
     DataStyle data;
     LabelSettings labels;
     PrioritySettings priority;
+    FocusList foci;
     SkySettings sky;
     ViewEffects effects;
     bool warning_colors = true;

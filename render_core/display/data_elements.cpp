@@ -170,6 +170,7 @@ void DataElements::plan(const ElementFrame& frame) {
         shown_ |= 1u << n;
         reports_[n].suppressed_labels = labels_.suppressed(*reports_[n].element, *reports_[n].layer);
     }
+    take_foci(frame);
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
     judge_sight(frame);
@@ -177,6 +178,29 @@ void DataElements::plan(const ElementFrame& frame) {
     plan_glyphs(frame, nullptr);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
+}
+
+/// What stands has the look that the foci give it.
+void DataElements::take_foci(const ElementFrame& frame) {
+    const bool changes = frame.foci != nullptr && frame.foci->changes_data();
+    const std::uint64_t key = changes ? draw::key_of(*frame.foci, time_.utc.ns, time_.is_date) : 0;
+    has_changed_ = has_changed_ || key != foci_key_;
+    foci_key_ = key;
+    for (std::size_t n = 0; n < reports_.size(); ++n)
+        foci_[n] = reports_[n].layer == nullptr ? draw::LayerFoci()
+                                                : draw::LayerFoci(frame.foci, *reports_[n].layer, time_.utc.ns, time_.is_date);
+}
+
+draw::FocusCounts DataElements::count_in_focus(const ElementFrame& frame, std::size_t focus) const {
+    draw::FocusCounts counts;
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        if (reports_[n].state != ElementState::shown) continue;
+        const draw::FocusCounts one = draw::count_in_focus(*frame.foci, focus, foci_[n], input_of(n, frame));
+        counts.in_focus += one.in_focus;
+        counts.intermediate += one.intermediate;
+        counts.context += one.context;
+    }
+    return counts;
 }
 
 /// The layer is there from the first frame on in which there is a receiver.
@@ -232,19 +256,22 @@ void DataElements::judge_sight(const ElementFrame& frame) {
 
 /// With a sheet those that stand on it, else the others.
 void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
-    for (ElementReport& report : reports_)
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        const ElementReport& report = reports_[n];
         if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
             is_sign_technique(report.element->technique) == (sheet != nullptr))
-            plan_glyphs_of(report, frame, sheet);
+            plan_glyphs_of(n, frame, sheet);
+    }
 }
 
 /// Fields may be sampled more sparsely; what stands for one thing each may not.
-void DataElements::plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+void DataElements::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+    ElementReport& report = reports_[n];
     const scene::LayerRole role = report.layer->entry->role;
     const bool is_sampled = role == scene::LayerRole::field || role == scene::LayerRole::wind || role == scene::LayerRole::sample;
     report.detail_factor = is_sampled ? frame.detail_factor : 1;
-    report.count = glyphs_.plan(
-        report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet, report.detail_factor});
+    report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet,
+                                              report.detail_factor, &foci_[n]});
 }
 
 /// A full list has counted the refusal itself.
@@ -265,7 +292,8 @@ draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame
             time_.is_date || is_heard,
             frame.view.eye,
             0,
-            time_.is_confirmed || is_heard};
+            time_.is_confirmed || is_heard,
+            &foci_[report]};
 }
 
 /// What stands is built whether it is valid now or not: it may become so.

@@ -54,7 +54,8 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
     draw::DataVariant variant{design_.sky.air.is_shown};
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
         const design::DesignSettings& design = design_at(place);
-        has_data = has_data || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
+        has_data =
+            has_data || !design.foci.empty() || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
         variant.grid = variant.grid || has_grid_on_data(design);
         variant.shadows = variant.shadows || design.effects.shadows.is_any();
     }
@@ -161,6 +162,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     decide(now);
     begin_record(now);
     plan_view();
+    plan_foci();
     decide_labels();
 }
 

@@ -1,4 +1,4 @@
-// What of the display plans the data elements, and what lies before a frame.
+// What of the display plans the data elements and the foci, and what lies before a frame.
 #include "render_core/display/display.hpp"
 #include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
@@ -13,13 +13,25 @@ void Display::set_elements() {
         has_labels_ = has_labels_ || ElementLabels::is_any(*scene, design_at(place).data.elements);
 }
 
+/// Where they are, whatever is shown of them.
+void Display::plan_foci() {
+    foci_ = {};
+    if (settings_.design.foci.empty() || !terrain_.is_started()) return;
+    TerrainGround ground(terrain_, eye_.view);
+    const double own_height_m = aircraft_msl_m_ + undulation_m(state_.own_ship.position);
+    foci_ = display::plan_foci(
+        settings_.design.foci,
+        {state_.own_ship, own_height_m, data_.has_scene() ? &data_.scene() : nullptr, record_.flight_time, ground});
+}
+
 ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
     return {ground,
             view,
             settings_.design.terrain.unknown,
             record_.flight_time,
             {way, &state_, record_.time},
-            frame_budget_.detail_factor()};
+            frame_budget_.detail_factor(),
+            foci_.foci.regions.empty() ? nullptr : &foci_.foci};
 }
 
 /// Symbology first, then the signs in the room that it leaves.
@@ -38,6 +50,7 @@ void Display::plan_elements(const flight::FlownWay* way) {
     if (shows_elements()) plan_signs(eye_, {});
     const LabelCounts& labels = elements_.label_counts();
     record_.labels = {labels.placed, labels.suppressed, labels.changed};
+    if (!foci_.foci.regions.empty()) note_foci(foci_, elements_, element_frame(ground, seen_, way), record_);
 }
 
 void Display::plan_signs(const Eye& eye, SignFrame signs) {
@@ -45,6 +58,7 @@ void Display::plan_signs(const Eye& eye, SignFrame signs) {
     terrain::DrawnSight sight = terrain_.sight(eye.view);
     signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
     signs.sight = &sight;
+    signs.is_metric = settings_.design.symbology.legend_unit == design::HeightUnit::metres;
     signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
     elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
 }

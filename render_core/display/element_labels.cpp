@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render_core/draw/data/billboard_place.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 
 namespace tedavis::display {
 
@@ -45,7 +46,10 @@ bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time) {
 class ElementLabels::Shapes final : public draw::LabelShapes {
 public:
     Shapes(const ElementLabels& labels, const LabelFrame& frame)
-        : labels_(labels), frame_(frame), view_{frame.view, static_cast<float>(frame.text_px)} {}
+        : labels_(labels), frame_(frame), view_{frame.view, static_cast<float>(frame.text_px)} {
+        for (const Group& group : labels.groups_)
+            static_cast<void>(foci_.try_push_back({frame.foci, *group.layer, frame.time.utc.ns, frame.time.is_date}));
+    }
 
     [[nodiscard]] draw::ElementInput input(std::uint32_t group) const {
         const Group& of = labels_.groups_[group];
@@ -58,7 +62,8 @@ public:
                 frame_.time.is_date,
                 frame_.view.eye,
                 0,
-                frame_.time.is_confirmed};
+                frame_.time.is_confirmed,
+                &foci_[group]};
     }
     [[nodiscard]] draw::LabelShape shape(draw::LabelKey key) override {
         return draw::label_shape(input(draw::group_of(key)), draw::feature_of(key), view_);
@@ -69,6 +74,7 @@ private:
     const ElementLabels& labels_;
     const LabelFrame& frame_;
     draw::SignView view_;
+    base::FixedVector<draw::LayerFoci, draw::kMostLabelGroups> foci_;
 };
 
 void ElementLabels::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,

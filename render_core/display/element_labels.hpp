@@ -7,7 +7,10 @@
 /// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
 /// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
 /// another side, what terrain hides is not drawn, and both leave their room to others. When another of the display's designs
-/// takes its turn the epoch is decided anew for that one, as seen at its first instant, and without a memory.
+/// takes its turn the epoch is decided anew for that one, as seen at its first instant, without a memory, and without foci.
+///
+/// Of foci, what lies within has marker and name, what lies in the intermediate context its marker, and the rest what the design
+/// leaves of it; what warns has what it has without them.
 ///
 /// Memory  from an arena, once. Thread  the display's.
 #pragma once
@@ -34,6 +37,7 @@ struct LabelFrame {
     flight::FlightTime time;  ///< by which data are valid
     base::Time now;           ///< the source's
     double text_px = 16;
+    const draw::FrameFoci* foci = nullptr;  ///< null: there are none
 };
 
 /// Whether the technique gives a layer's features icons and names.

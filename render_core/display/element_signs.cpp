@@ -1,4 +1,4 @@
-// The signs of the data elements: icons, names, diagrams and barbs on their sheet.
+// The signs of the data elements: icons, names, diagrams, barbs, and the cues of hidden foci, on their sheet.
 #include <optional>
 
 #include "render_core/display/data_elements.hpp"
@@ -37,7 +37,7 @@ private:
 };
 
 void DataElements::decide_labels(const ElementFrame& frame, double text_px) {
-    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px});
+    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci});
 }
 
 void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
@@ -57,6 +57,8 @@ void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs)
     }
     plan_glyphs(frame, &sheet_);
     plan_own_winds(frame);
+    focus_cues_ = {};
+    if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, signs.is_metric);
 }
 
 /// Other aircraft and diagrams. Only what is valid now: what is not shown must take no room from what is.

@@ -4,6 +4,7 @@
 
 #include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/billboard_place.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/font_atlas.hpp"
 
 namespace tedavis::draw {
@@ -69,7 +70,8 @@ bool billboard_shape(const ElementInput& input, std::uint32_t feature, const Sig
     shape.text_px = view.text_px;
     shape.look = billboard_look(input, feature);
     shape.text = text_of(input, feature, shape.look, with_name);
-    shape.box.half_px = 0.5f * icon_px(input, feature, view, shape.spot.distance_m);
+    const auto size = static_cast<float>(look_of_feature(input, feature).size);
+    shape.box.half_px = 0.5f * size * icon_px(input, feature, view, shape.spot.distance_m);
     shape.box.gap_px = kGap * view.text_px;
     shape.set_lines(shape.text);
     shape.box.foot_px = kSignStem * view.text_px + shape.box.half_px;

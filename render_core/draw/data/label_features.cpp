@@ -7,6 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/billboard_shape.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -54,8 +55,10 @@ LabelGroup label_group(const ElementInput& input) {
     LabelGroup group;
     group.is_protected = is_protected(input.layer);
     group.named_share = input.element.detail;
-    group.only_named = input.layer.entry->role == scene::LayerRole::place;
-    if (group.only_named && group.named_share < 1) group.most = std::ceil(kMostPlaces * group.named_share);
+    const bool are_places = input.layer.entry->role == scene::LayerRole::place;
+    // Of foci the intermediate context has markers without names.
+    group.only_named = are_places && (input.foci == nullptr || input.foci->frame() == nullptr);
+    if (are_places && group.named_share < 1) group.most = std::ceil(kMostPlaces * group.named_share);
     return group;
 }
 
@@ -73,7 +76,10 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
         const double length_m = glm::length(from_eye), distance_m = view.seen_distance_m(length_m);
         if (!(distance_m <= kFarthestBillboard_m)) continue;
         if (glm::dot(from_eye, view.view.forward) <= widest * length_m - kBehind_m) continue;
-        const double degree = interest.of(feature, distance_m);
+        const FocusLook look = look_of_feature(input, feature);
+        if (look.is_hidden) continue;
+        const double degree = look.detail < 1 ? std::fmin(interest.of(feature, distance_m), settings.marker_above)
+                                              : interest.of(feature, distance_m);
         planner.offer(label_key(group, feature), degree, warns ? DegreeOfInterest::nearness(distance_m) : degree);
     }
 }
