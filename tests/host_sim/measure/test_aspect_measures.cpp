@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "host_sim/measure/lab_picture.hpp"
 #include "tests/support/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_aspect_measures {
@@ -19,18 +16,6 @@ RgbaPicture grey(std::uint32_t width, std::uint32_t height, LevelAt level_at) {
             for (const std::uint8_t byte : {level, level, level, std::uint8_t{255}}) made.pixels.push_back(byte);
         }
     return made;
-}
-
-TEST(LabPicture, AnEvenRampIsAsSteepAsItIs) {
-    // Of equal steps of L*, by the inverse of its definition: 20 .. 80.
-    const RgbaPicture ramp = grey(31, 5, [](std::uint32_t x, std::uint32_t) {
-        const double light = std::pow((20 + 2.0 * x + 16) / 116, 3);
-        return std::lround(255 * (1.055 * std::pow(light, 1 / 2.4) - 0.055));
-    });
-    const LabPicture lab(view_of(ramp));
-    for (std::uint32_t x = 1; x < 30; ++x) EXPECT_NEAR(lab.gradient(x, 2), 2, 0.15) << x;
-    EXPECT_NEAR(lab.gradient(0, 2), 1, 0.15) << "beyond the border it goes on level";
-    EXPECT_NEAR(lab.at(10, 2).lightness, 40, 0.2);
 }
 
 TEST(AspectMeasures, EdgesAreWhereLightnessChanges) {
