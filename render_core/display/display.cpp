@@ -34,8 +34,9 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 
 /// Every design as its weights leave it, the one that is shown first, and with all that may be raised.
 gl::GlError Display::start_drawing(const TerrainInput& terrain) {
-    design::DesignSettings weighted[draw::TerrainDrawer::kMaxStyles];
-    base::FixedVector<draw::DrawnDesign, draw::TerrainDrawer::kMaxStyles> designs;
+    constexpr std::size_t kMost = 2 * (design::kMaxPhaseDesigns + 1);
+    design::DesignSettings weighted[kMost];
+    base::FixedVector<draw::DrawnDesign, kMost> designs;
     for (const bool raised : {false, true})
         for (std::size_t place = 0; place <= phases_.size(); ++place) {
             if (raised && !design_at(place).priority.is_stated) continue;

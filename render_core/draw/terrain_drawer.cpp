@@ -16,15 +16,15 @@ using terrain::ChunkVertex;
 using terrain::SelectedChunk;
 
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
+constexpr std::uint32_t kFocusRow = 1;          // below the palette, where a design has foci
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
-constexpr double kSmallestTexel_px = 0.7;
-constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
 /// After the palette and the baked maps; eight units are enough on the smallest device.
 constexpr std::uint32_t kGroundMapUnit = design::kBakedMaps + 1, kGroundColorUnit = design::kBakedMaps + 2;
 
 enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
+enum FocusVariant : std::size_t { kInFocus, kAcrossFoci };
 
 constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
@@ -41,15 +41,10 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
 }
 
-bool is_coast(const terrain::ChunkEntry& entry) {
-    constexpr unsigned kBoth = terrain::kChunkHasSea | terrain::kChunkHasLand;
-    return (entry.flags & kBoth) == kBoth;
-}
-
-/// The light's azimuth at a page, in whole steps: what a page shows depends on this frame's light alone.
-double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
-    const glm::dvec3 north(entry.axes[0], entry.axes[1], entry.axes[2]), east(entry.axes[3], entry.axes[4], entry.axes[5]);
-    return kAzimuthStep_rad * std::round(std::atan2(glm::dot(light, east), glm::dot(light, north)) / kAzimuthStep_rad);
+bool has_foci(DrawnDesigns designs) {
+    bool has = false;
+    for (const DrawnDesign& design : designs) has = has || design.has_focus;
+    return has;
 }
 
 }  // namespace
@@ -70,7 +65,7 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
             return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
         if (gl::GlError error = build_programs(gl, styles_.back()); !error.sentence.empty()) return error;
     }
-    return are_coded ? gl::GlError{} : start_palette(gl, device);
+    return are_coded ? gl::GlError{} : start_palette(gl, device, has_foci(designs));
 }
 
 gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -93,37 +88,14 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
     return {};
 }
 
-gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& device) {
-    auto palette = gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
-                                    {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, 1});
+gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci) {
+    auto palette =
+        gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
+                         {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, with_foci ? kFocusRow + 1 : 1});
     if (!palette.ok()) return palette.error();
     palette_ = static_cast<gl::Texture&&>(palette.value());
     upload_palette(gl);
     return {};
-}
-
-/// The maps of all designs.
-gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
-    design::MapSet maps;
-    for (const DrawnDesign& design : designs) maps.add(design.design->terrain.style);
-    needs_maps_ = maps.any();
-    const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
-    if (slots == 0 || !reads_pages()) return {};
-    page_slots_ = staging.allocate_array<PageSlot>(slots);
-    if (page_slots_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
-    for (PageSlot& slot : page_slots_) slot = PageSlot{};
-    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), maps, database_has_coast(), slots, staging);
-}
-
-gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
-    const auto slots = static_cast<std::uint32_t>(store_->drape_pages().use().capacity);
-    if (slots == 0) return {};
-    drape_generations_ = staging.allocate_array<std::uint32_t>(slots);
-    if (drape_generations_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
-    for (std::uint32_t& generation : drape_generations_) generation = 0;
-    return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
 }
 
 gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device) {
@@ -147,6 +119,7 @@ TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
     variant.air = design.sky.air.is_shown;
     variant.shafts = has_shafts_only(design) && drawn.output == TerrainOutput::color_and_distance;
     variant.shadows = design.effects.shadows.on_ground > 0;
+    if (drawn.has_focus) variant.focus = ground_focus_kind(design.foci);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map) variant.maps[map] = atlas_.has(static_cast<BakedMap>(map));
     variant.maps[static_cast<std::size_t>(BakedMap::drape)] = drape_.is_started();
     return variant;
@@ -155,7 +128,9 @@ TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
 std::size_t TerrainDrawer::style_of(const DrawnDesign& design) const {
     const TerrainVariant variant = variant_of(design);
     for (std::size_t n = 0; n < styles_.size(); ++n)
-        if (variant == styles_[n].variant && same_programs(styles_[n].style, design.design->terrain.style)) return n;
+        if (variant == styles_[n].variant && covers(styles_[n].variant.focus, variant.focus) &&
+            same_programs(styles_[n].style, design.design->terrain.style))
+            return n;
     return styles_.size();
 }
 
@@ -163,7 +138,8 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
     TerrainVariant variant = style.variant;
     const bool is_coded = variant.output == TerrainOutput::code;
     for (std::size_t bands = 0; bands < (is_coded ? 1 : kBandVariants); ++bands)
-        for (std::size_t pages = 0; pages < kPageVariants; ++pages) {
+        for (std::size_t n = 0; n < kPageVariants * (variant.focus.foci > 0 ? kFocusVariants : 1); ++n) {
+            const std::size_t pages = n % kPageVariants, focus = n / kPageVariants;
             const bool land_codes = is_coded && pages == kWithPages;
             if (pages > 0 && !atlas_.is_started() && !land_codes) continue;
             if (pages == kWithCoast && !database_has_coast()) continue;
@@ -171,17 +147,19 @@ gl::GlError TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
             variant.baked = pages > 0;
             variant.coast = pages == kWithCoast;
             variant.classes = !land_codes;
+            variant.in_focus = focus == kInFocus;
             auto program = build_terrain_program(gl, style.style, variant);
             if (!program.ok()) return program.error();
-            style.programs[bands][pages] = program.value();
+            style.programs[focus][bands][pages] = program.value();
         }
     return {};
 }
 
 void TerrainDrawer::destroy(gl::Gl& gl) {
     for (Style& style : styles_)
-        for (auto& of_bands : style.programs)
-            for (gl::Program& program : of_bands) program.destroy(gl);
+        for (auto& of_focus : style.programs)
+            for (auto& of_bands : of_focus)
+                for (gl::Program& program : of_bands) program.destroy(gl);
     ground_.destroy(gl);
     drape_.destroy(gl);
     atlas_.destroy(gl);
@@ -254,77 +232,14 @@ bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
     return true;
 }
 
-TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) const {
-    if (!atlas_.is_started()) return {};
-    const std::uint32_t levels = store_->lattice().levels();
-    for (terrain::ChunkKey owner = terrain::TerrainStore::attribute_key(key); owner.level < levels; owner = owner.parent()) {
-        const terrain::SlotIndex slot = store_->attribute_slot(owner);
-        if (slot != terrain::kNoSlot) return {slot, owner};
-    }
-    return {};
-}
-
-bool TerrainDrawer::reads_pages() const { return needs_maps_ || database_has_coast(); }
-
-/// The coarsest chunks, which never leave the store, know what lies in all below them.
-bool TerrainDrawer::database_has_coast() const {
-    const terrain::Lattice& lattice = store_->lattice();
-    const std::uint32_t top = lattice.levels() - 1;
-    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
-        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i)
-            if (const terrain::SlotIndex slot = store_->available_slot({top, i, j});
-                slot != terrain::kNoSlot && is_coast(store_->entry(slot)))
-                return true;
-    return false;
-}
-
-bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input) {
-    const PageChoice page = page_of(chunk.key);
-    if (page.slot == terrain::kNoSlot) return true;
-    PageSlot& slot = page_slots_[page.slot];
-    const terrain::AttributePage& attributes = store_->attributes(page.slot);
-    const bool is_new = slot.generation != store_->attribute_generation(page.slot);
-    const bool coast = is_coast(store_->attribute_pages().entry(page.slot));
-    if (is_new && !atlas_.upload(gl, page.slot, attributes, coast)) return false;
-    slot.generation = store_->attribute_generation(page.slot);
-    if (!atlas_.has(BakedMap::horizon)) return true;
-    const double azimuth = azimuth_at(store_->attribute_pages().entry(page.slot), input.light_direction[0]);
-    if (!is_new && azimuth == slot.azimuth_rad) return true;
-    slot.azimuth_rad = azimuth;
-    const GroundSize texel = texel_size(store_->lattice(), page.owner);
-    return atlas_.upload_horizon(gl, page.slot, attributes, azimuth, texel.east_m, texel.north_m);
-}
-
-/// The finest page that is there and whose texels are no smaller than pixels where the chunk is nearest: coarser ones have the
-/// mean of what would else flicker.
-TerrainDrawer::PageChoice TerrainDrawer::drape_of(const SelectedChunk& chunk, const terrain::View& view) const {
-    const terrain::Lattice& lattice = store_->lattice();
-    const double pixel_m = terrain::box_distance_m(*chunk.entry, view) / view.focal_px;
-    PageChoice finest;
-    for (terrain::ChunkKey owner = chunk.key; owner.level < lattice.levels(); owner = owner.parent()) {
-        const terrain::SlotIndex slot = store_->drape_slot(owner);
-        if (slot == terrain::kNoSlot) continue;
-        finest = {slot, owner};
-        if (drape_texel_size(lattice, owner).north_m >= kSmallestTexel_px * pixel_m) break;
-    }
-    return finest;
-}
-
-bool TerrainDrawer::upload_drape(gl::Gl& gl, const SelectedChunk& chunk, const terrain::View& view) {
-    if (!drape_.is_started()) return true;
-    const PageChoice page = drape_of(chunk, view);
-    if (page.slot == terrain::kNoSlot) return true;
-    const std::uint32_t generation = store_->drape_generation(page.slot);
-    if (drape_generations_[page.slot] == generation) return true;
-    drape_generations_[page.slot] = generation;
-    return drape_.upload(gl, page.slot, store_->drape(page.slot));
-}
-
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
+    focus_.set(style().variant.focus.foci > 0 ? input.foci : nullptr, design_.foci, input.blurs_context);
     for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
-        for (const gl::Program& program : style().programs[bands])
-            if (program.valid()) set_frame_uniforms(gl, program, input, range);
+        for (const auto& of_focus : style().programs)
+            for (const gl::Program& program : of_focus[bands])
+                if (program.valid()) set_frame_uniforms(gl, program, input, range);
+    if (focus_.is_any()) focus_.upload(gl, palette_, kFocusRow);
     if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
     if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
@@ -349,6 +264,8 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     gl->Uniform2f(program.uniform(kTerrainLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
     if (program.uniform(kTerrainShadow) >= 0)
         set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
+    if (focus_.is_any() && program.uniform(kTerrainFocus) >= 0)
+        focus_.set_frame_uniforms(gl, program, kTerrainFocus, glm::round(input.view.eye));
     if (is_coded()) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
@@ -363,13 +280,13 @@ std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool b
 }
 
 const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
-                                              const TerrainDrawInput& input) const {
+                                              const TerrainDrawInput& input, bool in_focus) const {
     TerrainBands bands;
     if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
-    const gl::Program& program = style().programs[n][pages];
+    const gl::Program& program = style().programs[in_focus ? kInFocus : kAcrossFoci][n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
@@ -385,7 +302,9 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
     const std::size_t pages = page_variant(*chunk.entry, baked);
-    const gl::Program& program = use_program(gl, *chunk.entry, pages, input);
+    const FocusOfChunk focus = focus_.of_chunk(*chunk.entry, input.view);
+    const gl::Program& program = use_program(gl, *chunk.entry, pages, input, focus.is_in_focus);
+    if (!focus.is_in_focus) GroundFocus::set_chunk_uniforms(gl, program, kTerrainFocus, focus);
     const terrain::Lattice& lattice = store_->lattice();
     set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
     if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);

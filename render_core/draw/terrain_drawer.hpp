@@ -37,7 +37,9 @@ struct TerrainDrawInput {
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
     ShadowRead shadow;
-    DistanceLeft left;  ///< in alpha, of programs for light shafts
+    DistanceLeft left;                          ///< in alpha, of programs for light shafts, and for blur round a focus
+    const scene::FocusRegions* foci = nullptr;  ///< as many as the design has; must stay. Null: there are none
+    bool blurs_context = true;                  ///< false: brightness stands for it
 };
 
 struct TerrainDrawResult {
@@ -51,8 +53,11 @@ public:
     /// alone, a coast by the pages.
     static constexpr std::size_t kPageVariants = 3;
 
-    /// Each design as its weights leave it, and with raised ones.
-    static constexpr std::size_t kMaxStyles = 2 * (design::kMaxPhaseDesigns + 1);
+    /// For chunks that lie in focus as a whole, or where there is none, and for the others.
+    static constexpr std::size_t kFocusVariants = 2;
+
+    /// Of each design, as its weights leave it and with raised ones; of one with foci also for frames in which none is anywhere.
+    static constexpr std::size_t kMaxStyles = 4 * (design::kMaxPhaseDesigns + 1);
 
     /// For designs that follow one another while it runs; the first is drawn first.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
@@ -85,7 +90,7 @@ private:
     struct Style {
         design::TerrainStyle style;  ///< of the first such design: what same_programs() reads of it
         TerrainVariant variant;      ///< without bands and pages
-        gl::Program programs[kBandVariants][kPageVariants];
+        gl::Program programs[kFocusVariants][kBandVariants][kPageVariants];
     };
     struct GpuSlot {
         std::uint32_t generation = 0;  ///< of the store's slot when it was uploaded
@@ -103,7 +108,7 @@ private:
         terrain::ChunkKey owner;
     };
     [[nodiscard]] gl::GlError start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
-    [[nodiscard]] gl::GlError start_palette(gl::Gl& gl, effects::DeviceSettings& device);
+    [[nodiscard]] gl::GlError start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci);
     [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device,
                                           base::Arena& staging);
     [[nodiscard]] gl::GlError start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
@@ -119,13 +124,14 @@ private:
     [[nodiscard]] bool upload_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk);
     [[nodiscard]] bool upload_page(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input);
     [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
+    [[nodiscard]] static bool is_coast(const terrain::ChunkEntry& entry);
     [[nodiscard]] bool database_has_coast() const;
     [[nodiscard]] PageChoice drape_of(const terrain::SelectedChunk& chunk, const terrain::View& view) const;
     [[nodiscard]] bool upload_drape(gl::Gl& gl, const terrain::SelectedChunk& chunk, const terrain::View& view);
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] std::size_t page_variant(const terrain::ChunkEntry& entry, bool baked) const;
     [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
-                                                 const TerrainDrawInput& input) const;
+                                                 const TerrainDrawInput& input, bool in_focus) const;
     void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
     const terrain::TerrainStore* store_ = nullptr;
@@ -138,6 +144,7 @@ private:
     PageAtlas atlas_;
     DrapeAtlas drape_;
     GroundMap ground_;
+    GroundFocus focus_;
     base::Span<GpuSlot> slots_;
     base::Span<PageSlot> page_slots_;
     base::Span<std::uint32_t> drape_generations_;  ///< by slot: what was uploaded

@@ -78,7 +78,11 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kShadowUniformNames[1],
                                                          kShadowUniformNames[2],
                                                          kShadowUniformNames[3],
-                                                         "left"};
+                                                         "left",
+                                                         kFocusUniformNames[0],
+                                                         kFocusUniformNames[1],
+                                                         kFocusUniformNames[2],
+                                                         kFocusUniformNames[3]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -156,6 +160,19 @@ void add_sketch(DefineList& defines, const design::SketchSettings& sketch, bool 
     defines.add_if(sketch.stippling > 0, "#define STIPPLING 1\n");
 }
 
+void add_focus(DefineList& defines, const GroundFocusKind& focus, bool in_focus) {
+    defines.add_if(focus.blurs, "#define FOCUS_BLUR 1\n");
+    if (focus.foci == 0 || in_focus) return;
+    defines.add_number("FOCI", focus.foci);
+    defines.add_if(focus.has_paths, "#define FOCUS_PATHS 1\n");
+    defines.add_if(focus.has_squares, "#define FOCUS_SQUARES 1\n");
+    defines.add_if(focus.has_chebyshev, "#define FOCUS_CHEBYSHEV 1\n");
+    defines.add_if(focus.has_lines, "#define FOCUS_LINES 1\n");
+    defines.add_if(focus.has_halos, "#define FOCUS_HALOS 1\n");
+    defines.add_if(focus.has_grids, "#define FOCUS_GRIDS 1\n");
+    defines.add_if(focus.sketches, "#define FOCUS_SKETCH 1\n");
+}
+
 TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
     DefineList defines;
     if (style.shade.technique != TerrainShade::none)
@@ -178,21 +195,32 @@ bool has_shafts_only(const design::DesignSettings& design) noexcept {
 bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
     const auto all = [](const TerrainVariant& v) {
         return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
-                        v.air, v.shafts, v.shadows);
+                        v.air, v.shafts, v.shadows, v.in_focus);
     };
     return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
 
-TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {
+bool blurs_context(const DrawnDesign& design) noexcept {
+    return design.has_focus && ground_focus_kind(design.design->foci).blurs;
+}
+
+TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth, const GroundFocusKind& focus) noexcept {
+    if (focus.blurs) return TerrainOutput::color_and_distance;
     if (!off_screen_depth) return TerrainOutput::color;
     const design::TerrainStyle& style = design.terrain.style;
     // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own.
     const bool has_shadows = design.effects.shadows.is_any();
-    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows)
+    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows &&
+        focus.foci == 0)
         return TerrainOutput::code;
     const design::ViewEffects& effects = design.effects;
     const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 || effects.shadows.in_air > 0;
     return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
+}
+
+DrawnDesign drawn_as(const design::DesignSettings& design, bool off_screen_depth, bool has_focus) noexcept {
+    const GroundFocusKind focus = has_focus ? ground_focus_kind(design.foci) : GroundFocusKind();
+    return {&design, output_of(design, off_screen_depth, focus), focus.foci > 0};
 }
 
 TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant) {
@@ -225,6 +253,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.air, "#define AIR 1\n");
     defines.add_if(variant.shadows, "#define SHADOWS 1\n");
     defines.add_if(variant.shafts, "#define SHAFTS 1\n");
+    add_focus(defines, variant.focus, variant.in_focus);
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     return defines.text();
 }
@@ -232,7 +261,8 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
 base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
-    base::FixedString<kMaxTerrainDefines + 2 * kMaxShaderText> vertex(defines.view()), fragment(defines.view());
+    base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view());
+    base::FixedString<kMaxTerrainDefines + 3 * kMaxShaderText> fragment(defines.view());
     const bool code = variant.output == TerrainOutput::code;
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
@@ -243,6 +273,7 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
     if (!code) fragment.append(shader_text(k_terrain_image_frag));
     if (!code) fragment.append(shader_text(k_surface_line_frag));
+    if (variant.focus.foci > 0 && !code) fragment.append(shader_text(k_focus_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

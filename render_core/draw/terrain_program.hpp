@@ -11,6 +11,7 @@
 #include "render_core/base/span.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
+#include "render_core/draw/focus_ground.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/shadow_map.hpp"
 #include "render_core/gl/program.hpp"
@@ -78,27 +79,34 @@ enum TerrainUniform : std::size_t {
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
-    kTerrainUniforms
+    kTerrainFocus,  ///< the first of kFocusUniformNames
+    kTerrainUniforms = kTerrainFocus + kFocusUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
 enum class TerrainOutput : std::uint8_t {
     color,               ///< the picture
-    color_and_distance,  ///< the distance in alpha: silhouettes are found in it
+    color_and_distance,  ///< the distance in alpha: silhouettes are found in it; with blur round a focus how sharp it is
     code,                ///< heights, light and distance of terrain_code.frag
 };
 /// A design, and what terrain programs write for it.
 struct DrawnDesign {
     const design::DesignSettings* design = nullptr;
     TerrainOutput output = TerrainOutput::color;
+    bool has_focus = false;  ///< what it has of foci is drawn: one is somewhere, and changes the ground
 };
 using DrawnDesigns = base::Span<const DrawnDesign>;
 
 /// Whether the distances in the picture serve volumetric light alone: then warning colours say that they are near, so that no
 /// shaft makes them darker, and the picture needs no pass of its own before the others.
 [[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
-/// The cheapest that shows the style and the data on a device that has off-screen depth or not.
-[[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept;
+/// Whether there is blur round a focus, whose degrees stand where distances else do.
+[[nodiscard]] bool blurs_context(const DrawnDesign& design) noexcept;
+/// The cheapest that shows the style and the data on a device that has off-screen depth or not; `focus`: what is drawn of foci.
+[[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth,
+                                      const GroundFocusKind& focus = {}) noexcept;
+/// With that output. `has_focus`: whether foci are to be drawn, where the design has any that change the ground.
+[[nodiscard]] DrawnDesign drawn_as(const design::DesignSettings& design, bool off_screen_depth, bool has_focus) noexcept;
 
 struct TerrainVariant {
     std::size_t bands = 0;  ///< warning bands that it tells apart
@@ -114,8 +122,11 @@ struct TerrainVariant {
     bool air = false;                                                               ///< between it and the eye
     bool shafts = false;                                                            ///< of light, before it
     bool shadows = false;                                                           ///< of data
+    GroundFocusKind focus;                                                          ///< that the design has
+    bool in_focus = true;                                                           ///< the chunk is, as a whole
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 
+    /// But for the focus.
     friend bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept;
 };
 

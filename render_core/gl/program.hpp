@@ -14,7 +14,7 @@
 
 namespace tedavis::gl {
 
-inline constexpr std::size_t kMaxUniforms = 64;
+inline constexpr std::size_t kMaxUniforms = 72;
 
 struct AttributeBinding {
     const char* name;

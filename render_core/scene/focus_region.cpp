@@ -16,10 +16,10 @@ double within_one(double part) { return smaller(larger(part, 0), 1); }
 
 double largest(const glm::dvec2& way) { return larger(std::fabs(way.x), std::fabs(way.y)); }
 
-/// Half the side of the square round `way` that touches a circle round the origin; negative within.
+/// Half the side of the square round `way` that touches a circle round the origin; within the way to the circle, negative.
 double chebyshev_to_circle(const glm::dvec2& way, double radius_m) {
     const double x = largest(way), y = smaller(std::fabs(way.x), std::fabs(way.y));
-    if (x * x + y * y <= radius_m * radius_m) return -1;
+    if (x * x + y * y <= radius_m * radius_m) return glm::length(way) - radius_m;
     if (x - radius_m >= y) return x - radius_m;                                   // by a side
     return (x + y - std::sqrt(2 * radius_m * radius_m - (x - y) * (x - y))) / 2;  // by a corner
 }
@@ -58,6 +58,9 @@ double to_leg(const FocusRegion& region, const glm::dvec2& way, const glm::dvec2
            region.radius_m;
 }
 
+/// A path of one point is a place.
+bool is_path(const FocusRegion& region) { return region.kind == FocusPoints::path && region.point_count > 1; }
+
 bool is_beside(const FocusRegion& region, const glm::dvec3& place, double height_m) {
     if (!region.is_volume) return false;
     if (!region.is_ball) return height_m < region.lower_m || height_m > region.upper_m;
@@ -86,14 +89,19 @@ glm::dvec2 in_focus_plane(const FocusRegion& region, const glm::dvec3& place) no
     return {glm::dot(way, region.east), glm::dot(way, region.north)};
 }
 
+std::uint32_t focus_part_count(const FocusRegion& region) noexcept {
+    return is_path(region) ? region.point_count - 1 : region.point_count;
+}
+
+double focus_part_distance_m(const FocusRegion& region, std::uint32_t part, const glm::dvec2& ground) noexcept {
+    const glm::dvec2 way = ground - region.points[part];
+    return is_path(region) ? to_leg(region, way, region.points[part + 1] - region.points[part]) : to_place(region, way);
+}
+
 double focus_distance_m(const FocusRegion& region, const glm::dvec2& ground) noexcept {
-    const bool is_path = region.kind == FocusPoints::path && region.point_count > 1;
-    const std::uint32_t parts = is_path ? region.point_count - 1 : region.point_count;
     double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t n = 0; n < parts; ++n) {
-        const glm::dvec2 way = ground - region.points[n];
-        least = smaller(least, is_path ? to_leg(region, way, region.points[n + 1] - region.points[n]) : to_place(region, way));
-    }
+    const std::uint32_t parts = focus_part_count(region);
+    for (std::uint32_t n = 0; n < parts; ++n) least = smaller(least, focus_part_distance_m(region, n, ground));
     return larger(least, 0);
 }
 

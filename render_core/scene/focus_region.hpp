@@ -69,6 +69,11 @@ using FocusRegions = base::FixedVector<FocusRegion, kMaxFoci>;
 /// East and north of the anchor.
 [[nodiscard]] glm::dvec2 in_focus_plane(const FocusRegion& region, const glm::dvec3& place) noexcept;
 
+/// Places, or legs from one point to the next.
+[[nodiscard]] std::uint32_t focus_part_count(const FocusRegion& region) noexcept;
+/// From a part's rim by the context's distance; negative within, there the straight way to the rim of a leg, circle or square.
+[[nodiscard]] double focus_part_distance_m(const FocusRegion& region, std::uint32_t part, const glm::dvec2& ground) noexcept;
+
 /// From the focus' rim to a place of the plane by the context's distance; 0 within. Exact in the plane: of a round place by
 /// Chebyshev's distance the largest square round the place that the circle does not reach into.
 [[nodiscard]] double focus_distance_m(const FocusRegion& region, const glm::dvec2& ground) noexcept;

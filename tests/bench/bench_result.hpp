@@ -14,7 +14,7 @@ struct BenchResult {
     const char* unit;
     double target;
     bool holds;       ///< the value keeps to the target, and what was measured was right
-    double baseline;  ///< what the value is to be compared with, measured in the same run; in the same unit
+    double baseline;  ///< what the value is to be compared with, measured in the same run where a bench does not say otherwise
 };
 
 inline void print_table(const std::vector<BenchResult>& results) {

@@ -50,7 +50,7 @@ public:
           bytes_(scene.built.image),
           terrain_(bytes_, session_.device.max_chunk_slots, pages ? session_.device.attribute_pages : 0),
           design_(design) {
-        const draw::DrawnDesign only{&design};
+        const draw::DrawnDesign only = drawn(design);
         EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
         session_.gl.seal();
     }
@@ -82,8 +82,8 @@ public:
     }
     /// False, and nothing changes, where it needs other programs.
     [[nodiscard]] bool set_design(const design::DesignSettings& design) {
-        if (!drawer_.shows({&design})) return false;
-        drawer_.set_design(session_.gl, {&design});
+        if (!drawer_.shows(drawn(design))) return false;
+        drawer_.set_design(session_.gl, drawn(design));
         return true;
     }
     [[nodiscard]] bool set_ground_data(const scene::GridSlice* slice) { return drawer_.set_ground_data(session_.gl, slice); }
@@ -94,6 +94,9 @@ public:
     [[nodiscard]] const terrain::LodResult& lod() const { return lod_; }
 
 private:
+    static draw::DrawnDesign drawn(const design::DesignSettings& design) {
+        return {&design, draw::TerrainOutput::color, draw::ground_focus_kind(design.foci).foci > 0};
+    }
     ChunkPicture draw_chunks(base::Span<const terrain::SelectedChunk> drawn, const draw::TerrainDrawInput& input,
                              const draw::DepthPlan& depth) {
         session_.gl.begin_frame();

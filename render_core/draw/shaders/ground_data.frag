@@ -44,6 +44,12 @@ vec4 data_color(float value) {
     return TEXTURE2D(data_colors, vec2((along + 0.5) / 1024.0, data_scale.z > 0.5 ? 0.75 : 0.25));
 }
 
+// Whether the ground's colour says a value.
+bool data_speaks() {
+    vec4 data = data_at(v_data);
+    return data_look.w > 0.5 && data.z > 0.5 && data.x >= data_lowest;
+}
+
 // Grains and strokes lie on the ground; their size there doubles with the distance, so that they stay a few pixels wide.
 float data_grain(vec2 cell) { return fract(sin(dot(cell, vec2(12.9898, 78.233))) * 43758.547); }
 

@@ -13,7 +13,9 @@ uniform sampler2D aperture_map;  // aperture east, north, cosine of its radius, 
 uniform sampler2D horizon_map;   // root of the horizon's sine towards the light
 #endif
 #ifdef PALETTE
+#ifndef FOCI
 uniform sampler2D palette;       // colour by the texture's quantity
+#endif
 uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
 #endif
 #ifdef SURFACE_GRID
@@ -21,7 +23,7 @@ uniform vec4 grid_look;          // colour and strength of the lines
 uniform float grid_spacing;      // m
 VARYING vec2 v_grid;
 #endif
-#ifdef SHAFTS
+#if defined(SHAFTS) || defined(FOCUS_BLUR)
 uniform vec2 left;               // least and most of the distance's code that alpha takes
 #endif
 uniform vec3 plain_color;
@@ -98,17 +100,6 @@ vec3 normal_of(vec2 code) {
     return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
 }
 
-/// Mesh and map do not know the same slope. The shorter of both reaches: with the longer one lines would run into blots.
-float shorter_reach(vec3 axis, vec3 n, vec3 bare, vec3 ray, float pixel_m) {
-    return min(reach_of(axis, n, ray, max(-dot(n, ray), 0.03), pixel_m),
-               reach_of(axis, bare, ray, max(-dot(bare, ray), 0.03), pixel_m));
-}
-
-/// A line's coverage at a distance from its middle.
-float line_at(float distance_m, float pixel_m, float half_width_px) {
-    return clamp(half_width_px + 0.5 - abs(distance_m) / pixel_m, 0.0, 1.0);
-}
-
 #ifdef STROKES
 float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.547); }
 #endif
@@ -116,7 +107,7 @@ float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.547
 #ifdef PALETTE
 vec3 palette_color(float value) {
     float level = clamp((value - palette_range.x) * palette_range.y, 0.0, 1.0);
-    return TEXTURE2D(palette, vec2(level * (1023.0 / 1024.0) + 0.5 / 1024.0, 0.5)).rgb;
+    return TEXTURE2D(palette, vec2(level * (1023.0 / 1024.0) + 0.5 / 1024.0, 0.25)).rgb;
 }
 #endif
 
@@ -166,6 +157,16 @@ void main() {
     float sea = step(0.999, v_class.x);
 #endif
     color = mix(color, sea_color, sea);
+    vec4 band = vec4(0.0);
+#ifdef WARNING_BANDS
+    // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
+    for (int b = 0; b < WARNING_BANDS; ++b) band = v_height >= band_lower[b] ? band_color[b] : band;
+#endif
+#ifdef FOCI
+    vec4 rim;
+    float focused = focus_degree(n, normalize(v_normal), ray, pixel_m, band.a > 0.0 || v_class.y > 0.0, rim);
+    color = in_context(color, mix(plain_color, sea_color, sea), focused);
+#endif
 #ifdef GROUND_DATA
     if (data_look.w > 0.5) {
         vec4 data = data_at(v_data);
@@ -176,9 +177,6 @@ void main() {
     }
 #endif
 #ifdef WARNING_BANDS
-    // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
-    vec4 band = vec4(0.0);
-    for (int b = 0; b < WARNING_BANDS; ++b) band = v_height >= band_lower[b] ? band_color[b] : band;
     color = mix(color, band.rgb, band.a);
 #endif
 
@@ -248,6 +246,10 @@ void main() {
 #endif
 #if defined(SHADOWS) && !defined(LIGHTS)
     lit *= 1.0 - 0.6 * hidden;  // a style without a light: as under a sky that keeps two fifths
+#endif
+#ifdef FOCUS_SKETCH
+    if (focused < 1.0) lit = mix(vec3(1.0), lit, detail_at(focused));
+    shine *= detail_at(focused);
 #endif
 #if defined(SHADED) || (defined(SHADOWS) && !defined(LIGHTS))
     color = color * lit + shine * (1.0 - 0.5 * sea);
@@ -368,6 +370,9 @@ void main() {
     float unknown = step(0.001, v_class.y);
     float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) - 0.5) * 12.0;
     color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
+#ifdef FOCI
+    color = color * (1.0 - rim.a) + rim.rgb;
+#endif
 #ifdef AIR
     color = mix(through_air(color, v_ray / distance_m, distance_m), color, 0.5 * unknown);
 #else
@@ -381,6 +386,8 @@ void main() {
     code *= step(band.a, 0.0);  // no shaft of shade before a warning
 #endif
     FRAGMENT_COLOR = vec4(color, clamp(min(code, 254.0 / 255.0), left.x, left.y));
+#elif defined(FOCUS_BLUR)
+    FRAGMENT_COLOR = vec4(color, clamp(sharpness_code(max(focused, rim.a)), left.x, left.y));
 #elif defined(DISTANCE_IN_ALPHA)
     FRAGMENT_COLOR = vec4(color, min(log2(1.0 + distance_m / 50.0) / 13.0, 254.0 / 255.0));  // 255 is the sky
 #else

@@ -32,6 +32,11 @@ VARYING vec3 v_ray;            // from the eye, ECEF, m
 VARYING float v_haze;
 #endif
 
+#ifdef FOCI
+uniform vec4 focus_axes[2 * FOCI];  // east, north of each focus: metres from its anchor = dot(xyz, place) + w
+VARYING vec2 v_focus[FOCI];
+#endif
+
 #ifdef SHADOWS
 uniform vec4 shadow_axes[3];   // places in the light's frame, m = dot(xyz, place) + w
 VARYING vec4 v_shadow;         // there; height over the sea
@@ -57,6 +62,10 @@ void main() {
 #else
     v_shadow.w = height;
 #endif
+#endif
+#ifdef FOCI
+    for (int k = 0; k < FOCI; ++k)  // of the ground as it is, wherever it is shown
+        v_focus[k] = vec2(dot(focus_axes[2 * k], vec4(eye_relative, 1.0)), dot(focus_axes[2 * k + 1], vec4(eye_relative, 1.0)));
 #endif
 #ifdef BAKED
     v_page = place * page_window.xy + page_window.zw;

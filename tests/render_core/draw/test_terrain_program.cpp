@@ -24,6 +24,18 @@ TerrainVariant full_variant() {
     return variant;
 }
 
+/// Every part of it both there and not there, among four in a row.
+GroundFocusKind any_focus(std::size_t n) {
+    GroundFocusKind focus;
+    focus.foci = static_cast<std::uint8_t>(1 + n % scene::kMaxFoci);
+    focus.has_paths = focus.has_halos = n % 2 == 0;
+    focus.has_squares = focus.has_lines = n % 3 != 0;
+    focus.has_chebyshev = focus.sketches = n % 4 < 2;
+    focus.has_grids = n % 3 < 2;
+    focus.blurs = n % 4 == 1;
+    return focus;
+}
+
 /// Every technique once, most of them together with others.
 std::vector<TerrainStyle> styles() {
     std::vector<TerrainStyle> all;
@@ -64,6 +76,9 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 variant.coast = pages > 1;
                 variant.air = pages == 1 && session.device.capability.gl.calls == effects::CallClass::es3;
                 variant.shadows = variant.shafts = variant.air;
+                if (pages > 0)
+                    variant.focus = any_focus(static_cast<std::size_t>(style.texture) + static_cast<std::size_t>(pages));
+                variant.in_focus = false;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
@@ -71,7 +86,8 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kHeightRange && (n < kTerrainAir || session.device.capability.gl.calls == effects::CallClass::es3)) {
+            if (n != kHeightRange &&
+                (n < kTerrainAir || n >= kTerrainFocus || session.device.capability.gl.calls == effects::CallClass::es3)) {
                 EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
             }
         session.gl.seal();
@@ -103,6 +119,22 @@ TEST(TerrainProgram, TheCheapestOutputThatShowsTheStyle) {
     EXPECT_EQ(output_of(design, true), TerrainOutput::color_and_distance);
     style.sketch.silhouettes = 0;
     EXPECT_EQ(output_of(design, true), TerrainOutput::color);
+    style.sketch.contours = 0;
+    EXPECT_EQ(output_of(design, true), TerrainOutput::code);
+    EXPECT_EQ(output_of(design, true, any_focus(0)), TerrainOutput::color) << "codes know no degrees";
+    EXPECT_EQ(output_of(design, true, any_focus(1)), TerrainOutput::color_and_distance) << "blurred";
+}
+
+/// Chunks in focus are drawn as if there were none, but for what they say of how sharp they are.
+TEST(TerrainProgram, WhatIsInFocusHasNothingOfIt) {
+    TerrainVariant variant;
+    const std::string without(terrain_defines({}, variant).view());
+    variant.focus = any_focus(0);
+    EXPECT_EQ(terrain_defines({}, variant).view(), without);
+    variant.focus = any_focus(1);
+    EXPECT_EQ(terrain_defines({}, variant).view(), without + "#define FOCUS_BLUR 1\n");
+    variant.in_focus = false;
+    EXPECT_NE(terrain_defines({}, variant).view().find("#define FOCI 2"), std::string_view::npos);
 }
 
 TEST(TerrainProgram, CodesCompileInBothLanes) {

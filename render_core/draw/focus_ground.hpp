@@ -1,0 +1,97 @@
+/// What foci change of the ground: what context looks like, and rims. Programs with shaders/focus.frag read it.
+///
+/// A place's degree is found at every pixel, from the place's metres in each focus' plane (scene/focus_region.hpp), which change
+/// evenly over a triangle, and the points of the foci. So rims are exact at any distance, which a field of distances in texels,
+/// or degrees at vertices (triangles may be wider than a focus), would not be. Up to four foci of sixteen points are more than
+/// the sixteen vectors that the smallest device has for a fragment's uniforms: the points lie in a second row of the texture of
+/// the palette, 24 bits a number, whose first row no program reads otherwise for it. A chunk says which of them matter to it.
+/// Chunks that lie in focus as a whole are drawn by the program without foci, chunks in the context look nothing up.
+///
+/// The context is common to all foci (design::terrain_of_context). Degrees and looks never change warning colours, colours of
+/// values, and ground without data.
+///
+/// Memory  none of ours but the second row (kRenderTargets). Thread  the GL thread. Failure  none.
+#pragma once
+
+#include "render_core/design/focus_settings.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/texture.hpp"
+#include "render_core/scene/focus_region.hpp"
+#include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::draw {
+
+/// What of it programs are built for.
+struct GroundFocusKind {
+    std::uint8_t foci = 0;  ///< of the design; 0: none changes the ground
+    bool has_paths = false, has_squares = false, has_chebyshev = false;
+    bool has_lines = false, has_halos = false, has_grids = false;
+    bool sketches = false, blurs = false;
+};
+[[nodiscard]] bool operator==(const GroundFocusKind& a, const GroundFocusKind& b) noexcept;
+/// Whether programs for one show another, too.
+[[nodiscard]] bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcept;
+[[nodiscard]] GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept;
+
+/// Where blur is not possible, or given up, the context is so much darker in its place.
+inline constexpr double kBlurAsBrightness = 0.7;
+
+[[nodiscard]] design::FocusTerrain darkened_instead_of_blurred(design::FocusTerrain look) noexcept;
+
+/// Distance that is sharp in shaders/focus.frag's code of degrees, which has the code kSharpCode / 255.
+inline constexpr double kSharpCode = 20;
+[[nodiscard]] double sharp_distance_m() noexcept;
+
+/// Of every program that is built with FOCI.
+inline constexpr std::size_t kFocusUniforms = 4;
+inline constexpr const char* kFocusUniformNames[kFocusUniforms] = {"focus_axes", "focus_parts", "focus_look", "focus_least"};
+
+/// The lines of a grid are a round number of metres apart: 1, 2 or 5 times a power of ten, two or more to the focus' radius.
+[[nodiscard]] double focus_grid_spacing_m(double radius_m) noexcept;
+
+/// What a chunk of terrain looks up.
+struct FocusOfChunk {
+    bool is_in_focus = true;                                          ///< all of it: the program without foci draws it
+    double least_degree = 0;                                          ///< of all its places
+    std::uint8_t first[scene::kMaxFoci]{}, count[scene::kMaxFoci]{};  ///< parts of each focus
+};
+
+class GroundFocus {
+public:
+    static constexpr std::uint32_t kTexelsOfFocus = 64, kTexels = scene::kMaxFoci * kTexelsOfFocus;
+
+    /// Of the frame; both must stay until it is drawn. `regions` null, or none of them valid: all is in focus. `blurs`: false
+    /// where brightness stands for blur.
+    void set(const scene::FocusRegions* regions, const design::FocusList& foci, bool blurs);
+    [[nodiscard]] bool is_any() const { return is_any_; }
+    /// Into a texture's row, where it changed since the last time.
+    void upload(gl::Gl& gl, gl::Texture& texture, std::uint32_t row);
+
+    [[nodiscard]] FocusOfChunk of_chunk(const terrain::ChunkEntry& entry, const terrain::View& view) const;
+
+    /// The program must be in use; `first` is the place of kFocusUniformNames in its list. `origin`: ECEF, from where its places
+    /// are measured.
+    void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const glm::dvec3& origin) const;
+    static void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const FocusOfChunk& chunk);
+
+    /// Of texels, as the shader reads it; for tests.
+    [[nodiscard]] double number_at(std::uint32_t texel) const;
+    [[nodiscard]] double unit_m() const { return unit_m_; }
+
+private:
+    void write(std::uint32_t texel, double number);
+    void write_focus(std::uint32_t n);
+    void look_at(std::uint32_t n, const terrain::ChunkEntry& entry, double pixel_m, FocusOfChunk& chunk) const;
+    [[nodiscard]] const scene::FocusRegion& region(std::uint32_t n) const { return (*regions_)[n]; }
+    [[nodiscard]] std::uint32_t count() const;
+
+    const scene::FocusRegions* regions_ = nullptr;
+    const design::FocusList* foci_ = nullptr;
+    bool is_any_ = false, is_uploaded_ = false;
+    design::FocusTerrain look_;
+    double unit_m_ = 1;
+    std::array<std::uint8_t, 4 * kTexels> texels_{}, uploaded_{};
+};
+
+}  // namespace tedavis::draw
