@@ -205,6 +205,7 @@ base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string
     }
     read_data_style(root.section("data"), palettes, design.data);
     refuse_grid_without_spacing(root.section("data"), design);
+    read_foci(root, design.foci);
     read_sky(root.section("sky"), design.sky);
     read_view_effects(root.section("effects"), design.effects);
     read_warning(root.section("warning"), design);

@@ -16,6 +16,7 @@
 #include "render_core/design/band_widening.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/design/focus_settings.hpp"
 #include "render_core/design/named_phases.hpp"
 #include "render_core/design/palette.hpp"
 #include "render_core/design/terrain_style.hpp"
@@ -122,6 +123,7 @@ struct DesignSettings {
     ViewSettings view;
     TerrainSettings terrain;
     DataStyle data;
+    FocusList foci;
     SkySettings sky;
     ViewEffects effects;
     bool warning_colors = true;

@@ -229,6 +229,11 @@ std::vector<DocumentedKey> documented_keys() {
     return keys;
 }
 
+bool is_of_data_focus(const std::string& key) {
+    const std::set<std::string> keys{"layer", "role", "attribute", "value", "interval", "extreme", "within", "similar"};
+    return keys.count(key) > 0;
+}
+
 /// What must stand in a section so that the key is looked at, without the key itself.
 std::string with_key(const DocumentedKey& documented, const std::string& value) {
     const std::string &section = documented.section, &key = documented.key;
@@ -242,8 +247,9 @@ std::string with_key(const DocumentedKey& documented, const std::string& value) 
         add("attribute", "'b'");
         add("palette", "'seeded'");
     };
-    add("name", "'x'");
+    if (!section.empty() || key != "name") text += "name = 'x'\n";
     if (section == "[[warning.band]]") text += "[warning]\nprofile = 'custom'\n";
+    if (section.find("[focus.") == 0) text += "[[focus]]\n";
     if (section.find("data.ground.") != std::string::npos)
         text += "[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'seeded'\n";
     if (section.find("data.element.") != std::string::npos) text += "[[data.element]]\nlayer = 'a'\ntechnique = 'tube'\n";
@@ -256,6 +262,12 @@ std::string with_key(const DocumentedKey& documented, const std::string& value) 
         if (is_first) add("palette", "'seeded'");
         if (is_second) add("second_attribute", "'b'");
         if (is_second && key != "second_attribute") add("second_palette", "'seeded'");
+    }
+    if (section == "[[focus]]" && is_of_data_focus(key)) {
+        text += "shape = 'data'\n";
+        if (key != "role") add("layer", "'a'");
+        add("attribute", "'b'");
+        if (key == "within" || key == "similar") add("value", "1");
     }
     if (section == "[data.element.cues]" && key.rfind("line_spacing", 0) != 0) text += "line_spacing_m = 100\n";
     if (section == "[[warning.band]]")

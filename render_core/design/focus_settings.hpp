@@ -1,0 +1,131 @@
+/// Focus and context (thesis, 5.2): what the eye is led to, and how the rest steps back. Tables [[focus]] of a design file, each
+/// a focus of its own; several hold at once, and of their degrees the greatest counts.
+///
+///     [[focus]]
+///     name = "destination"         as the record and the cue for a hidden focus call it
+///     shape = "circle"             "point", "path", "circle", "square", "sphere", "cuboid", or "data"
+///     at = "destination"           "own_ship", "destination", "flight_path", "place", "position"
+///     place = "RWY 24"             a feature of the scene: of `place`; of `destination` the runway, where it is not the nearest
+///     position_deg = [46.8, 9.8]   latitude and longitude, of `position`
+///     ahead_s = 300                so much of the flight to come, of `flight_path`
+///     radius_m = 3000              of circles and spheres, half the side of squares and cuboids, proximity of points, paths,
+///     data height_m = 2500              above MSL, of a sphere's middle; absent: that of the thing itself lower_m = 1000 above
+///     MSL, of a cuboid upper_m = 3000
+///
+///     layer = "wind"               of a data focus, or role = "wind": where the values are, and then
+///     attribute = "speed"
+///     value = 12                   one of `value`, `interval`, `extreme`
+///     interval = [10, 15]
+///     extreme = "highest"          "lowest": of all that are valid now
+///     within = 0.5                 so far from `value` or the extreme is in focus, too
+///     similar = 3                  so far beyond that is intermediate context
+///
+///     [focus.context]              how far the intermediate context reaches round a focus of space
+///     [focus.terrain]              what the ground of the context looks like
+///     [focus.data]                 what data of the intermediate context and of the context look like
+///     [focus.border]               how the focus' rim is shown
+///     [focus.distortion]           more room for the focus on the screen
+///
+/// Plain data; metres, radians, attributes in their own units. Reading: start-up only, faults go to the section.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/design/color.hpp"
+#include "render_core/scene/focus_region.hpp"
+#include "render_core/scene/sdb_format.hpp"
+
+namespace tedavis::design {
+
+enum class FocusShape : std::uint8_t { point, path, circle, square, sphere, cuboid, data };
+inline constexpr std::array<std::string_view, 7> kFocusShapeNames{"point",  "path",   "circle", "square",
+                                                                  "sphere", "cuboid", "data"};
+
+enum class FocusAt : std::uint8_t { own_ship, destination, flight_path, place, position };
+inline constexpr std::array<std::string_view, 5> kFocusAtNames{"own_ship", "destination", "flight_path", "place", "position"};
+
+/// Which values are in a data focus: those from low to high, or so close to the extreme.
+enum class FocusValues : std::uint8_t { interval, highest, lowest };
+
+struct FocusOfData {
+    base::FixedString<31> layer;  ///< empty: all layers of the role
+    scene::LayerRole role = scene::LayerRole::count;
+    base::FixedString<31> attribute;
+    FocusValues values = FocusValues::interval;
+    double low = 0, high = 0;  ///< of an interval; `value` is one, too
+    double within = 0;         ///< of the extreme
+    double similar = 0;        ///< beyond the focus, of the intermediate context
+};
+
+/// Of the ground in the context; in between it is in between.
+struct FocusTerrain {
+    bool sketch_outside = false;            ///< lines in the place of shaded ground
+    double brightness = 1, saturation = 1;  ///< 0..1
+    double blur_px = 0;                     ///< 0..kMostBlur_px, growing with the distance from the focus
+
+    [[nodiscard]] bool is_any() const { return sketch_outside || brightness < 1 || saturation < 1 || blur_px > 0; }
+};
+
+/// What becomes of data beyond the intermediate context.
+enum class FocusContextData : std::uint8_t { hidden, as_intermediate, shown };
+inline constexpr std::array<std::string_view, 3> kFocusContextDataNames{"hidden", "as_intermediate", "shown"};
+
+/// Of data in the intermediate context, next to the context; towards the focus it is in between.
+struct FocusData {
+    double detail = 1, brightness = 1, saturation = 1, size = 1;  ///< 0..1
+    std::uint32_t aggregate = 1;                                  ///< one glyph for so many by so many
+    FocusContextData context = FocusContextData::shown;
+
+    [[nodiscard]] bool is_any() const {
+        return detail < 1 || brightness < 1 || saturation < 1 || size < 1 || aggregate > 1 || context != FocusContextData::shown;
+    }
+};
+
+enum class FocusBorderKind : std::uint8_t { none, line, halo, grid };
+inline constexpr std::array<std::string_view, 4> kFocusBorderNames{"none", "line", "halo", "grid"};
+
+struct FocusBorder {
+    FocusBorderKind kind = FocusBorderKind::none;
+    Color color{0xFF, 0xFF, 0xFF};
+    double width_px = 2;
+};
+
+inline constexpr std::uint32_t kMostFocusPower = 4;
+
+struct FocusSettings {
+    base::FixedString<23> name;
+    FocusShape shape = FocusShape::circle;
+    FocusAt at = FocusAt::own_ship;
+    base::FixedString<23> place;  ///< empty: none is named
+    double latitude_rad = 0, longitude_rad = 0;
+    double ahead_s = 300;
+    double radius_m = 2000;
+    double height_m = 0;
+    bool has_height = false;
+    double lower_m = 0, upper_m = 0;
+    FocusOfData data;
+    scene::FocusContext context;
+    FocusTerrain terrain;
+    FocusData of_data;
+    FocusBorder border;
+    std::uint32_t power = 0;  ///< of two, by which the focus is larger than undistorted; 0..kMostFocusPower
+};
+static_assert(std::is_trivially_copyable_v<FocusSettings>);
+
+using FocusList = base::FixedVector<FocusSettings, scene::kMaxFoci>;
+
+/// `root`: of the design file.
+void read_foci(base::ConfigSection& root, FocusList& foci);
+
+/// One focus as a command line states it: the keys of [[focus]] within one line of TOML,
+/// `shape = "point", at = "place", place = "DAVOS", terrain.brightness = 0.5`. The error is one sentence.
+[[nodiscard]] base::Result<FocusSettings, base::ConfigError> read_focus(std::string_view line);
+
+}  // namespace tedavis::design
