@@ -48,6 +48,7 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
         has_data = has_data || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
         variant.grid = variant.grid || has_grid_on_data(design);
         variant.shadows = variant.shadows || design.effects.shadows.is_any();
+        variant.magnified = variant.magnified || design::magnifies(design);
     }
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
@@ -278,6 +279,7 @@ void Display::plan_view() {
     eye_ = make_eye(input, settings_.design.view, settings_.design.sky.haze_distance_m);
     if (free_view_active_) eye_.view = free_view_;
     if (settings_.design.view.reference == design::Reference::flat) eye_.view.flat_msl_m = settings_.design.view.flat_msl_m;
+    magnify();
     const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
     eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
     eyes_ = {};

@@ -143,6 +143,7 @@ private:
     void decide(base::Time now);
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
+    void magnify();
     void keep_scene();
     [[nodiscard]] bool has_warning() const;
     draw::TerrainDrawResult draw_kept();

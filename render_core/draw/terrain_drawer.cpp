@@ -18,8 +18,6 @@ using terrain::SelectedChunk;
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
-constexpr double kSmallestTexel_px = 0.7;
-constexpr double kAzimuthStep_rad = 0.25 * base::kPi / 180;  // horizons are mixed for whole steps of the light's azimuth
 
 /// After the palette and the baked maps; eight units are enough on the smallest device.
 constexpr std::uint32_t kGroundMapUnit = design::kBakedMaps + 1, kGroundColorUnit = design::kBakedMaps + 2;
@@ -41,15 +39,17 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
 }
 
-bool is_coast(const terrain::ChunkEntry& entry) {
-    constexpr unsigned kBoth = terrain::kChunkHasSea | terrain::kChunkHasLand;
-    return (entry.flags & kBoth) == kBoth;
-}
-
-/// The light's azimuth at a page, in whole steps: what a page shows depends on this frame's light alone.
-double azimuth_at(const terrain::ChunkEntry& entry, const glm::dvec3& light) {
-    const glm::dvec3 north(entry.axes[0], entry.axes[1], entry.axes[2]), east(entry.axes[3], entry.axes[4], entry.axes[5]);
-    return kAzimuthStep_rad * std::round(std::atan2(glm::dot(light, east), glm::dot(light, north)) / kAzimuthStep_rad);
+/// Of its box, with its lifts; boxes are kept in floats.
+GroundExtent extent_of(const SelectedChunk& chunk) {
+    constexpr double kBoxSlack_m = 1;
+    const terrain::ChunkEntry& entry = *chunk.entry;
+    GroundExtent extent;
+    extent.centre = {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]};
+    for (int n = 0; n < 3; ++n)
+        extent.half[n] =
+            double{entry.half_extent_m[n]} * glm::dvec3(entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]);
+    extent.more_m = kBoxSlack_m + double{greatest_lift_m(chunk.lift)};
+    return extent;
 }
 
 }  // namespace
@@ -65,12 +65,24 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     bool are_coded = true;
     for (const DrawnDesign& design : designs) {
         are_coded = are_coded && design.output == TerrainOutput::code;
-        if (shows(design)) continue;
-        if (!styles_.try_push_back({design.design->terrain.style, variant_of(design), {}}))
-            return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
-        if (gl::GlError error = build_programs(gl, styles_.back()); !error.sentence.empty()) return error;
+        if (gl::GlError error = add_style(gl, design, false); !error.sentence.empty()) return error;
+        if (!design::magnifies(*design.design)) continue;
+        if (gl::GlError error = add_style(gl, design, true); !error.sentence.empty()) return error;
     }
+    magnified_style_ = style_of(designs[0], true);
     return are_coded ? gl::GlError{} : start_palette(gl, device);
+}
+
+gl::GlError TerrainDrawer::add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified) {
+    if (style_of(design, is_magnified) < styles_.size()) return {};
+    if (!styles_.try_push_back({design.design->terrain.style, variant_of(design, is_magnified), {}}))
+        return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
+    return build_programs(gl, styles_.back());
+}
+
+bool TerrainDrawer::shows(const DrawnDesign& design) const {
+    const bool has_parts = !design::magnifies(*design.design) || style_of(design, true) < styles_.size();
+    return has_parts && style_of(design, false) < styles_.size();
 }
 
 gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -102,30 +114,6 @@ gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& de
     return {};
 }
 
-/// The maps of all designs.
-gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
-    design::MapSet maps;
-    for (const DrawnDesign& design : designs) maps.add(design.design->terrain.style);
-    needs_maps_ = maps.any();
-    const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
-    if (slots == 0 || !reads_pages()) return {};
-    page_slots_ = staging.allocate_array<PageSlot>(slots);
-    if (page_slots_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
-    for (PageSlot& slot : page_slots_) slot = PageSlot{};
-    return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), maps, database_has_coast(), slots, staging);
-}
-
-gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
-    const auto slots = static_cast<std::uint32_t>(store_->drape_pages().use().capacity);
-    if (slots == 0) return {};
-    drape_generations_ = staging.allocate_array<std::uint32_t>(slots);
-    if (drape_generations_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
-    for (std::uint32_t& generation : drape_generations_) generation = 0;
-    return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
-}
-
 gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device) {
     for (const DrawnDesign& design : designs)
         if (design.design->data.ground.is_shown)
@@ -133,10 +121,11 @@ gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effect
     return {};
 }
 
-TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
+TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn, bool is_magnified) const {
     const design::DesignSettings& design = *drawn.design;
     TerrainVariant variant;
     variant.output = drawn.output;
+    variant.magnified = is_magnified;
     variant.lifted = design.terrain.conservative_up;
     variant.flat = design.view.reference == design::Reference::flat;
     variant.ground_data = design.data.ground.is_shown;
@@ -152,8 +141,8 @@ TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
     return variant;
 }
 
-std::size_t TerrainDrawer::style_of(const DrawnDesign& design) const {
-    const TerrainVariant variant = variant_of(design);
+std::size_t TerrainDrawer::style_of(const DrawnDesign& design, bool is_magnified) const {
+    const TerrainVariant variant = variant_of(design, is_magnified);
     for (std::size_t n = 0; n < styles_.size(); ++n)
         if (variant == styles_[n].variant && same_programs(styles_[n].style, design.design->terrain.style)) return n;
     return styles_.size();
@@ -191,7 +180,8 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 }
 
 void TerrainDrawer::set_design(gl::Gl& gl, const DrawnDesign& design) {
-    style_ = style_of(design);
+    style_ = style_of(design, false);
+    magnified_style_ = style_of(design, true);
     TEDAVIS_CHECK(style_ < styles_.size());
     design_ = *design.design;
     if (ground_.has_data() && has_ground_data()) ground_.set_look(gl, design_.data.ground);
@@ -254,77 +244,10 @@ bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
     return true;
 }
 
-TerrainDrawer::PageChoice TerrainDrawer::page_of(const terrain::ChunkKey& key) const {
-    if (!atlas_.is_started()) return {};
-    const std::uint32_t levels = store_->lattice().levels();
-    for (terrain::ChunkKey owner = terrain::TerrainStore::attribute_key(key); owner.level < levels; owner = owner.parent()) {
-        const terrain::SlotIndex slot = store_->attribute_slot(owner);
-        if (slot != terrain::kNoSlot) return {slot, owner};
-    }
-    return {};
-}
-
-bool TerrainDrawer::reads_pages() const { return needs_maps_ || database_has_coast(); }
-
-/// The coarsest chunks, which never leave the store, know what lies in all below them.
-bool TerrainDrawer::database_has_coast() const {
-    const terrain::Lattice& lattice = store_->lattice();
-    const std::uint32_t top = lattice.levels() - 1;
-    for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
-        for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i)
-            if (const terrain::SlotIndex slot = store_->available_slot({top, i, j});
-                slot != terrain::kNoSlot && is_coast(store_->entry(slot)))
-                return true;
-    return false;
-}
-
-bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input) {
-    const PageChoice page = page_of(chunk.key);
-    if (page.slot == terrain::kNoSlot) return true;
-    PageSlot& slot = page_slots_[page.slot];
-    const terrain::AttributePage& attributes = store_->attributes(page.slot);
-    const bool is_new = slot.generation != store_->attribute_generation(page.slot);
-    const bool coast = is_coast(store_->attribute_pages().entry(page.slot));
-    if (is_new && !atlas_.upload(gl, page.slot, attributes, coast)) return false;
-    slot.generation = store_->attribute_generation(page.slot);
-    if (!atlas_.has(BakedMap::horizon)) return true;
-    const double azimuth = azimuth_at(store_->attribute_pages().entry(page.slot), input.light_direction[0]);
-    if (!is_new && azimuth == slot.azimuth_rad) return true;
-    slot.azimuth_rad = azimuth;
-    const GroundSize texel = texel_size(store_->lattice(), page.owner);
-    return atlas_.upload_horizon(gl, page.slot, attributes, azimuth, texel.east_m, texel.north_m);
-}
-
-/// The finest page that is there and whose texels are no smaller than pixels where the chunk is nearest: coarser ones have the
-/// mean of what would else flicker.
-TerrainDrawer::PageChoice TerrainDrawer::drape_of(const SelectedChunk& chunk, const terrain::View& view) const {
-    const terrain::Lattice& lattice = store_->lattice();
-    const double pixel_m = terrain::box_distance_m(*chunk.entry, view) / view.focal_px;
-    PageChoice finest;
-    for (terrain::ChunkKey owner = chunk.key; owner.level < lattice.levels(); owner = owner.parent()) {
-        const terrain::SlotIndex slot = store_->drape_slot(owner);
-        if (slot == terrain::kNoSlot) continue;
-        finest = {slot, owner};
-        if (drape_texel_size(lattice, owner).north_m >= kSmallestTexel_px * pixel_m) break;
-    }
-    return finest;
-}
-
-bool TerrainDrawer::upload_drape(gl::Gl& gl, const SelectedChunk& chunk, const terrain::View& view) {
-    if (!drape_.is_started()) return true;
-    const PageChoice page = drape_of(chunk, view);
-    if (page.slot == terrain::kNoSlot) return true;
-    const std::uint32_t generation = store_->drape_generation(page.slot);
-    if (drape_generations_[page.slot] == generation) return true;
-    drape_generations_[page.slot] = generation;
-    return drape_.upload(gl, page.slot, store_->drape(page.slot));
-}
-
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
-    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
-        for (const gl::Program& program : style().programs[bands])
-            if (program.valid()) set_frame_uniforms(gl, program, input, range);
+    set_uniforms_of_programs(gl, style(), input, range);
+    if (magnifies(input)) set_uniforms_of_programs(gl, styles_[magnified_style_], input, range);
     if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
     if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
@@ -337,6 +260,13 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
         if (overlap(depths, range)) draw_chunk(gl, chunk, input, result);
     }
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
+}
+
+void TerrainDrawer::set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input,
+                                             const DepthRange& range) const {
+    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
+        for (const gl::Program& program : style.programs[bands])
+            if (program.valid()) set_frame_uniforms(gl, program, input, range);
 }
 
 void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
@@ -362,14 +292,14 @@ std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool b
     return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
 }
 
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
-                                              const TerrainDrawInput& input) const {
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry,
+                                              std::size_t pages, const TerrainDrawInput& input) const {
     TerrainBands bands;
     if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
-    const gl::Program& program = style().programs[n][pages];
+    const gl::Program& program = style.programs[n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
@@ -385,7 +315,9 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
     const std::size_t pages = page_variant(*chunk.entry, baked);
-    const gl::Program& program = use_program(gl, *chunk.entry, pages, input);
+    const bool is_in_parts = magnifies(input) && is_magnified(input.view.magnifiers, extent_of(chunk));
+    const Style& shown = is_in_parts ? styles_[magnified_style_] : style();
+    const gl::Program& program = use_program(gl, shown, *chunk.entry, pages, input);
     const terrain::Lattice& lattice = store_->lattice();
     set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
     if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);
@@ -403,10 +335,27 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     }
     if (has_ground_data()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
     point_attributes(gl, chunk.slot);
-    gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
+    is_in_parts ? draw_parts(gl, program, chunk, input, result) : draw_mesh(gl, chunk, result);
+}
+
+void TerrainDrawer::draw_mesh(gl::Gl& gl, const SelectedChunk& chunk, TerrainDrawResult& result) const {
+    const std::uint32_t index_count = slots_[chunk.slot].index_count;
+    gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});
-    result.triangles += slot.index_count / 3;
+    result.triangles += index_count / 3;
     ++result.draws;
+}
+
+/// Lines and strokes are as wide on the screen in each.
+void TerrainDrawer::draw_parts(gl::Gl& gl, const gl::Program& program, const SelectedChunk& chunk, const TerrainDrawInput& input,
+                               TerrainDrawResult& result) const {
+    const GroundExtent extent = extent_of(chunk);
+    MagnifiedParts parts(input.view.magnifiers, extent);
+    for (MagnifiedPart part; parts.next(part);) {
+        set_magnifier_uniforms(gl, program, kTerrainMagnifier, part, glm::round(input.view.eye));
+        set_pixel_uniform(gl, program, design_.terrain.style, input.view.focal_px * part.scale());
+        draw_mesh(gl, chunk, result);
+    }
 }
 
 }  // namespace tedavis::draw

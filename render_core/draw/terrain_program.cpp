@@ -78,7 +78,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kShadowUniformNames[1],
                                                          kShadowUniformNames[2],
                                                          kShadowUniformNames[3],
-                                                         "left"};
+                                                         "left",
+                                                         kMagnifierUniformNames[0],
+                                                         kMagnifierUniformNames[1]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -178,7 +180,7 @@ bool has_shafts_only(const design::DesignSettings& design) noexcept {
 bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
     const auto all = [](const TerrainVariant& v) {
         return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
-                        v.air, v.shafts, v.shadows);
+                        v.air, v.shafts, v.shadows, v.magnified);
     };
     return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
@@ -186,9 +188,9 @@ bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
 TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth) noexcept {
     if (!off_screen_depth) return TerrainOutput::color;
     const design::TerrainStyle& style = design.terrain.style;
-    // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own.
-    const bool has_shadows = design.effects.shadows.is_any();
-    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows)
+    // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own, and no borders.
+    const bool has_more = design.effects.shadows.is_any() || design::magnifies(design);
+    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_more)
         return TerrainOutput::code;
     const design::ViewEffects& effects = design.effects;
     const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 || effects.shadows.in_air > 0;
@@ -226,6 +228,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.shadows, "#define SHADOWS 1\n");
     defines.add_if(variant.shafts, "#define SHAFTS 1\n");
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
+    defines.add_if(variant.magnified, kMagnifiedDefine);
     return defines.text();
 }
 
@@ -234,6 +237,10 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     const TerrainDefines defines = terrain_defines(style, variant);
     base::FixedString<kMaxTerrainDefines + 2 * kMaxShaderText> vertex(defines.view()), fragment(defines.view());
     const bool code = variant.output == TerrainOutput::code;
+    if (variant.magnified) {
+        vertex.append(shader_text(k_magnified_vert));
+        fragment.append(shader_text(k_magnified_frag));
+    }
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
     if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));

@@ -11,6 +11,7 @@
 #include "render_core/base/span.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
+#include "render_core/draw/magnified_parts.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/shadow_map.hpp"
 #include "render_core/gl/program.hpp"
@@ -78,7 +79,8 @@ enum TerrainUniform : std::size_t {
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
-    kTerrainUniforms
+    kTerrainMagnifier,  ///< the first of kMagnifierUniformNames
+    kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
@@ -114,6 +116,7 @@ struct TerrainVariant {
     bool air = false;                                                               ///< between it and the eye
     bool shafts = false;                                                            ///< of light, before it
     bool shadows = false;                                                           ///< of data
+    bool magnified = false;                                                         ///< a part of what magnifiers move
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 
     friend bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept;

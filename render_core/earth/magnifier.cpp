@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace tedavis::earth {
 namespace {
@@ -187,7 +186,9 @@ Magnifier::Cell Magnifier::cell(std::size_t n) const {
         cell.edges[side] = edge(axis(side), {-1, 0}, is_focus ? inner_m_ : outer_m_);
     repeat_first(cell.edges, sides_);
     cell.is_outside = !is_focus;
-    if (is_focus) cell.slope = glm::dmat2(factor_);
+    if (!is_focus) return cell;
+    cell.slope = glm::dmat2(factor_);
+    cell.borders = Borders::all;
     return cell;
 }
 
@@ -208,6 +209,7 @@ Magnifier::Cell Magnifier::triangle(std::size_t sector, std::size_t n) const {
     } else {
         of_out -= along * (side * (factor_ - 1) * lean);
         cell.shift += along * (side * (factor_ - 1) * lean * outer_m_);
+        cell.borders = Borders::first;
         cell.edges[0] = edge(out, {-1, 0}, outer_m_);
         cell.edges[1] = edge(out, {lean, side}, -lean * outer_m_);
         cell.edges[2] = edge(out, {tangent_, -side}, 0);

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -72,6 +73,10 @@ public:
     [[nodiscard]] const glm::dvec2& curvature_per_m() const { return curvature_per_m_; }
 
     /// East and north of the middle, m.
+    /// False where nothing within the distance of a place moves.
+    [[nodiscard]] bool reaches(const Ecef& place, double within_m) const {
+        return glm::distance(place, middle_) <= reach_m_ + within_m;
+    }
     [[nodiscard]] glm::dvec2 in_plane(const Ecef& place) const;
     [[nodiscard]] glm::dvec2 moved(const glm::dvec2& ground) const;
     [[nodiscard]] glm::dvec2 moved_back(const glm::dvec2& shown) const;
@@ -81,11 +86,14 @@ public:
     [[nodiscard]] Ecef moved(const Ecef& place) const;
     [[nodiscard]] Ecef moved_back(const Ecef& shown) const;
 
+    /// At which edges of a cell the scale of the focus, or of what is outside, ends.
+    enum class Borders : std::uint8_t { none, all, first };
     /// A part of the plane in which the map is linear. What lies on its edges is in it.
     struct Cell {
         glm::dmat2 slope{1.0};                       ///< shown = slope * ground + shift
         glm::dvec2 shift{0};                         ///< m
         std::array<glm::dvec3, kMostSides> edges{};  ///< in it where dot(edge, (east, north, 1)) >= 0, m, for all
+        Borders borders = Borders::none;               ///< none of what is outside: the triangles have them
         bool is_outside = false;                     ///< all but that: there nothing moves
         [[nodiscard]] double inside_m(const glm::dvec2& ground) const;  ///< 0 or more in it: least distance from an edge
         /// False where no point of the rectangle is in it; true where one may be.

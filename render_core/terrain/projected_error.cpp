@@ -26,6 +26,29 @@ void flatten(Box& box, const ChunkEntry& entry, double flat_msl_m) {
     box.half[2] += 0.5 * (most_m - least_m);
 }
 
+double radius_m(const ChunkEntry& entry) {
+    return std::hypot(double{entry.half_extent_m[0]}, double{entry.half_extent_m[1]}, double{entry.half_extent_m[2]});
+}
+
+/// By what its points can move. Across a plane that leans with the distance from the middle, which moves them down as well.
+void move(Box& box, const ChunkEntry& entry, const earth::Magnifiers& magnifiers) {
+    constexpr double kDown = 3;  // of the drop, with that lean
+    for (const earth::Magnifier& magnifier : magnifiers) {
+        if (!magnifier.reaches(centre_of(entry), radius_m(entry))) continue;
+        box.half[0] += magnifier.farthest_move_m();
+        box.half[1] += magnifier.farthest_move_m();
+        box.half[2] += kDown * magnifier.farthest_drop_m();
+    }
+}
+
+/// What a moved triangle misses of the ground, whose corners alone are where they should be.
+double sag_m(const ChunkEntry& entry, const earth::Magnifiers& magnifiers) {
+    double most_m = 0;
+    for (const earth::Magnifier& magnifier : magnifiers)
+        if (magnifier.reaches(centre_of(entry), radius_m(entry))) most_m = std::fmax(most_m, magnifier.sag_m(2 * radius_m(entry)));
+    return most_m;
+}
+
 /// Stretched upwards by lift_m.
 Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     Box box;
@@ -37,6 +60,7 @@ Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     box.centre -= box.axis[2] * (0.5 * lift_m);
     box.half[2] += 0.5 * lift_m;
     if (view.is_flat()) flatten(box, entry, view.flat_msl_m);
+    move(box, entry, view.magnifiers);
     return box;
 }
 
@@ -93,7 +117,15 @@ bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
     return false;
 }
 
-double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m) {
+double magnification(const ChunkEntry& entry, const View& view) {
+    double most = 1;
+    for (const earth::Magnifier& magnifier : view.magnifiers)
+        if (magnifier.reaches(centre_of(entry), radius_m(entry))) most = std::fmax(most, magnifier.factor());
+    return most;
+}
+
+double error_in_box_px(const ChunkEntry& entry, const View& view, double mesh_error_m, double lift_m) {
+    const double error_m = mesh_error_m + sag_m(entry, view.magnifiers);
     if (error_m == 0) return 0;
     const Box box = box_of(entry, view, lift_m);
     const double tx = view.half_width_tangent(), ty = view.half_height_tangent();

@@ -3,7 +3,8 @@
 /// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies
 /// e * focal * |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth
 /// (difference of the two projections). In a flat view boxes are those of what is drawn, and errors still those of the relief:
-/// what is drawn has no more. Boxes are ECEF; pure functions; any thread.
+/// what is drawn has no more. Where magnifiers of the view reach, boxes are those of what is drawn, too, and errors grow by what a
+/// flat triangle misses of the moved ground. Boxes are ECEF; pure functions; any thread.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -34,6 +35,9 @@ struct DepthSpan {
     return a.far_m >= b.near_m && a.near_m <= b.far_m;
 }
 [[nodiscard]] DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m);
+
+/// By how much the view's magnifiers draw a length of the chunk's ground longer at most; 1 where none reaches it.
+[[nodiscard]] double magnification(const ChunkEntry& entry, const View& view);
 
 /// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);

@@ -38,7 +38,7 @@ void BillboardSheet::begin(const Frame& frame) {
 }
 
 BillboardSheet::Spot BillboardSheet::spot(const glm::dvec3& place) const {
-    const glm::dvec3 from_eye = place - view_.eye;
+    const glm::dvec3 from_eye = view_.magnifiers.moved(place) - view_.eye;
     Spot result;
     result.distance_m = glm::dot(from_eye, view_.forward);
     if (!(result.distance_m > view_.near_m)) return result;

@@ -53,6 +53,7 @@ public:
         double distance_m = 0;  ///< along the view
         bool is_ahead = false;  ///< beyond the near plane; else the rest means nothing
     };
+    /// Where the view's magnifiers show the place.
     [[nodiscard]] Spot spot(const glm::dvec3& place) const;
     /// How far away 60 degrees of view would show as much: by this things far away are ranked and left out.
     [[nodiscard]] double seen_distance_m(double distance_m) const;

@@ -51,6 +51,46 @@ void build_circle(const Painter& painter, const Plane& plane, Point center, floa
     painter.polyline(circle, color, strokes, true);
 }
 
+/// Where nothing is moved: no line of a circle that lies among what is.
+bool is_unmoved(const MapInput& map, const Plane& plane, Point at) {
+    for (const MagnifiedSign& sign : map.magnified)
+        if (std::hypot(at.x - sign.middle.x, (at.y - sign.middle.y) / plane.squash()) <= sign.reach_px) return false;
+    return true;
+}
+
+void build_broken_circle(const Painter& painter, const MapInput& map, const Plane& plane, Point center, float radius) {
+    Point before = plane.off(center, 0, radius);
+    for (int i = 1; i <= kRingSteps; ++i) {
+        const Point next = plane.off(center, 2 * base::kPi * i / kRingSteps, radius);
+        if (is_unmoved(map, plane, before) && is_unmoved(map, plane, next)) painter.line(before, next, kScaleColor, 0.7f);
+        before = next;
+    }
+}
+
+ShortText times_label(std::string_view what, std::uint32_t power) {
+    ShortText label(what);
+    label.append(whole_number(std::ldexp(1.0, static_cast<int>(power))).view());
+    return label;
+}
+
+/// Over the top of each, where it is in the picture.
+void build_magnified_signs(const Painter& painter, const MapInput& map) {
+    const Rect& box = painter.layout().attitude;
+    const Plane plane(map);
+    const float t = painter.text_px();
+    for (const MagnifiedSign& sign : map.magnified) {
+        const Rect plate{sign.middle.x - 2.4f * t, sign.middle.y - sign.radius_px * plane.squash() - 2.4f * t, 4.8f * t, 2.2f * t};
+        if (!box.contains(plate)) continue;
+        ShortText larger = times_label("FOCUS ", sign.power);
+        larger.append("x");
+        painter.batch().box(plate, kTapeGround);
+        Rect row{plate.x, plate.y, plate.width, 0.5f * plate.height};
+        painter.fitted_text(larger.view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        row.y += row.height;
+        painter.fitted_text(times_label("RIM 1/", sign.compression).view(), row, TextAnchor::center, 0.8f, kScaleColor);
+    }
+}
+
 /// Where the own ship is over the ground, straight below it on the screen; its own place where nothing says how far.
 Point foot_of(const Painter& painter, const MapInput& map) {
     Point foot = painter.layout().screen.center();
@@ -70,7 +110,10 @@ void build_ring(const Painter& painter, const MapInput& map) {
     const RangeRing ring = range_ring(static_cast<double>(room - kEdge * t), map.px_per_m);
     if (!(ring.radius_m > 0)) return;
     const auto radius = static_cast<float>(ring.radius_m * map.px_per_m);
-    build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+    if (map.magnified.empty())
+        build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+    else
+        build_broken_circle(painter, map, plane, center, radius);
     const Point at = plane.off(center, base::radians(135), radius);
     const Rect plate{at.x - 2 * t, at.y - 0.6f * t, 4 * t, 1.2f * t};
     painter.batch().box(plate, kTapeGround);
@@ -108,7 +151,7 @@ void build_north(const Painter& painter, const SymbologyInput& input) {
     const float t = painter.text_px();
     const Rect& box = painter.layout().attitude;
     const MapInput& map = input.map;
-    const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0);
+    const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0) + (map.magnified.empty() ? 0 : 1);
     const Rect plate{box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t,
                      (kNorthBox + static_cast<float>(labels) * kNorthLabel) * t};
     painter.batch().box(plate, kTapeGround);
@@ -129,6 +172,7 @@ void build_north(const Painter& painter, const SymbologyInput& input) {
     add(top_label(input).view(), label_color(input.decisions[Element::map_up].show));
     if (map.is_oblique) add("ORTHO", kScaleColor);
     if (map.is_flat) add("FLAT", kScaleColor);
+    if (!map.magnified.empty()) add("DISTORTED", kCautionColor);
 }
 
 /// Fuselage, wings and tail from above.
@@ -168,6 +212,7 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     if (position == ElementShow::failed) return painter.failed(box, "NO POSITION");
     build_ring(painter, input.map);
     build_drop(painter, input.map);
+    build_magnified_signs(painter, input.map);
     build_north(painter, input);
     build_own_ship(painter, input);
     if (position != ElementShow::flagged) return;

@@ -13,7 +13,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_scene.hpp"
 
-namespace tedavis::draw::test_terrain_drape {
+namespace tedavis::draw::test_terrain_drawer_pages {
 namespace {
 
 using base::radians;
@@ -317,4 +317,4 @@ INSTANTIATE_TEST_SUITE_P(Lanes, TerrainDrape, testing::Values("es2-small", "es3-
                          [](const auto& lane) { return std::string(lane.param).substr(0, 3); });
 
 }  // namespace
-}  // namespace tedavis::draw::test_terrain_drape
+}  // namespace tedavis::draw::test_terrain_drawer_pages

@@ -1,0 +1,47 @@
+// What a frame of the display shows larger than it is.
+#include "render_core/display/display.hpp"
+#include "render_core/display/distortion.hpp"
+
+namespace tedavis::display {
+namespace {
+
+/// Where foci are that are stated by a position; others are nowhere.
+scene::FocusRegion region_of(const design::FocusSettings& focus) {
+    if (focus.at != design::FocusAt::position) return {};
+    scene::FocusRegion region = scene::focus_region_at(focus.latitude_rad, focus.longitude_rad);
+    region.point_count = 1;
+    region.radius_m = focus.radius_m;
+    region.is_square = focus.shape == design::FocusShape::square;
+    region.context = focus.context;
+    return region;
+}
+
+}  // namespace
+
+void Display::magnify() {
+    const design::FocusList& foci = settings_.design.foci;
+    if (foci.empty()) return;
+    scene::FocusRegions regions;
+    for (const design::FocusSettings& focus : foci) static_cast<void>(regions.try_push_back(region_of(focus)));
+    const flight::OwnShipEstimate& own_ship = state_.own_ship;
+    const auto& speed = state_[flight::Signal::ground_speed];
+    const bool has_speed = state_.is_valid(flight::Signal::ground_speed, record_.time);
+    DistortionScene scene{foci, {regions.data(), regions.size()}};
+    scene.is_far = !free_view_active_ && is_map() && settings_.design.view.mode != design::ViewMode::perspective;
+    scene.shows_terrain = decisions_.show_terrain;
+    scene.has_position = own_ship.state == base::SignalState::valid;
+    scene.own_ship = earth::to_ecef(own_ship.position);
+    scene.ground_speed_mps = has_speed ? speed.value_or(kUnknownSpeed_mps) : std::nan("");
+    DistortionPlan plan = plan_distortion(scene);
+    for (DistortionRecord& record : plan.records) {
+        if (record.state != DistortionState::shown) continue;
+        const terrain::HeightAnswer ground = terrain_.true_height(record.middle.latitude_rad, record.middle.longitude_rad);
+        const bool is_known = ground.status == terrain::HeightStatus::land || ground.status == terrain::HeightStatus::sea;
+        const double msl_m = eye_.view.is_flat() ? eye_.view.flat_msl_m : ground.height.m;
+        if (is_known) record.middle.height.m = msl_m + ground.undulation.m;
+    }
+    eye_.view.magnifiers = plan.magnifiers;
+    record_.distortion = plan.records;
+}
+
+}  // namespace tedavis::display
