@@ -303,6 +303,7 @@ void Display::plan_terrain() {
     Eye seen = eye_;
     seen.view = seen_;
     TerrainPlan plan = terrain_.plan(seen, settings_.design, tau_factor);
+    if (plan.is_unmagnified) stop_magnifying();
     if (eyes_.base_m > 0)
         for (const draw::EyeSide side : draw::kEyeSides)
             terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);

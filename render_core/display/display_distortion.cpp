@@ -1,4 +1,6 @@
 // What a frame of the display shows larger than it is.
+#include <cmath>
+
 #include "render_core/display/display.hpp"
 #include "render_core/display/distortion.hpp"
 
@@ -14,6 +16,14 @@ scene::FocusRegion region_of(const design::FocusSettings& focus) {
     region.is_square = focus.shape == design::FocusShape::square;
     region.context = focus.context;
     return region;
+}
+
+/// Between the planes: what is moved along another plane than the own ship's gets higher or lower in its view.
+void make_room(terrain::View& view) {
+    double most_m = 0;
+    for (const earth::Magnifier& magnifier : view.magnifiers) most_m = std::fmax(most_m, magnifier.farthest_move_m());
+    view.near_m = std::fmax(view.near_m - most_m, 0.5 * view.near_m);
+    view.far_m += most_m;
 }
 
 }  // namespace
@@ -41,7 +51,14 @@ void Display::magnify() {
         if (is_known) record.middle.height.m = msl_m + ground.undulation.m;
     }
     eye_.view.magnifiers = plan.magnifiers;
+    make_room(eye_.view);
     record_.distortion = plan.records;
+}
+
+void Display::stop_magnifying() {
+    eye_.view.magnifiers.clear();
+    seen_.magnifiers.clear();
+    withhold(record_.distortion, DistortionState::over_budget);
 }
 
 }  // namespace tedavis::display

@@ -31,9 +31,9 @@ DistortionState magnify(const DistortionScene& scene, const scene::FocusRegion& 
     record.is_square = region.is_square;
     record.radius_m = region.radius_m;
     earth::Magnifier magnifier;
-    if (!earth::Magnifier::make({middle.latitude_rad, middle.longitude_rad, region.is_square, region.radius_m,
-                                 region.context.width_m, record.power},
-                                magnifier))
+    if (!earth::Magnifier::make(
+            {middle.latitude_rad, middle.longitude_rad, region.is_square, region.radius_m, region.context.width_m, record.power},
+            magnifier))
         return DistortionState::too_narrow;
     if (!scene.has_position) return DistortionState::no_position;
     if (!is_clear_of(magnifier, scene)) return DistortionState::own_ship;
@@ -56,6 +56,7 @@ const char* reason_of(DistortionState state) noexcept {
         case DistortionState::no_position: return "the own ship's position is not known";
         case DistortionState::own_ship: return "the own ship, or half a minute of its way, is too near";
         case DistortionState::overlaps: return "it would reach into another one";
+        case DistortionState::over_budget: return "the ground would take more triangles than the device has";
     }
     return "unknown";
 }
@@ -74,6 +75,15 @@ DistortionPlan plan_distortion(const DistortionScene& scene) noexcept {
         static_cast<void>(plan.records.try_push_back(record));
     }
     return plan;
+}
+
+void withhold(DistortionRecords& records, DistortionState reason) noexcept {
+    for (DistortionRecord& record : records) {
+        if (record.state != DistortionState::shown) continue;
+        record.state = reason;
+        record.compression = 0;
+        record.reach_m = 0;
+    }
 }
 
 }  // namespace tedavis::display

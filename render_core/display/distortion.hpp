@@ -1,9 +1,9 @@
 /// Which foci of a frame are shown larger than what is round them, and which are not, and why.
 ///
 /// Only seen from far away: on the map and in the orthographic view. What the own ship sees ahead must lie where it is: symbols
-/// over it are conformal, and a summit beside its true place is worse than none. So, too, the own ship and half a minute of its way
-/// stay clear of all that is moved: its distance to what is near it, and the ground below it, are true in every view. Of the rest
-/// of the picture only the plane is moved: heights, warning colours, and what instruments say are never.
+/// over it are conformal, and a summit beside its true place is worse than none. So, too, the own ship and half a minute of its
+/// way stay clear of all that is moved: its distance to what is near it, and the ground below it, are true in every view. Of the
+/// rest of the picture only the plane is moved: heights, warning colours, and what instruments say are never.
 ///
 /// Pure; any thread.
 #pragma once
@@ -27,6 +27,7 @@ enum class DistortionState : std::uint8_t {
     no_position,  ///< of the own ship, so that nobody knows whether it is clear
     own_ship,     ///< it is not
     overlaps,     ///< another one
+    over_budget,  ///< the ground takes a draw more for each of its parts, and the device has not the triangles
 };
 /// A sentence's part for records; "" where it is shown.
 [[nodiscard]] const char* reason_of(DistortionState state) noexcept;
@@ -36,7 +37,7 @@ struct DistortionRecord {
     base::FixedString<23> focus;
     DistortionState state = DistortionState::shown;
     std::uint32_t power = 0, compression = 0;  ///< of two: the focus is so much larger, the ring so much smaller; 0: not shown
-    earth::Geodetic middle;            ///< on the ground, where it is known; else on the ellipsoid
+    earth::Geodetic middle;                    ///< on the ground, where it is known; else on the ellipsoid
     bool is_square = false;
     double radius_m = 0, reach_m = 0;  ///< beyond the latter nothing moves; 0: not shown
 };
@@ -61,5 +62,7 @@ struct DistortionPlan {
 };
 /// In the order of the design: the first of two that would overlap is shown.
 [[nodiscard]] DistortionPlan plan_distortion(const DistortionScene& scene) noexcept;
+/// What is shown is not, after all.
+void withhold(DistortionRecords& records, DistortionState reason) noexcept;
 
 }  // namespace tedavis::display

@@ -23,7 +23,7 @@ constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
 double magnified_tangent(const terrain::View& view) {
     double most_m = 0;
     for (const earth::Magnifier& magnifier : view.magnifiers)
-        most_m = std::fmax(most_m, magnifier.farthest_move_m() + magnifier.farthest_drop_m());
+        most_m = std::fmax(most_m, magnifier.farthest_move_m());
     return most_m / view.near_m;
 }
 

@@ -162,6 +162,12 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
     plan.lod = select_drawn(eye.view, lod);
+    if (!plan.lod.within_budget && !eye.view.magnifiers.empty()) {
+        terrain::View unmoved = eye.view;
+        unmoved.magnifiers.clear();
+        plan.lod = select_drawn(unmoved, lod);
+        plan.is_unmagnified = true;
+    }
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
@@ -209,9 +215,10 @@ std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const
     const draw::DepthPlan depth = depth_plan(view);
     std::uint32_t triangles = 0;
     for (const terrain::SelectedChunk& chunk : selected()) {
-        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)});
-        for (std::size_t n = 0; n < depth.count; ++n)
-            triangles += terrain::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
+        const double lift_m = double{greatest_lift_m(chunk.lift)};
+        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, lift_m);
+        const std::uint32_t drawn = chunk.entry->triangle_count * terrain::draws_of(*chunk.entry, view, lift_m);
+        for (std::size_t n = 0; n < depth.count; ++n) triangles += terrain::overlap(reach, depth.ranges[n]) ? drawn : 0u;
     }
     return triangles;
 }

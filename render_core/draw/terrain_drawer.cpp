@@ -39,19 +39,6 @@ void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     gl->VertexAttribPointer(kTerrainPlace, 2, GL_UNSIGNED_SHORT, GL_FALSE, kStride, at(offsetof(ChunkVertex, i)));
 }
 
-/// Of its box, with its lifts; boxes are kept in floats.
-GroundExtent extent_of(const SelectedChunk& chunk) {
-    constexpr double kBoxSlack_m = 1;
-    const terrain::ChunkEntry& entry = *chunk.entry;
-    GroundExtent extent;
-    extent.centre = {entry.centre_m[0], entry.centre_m[1], entry.centre_m[2]};
-    for (int n = 0; n < 3; ++n)
-        extent.half[n] =
-            double{entry.half_extent_m[n]} * glm::dvec3(entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]);
-    extent.more_m = kBoxSlack_m + double{greatest_lift_m(chunk.lift)};
-    return extent;
-}
-
 }  // namespace
 
 gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
@@ -292,8 +279,8 @@ std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool b
     return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
 }
 
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry,
-                                              std::size_t pages, const TerrainDrawInput& input) const {
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry, std::size_t pages,
+                                              const TerrainDrawInput& input) const {
     TerrainBands bands;
     if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
@@ -315,7 +302,9 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
     const std::size_t pages = page_variant(*chunk.entry, baked);
-    const bool is_in_parts = magnifies(input) && is_magnified(input.view.magnifiers, extent_of(chunk));
+    const bool is_in_parts =
+        magnifies(input) &&
+        earth::is_magnified(input.view.magnifiers, terrain::extent_of(*chunk.entry, double{greatest_lift_m(chunk.lift)}));
     const Style& shown = is_in_parts ? styles_[magnified_style_] : style();
     const gl::Program& program = use_program(gl, shown, *chunk.entry, pages, input);
     const terrain::Lattice& lattice = store_->lattice();
@@ -349,9 +338,9 @@ void TerrainDrawer::draw_mesh(gl::Gl& gl, const SelectedChunk& chunk, TerrainDra
 /// Lines and strokes are as wide on the screen in each.
 void TerrainDrawer::draw_parts(gl::Gl& gl, const gl::Program& program, const SelectedChunk& chunk, const TerrainDrawInput& input,
                                TerrainDrawResult& result) const {
-    const GroundExtent extent = extent_of(chunk);
-    MagnifiedParts parts(input.view.magnifiers, extent);
-    for (MagnifiedPart part; parts.next(part);) {
+    const earth::GroundExtent extent = terrain::extent_of(*chunk.entry, double{greatest_lift_m(chunk.lift)});
+    earth::MagnifiedParts parts(input.view.magnifiers, extent);
+    for (earth::MagnifiedPart part; parts.next(part);) {
         set_magnifier_uniforms(gl, program, kTerrainMagnifier, part, glm::round(input.view.eye));
         set_pixel_uniform(gl, program, design_.terrain.style, input.view.focal_px * part.scale());
         draw_mesh(gl, chunk, result);

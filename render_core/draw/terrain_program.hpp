@@ -11,7 +11,7 @@
 #include "render_core/base/span.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
-#include "render_core/draw/magnified_parts.hpp"
+#include "render_core/draw/magnified_uniforms.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/shadow_map.hpp"
 #include "render_core/gl/program.hpp"

@@ -73,18 +73,9 @@ bool Magnifier::make(const MagnifierSettings& settings, Magnifier& magnifier) {
     made.north_ = axes[0];
     made.east_ = axes[1];
     made.up_ = -axes[2];
-    made.curvature_per_m_ = {0.5 / prime_vertical_radius_m(settings.latitude_rad),
-                             0.5 / meridian_radius_m(settings.latitude_rad)};
     magnifier = made;
     return true;
 }
-
-double Magnifier::sag_m(double length_m) const {
-    const double shown_m = factor_ * length_m;
-    return 0.25 * shown_m * shown_m * std::fmax(curvature_per_m_.x, curvature_per_m_.y);
-}
-
-double Magnifier::farthest_drop_m() const { return reach_m_ * reach_m_ * std::fmax(curvature_per_m_.x, curvature_per_m_.y); }
 
 glm::dvec2 Magnifier::in_plane(const Ecef& place) const {
     const glm::dvec3 from = place - middle_;
@@ -141,12 +132,10 @@ double Magnifier::jacobian(const glm::dvec2& ground) const {
     return shrink_ * (std::abs(at.along) <= half_base_m(at.out) ? factor_ : 1);
 }
 
-/// The plane lies the higher over the ellipsoid, the farther from the middle.
 Ecef Magnifier::shifted(const Ecef& place, const glm::dvec2& from, const glm::dvec2& to) const {
     const glm::dvec2 by = to - from;
     if (by == glm::dvec2(0)) return place;
-    const double drop_m = glm::dot(curvature_per_m_, by * (from + to));
-    return place + east_ * by.x + north_ * by.y - up_ * drop_m;
+    return place + east_ * by.x + north_ * by.y;
 }
 
 Ecef Magnifier::moved(const Ecef& place) const {
@@ -221,7 +210,8 @@ Magnifier::Cell Magnifier::triangle(std::size_t sector, std::size_t n) const {
 
 bool Magnifiers::add(const Magnifier& magnifier) {
     for (const Magnifier& other : all_)
-        if (glm::distance(other.middle(), magnifier.middle()) < other.reach_m() + magnifier.reach_m()) return false;
+        if (glm::distance(other.middle(), magnifier.middle()) < other.reach_m() + magnifier.reach_m() + kLeastApart_m)
+            return false;
     return all_.try_push_back(magnifier);
 }
 

@@ -13,9 +13,10 @@
 ///
 ///        Linear in each triangle with slopes that are powers of two, continuous, one to one: the Jacobian's determinant is
 ///        4^power in the focus, 2^(power - compression) or 2^-compression round it and 1 beyond.
-/// Heights  above the ellipsoid are kept: what lies h over it does so wherever it is shown. Slopes in the focus look flatter, by
-///        the factor. The plane's own distance from the ellipsoid is taken as e^2 / 2N + n^2 / 2M, with the radii of curvature
-///        there: within a metre up to 100 km away.
+/// Heights  above the plane are kept, so that in each part straight lines stay straight lines: what stands on the ground stands
+/// on
+///        it, and slopes in the focus look flatter, by the factor. The ground of a place that moves by d at a distance D from the
+///        middle gets higher above the ellipsoid by d (2 D + d) / 2 R at most: by a metre where a focus of 2 km is doubled.
 /// Pure functions of double; any thread.
 #pragma once
 
@@ -61,16 +62,12 @@ public:
     /// Beyond so far from the middle nothing moves; and nothing moves farther than that.
     [[nodiscard]] double reach_m() const { return reach_m_; }
     [[nodiscard]] double farthest_move_m() const { return (factor_ - 1) * corner_m_; }
-    /// How much heights over the ellipsoid and over the plane can differ more where a place is shown.
-    [[nodiscard]] double farthest_drop_m() const;
-    /// Of a straight line `length_m` long, between its ends: how far it can be from where its places are shown, upwards.
-    [[nodiscard]] double sag_m(double length_m) const;
+    /// By how much the ground gets higher above the ellipsoid at most.
+    [[nodiscard]] double farthest_rise_m() const { return farthest_move_m() * reach_m_ / kLeastCurvatureRadius_m; }
     [[nodiscard]] const Ecef& middle() const { return middle_; }
     [[nodiscard]] const glm::dvec3& east() const { return east_; }
     [[nodiscard]] const glm::dvec3& north() const { return north_; }
     [[nodiscard]] const glm::dvec3& up() const { return up_; }
-    /// 1 / 2N and 1 / 2M.
-    [[nodiscard]] const glm::dvec2& curvature_per_m() const { return curvature_per_m_; }
 
     /// East and north of the middle, m.
     /// False where nothing within the distance of a place moves.
@@ -85,6 +82,8 @@ public:
 
     [[nodiscard]] Ecef moved(const Ecef& place) const;
     [[nodiscard]] Ecef moved_back(const Ecef& shown) const;
+    /// What is over one place of the plane, as high over another one.
+    [[nodiscard]] Ecef shifted(const Ecef& place, const glm::dvec2& from, const glm::dvec2& to) const;
 
     /// At which edges of a cell the scale of the focus, or of what is outside, ends.
     enum class Borders : std::uint8_t { none, all, first };
@@ -93,7 +92,7 @@ public:
         glm::dmat2 slope{1.0};                       ///< shown = slope * ground + shift
         glm::dvec2 shift{0};                         ///< m
         std::array<glm::dvec3, kMostSides> edges{};  ///< in it where dot(edge, (east, north, 1)) >= 0, m, for all
-        Borders borders = Borders::none;               ///< none of what is outside: the triangles have them
+        Borders borders = Borders::none;             ///< none of what is outside: the triangles have them
         bool is_outside = false;                     ///< all but that: there nothing moves
         [[nodiscard]] double inside_m(const glm::dvec2& ground) const;  ///< 0 or more in it: least distance from an edge
         /// False where no point of the rectangle is in it; true where one may be.
@@ -113,11 +112,9 @@ private:
     [[nodiscard]] Sector sector_of(const glm::dvec2& place) const;
     [[nodiscard]] double half_base_m(double out) const;
     [[nodiscard]] Cell triangle(std::size_t sector, std::size_t n) const;
-    [[nodiscard]] Ecef shifted(const Ecef& place, const glm::dvec2& from, const glm::dvec2& to) const;
 
     Ecef middle_{0};
     glm::dvec3 east_{0}, north_{0}, up_{0};
-    glm::dvec2 curvature_per_m_{0};
     std::uint32_t power_ = 0, compression_ = 0;
     std::uint32_t sides_ = 0;
     double factor_ = 1, shrink_ = 1;     ///< 2^power, 2^-compression
@@ -131,8 +128,9 @@ static_assert(std::is_trivially_copyable_v<Magnifier>);
 class Magnifiers {
 public:
     static constexpr std::size_t kMost = 4;
+    static constexpr double kLeastApart_m = 200;  ///< from what one moves to what another does
 
-    /// False, and nothing changes, where it reaches into one that is there, or there is no room.
+    /// False, and nothing changes, where it comes too near to one that is there, or there is no room.
     [[nodiscard]] bool add(const Magnifier& magnifier);
     void clear() { all_.clear(); }
     [[nodiscard]] bool empty() const { return all_.empty(); }

@@ -243,9 +243,10 @@ double LodRefinement::texel_px(const LodNode& node) const {
 }
 
 std::int64_t LodRefinement::triangles_of(const ChunkEntry& entry) const {
-    if (!(settings_.twice.near_m <= settings_.twice.far_m)) return entry.triangle_count;
+    const std::int64_t drawn = std::int64_t{entry.triangle_count} * draws_of(entry, view_, reach_m_);
+    if (!(settings_.twice.near_m <= settings_.twice.far_m)) return drawn;
     const bool is_twice = overlap(depth_span(entry, view_, reach_m_), settings_.twice);
-    return entry.triangle_count * (is_twice ? 2 : 1);
+    return drawn * (is_twice ? 2 : 1);
 }
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.

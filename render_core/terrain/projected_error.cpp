@@ -30,23 +30,14 @@ double radius_m(const ChunkEntry& entry) {
     return std::hypot(double{entry.half_extent_m[0]}, double{entry.half_extent_m[1]}, double{entry.half_extent_m[2]});
 }
 
-/// By what its points can move. Across a plane that leans with the distance from the middle, which moves them down as well.
+/// By what its points can move: along a plane that leans with the chunk's distance from the middle.
 void move(Box& box, const ChunkEntry& entry, const earth::Magnifiers& magnifiers) {
-    constexpr double kDown = 3;  // of the drop, with that lean
     for (const earth::Magnifier& magnifier : magnifiers) {
         if (!magnifier.reaches(centre_of(entry), radius_m(entry))) continue;
         box.half[0] += magnifier.farthest_move_m();
         box.half[1] += magnifier.farthest_move_m();
-        box.half[2] += kDown * magnifier.farthest_drop_m();
+        box.half[2] += magnifier.farthest_move_m() * (magnifier.reach_m() + 2 * radius_m(entry)) / earth::kLeastCurvatureRadius_m;
     }
-}
-
-/// What a moved triangle misses of the ground, whose corners alone are where they should be.
-double sag_m(const ChunkEntry& entry, const earth::Magnifiers& magnifiers) {
-    double most_m = 0;
-    for (const earth::Magnifier& magnifier : magnifiers)
-        if (magnifier.reaches(centre_of(entry), radius_m(entry))) most_m = std::fmax(most_m, magnifier.sag_m(2 * radius_m(entry)));
-    return most_m;
 }
 
 /// Stretched upwards by lift_m.
@@ -117,6 +108,21 @@ bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
     return false;
 }
 
+earth::GroundExtent extent_of(const ChunkEntry& entry, double lift_m) {
+    constexpr double kBoxSlack_m = 1;  // boxes are kept in floats
+    earth::GroundExtent extent;
+    extent.centre = centre_of(entry);
+    for (int n = 0; n < 3; ++n)
+        extent.half[n] =
+            double{entry.half_extent_m[n]} * glm::dvec3(entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]);
+    extent.more_m = kBoxSlack_m + lift_m;
+    return extent;
+}
+
+std::uint32_t draws_of(const ChunkEntry& entry, const View& view, double lift_m) {
+    return view.magnifiers.empty() ? 1 : earth::count_parts(view.magnifiers, extent_of(entry, lift_m));
+}
+
 double magnification(const ChunkEntry& entry, const View& view) {
     double most = 1;
     for (const earth::Magnifier& magnifier : view.magnifiers)
@@ -124,8 +130,7 @@ double magnification(const ChunkEntry& entry, const View& view) {
     return most;
 }
 
-double error_in_box_px(const ChunkEntry& entry, const View& view, double mesh_error_m, double lift_m) {
-    const double error_m = mesh_error_m + sag_m(entry, view.magnifiers);
+double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m) {
     if (error_m == 0) return 0;
     const Box box = box_of(entry, view, lift_m);
     const double tx = view.half_width_tangent(), ty = view.half_height_tangent();

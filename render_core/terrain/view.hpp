@@ -43,7 +43,7 @@ struct View {
     /// Not NaN: the surface is drawn at this height above MSL, wherever it is.
     double flat_msl_m = std::numeric_limits<double>::quiet_NaN();
 
-    earth::Magnifiers magnifiers;  ///< what is drawn, and placed, is where they show it
+    earth::Magnifiers magnifiers{};  ///< what is drawn, and placed, is where they show it
 
     [[nodiscard]] bool is_flat() const { return flat_msl_m == flat_msl_m; }
     [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
-#include "render_core/draw/magnified_parts.hpp"
+#include "render_core/draw/magnified_uniforms.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/draw_triangles.hpp"
@@ -47,14 +47,14 @@ NearFade near_fade(const SolidLook& look, bool is_opaque) {
     return {look.near_m, 1 / ((SolidLook::kWholeFrom - 1) * look.near_m)};
 }
 
-GroundExtent extent_of(const SolidPiece& piece) { return {piece.anchor, {}, static_cast<double>(piece.radius_m)}; }
+earth::GroundExtent extent_of(const SolidPiece& piece) { return {piece.anchor, {}, static_cast<double>(piece.radius_m)}; }
 
 /// How far magnifiers may move it.
 double moved_m(const SolidPiece& piece, const terrain::View& view) {
     double most_m = 0;
     for (const earth::Magnifier& magnifier : view.magnifiers)
         if (magnifier.reaches(piece.anchor, static_cast<double>(piece.radius_m)))
-            most_m = std::fmax(most_m, magnifier.farthest_move_m() + magnifier.farthest_drop_m());
+            most_m = std::fmax(most_m, magnifier.farthest_move_m());
     return most_m;
 }
 
@@ -272,7 +272,7 @@ void SolidDrawer::set_piece(gl::Gl& gl, const gl::Program& program, const SolidP
 
 void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
     point_solid_attributes(gl, piece);
-    if (magnified_program_.valid() && is_magnified(frame.frame.view.magnifiers, extent_of(piece)))
+    if (magnified_program_.valid() && earth::is_magnified(frame.frame.view.magnifiers, extent_of(piece)))
         return draw_parts(gl, piece, frame, pass);
     set_piece(gl, program_, piece, frame, pass);
     draw_sides(gl, piece, pass);
@@ -281,11 +281,11 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
 /// Lines of a grid are as wide on the screen in each.
 void SolidDrawer::draw_parts(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
     const DataFrame& data = frame.frame;
-    const GroundExtent extent = extent_of(piece);
+    const earth::GroundExtent extent = extent_of(piece);
     magnified_program_.use(gl);
     set_piece(gl, magnified_program_, piece, frame, pass);
-    MagnifiedParts parts(data.view.magnifiers, extent);
-    for (MagnifiedPart part; parts.next(part);) {
+    earth::MagnifiedParts parts(data.view.magnifiers, extent);
+    for (earth::MagnifiedPart part; parts.next(part);) {
         set_magnifier_uniforms(gl, magnified_program_, kMagnifier, part, data.view.eye);
         if (has_grid_)
             set_grid_place(gl, magnified_program_, kGrid, grid_of(piece, data.grid), data.view.focal_px * part.scale());

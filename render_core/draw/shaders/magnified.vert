@@ -1,14 +1,12 @@
 // Where a magnifier shows a place (earth/magnifier.hpp), in a draw of one part of its plane in which the map is linear. Before
 // the program's own text.
-uniform vec4 lens[6];  // east, 1 / 2N; north, 1 / 2M; up; its middle, from where places are measured, m; what a place moves
-                       // east, and north: dot((east, north, 1), xyz)
+uniform vec3 lens[5];  // east; north; its middle, from where places are measured, m; what a place moves east, and north:
+                       // dot((east, north, 1), vector)
 VARYING vec2 v_lens;   // east and north of the middle before, m
 
 vec3 magnified(vec3 place) {
-    vec3 from = place - lens[3].xyz;
-    vec3 at = vec3(dot(lens[0].xyz, from), dot(lens[1].xyz, from), 1.0);
-    vec2 by = vec2(dot(lens[4].xyz, at), dot(lens[5].xyz, at));
-    float drop = dot(vec2(lens[0].w, lens[1].w) * by, by + 2.0 * at.xy);
+    vec3 from = place - lens[2];
+    vec3 at = vec3(dot(lens[0], from), dot(lens[1], from), 1.0);
     v_lens = at.xy;
-    return place + lens[0].xyz * by.x + lens[1].xyz * by.y - lens[2].xyz * drop;
+    return place + lens[0] * dot(lens[3], at) + lens[1] * dot(lens[4], at);
 }

@@ -56,7 +56,7 @@ struct MapInput {
     double look_down_rad = base::radians(90);  ///< from level
     double above_ground_m = std::nan("");      ///< own ship's, over what is drawn as the ground; NaN: not known
 
-    base::FixedVector<MagnifiedSign, kMostMagnifiedSigns> magnified;
+    base::FixedVector<MagnifiedSign, kMostMagnifiedSigns> magnified{};
 
     [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };
