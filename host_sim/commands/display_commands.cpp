@@ -25,6 +25,11 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_surface_options(command, picture);
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
+    command
+        ->add_option("--focus", picture.foci,
+                     "a focus before the design's: the keys of [[focus]] within one line of TOML, such as "
+                     "'shape = \"circle\", at = \"place\", place = \"DAVOS\", terrain.brightness = 0.5'; may be repeated")
+        ->allow_extra_args(false);
     add_optional(command, "--deadline", picture.deadline_ms,
                  "milliseconds that a frame may take by the costs of --costs; default: none is held")
         ->check(above_zero());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host_sim/console.hpp"
 #include "render_core/effects/effect_planner.hpp"
@@ -28,6 +29,7 @@ struct PictureOptions {
     GlChoice gl = GlChoice::egl;        ///< the window has a surface of its own
     std::optional<double> tau_px;       ///< nothing: the design's
     std::optional<double> detail;       ///< of all data, 0..1; nothing: the design's
+    std::vector<std::string> foci;      ///< before the design's (design::read_focus)
     std::optional<double> deadline_ms;  ///< of a frame; nothing: none
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen

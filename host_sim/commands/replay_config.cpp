@@ -1,5 +1,6 @@
 #include "host_sim/commands/replay_config.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
+#include "render_core/scene/focus_region.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -59,6 +61,12 @@ public:
     void number(const char* key, const std::optional<double>& value) {
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
     }
+    void words(const char* key, const std::vector<std::string>& values) {
+        if (values.empty()) return;
+        text_ << key << " = [";
+        for (std::size_t n = 0; n < values.size(); ++n) text_ << (n > 0 ? ", " : "") << quoted(values[n]);
+        text_ << "]\n";
+    }
     void truth(const char* key) { text_ << key << " = true\n"; }
     void integer(const char* key, std::uint32_t value) { text_ << key << " = " << value << '\n'; }
     void section(const char* name) { text_ << "\n[" << name << "]\n"; }
@@ -84,6 +92,9 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.bus = text_of(section, "bus", picture.bus);
     picture.gl = static_cast<GlChoice>(section.choice("gl", {kGlNames.data(), kGlNames.size()}, 0));
     picture.tau_px = optional_number(section, "tau_px");
+    std::array<std::string_view, scene::kMaxFoci> foci;
+    const std::size_t count = section.texts("foci", foci);
+    picture.foci.assign(foci.begin(), foci.begin() + static_cast<std::ptrdiff_t>(std::min(count, foci.size())));
     picture.deadline_ms = optional_number(section, "deadline_ms");
     picture.costs = text_of(section, "costs", "");
     picture.force_effects = section.boolean("force_effects", false);
@@ -117,6 +128,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     }
     toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
     toml.number("tau_px", picture.tau_px);
+    toml.words("foci", picture.foci);
     toml.number("deadline_ms", picture.deadline_ms);
     toml.path("costs", picture.costs);
     if (picture.force_effects) toml.truth("force_effects");

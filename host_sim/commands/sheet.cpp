@@ -52,6 +52,7 @@ PictureOptions options_of(const SheetJob& job, const SheetPlan::Picture& picture
     PictureOptions options = job.picture;
     options.design = picture.design;
     options.detail = picture.detail;
+    options.foci = picture.foci;
     return options;
 }
 

@@ -1,5 +1,7 @@
 #include "host_sim/commands/sheet_plan.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -10,6 +12,7 @@
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/utc_time.hpp"
+#include "render_core/scene/focus_region.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -47,6 +50,9 @@ SheetPlan::Picture read_picture(ConfigSection& section) {
     picture.title = read_title(section);
     picture.design = std::string(section.text("design"));
     picture.view = std::string(section.text("view", ""));
+    std::array<std::string_view, scene::kMaxFoci> foci;
+    const std::size_t count = section.texts("foci", foci);
+    picture.foci.assign(foci.begin(), foci.begin() + static_cast<std::ptrdiff_t>(std::min(count, foci.size())));
     picture.file = std::string(section.text("name", std::filesystem::path(picture.design).stem().string()));
     return picture;
 }
@@ -241,6 +247,7 @@ void require_designs(const SheetPlan& plan, const std::string& file_name) {
     for (const SheetPlan::Group& group : plan.groups) {
         for (const SheetPlan::Picture& picture : group.pictures) {
             options.design = picture.design;
+            options.foci = picture.foci;
             try {
                 (void)load_design(options);
             } catch (const UserError& error) {

@@ -25,7 +25,22 @@ void set_detail(design::DataStyle& data, double detail) {
     data.adjacent = design::at_detail(data.adjacent, detail);
 }
 
+/// Before the design's own.
+void add_foci(const std::vector<std::string>& lines, design::FocusList& foci) {
+    const design::FocusList own = foci;
+    foci.clear();
+    bool has_room = true;
+    for (const std::string& line : lines) {
+        const auto focus = design::read_focus(line);
+        if (!focus.ok()) throw UserError(std::string(focus.error().sentence.view()));
+        has_room = foci.try_push_back(focus.value()) && has_room;
+    }
+    for (const design::FocusSettings& focus : own) has_room = foci.try_push_back(focus) && has_room;
+    if (!has_room) throw UserError("--focus: a display has room for 4, the design's among them; leave one out");
+}
+
 void put_above(const PictureOptions& options, design::DesignSettings& design) {
+    add_foci(options.foci, design.foci);
     if (options.tau_px) design.terrain.tau_px = *options.tau_px;
     if (options.detail) set_detail(design.data, *options.detail);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {

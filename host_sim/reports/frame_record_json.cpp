@@ -71,6 +71,33 @@ Json governor_json(const display::GovernorRecord& governor) {
             {"why", text(governor.why.view())}};
 }
 
+Json focus_json(const display::FocusRecord& focus) {
+    Json json{{"name", text(focus.name.view())},
+              {"shape", text(focus.shape.view())},
+              {"shown", focus.is_shown},
+              {"reason", text(focus.reason.view())},
+              {"in_focus", focus.in_focus},
+              {"intermediate", focus.intermediate},
+              {"context", focus.context},
+              {"sight", text(focus.sight.view())},
+              {"cue", focus.has_cue},
+              {"distance_m", focus.distance_m}};
+    if (focus.is_shown) {
+        json["latitude_deg"] = base::degrees(focus.latitude_rad);
+        json["longitude_deg"] = base::degrees(focus.longitude_rad);
+        json["radius_m"] = focus.radius_m;
+        json["points"] = focus.points;
+    }
+    json["interval"] = focus.low <= focus.high ? Json{focus.low, focus.high} : Json();
+    json["values"] = Json::array();
+    for (const display::FocusValuesRecord& values : focus.values)
+        json["values"].push_back({{"layer", text(values.layer.view())},
+                                  {"attribute", text(values.attribute.view())},
+                                  {"count", values.count},
+                                  {"interval", values.count > 0 ? Json{values.low, values.high} : Json()}});
+    return json;
+}
+
 Json aspect_json(const display::AspectRecord& aspect) {
     return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
 }
@@ -155,6 +182,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
     json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
+    json["foci"] = Json::array();
+    for (const display::FocusRecord& focus : record.foci) json["foci"].push_back(focus_json(focus));
     json["bytes"] = {{"cpu", record.bytes.cpu},
                      {"gpu", record.bytes.gpu},
                      {"cpu_budget", record.bytes.cpu_budget},

@@ -147,7 +147,33 @@ FocusSettings read_one(ConfigSection section) {
     return focus;
 }
 
+void refuse_second_context(ConfigSection& root, const FocusList& foci) {
+    for (const std::string_view key : {"terrain", "data"}) {
+        std::size_t count = 0;
+        for (std::size_t n = 0; n < foci.size(); ++n) {
+            ConfigSection focus = root.table_at("focus", n);
+            if (focus.has(key) && ++count > 1)
+                fault_of(focus, key,
+                         "is stated twice; the context is common to all foci, so one of them says what it looks like");
+        }
+    }
+}
+
 }  // namespace
+
+const FocusTerrain& terrain_of_context(const FocusList& foci) noexcept {
+    static constexpr FocusTerrain kAsItIs;
+    for (const FocusSettings& focus : foci)
+        if (focus.terrain.is_any()) return focus.terrain;
+    return kAsItIs;
+}
+
+const FocusData& data_of_context(const FocusList& foci) noexcept {
+    static constexpr FocusData kAsTheyAre;
+    for (const FocusSettings& focus : foci)
+        if (focus.of_data.is_any()) return focus.of_data;
+    return kAsTheyAre;
+}
 
 void read_foci(ConfigSection& root, FocusList& foci) {
     const std::size_t count = root.table_count("focus");
@@ -155,6 +181,7 @@ void read_foci(ConfigSection& root, FocusList& foci) {
     for (std::size_t n = 0; n < count; ++n)
         if (!foci.try_push_back(read_one(root.table_at("focus", n))))
             return fault_of(root, "focus", "is more often there than a display has room for; keep at most 4");
+    refuse_second_context(root, foci);
 }
 
 base::Result<FocusSettings, base::ConfigError> read_focus(std::string_view line) {

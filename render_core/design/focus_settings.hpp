@@ -21,8 +21,8 @@
 ///     similar = 3                  so far beyond that is intermediate context
 ///
 ///     [focus.context]              how far the intermediate context reaches round a focus of space
-///     [focus.terrain]              what the ground of the context looks like
-///     [focus.data]                 what data of the intermediate context and of the context look like
+///     [focus.terrain]              what the ground of the context looks like, and
+///     [focus.data]                 what its data look like: the context is common to all foci, so one of them states each
 ///     [focus.border]               how the focus' rim is shown
 ///     [focus.distortion]           more room for the focus on the screen
 ///
@@ -120,6 +120,10 @@ struct FocusSettings {
 static_assert(std::is_trivially_copyable_v<FocusSettings>);
 
 using FocusList = base::FixedVector<FocusSettings, scene::kMaxFoci>;
+
+/// What the context looks like, which is common to all foci: of the first that states it.
+[[nodiscard]] const FocusTerrain& terrain_of_context(const FocusList& foci) noexcept;
+[[nodiscard]] const FocusData& data_of_context(const FocusList& foci) noexcept;
 
 /// `root`: of the design file.
 void read_foci(base::ConfigSection& root, FocusList& foci);

@@ -5,15 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/draw/data/area_prisms.hpp"
-#include "render_core/draw/data/billboards.hpp"
-#include "render_core/draw/data/diagrams.hpp"
 #include "render_core/draw/data/feature_sight.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
-#include "render_core/draw/data/traffic_signs.hpp"
-#include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -93,11 +89,6 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
     if (input.layer.entry->role == scene::LayerRole::runway) return draw::add_runways(batch, mesh, input);
     return input.layer.entry->shape == scene::LayerShape::points ? draw::add_obstacle_points(batch, mesh, input)
                                                                  : draw::add_cables(batch, mesh, input);
-}
-
-draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::ElementInput& input) {
-    if (input.element.technique == DataTechnique::diagram) return draw::add_diagrams(sheet, input);
-    return is_traffic(input.layer) ? draw::add_traffic_signs(sheet, input) : draw::add_billboards(sheet, input);
 }
 
 }  // namespace
@@ -180,6 +171,7 @@ void DataElements::plan(const ElementFrame& frame) {
         reports_[n].state = state_of(reports_[n]);
         if (reports_[n].state == ElementState::shown) shown_ |= 1u << n;
     }
+    take_foci(frame);
     if (has_changed_) build(standing_.batch(), false, frame);
     build(moving_.batch(), true, frame);
     judge_sight(frame);
@@ -187,6 +179,29 @@ void DataElements::plan(const ElementFrame& frame) {
     plan_glyphs(frame, nullptr);
     is_uploaded_ = is_uploaded_ && !has_changed_;
     has_changed_ = false;
+}
+
+/// What stands has the look that the foci give it.
+void DataElements::take_foci(const ElementFrame& frame) {
+    const bool changes = frame.foci != nullptr && frame.foci->changes_data();
+    const std::uint64_t key = changes ? draw::key_of(*frame.foci, time_.utc.ns, time_.is_date) : 0;
+    has_changed_ = has_changed_ || key != foci_key_;
+    foci_key_ = key;
+    for (std::size_t n = 0; n < reports_.size(); ++n)
+        foci_[n] = reports_[n].layer == nullptr ? draw::LayerFoci()
+                                                : draw::LayerFoci(frame.foci, *reports_[n].layer, time_.utc.ns, time_.is_date);
+}
+
+draw::FocusCounts DataElements::count_in_focus(const ElementFrame& frame, std::size_t focus) const {
+    draw::FocusCounts counts;
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        if (reports_[n].state != ElementState::shown) continue;
+        const draw::FocusCounts one = draw::count_in_focus(*frame.foci, focus, foci_[n], input_of(n, frame));
+        counts.in_focus += one.in_focus;
+        counts.intermediate += one.intermediate;
+        counts.context += one.context;
+    }
+    return counts;
 }
 
 /// The layer is there from the first frame on in which there is a receiver.
@@ -238,36 +253,24 @@ void DataElements::judge_sight(const ElementFrame& frame) {
     }
 }
 
-/// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.
-void DataElements::plan_own_winds(const ElementFrame& frame) {
+/// With a sheet those that stand on it, else the others.
+void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
-        ElementReport& report = reports_[n];
-        if (report.state != ElementState::shown || report.element->own != design::OwnData::wind) continue;
-        const base::Span<const scene::SelectedGlyph> glyphs = own_.wind_glyphs(frame.view.eye);
-        report.count = {};
-        for (std::size_t glyph = glyphs.size(); glyph-- > 0;) {
-            const draw::ElementCount one = draw::add_wind_barbs(sheet_, input_of(n, frame), glyphs.subspan(glyph, 1));
-            report.count.drawn += one.drawn;
-            report.count.hidden += one.hidden;
-        }
+        const ElementReport& report = reports_[n];
+        if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
+            is_sign_technique(report.element->technique) == (sheet != nullptr))
+            plan_glyphs_of(n, frame, sheet);
     }
 }
 
-/// With a sheet those that stand on it, else the others.
-void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
-    for (ElementReport& report : reports_)
-        if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
-            is_sign_technique(report.element->technique) == (sheet != nullptr))
-            plan_glyphs_of(report, frame, sheet);
-}
-
 /// Fields may be sampled more sparsely; what stands for one thing each may not.
-void DataElements::plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+void DataElements::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+    ElementReport& report = reports_[n];
     const scene::LayerRole role = report.layer->entry->role;
     const bool is_sampled = role == scene::LayerRole::field || role == scene::LayerRole::wind || role == scene::LayerRole::sample;
     report.detail_factor = is_sampled ? frame.detail_factor : 1;
-    report.count = glyphs_.plan(
-        report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet, report.detail_factor});
+    report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet,
+                                              report.detail_factor, &foci_[n]});
 }
 
 /// A full list has counted the refusal itself.
@@ -288,7 +291,8 @@ draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame
             time_.is_date || is_heard,
             frame.view.eye,
             0,
-            time_.is_confirmed || is_heard};
+            time_.is_confirmed || is_heard,
+            &foci_[report]};
 }
 
 /// What stands is built whether it is valid now or not: it may become so.
@@ -319,20 +323,6 @@ void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const Elemen
                 report.cues[kind] = cues_.add(batch, mesh_, input_of(n, frame), cue);
         }
     }
-}
-
-/// Only what is valid now: what is not shown must take no room from what is.
-void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
-    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
-                  static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
-    for (std::size_t n = 0; n < reports_.size(); ++n) {
-        ElementReport& report = reports_[n];
-        if (report.state != ElementState::shown || !is_billboard_technique(report.element->technique)) continue;
-        const draw::ElementInput input = input_of(n, frame);
-        report.count = build_billboard(sheet_, input);
-    }
-    plan_glyphs(frame, &sheet_);
-    plan_own_winds(frame);
 }
 
 draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {

@@ -2,9 +2,9 @@
 ///
 ///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
 ///
-/// What a layer says once is built by set() and stands; what moves, the own flight and other aircraft among it, is built by every
-/// plan(). Memory    the budget lines scene_solids, scene_glyphs and scene_billboards (CPU), and the lines of their vertices
-/// (GPU). Thread  the display's. Failure  start() gives one
+/// What a layer says once is built by set() and stands, until foci that change the data move; what moves, the own flight and
+/// other aircraft among it, is built by every plan(). Memory    the budget lines scene_solids, scene_glyphs and scene_billboards
+/// (CPU), and the lines of their vertices (GPU). Thread  the display's. Failure  start() gives one
 ///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
@@ -17,7 +17,9 @@
 #include "render_core/display/traffic_layer.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/focus_cues.hpp"
 #include "render_core/draw/data/isosurface_solids.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/draw/data/trajectory_cues.hpp"
@@ -33,7 +35,8 @@ struct ElementFrame {
     design::Color missing;
     flight::FlightTime time;
     OwnFlightFrame own{};
-    double detail_factor = 1;  ///< of the detail of glyphs of fields
+    double detail_factor = 1;               ///< of the detail of glyphs of fields
+    const draw::FrameFoci* foci = nullptr;  ///< null: there are none
 };
 
 /// What the planned frame draws.
@@ -48,6 +51,7 @@ struct SignFrame {
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
+    bool is_metric = false;                      ///< distances are in kilometres, not in nautical miles
 };
 
 class DataElements {
@@ -81,6 +85,10 @@ public:
     /// none.
     [[nodiscard]] bool distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const;
     [[nodiscard]] ElementCounters counters() const;
+    /// What the record says of the n-th focus over all that is shown; after plan(). None of what may be left as it is.
+    [[nodiscard]] draw::FocusCounts count_in_focus(const ElementFrame& frame, std::size_t focus) const;
+    /// What became of the cues to hidden foci; after plan_signs().
+    [[nodiscard]] const draw::FocusCues& focus_cues() const { return focus_cues_; }
 
     /// What is shown of these roles and casts shadows; after plan(). To be drawn after prepare().
     [[nodiscard]] CasterSet casters(const design::CasterRoles& roles);
@@ -104,11 +112,12 @@ private:
     void begin_scene_reports(const design::DataElement& element);
     void plan_own_winds(const ElementFrame& frame);
     void judge_sight(const ElementFrame& frame);
+    void take_foci(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet);
-    void plan_glyphs_of(ElementReport& report, const ElementFrame& frame, draw::BillboardSheet* sheet);
+    void plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet);
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
 
     GlyphElements glyphs_;
@@ -126,8 +135,11 @@ private:
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;
-    std::uint32_t shown_ = 0;  ///< a bit a report: the group of what it draws
-    flight::FlightTime time_;  ///< of the planned frame
+    std::uint32_t shown_ = 0;                              ///< a bit a report: the group of what it draws
+    flight::FlightTime time_;                              ///< of the planned frame
+    std::array<draw::LayerFoci, kMaxElementGroups> foci_;  ///< of the reports' layers
+    draw::FocusCues focus_cues_{};
+    std::uint64_t foci_key_ = 0;  ///< of those that what stands was built with; 0: none
     bool has_changed_ = false;
     bool is_uploaded_ = false, moving_is_uploaded_ = false;
 };

@@ -45,7 +45,8 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
     draw::DataVariant variant{design_.sky.air.is_shown};
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
         const design::DesignSettings& design = design_at(place);
-        has_data = has_data || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
+        has_data =
+            has_data || !design.foci.empty() || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
         variant.grid = variant.grid || has_grid_on_data(design);
         variant.shadows = variant.shadows || design.effects.shadows.is_any();
         variant.magnified = variant.magnified || design::magnifies(design);
@@ -142,6 +143,8 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     decide(now);
     begin_record(now);
     plan_view();
+    plan_foci();
+    magnify();
     plan_terrain();
     plan_data();
     plan_elements(way);
@@ -279,7 +282,6 @@ void Display::plan_view() {
     eye_ = make_eye(input, settings_.design.view, settings_.design.sky.haze_distance_m);
     if (free_view_active_) eye_.view = free_view_;
     if (settings_.design.view.reference == design::Reference::flat) eye_.view.flat_msl_m = settings_.design.view.flat_msl_m;
-    magnify();
     const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
     eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
     eyes_ = {};
@@ -332,40 +334,6 @@ void Display::widen_bands() {
     record_.bands = design::band_widening(settings_.design.widening, band_deviations_, accuracy);
     if (record_.bands.position_assumed) flag("vertical_accuracy.assumed", record_);
     if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
-}
-
-ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
-    return {ground,
-            view,
-            settings_.design.terrain.unknown,
-            record_.flight_time,
-            {way, &state_, record_.time},
-            frame_budget_.detail_factor()};
-}
-
-/// Symbology first, then the signs in the room that it leaves.
-void Display::plan_elements(const flight::FlownWay* way) {
-    TerrainGround ground(terrain_, seen_);
-    if (shows_elements())
-        elements_.plan(element_frame(ground, seen_, way));
-    else
-        elements_.rest();
-    conditions_.data_are_out_of_date =
-        data_plan_.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
-    if (conditions_.data_are_out_of_date) decide_again();
-    put_symbology();
-    way_ = way;
-    // Of a picture for each eye they are planned with the eye.
-    if (shows_elements() && !stereo_.is_started()) plan_signs(eye_, {});
-}
-
-void Display::plan_signs(const Eye& eye, SignFrame signs) {
-    TerrainGround ground(terrain_, eye.view);
-    terrain::DrawnSight sight = terrain_.sight(eye.view);
-    signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
-    signs.sight = &sight;
-    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
-    elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
 }
 
 void Display::put_symbology() {

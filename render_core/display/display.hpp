@@ -16,6 +16,7 @@
 #include "render_core/display/eye.hpp"
 #include "render_core/display/eye_pair.hpp"
 #include "render_core/display/failure_policy.hpp"
+#include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/scene_passes.hpp"
@@ -76,6 +77,10 @@ public:
     /// update(), from which the eye travels to another mode of view. False, and nothing changes, when one needs techniques that
     /// the display was not started with.
     [[nodiscard]] bool set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases = nullptr);
+    /// Foci that somebody chose, in place of those chosen before: they stand before the ones of all designs from the next
+    /// update() on. False, and nothing changes, where a design has no room for them, or needs techniques that the display was not
+    /// started with.
+    [[nodiscard]] bool set_foci(const design::FocusList& chosen);
     /// Whether a phase's design takes the place of another one little by little.
     [[nodiscard]] bool fades() const { return fade_.is_started(); }
     /// True where a later frame shows the planned one again: it must be drawn, even if nobody looks at it.
@@ -151,6 +156,7 @@ private:
     void begin_fade();
     [[nodiscard]] double next_fade_share();
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
+    void plan_foci();
     void plan_terrain();
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
@@ -182,6 +188,7 @@ private:
     design::PhaseDesigns phases_;                                ///< likewise
     effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
     std::size_t shown_ = 0, turns_to_ = 0;                       ///< places of designs
+    std::size_t chosen_foci_ = 0;                                ///< the first ones of every design
     Turn turn_ = Turn::none;
     bool is_new_to_phases_ = true;
     gl::Gl gl_;
@@ -191,6 +198,7 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
+    FociPlan foci_;  ///< of the planned frame
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;

@@ -51,6 +51,7 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
     for (std::size_t place = 0; place <= count; ++place)
         if (!can_show(possible_design(place == 0 ? design : phases->at(place), settings_.device))) return false;
     keep_scene();
+    chosen_foci_ = 0;
     phases_ = phases != nullptr ? *phases : design::PhaseDesigns();
     for (std::size_t place = 0; place <= count; ++place) {
         const design::DesignSettings& asked = place == 0 ? design : phases->at(place);
@@ -59,6 +60,29 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
     }
     forget_turns();
     show_design(0);
+    return true;
+}
+
+/// All designs are judged before any is changed.
+bool Display::set_foci(const design::FocusList& chosen) {
+    const auto with_chosen = [&](std::size_t place) {
+        design::DesignSettings design = design_at(place);
+        const design::FocusList before = design.foci;
+        design.foci = chosen;
+        for (std::size_t n = chosen_foci_; n < before.size(); ++n) static_cast<void>(design.foci.try_push_back(before[n]));
+        return design;
+    };
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        const std::size_t count = chosen.size() + design_at(place).foci.size() - chosen_foci_;
+        if (count > scene::kMaxFoci || !can_show(with_chosen(place))) return false;
+    }
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
+        kept = with_chosen(place);
+        asked_of_[place].add(asked_effects(kept));
+    }
+    chosen_foci_ = chosen.size();
+    show_design(shown_);
     return true;
 }
 

@@ -7,17 +7,6 @@
 namespace tedavis::display {
 namespace {
 
-/// Where foci are that are stated by a position; others are nowhere.
-scene::FocusRegion region_of(const design::FocusSettings& focus) {
-    if (focus.at != design::FocusAt::position) return {};
-    scene::FocusRegion region = scene::focus_region_at(focus.latitude_rad, focus.longitude_rad);
-    region.point_count = 1;
-    region.radius_m = focus.radius_m;
-    region.is_square = focus.shape == design::FocusShape::square;
-    region.context = focus.context;
-    return region;
-}
-
 /// Between the planes: what is moved along another plane than the own ship's gets higher or lower in its view.
 void make_room(terrain::View& view) {
     double most_m = 0;
@@ -30,9 +19,8 @@ void make_room(terrain::View& view) {
 
 void Display::magnify() {
     const design::FocusList& foci = settings_.design.foci;
+    const scene::FocusRegions& regions = foci_.foci.regions;
     if (foci.empty()) return;
-    scene::FocusRegions regions;
-    for (const design::FocusSettings& focus : foci) static_cast<void>(regions.try_push_back(region_of(focus)));
     const flight::OwnShipEstimate& own_ship = state_.own_ship;
     const auto& speed = state_[flight::Signal::ground_speed];
     const bool has_speed = state_.is_valid(flight::Signal::ground_speed, record_.time);
@@ -52,6 +40,7 @@ void Display::magnify() {
     }
     eye_.view.magnifiers = plan.magnifiers;
     make_room(eye_.view);
+    seen_ = seen_by_both(eye_.view, eyes_);
     record_.distortion = plan.records;
 }
 

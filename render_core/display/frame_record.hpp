@@ -66,6 +66,30 @@ struct DataRecord {
     std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
 };
 
+/// Values of an attribute that lie in a focus of space.
+struct FocusValuesRecord {
+    base::FixedString<31> layer, attribute;
+    double low = 0, high = 0;
+    std::uint32_t count = 0;  ///< 0: none lies there
+};
+inline constexpr std::size_t kMostFocusValues = 4;
+
+struct FocusRecord {
+    base::FixedString<23> name;
+    base::FixedString<15> shape;
+    bool is_shown = false;
+    base::FixedString<63> reason;                ///< why it is not, or how it is
+    double latitude_rad = 0, longitude_rad = 0;  ///< of its first point
+    double radius_m = 0;
+    std::uint32_t points = 0;
+    std::uint32_t in_focus = 0, intermediate = 0, context = 0;      ///< elements of the data that are shown
+    double low = 0, high = -1;                                      ///< of a data focus; low > high: no value
+    base::FixedVector<FocusValuesRecord, kMostFocusValues> values;  ///< of a focus of space
+    base::FixedString<15> sight;                                    ///< "seen", "behind terrain" ...
+    double distance_m = 0;                                          ///< from the eye, where it is not seen
+    bool has_cue = false;                                           ///< that leads there
+};
+
 /// How the frame's deadline was held (effects::BudgetReport).
 struct GovernorRecord {
     double deadline_ms = 0;   ///< 0: none is held
@@ -92,6 +116,7 @@ struct FrameRecord {
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
     base::FixedVector<DataRecord, 16> data;
+    base::FixedVector<FocusRecord, scene::kMaxFoci> foci;
     ByteRecord bytes;
     GovernorRecord governor;
     base::FixedVector<EffectRecord, 32> effects;

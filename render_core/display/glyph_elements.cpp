@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_core/draw/data/glyph_focus.hpp"
 #include "render_core/draw/data/glyph_room.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
 #include "render_core/effects/device.hpp"
@@ -87,6 +88,8 @@ draw::GlyphStyle uncertainty_style(const design::DataElement& element) {
     return style;
 }
 
+const draw::FrameFoci* foci_of(const GlyphFrameInput& frame) { return frame.foci == nullptr ? nullptr : frame.foci->frame(); }
+
 /// Instances of a site's glyphs.
 std::uint32_t parts_of(const design::DataElement& element) {
     const bool is_twice = is_glyph_uncertainty(element.uncertainty) && element.technique != DataTechnique::uncertainty_only;
@@ -132,7 +135,9 @@ gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Ar
 }
 
 draw::ElementInput GlyphElements::input_of(const Slot& slot, const GlyphFrameInput& frame) const {
-    return {*slot.element, 0, *slot.layer, frame.ground, frame.missing, frame.time_ns, frame.has_date};
+    draw::ElementInput input{*slot.element, 0, *slot.layer, frame.ground, frame.missing, frame.time_ns, frame.has_date};
+    input.foci = frame.foci;
+    return input;
 }
 
 bool GlyphElements::add(const design::DataElement& element, const scene::Layer& layer) {
@@ -228,11 +233,13 @@ void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
     if (shows_values) {
         draw::GlyphStyle style = value_style(element, attribute, frame.missing);
         style.link_per_px = link_per_px;
+        style.foci = foci_of(frame);
         draw::encode_glyphs(selection_.glyphs(), values, style, element.by_color.scale, frame.view.eye, batch_);
     }
     if (is_glyph_uncertainty(element.uncertainty)) {
         draw::GlyphStyle style = uncertainty_style(element);
         if (!shows_values) style.link_per_px = link_per_px;
+        style.foci = foci_of(frame);
         draw::encode_glyphs(selection_.glyphs(), values, style, uncertainty_scale(element), frame.view.eye, batch_);
     }
     batch_.move_to_shown(first, frame.view.magnifiers, frame.view.eye);
@@ -247,6 +254,8 @@ draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameI
     settings.detail = slot.element->detail * frame.detail_factor;
     settings.least_px = settings.cell_px = is_shown ? draw::barb_spacing_px(*frame.sheet) : 1;
     settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMostCandidates);
+    const scene::GlyphFocus focus = draw::glyph_focus(foci_of(frame), *slot.element, *slot.layer, settings.coarsest);
+    if (focus.regions != nullptr) settings.focus = &focus;
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     if (!is_shown) return {0, 0, counts.drawn + counts.aggregated + counts.hidden};
     draw::ElementCount count = draw::add_wind_barbs(*frame.sheet, input_of(slot, frame), selection_.glyphs());
@@ -263,6 +272,8 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     settings.detail = slot.element->detail * frame.detail_factor;
     if (slot.element->technique == DataTechnique::bars) settings.coarsest *= kBarSlenderness;
     settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
+    const scene::GlyphFocus focus = draw::glyph_focus(foci_of(frame), *slot.element, *slot.layer, settings.coarsest);
+    if (focus.regions != nullptr) settings.focus = &focus;
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);
     batch_eye_ = frame.view.eye;

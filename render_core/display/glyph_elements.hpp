@@ -15,6 +15,7 @@
 #include "render_core/draw/data/glyph_drawer.hpp"
 #include "render_core/draw/data/glyph_encoding.hpp"
 #include "render_core/draw/data/glyph_sites.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/scene/glyph_selection.hpp"
 
 namespace tedavis::display {
@@ -27,6 +28,7 @@ struct GlyphFrameInput {
     bool has_date = false;
     draw::BillboardSheet* sheet = nullptr;  ///< of the frame, for wind barbs
     double detail_factor = 1;               ///< of the element's detail
+    const draw::LayerFoci* foci = nullptr;  ///< of the element's layer; null: everything is in the focus
 };
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;

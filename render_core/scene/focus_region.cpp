@@ -101,6 +101,17 @@ double degree_at_distance(const FocusContext& context, double distance_m) noexce
     return 1 - (std::floor(part * context.levels) + 1) / (context.levels + 1);
 }
 
+double degree_of_value(const FocusValueRange& range, double value) noexcept {
+    if (!(range.low <= range.high) || std::isnan(value)) return 0;
+    const double beyond = std::fmax(range.low - value, value - range.high);
+    return beyond > 0 ? degree_at_distance({FocusDistance::euclidean, range.similar, range.levels}, beyond) : 1;
+}
+
+double height_m(const FocusRegion& region, const glm::dvec3& place) noexcept {
+    const glm::dvec2 ground = in_focus_plane(region, place);
+    return glm::dot(place - region.anchor, region.up) + glm::dot(ground, ground) / (2 * earth::kMeanRadius_m);
+}
+
 double ground_focus_degree(const FocusRegion& region, const glm::dvec2& ground) noexcept {
     if (!region.is_valid) return 0;
     const double distance_m = focus_distance_m(region, ground);

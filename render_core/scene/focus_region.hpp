@@ -76,11 +76,23 @@ using FocusRegions = base::FixedVector<FocusRegion, kMaxFoci>;
 /// By the distance from the rim, of what is not in the focus: (0, 1) in the intermediate context, in `levels` steps; 0 beyond.
 [[nodiscard]] double degree_at_distance(const FocusContext& context, double distance_m) noexcept;
 
+/// Values of a data focus: those from low to high, and beside them the intermediate context.
+struct FocusValueRange {
+    double low = 0, high = -1;  ///< low > high: none has one
+    double similar = 0;         ///< so far beyond, in the attribute's unit
+    std::uint32_t levels = 1;   ///< as of FocusContext
+};
+/// 0 where the value is not a number: nobody knows that it belongs there.
+[[nodiscard]] double degree_of_value(const FocusValueRange& range, double value) noexcept;
+
 /// Of ground: whatever the heights of a volume.
 [[nodiscard]] double ground_focus_degree(const FocusRegion& region, const glm::dvec2& ground) noexcept;
 
 /// Over or under a volume, or round a ball's waist, is beside it: intermediate context, of this degree at most.
 inline constexpr double kMostBesideVolume = 0.75;
+
+/// Of a place above the ellipsoid by its place in the plane: within 0.5 % of what the Earth bends by on the way (4 m of 100 km).
+[[nodiscard]] double height_m(const FocusRegion& region, const glm::dvec3& place) noexcept;
 
 /// Of a place in the air, ECEF, `height_m` above the ellipsoid; in volumes by that too.
 [[nodiscard]] double focus_degree(const FocusRegion& region, const glm::dvec3& place, double height_m) noexcept;

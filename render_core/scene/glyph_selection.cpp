@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 namespace tedavis::scene {
 namespace {
@@ -12,6 +13,18 @@ namespace {
 constexpr double kLeastDistance_m = 0.01;
 
 bool is_aggregate(const GlyphSummary& summary) { return summary.members > 1; }
+
+double value_of(const GlyphSummary& summary, GlyphValues values) {
+    if (summary.state == ValueState::missing) return std::numeric_limits<double>::quiet_NaN();
+    return static_cast<double>(values == GlyphValues::wind ? summary.speed_mps : summary.value);
+}
+
+std::uint8_t code_of(double degree) {
+    if (degree >= 1) return SelectedGlyph::kInFocus;
+    if (degree <= 0) return 0;
+    constexpr double kMostBeside = SelectedGlyph::kInFocus - 1;
+    return static_cast<std::uint8_t>(std::fmin(std::fmax(std::round(degree * SelectedGlyph::kInFocus), 1.0), kMostBeside));
+}
 
 }  // namespace
 
@@ -59,6 +72,52 @@ void GlyphSelection::set_view(const GlyphField& field, const GlyphView& view, co
     planes_[4] = {forward, -view.near_m};
     planes_[5] = {-forward, view.far_m};
     for (Plane& plane : planes_) plane.offset_m -= glm::dot(plane.inwards, eye_);
+    if (settings.focus == nullptr) return;
+    for (std::size_t n = 0; n < settings.focus->regions->size(); ++n) {
+        const FocusRegion& region = (*settings.focus->regions)[n];
+        focus_planes_[n] = {to_field * region.east, to_field * region.north, in_focus_plane(region, field.frame().anchor)};
+    }
+}
+
+/// Of any place of the box round the members; where similar values may be, no less than that of the intermediate context.
+double GlyphSelection::greatest_degree(const GlyphSummary& summary) const {
+    const GlyphFocus& focus = *settings_.focus;
+    const glm::dvec3 place(summary.place), reach(summary.reach_m);
+    double greatest = 0;
+    for (std::size_t n = 0; n < focus.regions->size(); ++n) {
+        const FocusRegion& region = (*focus.regions)[n];
+        if (!region.is_valid) continue;
+        const FocusPlane& plane = focus_planes_[n];
+        const glm::dvec2 ground = plane.offset_m + glm::dvec2(glm::dot(plane.east, place), glm::dot(plane.north, place));
+        const double half_m =
+            glm::length(glm::dvec2(glm::dot(glm::abs(plane.east), reach), glm::dot(glm::abs(plane.north), reach)));
+        const double distance_m = focus_distance_m(region, ground) - half_m;
+        const double degree = distance_m > 0 ? degree_at_distance(region.context, distance_m) : 1;
+        greatest = std::fmax(greatest, focus.by_value[n] ? std::fmax(degree, focus.least_degree) : degree);
+    }
+    return greatest;
+}
+
+double GlyphSelection::coarser(const GlyphSummary& summary) const {
+    if (settings_.focus == nullptr) return 1;
+    return settings_.focus->coarser[static_cast<std::size_t>(std::round(greatest_degree(summary) * GlyphFocus::kSteps))];
+}
+
+/// What stands for several that a focus may reach into is in it as a whole.
+std::uint8_t GlyphSelection::degree_of(const GlyphSummary& summary) const {
+    if (settings_.focus == nullptr) return SelectedGlyph::kInFocus;
+    const GlyphFocus& focus = *settings_.focus;
+    const double value = value_of(summary, field_->values());
+    double greatest = 0;
+    for (std::size_t n = 0; n < focus.regions->size(); ++n) {
+        const FocusRegion& region = (*focus.regions)[n];
+        if (!region.is_valid) continue;
+        const glm::dvec3 place = field_->frame().anchor + field_->frame().axes * glm::dvec3(summary.place);
+        const double by_place = focus_degree(region, place, height_m(region, place));
+        const double by_value = focus.by_value[n] ? degree_of_value(focus.ranges[n], value) : 0;
+        greatest = std::fmax(greatest, focus.by_value[n] ? by_value : by_place);
+    }
+    return code_of(is_aggregate(summary) && greatest_degree(summary) >= 1 ? 1 : greatest);
 }
 
 double GlyphSelection::distance_m(const GlyphSummary& summary) const {
@@ -91,6 +150,10 @@ bool GlyphSelection::is_in_view(const GlyphSummary& summary, double room_m, unsi
 /// False, and its members are hidden, where none of it is in view.
 bool GlyphSelection::enters(Part& part) {
     const GlyphSummary& summary = field_->summary(part.ref);
+    if (settings_.focus != nullptr && settings_.focus->hides_context && !(greatest_degree(summary) > 0)) {
+        counts_.hidden += summary.members;
+        return false;
+    }
     if (part.planes == 0 || is_in_view(summary, radius_m(summary) + 0.5 * summary.size_m, part.planes)) return true;
     counts_.hidden += summary.members;
     return false;
@@ -100,9 +163,9 @@ bool GlyphSelection::enters(Part& part) {
 bool GlyphSelection::is_whole(const Part& part) {
     if (part.ref.is_leaf()) return true;
     const GlyphSummary& summary = field_->summary(part.ref);
-    const double distance = distance_m(summary), nearest = distance - radius_m(summary);
-    return px_of(extent_m(summary), distance) <= settings_.cell_px && nearest > 0 &&
-           px_of(summary.size_m, nearest) < settings_.least_px;
+    const double distance = distance_m(summary), nearest = distance - radius_m(summary), larger = coarser(summary);
+    return px_of(extent_m(summary), distance) <= settings_.cell_px * larger && nearest > 0 &&
+           px_of(summary.size_m, nearest) < settings_.least_px * larger;
 }
 
 void GlyphSelection::emit(const Part& part) {
@@ -110,10 +173,16 @@ void GlyphSelection::emit(const Part& part) {
     unsigned planes = part.planes;
     const double distance = distance_m(summary);
     const double own_px = px_of(summary.size_m, distance);
-    const double whole_px = std::fmin(px_of(extent_m(summary), distance), std::fmax(settings_.cell_px, own_px));
+    const double larger = coarser(summary);
+    const double whole_px = std::fmin(px_of(extent_m(summary), distance), std::fmax(settings_.cell_px * larger, own_px));
     const double size_px = std::fmin(std::fmax(whole_px, settings_.least_px), settings_.most_px);
     const double size_m = size_px * distance / focal_px_;
     if (planes != 0 && !is_in_view(summary, 0.5 * std::fmax(size_m, summary.size_m), planes)) {
+        counts_.hidden += summary.members;
+        return;
+    }
+    const std::uint8_t degree = degree_of(summary);
+    if (degree == 0 && settings_.focus->hides_context) {
         counts_.hidden += summary.members;
         return;
     }
@@ -123,6 +192,7 @@ void GlyphSelection::emit(const Part& part) {
     glyph.size_m = static_cast<float>(size_m);
     glyph.size_px = static_cast<float>(size_px);
     glyph.is_aggregate = is_aggregate(summary);
+    glyph.degree = degree;
     (glyph.is_aggregate ? counts_.aggregated : counts_.drawn) += summary.members;
 }
 

@@ -7,17 +7,20 @@
 /// first, until there is no room for more: what is far and dense stays together, and the rest of the counts say how much.
 ///
 /// Every site that was given is counted once: drawn itself, part of an aggregate (also what the field merged), or hidden: outside
-/// the view (misplaced ones as well). What terrain covers is not known here, and counts as drawn.
+/// the view (misplaced ones as well), or in a context that is not shown. What terrain covers is not known here, and counts as
+/// drawn.
 ///
 /// The selection depends on nothing but its arguments. Frames  eye and glyphs in ECEF. Memory  from an arena, at start(). Thread
 /// one. Bounded: time grows with the number of glyphs that may be drawn, and with the groups that the view's border cuts.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/span.hpp"
+#include "render_core/scene/focus_region.hpp"
 #include "render_core/scene/glyph_field.hpp"
 
 namespace tedavis::scene {
@@ -33,6 +36,20 @@ struct GlyphView {
 
 inline constexpr double kCoarsestGlyphs = 8;
 
+/// What foci make of glyphs. Groups that a focus reaches into are shown as without foci; beyond, `coarser` times as large ones
+/// stand for their members, by the greatest degree of any place of the group. Those of a data focus for the glyphs' own values
+/// are judged by their value where they stand for themselves or are no part of its region.
+struct GlyphFocus {
+    static constexpr std::size_t kSteps = 16;
+
+    const FocusRegions* regions = nullptr;
+    std::array<FocusValueRange, kMaxFoci> ranges{};
+    std::array<bool, kMaxFoci> by_value{};     ///< which foci mean the glyphs' own values
+    std::array<double, kSteps + 1> coarser{};  ///< by degrees from 0 to 1
+    double least_degree = 0;                   ///< of the intermediate context
+    bool hides_context = false;
+};
+
 struct GlyphSettings {
     double least_px = 6;   ///< at full detail
     double cell_px = 24;   ///< at full detail, at least least_px
@@ -40,13 +57,22 @@ struct GlyphSettings {
     double detail = 1;     ///< 0..1: at 0 least_px and cell_px are `coarsest` times as large
     double coarsest = kCoarsestGlyphs;
     std::uint32_t most_drawn = 0xFFFFFFFFu;
+    const GlyphFocus* focus = nullptr;  ///< null: everything is in the focus
 };
 struct SelectedGlyph {
     GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
     float size_m = 0;      ///< across, as it is to be drawn
     float size_px = 0;     ///< the same on the screen
     bool is_aggregate = false;
+    std::uint8_t degree = kInFocus;  ///< of focus: 0 in the context, in between 1..254
+
+    static constexpr std::uint8_t kInFocus = 255;
 };
+static_assert(sizeof(SelectedGlyph) == 68);
+/// 0..1
+[[nodiscard]] constexpr double degree_of(const SelectedGlyph& glyph) {
+    return static_cast<double>(glyph.degree) / SelectedGlyph::kInFocus;
+}
 
 /// drawn + aggregated + hidden are all sites that were given.
 struct GlyphCounts {
@@ -91,12 +117,21 @@ private:
     [[nodiscard]] double extent_m(const GlyphSummary& summary) const;
     [[nodiscard]] double px_of(double length_m, double distance_m) const;
     [[nodiscard]] double distance_m(const GlyphSummary& summary) const;
+    [[nodiscard]] double greatest_degree(const GlyphSummary& summary) const;
+    [[nodiscard]] double coarser(const GlyphSummary& summary) const;
+    [[nodiscard]] std::uint8_t degree_of(const GlyphSummary& summary) const;
 
     base::Span<SelectedGlyph> glyphs_;
     base::Span<Part> waiting_;
     const GlyphField* field_ = nullptr;
     GlyphSettings settings_;
     Plane planes_[kPlanes];
+    /// A focus region's plane along the field's axes: east and north of a place.
+    struct FocusPlane {
+        glm::dvec3 east{0}, north{0};
+        glm::dvec2 offset_m{0};
+    };
+    FocusPlane focus_planes_[kMaxFoci];
     glm::dvec3 eye_{0};  ///< along the field's axes
     double focal_px_ = 1;
     GlyphCounts counts_;

@@ -8,6 +8,7 @@
 #include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/cell_motion.hpp"
 #include "render_core/draw/data/feature_importance.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -208,7 +209,8 @@ void add_margin(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, s
 
 /// Buildings alone: nothing that must not be entered is ever left out.
 bool is_left_out(const ElementInput& input, std::uint32_t feature) {
-    return input.layer.entry->role == scene::LayerRole::building && is_unimportant(input, "height", feature);
+    const bool is_small = input.layer.entry->role == scene::LayerRole::building && is_unimportant(input, "height", feature);
+    return is_small || look_of_feature(input, feature).is_hidden;
 }
 
 }  // namespace

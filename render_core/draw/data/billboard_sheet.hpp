@@ -67,6 +67,11 @@ public:
     static constexpr std::size_t kStemVertices = 4 * 2, kLinkVertices = 4 * 4;
     /// Whether the batches take so many vertices, so that nothing is drawn by half.
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
+    /// The part of the picture that is shown.
+    [[nodiscard]] const Rect& screen() const { return screen_; }
+    [[nodiscard]] bool is_in_picture(const Rect& box) const { return screen_.contains(box); }
+    /// Whether no drawn terrain stands before a place (ECEF), or what stands there as high as a stem.
+    [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
     /// Whether a box lies within the picture, clear of the symbology, and covers none that is taken.
     [[nodiscard]] bool is_free(const Rect& box) const;
     /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
@@ -88,12 +93,11 @@ private:
     /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
     [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view_); }
     [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
-    [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 
     QuadBatch *signs_ = nullptr, *links_ = nullptr;
     terrain::DrawnSight* sight_ = nullptr;
-    Rect screen_{};  ///< the part of the picture that is shown
+    Rect screen_{};
     ScreenCover symbology_;
     terrain::View view_{};
     float text_px_ = 16;

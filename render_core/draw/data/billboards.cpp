@@ -10,6 +10,7 @@
 #include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/billboard_look.hpp"
 #include "render_core/draw/data/icons.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -91,7 +92,8 @@ void offer_features(BillboardSheet& sheet, const ElementInput& input) {
         const glm::dvec3 from_eye = earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {height_m}}) - sheet.view().eye;
         const double distance_m = sheet.seen_distance_m(glm::length(from_eye));
         const bool is_near = distance_m <= kFarthestBillboard_m && glm::dot(from_eye, sheet.view().forward) > -kBehind_m;
-        if (is_near) sheet.offer({distance_m / precedence_of(input.layer, feature), feature});
+        if (is_near && !look_of_feature(input, feature).is_hidden)
+            sheet.offer({distance_m / precedence_of(input.layer, feature), feature});
     }
 }
 
@@ -146,7 +148,7 @@ public:
         spot_ = sheet_.spot(place.place);
         if (!spot_.is_ahead || !sheet_.has_room(kMostVertices + kMostLineVertices, kMostLinkVertices)) return false;
         const BillboardLook look = billboard_look(input_, feature_);
-        half_px_ = 0.5f * icon_px();
+        half_px_ = 0.5f * icon_px() * static_cast<float>(look_of_feature(input_, feature_).size);
         Label label = label_of(with_name, look);
         Side side = Side::none;
         if (!find_side(label, side) || !claim(box(label, side), place.place)) return false;
@@ -283,7 +285,8 @@ ElementCount add_billboards(BillboardSheet& sheet, const ElementInput& input) {
     const double most = are_places && detail < 1 ? std::ceil(kMostPlaces * detail) : kMostOfAll;
     ElementCount count;
     for (std::size_t n = 0; n < shown && count.drawn < most; ++n)
-        if (Billboard(sheet, input, ranked[n].feature).add(n < named)) ++count.drawn;
+        if (Billboard(sheet, input, ranked[n].feature).add(n < named && look_of_feature(input, ranked[n].feature).detail >= 1))
+            ++count.drawn;
     count.hidden = input.layer.entry->feature_count - count.drawn;
     return count;
 }

@@ -9,6 +9,8 @@
 
 namespace tedavis::draw {
 
+class LayerFoci;
+
 /// The ground below data.
 class Ground {
 public:
@@ -29,12 +31,13 @@ struct ElementInput {
     std::uint8_t group = 0;  ///< of this element and this layer
     const scene::Layer& layer;
     Ground& ground;
-    design::Color missing;       ///< what stands for a value that is not known
-    std::int64_t time_ns = 0;    ///< of the frame: what moves has come so far
-    bool has_date = false;       ///< without, it stays where the data have it
-    glm::dvec3 eye{0};           ///< ECEF; for what turns to it
-    double metres_per_px_m = 0;  ///< of distance: a pixel is so wide there
-    bool has_age = true;         ///< false: the time of the frame goes on, but nobody confirms it
+    design::Color missing;            ///< what stands for a value that is not known
+    std::int64_t time_ns = 0;         ///< of the frame: what moves has come so far
+    bool has_date = false;            ///< without, it stays where the data have it
+    glm::dvec3 eye{0};                ///< ECEF; for what turns to it
+    double metres_per_px_m = 0;       ///< of distance: a pixel is so wide there
+    bool has_age = true;              ///< false: the time of the frame goes on, but nobody confirms it
+    const LayerFoci* foci = nullptr;  ///< of this layer; null: everything is in the focus
 };
 
 inline constexpr double kFloating_m = 5;  ///< over the ground: less needs no link

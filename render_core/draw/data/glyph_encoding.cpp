@@ -52,17 +52,18 @@ public:
     [[nodiscard]] GlyphShape shape(const SelectedGlyph& glyph) const {
         if (const std::optional<GlyphShape> sign = this->sign(glyph.summary)) return *sign;
         const GlyphShape whole = shape_of(style_.form);
-        return glyph.size_px < kPlainBelow_px ? plain_variant(whole) : whole;
+        return glyph.size_px < kPlainBelow_px || look_of(glyph).detail < 1 ? plain_variant(whole) : whole;
     }
 
     /// `shape` as above.
     [[nodiscard]] GlyphInstance instance(const SelectedGlyph& glyph, GlyphShape shape) const {
         const GlyphSummary& summary = glyph.summary;
+        const FocusLook look = look_of(glyph);
+        const double size_m = static_cast<double>(glyph.size_m) * look.size;
         if (is_sign_shape(shape)) {
             const bool is_missing = summary.state == ValueState::missing;
-            const auto across_m = static_cast<float>(kSignShare * glyph.size_m);
-            return make_glyph(summary.place, glm::vec3(across_m), glm::dvec3(0),
-                              faded(is_missing ? style_.missing : style_.plain, summary));
+            return make_glyph(summary.place, glm::vec3(static_cast<float>(kSignShare * size_m)), glm::dvec3(0),
+                              shown_color(look, faded(is_missing ? style_.missing : style_.plain, summary)));
         }
         const double value = shown_value(summary);
         const LocalAxes axes = local_axes(eye_ + glm::dvec3(summary.place));
@@ -71,7 +72,10 @@ public:
             const double towards = compass_angle(std::atan2(double{summary.value}, double{summary.north_mps}));
             direction = axes.east * std::sin(towards) + axes.north * std::cos(towards);
         }
-        return make_glyph(summary.place, extent(glyph.size_m, share(value)), direction, color(summary, value));
+        const bool shows_value = look.detail >= kLeastDetailOfValues;
+        const design::Color shown = shows_value ? color(summary, value) : faded(style_.plain, summary);
+        return make_glyph(summary.place, extent(size_m, shows_value ? share(value) : style_.least_share), direction,
+                          shown_color(look, shown));
     }
 
     [[nodiscard]] bool has_link(const SelectedGlyph& glyph) const {
@@ -94,6 +98,9 @@ public:
     }
 
 private:
+    [[nodiscard]] FocusLook look_of(const SelectedGlyph& glyph) const {
+        return style_.foci == nullptr ? FocusLook() : look_at(*style_.foci, degree_of(glyph));
+    }
     [[nodiscard]] bool shows_direction() const {
         return values_ == GlyphValues::wind && is_arrow(style_.form) && style_.subject == GlyphSubject::value;
     }

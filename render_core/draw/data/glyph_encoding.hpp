@@ -9,11 +9,15 @@
 /// What floats over the ground may have a link to it, in its own colour. Those of an aggregate lead to the mean height of the
 /// ground below its members.
 ///
+/// Beside a focus they are smaller, greyer and darker as its look says. With less than all detail there they have plain shapes;
+/// with less than kLeastDetailOfValues arrows say nothing but where the wind blows to: all are alike, without a colour by value.
+///
 /// Glyphs below kPlainBelow_px take plain shapes. Transparent ones are put in the order from far to near.
 /// Pure but for the batch; any thread.
 #pragma once
 
 #include "render_core/design/data_style.hpp"
+#include "render_core/draw/data/frame_foci.hpp"
 #include "render_core/draw/data/glyph_batch.hpp"
 #include "render_core/scene/glyph_selection.hpp"
 
@@ -46,9 +50,11 @@ struct GlyphStyle {
     /// Of those that float: a line down to the ground below them and a mark where it stands, for which this is how wide a pixel
     /// is at a distance of 1; 0: none.
     double link_per_px = 0;
+    const FrameFoci* foci = nullptr;  ///< null: everything is in the focus
 };
 
 inline constexpr double kPlainBelow_px = 28;
+inline constexpr double kLeastDetailOfValues = 0.5;
 inline constexpr std::uint32_t kLinkParts = 2;  ///< instances of a link
 
 /// `eye`: the one of the selection. The number of glyphs for which the batch had no room.

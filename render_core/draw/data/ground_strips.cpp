@@ -7,6 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/feature_importance.hpp"
 #include "render_core/draw/data/ground_section.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/draw/data/way_weights.hpp"
@@ -264,7 +265,8 @@ ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput&
     ElementCount count;
     batch.set_look(look_on_ground(input), input.layer.entry->data_time_ns);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
-        const bool is_drawn = !is_unimportant(input, "width", feature) && Ribbon(batch, mesh, input, feature).build();
+        const bool is_left_out = is_unimportant(input, "width", feature) || look_of_feature(input, feature).is_hidden;
+        const bool is_drawn = !is_left_out && Ribbon(batch, mesh, input, feature).build();
         ++(is_drawn ? count.drawn : count.hidden);
     }
     return count;

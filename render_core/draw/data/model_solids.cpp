@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
@@ -95,7 +96,7 @@ ElementCount add_models(SolidBatch& batch, SolidMesh& mesh, const ElementInput& 
     ElementCount count;
     batch.set_look(look_of(input), input.layer.entry->data_time_ns);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
-        const bool is_drawn = build(mesh, input, feature) && mesh.add_to(batch);
+        const bool is_drawn = !look_of_feature(input, feature).is_hidden && build(mesh, input, feature) && mesh.add_to(batch);
         ++(is_drawn ? count.drawn : count.hidden);
     }
     return count;

@@ -1,5 +1,6 @@
 #include "render_core/draw/data/place_ellipsoids.hpp"
 
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/draw/data/solid_shapes.hpp"
@@ -61,6 +62,7 @@ std::uint32_t add_place_ellipsoids(SolidBatch& batch, SolidMesh& mesh, const Ele
     batch.set_look(look, input.layer.entry->data_time_ns);
     std::uint32_t count = 0;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        if (look_of_feature(input, feature).is_hidden) continue;
         const UnsurePlace unsure = place_of(input, feature);
         const double level_m = unsure.accuracy.level_m, height_m = unsure.accuracy.height_m;
         const Placed at = placed(input, unsure.point);

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/draw/data/layer_foci.hpp"
+
 namespace tedavis::draw {
 namespace {
 
@@ -83,7 +85,9 @@ glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature) {
     return {gone_m * std::sin(toward), gone_m * std::cos(toward)};
 }
 
-design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
+namespace {
+
+design::Color color_of_value(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
     if (!encoding.is_used()) return input.element.color;
     const scene::Attribute* const attribute = input.layer.find(encoding.attribute.view());
     if (!holds(attribute, n) || attribute->state(n) == scene::ValueState::missing) return input.missing;
@@ -93,6 +97,13 @@ design::Color encoded_color(const ElementInput& input, const design::ColorEncodi
     const design::Color color =
         design::color_of_name(encoding.scale.palette, attribute->class_name(static_cast<std::uint32_t>(value)));
     return color.alpha > 0 ? color : input.missing;
+}
+
+}  // namespace
+
+design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
+    const design::Color color = color_of_value(input, encoding, n);
+    return input.foci == nullptr ? color : shown_color(input.foci->look(input, static_cast<std::uint32_t>(n)), color);
 }
 
 scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n) {
@@ -110,7 +121,8 @@ double value_or_nan(const scene::Layer& layer, std::string_view name, std::size_
 }
 
 design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, const PointOfFeature& of) {
-    return encoded_color(input, encoding, number_of(input.layer.find(encoding.attribute.view()), of));
+    const design::Color color = color_of_value(input, encoding, number_of(input.layer.find(encoding.attribute.view()), of));
+    return input.foci == nullptr ? color : shown_color(input.foci->look_of_point(of), color);
 }
 
 scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,

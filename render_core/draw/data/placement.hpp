@@ -36,7 +36,8 @@ struct Placed {
 [[nodiscard]] glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature);
 
 /// The colour of an encoding at value n of its attribute; `plain` where the element has no such encoding, the colour of missing
-/// data where the layer has no such attribute, the value is missing, or a nominal palette has no such class.
+/// data where the layer has no such attribute, the value is missing, or a nominal palette has no such class. Beside a focus as
+/// its look says (layer_foci.hpp); n then is a feature.
 [[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n);
 /// How unsure the element's coloured value is; where it shows none, how unsure the layer's first attribute with an uncertainty
 /// is; certain where nothing is stated.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render_core/draw/data/ground_section.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/line_places.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
@@ -304,6 +305,7 @@ CueCount TrajectoryCues::add(SolidBatch& batch, SolidMesh& mesh, const ElementIn
     CueBuilder builder(batch, mesh, input, cue);
     builder.set_look(way_.radius_m());
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        if (look_of_feature(input, feature).is_hidden) continue;
         way_.read(feature, line_);
         const auto points = line_.points();
         for (std::size_t first = 0, end = 0; first < points.size(); first = end + 1) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
 
@@ -65,6 +66,10 @@ ElementCount TubeSolids::add(SolidBatch& batch, SolidMesh& mesh, const ElementIn
     way_.plan(input, most_points(batch, input));
     const PlaceAccuracy worst = worst_accuracy(input.layer);
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
+        if (look_of_feature(input, feature).is_hidden) {
+            count.hidden += input.layer.points_of(feature).count;
+            continue;
+        }
         way_.read(feature, line_);
         const scene::TubeCounts made = scene::make_tube(line_.points(), glm::dvec3(0), rings_);
         keep_upright({rings_.data(), made.rings});

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/draw/data/billboard_look.hpp"
+#include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/wind_barb.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -30,13 +31,15 @@ Level level_of(const terrain::View& view, const LocalAxes& axes) {
 
 class BarbSign {
 public:
-    BarbSign(BillboardSheet& sheet, const ElementInput& input, const scene::GlyphSummary& summary)
-        : sheet_(sheet), input_(input), summary_(summary), place_(sheet.view().eye + glm::dvec3(summary.place)) {}
+    BarbSign(BillboardSheet& sheet, const ElementInput& input, const scene::SelectedGlyph& glyph)
+        : sheet_(sheet), input_(input), summary_(glyph.summary), place_(sheet.view().eye + glm::dvec3(summary_.place)) {
+        if (input.foci != nullptr && input.foci->frame() != nullptr) focus_ = look_at(*input.foci->frame(), degree_of(glyph));
+    }
 
     bool add() const {
         const BillboardSheet::Spot spot = sheet_.spot(place_);
         if (!spot.is_ahead || !sheet_.has_room(kMostBarbVertices, BillboardSheet::kLinkVertices)) return false;
-        const float staff_px = kStaff * sheet_.text_px(), half = kBox * staff_px;
+        const float staff_px = kStaff * sheet_.text_px() * static_cast<float>(focus_.size), half = kBox * staff_px;
         if (!sheet_.claim({spot.at.x - half, spot.at.y - half, 2 * half, 2 * half}, place_)) return false;
         const earth::Geodetic at = earth::from_ecef(place_);
         const scene::Wind wind = scene::wind_of(summary_);
@@ -52,7 +55,9 @@ private:
         const design::ColorEncoding& by_color = input_.element.by_color;
         design::Color color = by_color.is_used() ? design::scale_color(by_color.scale, wind.speed_mps) : input_.element.color;
         if (wind.state == scene::WindState::unknown) color = input_.missing;
-        return faded_look(input_.element, color, summary_.uncertainty);
+        BillboardLook look = faded_look(input_.element, color, summary_.uncertainty);
+        look.color = shown_color(focus_, look.color);
+        return look;
     }
 
     [[nodiscard]] Point from_on_screen(const earth::Geodetic& at, const scene::Wind& wind) const {
@@ -72,6 +77,7 @@ private:
     const ElementInput& input_;
     const scene::GlyphSummary& summary_;
     glm::dvec3 place_;
+    FocusLook focus_;
 };
 
 }  // namespace
@@ -85,7 +91,7 @@ ElementCount add_wind_barbs(BillboardSheet& sheet, const ElementInput& input, ba
     }
     for (const BillboardCandidate& candidate : sheet.ranked()) {
         const scene::SelectedGlyph& glyph = glyphs[candidate.feature];
-        if (!BarbSign(sheet, input, glyph.summary).add()) continue;
+        if (!BarbSign(sheet, input, glyph).add()) continue;
         count.hidden -= glyph.summary.members;
         (glyph.is_aggregate ? count.aggregated : count.drawn) += glyph.summary.members;
     }

@@ -117,7 +117,7 @@ TEST(SheetCommand, WrongInputLeavesNothing) {
     o.sheet = "no-such-sheet";
     refused(o,
             "no-such-sheet: no such file and no shipped one of sheets; name a file, or one of these: data-techniques, "
-            "effects, terrain-styles");
+            "effects, focus, terrain-styles");
     o.sheet = files().folder.write("missing.toml", sheet_of("styles/woods"));
     refused(o, "missing.toml: picture 'Heights': styles/woods: no such file");
     o = options("none");

@@ -101,6 +101,18 @@ TEST(FocusSettings, FourHaveRoom) {
     EXPECT_NE(read(text + "[[focus]]\n", foci).find("keep at most 4"), std::string::npos);
 }
 
+TEST(FocusSettings, TheContextIsCommonToAll) {
+    FocusList foci;
+    EXPECT_EQ(read("[[focus]]\n[[focus]]\n[focus.terrain]\nbrightness = 0.5\n[[focus]]\n[focus.data]\nsize = 0.5\n", foci), "");
+    EXPECT_EQ(terrain_of_context(foci).brightness, 0.5);
+    EXPECT_EQ(data_of_context(foci).size, 0.5);
+    for (const char* table : {"[focus.terrain]\n", "[focus.data]\n"})
+        EXPECT_NE(read("[[focus]]\n" + std::string(table) + "[[focus]]\n" + table, foci).find("stated twice"), std::string::npos);
+    EXPECT_EQ(read("[[focus]]\n[focus.border]\n[[focus]]\n[focus.border]\nkind = 'line'\n", foci), "") << "of each its own";
+    EXPECT_FALSE(terrain_of_context(foci).is_any());
+    EXPECT_FALSE(data_of_context(foci).is_any());
+}
+
 TEST(FocusSettings, APathIsTheWayAheadAndNothingElseIs) {
     FocusList foci;
     EXPECT_EQ(read("[[focus]]\nshape = 'path'\n", foci), "");

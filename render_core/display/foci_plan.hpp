@@ -1,0 +1,24 @@
+/// The foci of a frame: where each is, what its record says.
+///
+/// Pure but for the ground, which is asked. Bounded. Thread  the ground's.
+#pragma once
+
+#include "render_core/display/data_elements.hpp"
+#include "render_core/display/frame_record.hpp"
+#include "render_core/draw/data/focus_values.hpp"
+
+namespace tedavis::display {
+
+struct FociPlan {
+    draw::FrameFoci foci;
+    std::array<draw::FocusState, scene::kMaxFoci> states{};
+    std::array<double, scene::kMaxFoci> heights_m{};  ///< of the things themselves over the ellipsoid; NaN: not known
+};
+
+/// `foci` must stay. Empty where there are none.
+[[nodiscard]] FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame);
+
+/// What a frame's record says of its foci; after DataElements::plan_signs().
+void note_foci(const FociPlan& plan, const DataElements& elements, const ElementFrame& frame, FrameRecord& record);
+
+}  // namespace tedavis::display

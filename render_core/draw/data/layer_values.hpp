@@ -1,0 +1,44 @@
+/// An attribute's values over a layer at a time, one after the other, with their places: what data foci look through.
+///
+/// Of a grid a value a post and level, at the time's place between two of its times (scene/grid_field.hpp): quantitative ones
+/// are linear, others the nearer time's. Of other layers a value a feature or a point, as the attribute has them. A layer of
+/// wind without an attribute "speed" has one by its "east" and "north".
+///
+/// Pure. Frames  WGS84 radians. Any thread; the layer must stay.
+#pragma once
+
+#include "render_core/scene/scene.hpp"
+
+namespace tedavis::draw {
+
+class LayerValues {
+public:
+    [[nodiscard]] static bool has(const scene::Layer& layer, std::string_view attribute) noexcept;
+    /// A layer without the attribute has no values.
+    LayerValues(const scene::Layer& layer, std::string_view attribute, std::int64_t time_ns);
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+    /// NaN where missing.
+    [[nodiscard]] double operator[](std::size_t n) const;
+    /// Points that the n-th value is of; none of a grid.
+    [[nodiscard]] scene::Run points_of(std::size_t n) const;
+    struct Place {
+        double latitude_rad, longitude_rad;
+    };
+    /// Of a grid's post.
+    [[nodiscard]] Place post(std::size_t n) const;
+    [[nodiscard]] bool is_grid() const { return is_grid_; }
+    /// A value a point, of layers that are no grid; else a value a feature.
+    [[nodiscard]] bool is_of_points() const { return value_->entry->of == scene::AttributeOf::point; }
+
+private:
+    [[nodiscard]] double blended(const scene::Attribute& attribute, std::size_t n) const;
+
+    const scene::Layer* layer_;
+    const scene::Attribute *value_ = nullptr, *north_ = nullptr;
+    std::size_t size_ = 0, first_ = 0, second_ = 0;  ///< where the two times' values begin
+    double fraction_ = 0;
+    bool is_grid_ = false;
+};
+
+}  // namespace tedavis::draw
