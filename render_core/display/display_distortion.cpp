@@ -38,10 +38,11 @@ void Display::magnify() {
         const double msl_m = eye_.view.is_flat() ? eye_.view.flat_msl_m : ground.height.m;
         if (is_known) record.middle.height.m = msl_m + ground.undulation.m;
     }
+    record_.distortion = plan.records;
+    if (plan.magnifiers.empty()) return;
     eye_.view.magnifiers = plan.magnifiers;
     make_room(eye_.view);
     seen_ = seen_by_both(eye_.view, eyes_);
-    record_.distortion = plan.records;
 }
 
 void Display::stop_magnifying() {

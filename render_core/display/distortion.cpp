@@ -56,7 +56,7 @@ const char* reason_of(DistortionState state) noexcept {
         case DistortionState::no_position: return "the own ship's position is not known";
         case DistortionState::own_ship: return "the own ship, or half a minute of its way, is too near";
         case DistortionState::overlaps: return "it would reach into another one";
-        case DistortionState::over_budget: return "the ground would take more triangles than the device has";
+        case DistortionState::over_budget: return "the device has not the triangles for it";
     }
     return "unknown";
 }

@@ -27,7 +27,7 @@ enum class DistortionState : std::uint8_t {
     no_position,  ///< of the own ship, so that nobody knows whether it is clear
     own_ship,     ///< it is not
     overlaps,     ///< another one
-    over_budget,  ///< the ground takes a draw more for each of its parts, and the device has not the triangles
+    over_budget,  ///< the ground takes a draw more for each of its parts, and would be less accurate for it
 };
 /// A sentence's part for records; "" where it is shown.
 [[nodiscard]] const char* reason_of(DistortionState state) noexcept;

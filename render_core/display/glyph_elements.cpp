@@ -23,15 +23,15 @@ constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
 /// So wide that magnifiers can bring nothing else into the view.
 double magnified_tangent(const terrain::View& view) {
     double most_m = 0;
-    for (const earth::Magnifier& magnifier : view.magnifiers)
-        most_m = std::fmax(most_m, magnifier.farthest_move_m());
+    for (const earth::Magnifier& magnifier : view.magnifiers) most_m = std::fmax(most_m, magnifier.farthest_move_m());
     return most_m / view.near_m;
 }
 
 scene::GlyphView glyph_view(const terrain::View& view) {
     const double more = magnified_tangent(view);
-    return {view.eye,      view.forward, view.right, view.down, view.half_width_tangent() + more, view.half_height_tangent() + more,
-            view.focal_px, view.near_m,  view.far_m};
+    return {
+        view.eye,      view.forward, view.right, view.down, view.half_width_tangent() + more, view.half_height_tangent() + more,
+        view.focal_px, view.near_m,  view.far_m};
 }
 
 draw::GlyphForm form_of(DataTechnique technique) {

@@ -22,6 +22,7 @@ constexpr double kAheadTau = 0.8;
 constexpr std::uint32_t kSlotsBeside = 24;
 constexpr double kSplitMoves = 0.05;     // of a selection's split of depths, to the next one's of the same view
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
+constexpr double kMagnifiersCost = 1.5;  // no more of the error that the ground has without them
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
 constexpr std::string_view kOfDatabase = "the terrain database ";
@@ -51,6 +52,13 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
     settings.drape_slots = device.drape_pages;
     settings.arrival_frames = device.arrival_frames;
     return settings;
+}
+
+/// Of what budgets allow.
+bool is_short(const terrain::LodResult& lod) {
+    using terrain::LodStop;
+    return !lod.within_budget || lod.reason == LodStop::triangles || lod.reason == LodStop::chunks ||
+           lod.reason == LodStop::milliseconds || lod.reason == LodStop::nodes;
 }
 
 gl::GlError database_error(const terrain::TdbFailure& failure) {
@@ -162,12 +170,7 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
     plan.lod = select_drawn(eye.view, lod);
-    if (!plan.lod.within_budget && !eye.view.magnifiers.empty()) {
-        terrain::View unmoved = eye.view;
-        unmoved.magnifiers.clear();
-        plan.lod = select_drawn(unmoved, lod);
-        plan.is_unmagnified = true;
-    }
+    if (!eye.view.magnifiers.empty() && is_short(plan.lod)) unmagnify(eye.view, lod, plan);
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
@@ -191,6 +194,15 @@ void TerrainScene::widen_error(const terrain::View& view, const design::DesignSe
         lod.worst_chunk = chunk.key;
         lod.tau_reached_px = std::fmax(lod.tau_reached_px, error_px);
     }
+}
+
+/// Without magnifiers, where they take of the ground's triangles what its accuracy needs.
+void TerrainScene::unmagnify(const terrain::View& view, const terrain::LodSettings& lod, TerrainPlan& plan) {
+    terrain::View unmoved = view;
+    unmoved.magnifiers.clear();
+    const terrain::LodResult result = select_drawn(unmoved, lod);
+    plan.is_unmagnified = !plan.lod.within_budget || plan.lod.worst_error_px > kMagnifiersCost * result.worst_error_px;
+    plan.lod = plan.is_unmagnified ? result : select_drawn(view, lod);
 }
 
 /// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part

@@ -172,11 +172,13 @@ private:
     SolidMesh mesh_;
 };
 
+constexpr double kClear_m = 200;
+
 /// No border of the scale within a few pixels.
 bool is_clear_of_borders(const terrain::View& view, const glm::dvec3& place, double clear_m) {
     for (const earth::Magnifier& magnifier : view.magnifiers) {
         const glm::dvec2 at = magnifier.in_plane(place);
-        for (std::size_t n = 0; n < magnifier.cell_count(); ++n)
+        for (const std::size_t n : {std::size_t{0}, magnifier.cell_count() - 1})
             if (std::fabs(magnifier.cell(n).inside_m(at)) < clear_m) return false;
     }
     return true;
@@ -192,7 +194,7 @@ Seen look(const RasterScene& scene, const terrain::View& view, const Picture& pi
         for (std::uint32_t i = 2; i < kPosts; i += 4) {
             const glm::dvec3 post = scene.post(i, j), shown = view.magnifiers.moved(post);
             const auto at = pixel_of(view, shown), unmoved = pixel_of(view, post);
-            if (!at || glm::distance(post, view.eye) > 12'000 || !is_clear_of_borders(view, post, 60)) continue;
+            if (!at || glm::distance(post, view.eye) > 12'000 || !is_clear_of_borders(view, post, kClear_m)) continue;
             const Rgba here = square_color(static_cast<int>(i), static_cast<int>(j));
             ++(picture.is(at->x, at->y, here) ? seen.right : seen.wrong);
             if (!unmoved || glm::distance(*at, *unmoved) < 4) continue;
@@ -320,7 +322,7 @@ TEST_P(Magnified, SignsAndGlyphsStandOnTheMovedGround) {
     for (std::uint32_t j = 2; j < kPosts; j += 4)
         for (std::uint32_t i = 2; i < kPosts; i += 4) {
             const glm::dvec3 foot = scene.post(i, j);
-            if (!is_clear_of_borders(view, foot, 60) || glm::distance(foot, view.eye) > 12'000) continue;
+            if (!is_clear_of_borders(view, foot, kClear_m) || glm::distance(foot, view.eye) > 12'000) continue;
             GlyphBatch batch({room.data(), room.size()});
             const GlyphInstance glyph = make_glyph(glm::vec3(foot - view.eye), glm::vec3(100), glm::dvec3(0), {});
             batch.add(GlyphShape::arrow, GlyphFacing::up, false, 1)[0] = glyph;
