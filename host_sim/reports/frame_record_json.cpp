@@ -1,5 +1,6 @@
 #include "host_sim/reports/frame_record_json.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -127,6 +128,24 @@ Json utc_json(const flight::FlightTime& time) {
     return {{"time_s", time.is_date ? Json(static_cast<double>(time.utc.ns) / 1e9) : Json()}, {"confirmed", time.is_confirmed}};
 }
 
+/// Of each focus that is asked to be larger: by how much it is, or why it is not.
+Json distortion_json(const display::DistortionRecords& records) {
+    Json json = Json::array();
+    for (const display::DistortionRecord& record : records) {
+        const bool is_shown = record.state == display::DistortionState::shown;
+        json.push_back({{"focus", text(record.focus.view())},
+                        {"state", is_shown ? "shown" : "withheld"},
+                        {"reason", display::reason_of(record.state)},
+                        {"factor", std::ldexp(1.0, static_cast<int>(record.power))},
+                        {"ring_factor", is_shown ? std::ldexp(1.0, -static_cast<int>(record.compression)) : 0},
+                        {"lat_deg", base::degrees(record.middle.latitude_rad)},
+                        {"lon_deg", base::degrees(record.middle.longitude_rad)},
+                        {"radius_m", record.radius_m},
+                        {"reach_m", record.reach_m}});
+    }
+    return json;
+}
+
 Json flags_json(const display::FrameRecord& record) {
     Json json = Json::array();
     for (const display::Name& flag : record.flags) json.push_back(text(flag.view()));
@@ -156,6 +175,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["flags"] = flags_json(record);
     json["view"] = {{"mode", text(design::kViewModeNames[static_cast<std::size_t>(record.view.mode)])},
                     {"transition", record.view.transition}};
+    json["distortion"] = distortion_json(record.distortion);
     json["light"] = light_json(record.light);
     json["warning_bands"] = bands_json(record.bands);
     json["terrain"] = {{"tau_px", record.terrain.tau_px},

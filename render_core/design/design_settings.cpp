@@ -181,6 +181,13 @@ bool has_grid_on_data(const DesignSettings& design) noexcept {
     return design.terrain.style.grid.spacing_m > 0 && asks_for_grid(design.data.elements);
 }
 
+bool magnifies(const DesignSettings& design) noexcept {
+    if (design.view.mode == ViewMode::perspective) return false;
+    for (const FocusSettings& focus : design.foci)
+        if (focus.power > 0) return true;
+    return false;
+}
+
 DesignSettings default_design_settings() noexcept {
     DesignSettings design;
     design.name = "default";

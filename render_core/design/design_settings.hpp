@@ -142,6 +142,9 @@ static_assert(std::is_trivially_copyable_v<DesignSettings>);
 /// Some element of the data has the surface grid's lines.
 [[nodiscard]] bool has_grid_on_data(const DesignSettings& design) noexcept;
 
+/// Some focus is to be shown larger than what is round it: on a map or obliquely from far away, never as the own ship sees it.
+[[nodiscard]] bool magnifies(const DesignSettings& design) noexcept;
+
 /// Reads a design file and, through `palettes`, the palettes that it names; start-up only (allocates while it reads). The
 /// error is one sentence "file:line: what, what to do". `phases`, where given, gets the designs that the file names for phases.
 [[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text,

@@ -68,7 +68,8 @@ public:
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
     /// False where the design needs programs that were not built.
     [[nodiscard]] bool can_show(const design::DesignSettings& design) const {
-        return !is_started() || drawer_.has_grid() || !has_grid_on_data(design);
+        return !is_started() ||
+               ((drawer_.has_grid() || !has_grid_on_data(design)) && (drawer_.can_magnify() || !design::magnifies(design)));
     }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one

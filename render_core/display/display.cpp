@@ -59,6 +59,7 @@ gl::GlError Display::start_data(base::ByteSource* scene) {
             has_data || !design.foci.empty() || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
         variant.grid = variant.grid || has_grid_on_data(design);
         variant.shadows = variant.shadows || design.effects.shadows.is_any();
+        variant.magnified = variant.magnified || design::magnifies(design);
     }
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
@@ -164,6 +165,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     begin_record(now);
     plan_view();
     plan_foci();
+    magnify();
     decide_labels();
 }
 
@@ -305,6 +307,7 @@ void Display::plan_terrain() {
     Eye seen = eye_;
     seen.view = seen_;
     TerrainPlan plan = terrain_.plan(seen, settings_.design, tau_factor);
+    if (plan.is_unmagnified) stop_magnifying();
     if (eyes_.base_m > 0)
         for (const draw::EyeSide side : draw::kEyeSides)
             terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);

@@ -165,6 +165,8 @@ private:
     void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
     void plan_view();
+    void magnify();
+    void stop_magnifying();
     void keep_scene();
     [[nodiscard]] bool has_warning() const;
     draw::TerrainDrawResult draw_kept();

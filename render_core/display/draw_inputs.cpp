@@ -1,5 +1,8 @@
 #include "render_core/display/draw_inputs.hpp"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
 namespace tedavis::display {
 namespace {
 
@@ -60,12 +63,35 @@ draw::DataFrame make_data_frame(const DrawContext& frame) {
     return data;
 }
 
+namespace {
+
+/// On the screen, of what is ahead.
+draw::MagnifiedSign magnified_sign(const terrain::View& view, const DistortionRecord& focus, double px_per_m) {
+    constexpr double kSquareCorner = 1.42, kOctagonCorner = 1.09;
+    const glm::dvec3 place = earth::to_ecef(focus.middle) - view.eye;
+    const double scale = view.focal_px / glm::dot(place, view.forward);
+    const double corner = focus.is_square ? kSquareCorner : kOctagonCorner;
+    draw::MagnifiedSign sign;
+    sign.middle = {static_cast<float>(0.5 * view.width + scale * glm::dot(place, view.right)),
+                   static_cast<float>(0.5 * view.height + scale * glm::dot(place, view.down))};
+    sign.radius_px = static_cast<float>(std::ldexp(corner * focus.radius_m, static_cast<int>(focus.power)) * px_per_m);
+    sign.reach_px = static_cast<float>(focus.reach_m * px_per_m);
+    sign.power = focus.power;
+    sign.compression = focus.compression;
+    return sign;
+}
+
+}  // namespace
+
 draw::MapInput make_map_input(const DrawContext& frame, const flight::AircraftState& state) {
     const design::ViewSettings& view = frame.design.view;
     draw::MapInput map;
     map.up_rad = draw::map_up_rad(state, frame.decisions);
     map.px_per_m = map_scale_px_per_m(view, frame.eye.view.width, frame.eye.view.height);
     map.is_flat = frame.decisions.show_terrain && frame.eye.view.is_flat();
+    for (const DistortionRecord& focus : frame.record.distortion)
+        if (focus.state == DistortionState::shown && frame.decisions.show_terrain)
+            static_cast<void>(map.magnified.try_push_back(magnified_sign(frame.eye.view, focus, map.px_per_m)));
     if (view.mode != design::ViewMode::orthographic) return map;
     map.is_oblique = true;
     map.turn_rad = view.look_turn_rad;

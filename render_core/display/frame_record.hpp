@@ -10,6 +10,7 @@
 #include "render_core/base/stamped.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/display/distortion.hpp"
 #include "render_core/display/terrain_light.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -120,6 +121,7 @@ struct FrameRecord {
     std::array<base::SignalState, flight::kSignalCount> signals{};
     base::FixedVector<Name, 32> flags;
     ViewRecord view;
+    DistortionRecords distortion;
     TerrainLight light;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;

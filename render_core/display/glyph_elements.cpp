@@ -20,9 +20,18 @@ constexpr double kBarSlenderness = 3;        // bars are as large as they are hi
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
 constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
 
+/// So wide that magnifiers can bring nothing else into the view.
+double magnified_tangent(const terrain::View& view) {
+    double most_m = 0;
+    for (const earth::Magnifier& magnifier : view.magnifiers) most_m = std::fmax(most_m, magnifier.farthest_move_m());
+    return most_m / view.near_m;
+}
+
 scene::GlyphView glyph_view(const terrain::View& view) {
-    return {view.eye,      view.forward, view.right, view.down, view.half_width_tangent(), view.half_height_tangent(),
-            view.focal_px, view.near_m,  view.far_m};
+    const double more = magnified_tangent(view);
+    return {
+        view.eye,      view.forward, view.right, view.down, view.half_width_tangent() + more, view.half_height_tangent() + more,
+        view.focal_px, view.near_m,  view.far_m};
 }
 
 draw::GlyphForm form_of(DataTechnique technique) {
@@ -219,6 +228,7 @@ void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
     const scene::Attribute& attribute = *draw::glyph_attribute(element, *slot.layer);
     const scene::GlyphValues values = draw::glyph_values(*slot.layer, attribute);
     const bool shows_values = element.technique != DataTechnique::uncertainty_only;
+    const std::size_t first = batch_.instances().size();
     const double link_per_px = element.link ? 1 / frame.view.focal_px : 0;
     if (shows_values) {
         draw::GlyphStyle style = value_style(element, attribute, frame.missing);
@@ -226,11 +236,13 @@ void GlyphElements::encode(const Slot& slot, const GlyphFrameInput& frame) {
         style.foci = foci_of(frame);
         draw::encode_glyphs(selection_.glyphs(), values, style, element.by_color.scale, frame.view.eye, batch_);
     }
-    if (!is_glyph_uncertainty(element.uncertainty)) return;
-    draw::GlyphStyle style = uncertainty_style(element);
-    if (!shows_values) style.link_per_px = link_per_px;
-    style.foci = foci_of(frame);
-    draw::encode_glyphs(selection_.glyphs(), values, style, uncertainty_scale(element), frame.view.eye, batch_);
+    if (is_glyph_uncertainty(element.uncertainty)) {
+        draw::GlyphStyle style = uncertainty_style(element);
+        if (!shows_values) style.link_per_px = link_per_px;
+        style.foci = foci_of(frame);
+        draw::encode_glyphs(selection_.glyphs(), values, style, uncertainty_scale(element), frame.view.eye, batch_);
+    }
+    batch_.move_to_shown(first, frame.view.magnifiers, frame.view.eye);
 }
 
 /// So far apart that they have room.

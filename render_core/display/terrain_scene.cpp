@@ -22,6 +22,7 @@ constexpr double kAheadTau = 0.8;
 constexpr std::uint32_t kSlotsBeside = 24;
 constexpr double kSplitMoves = 0.05;     // of a selection's split of depths, to the next one's of the same view
 constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
+constexpr double kMagnifiersCost = 1.5;  // no more of the error that the ground has without them
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
 constexpr std::string_view kOfDatabase = "the terrain database ";
@@ -51,6 +52,13 @@ terrain::StoreSettings store_settings(const effects::DeviceSettings& device, ter
     settings.drape_slots = device.drape_pages;
     settings.arrival_frames = device.arrival_frames;
     return settings;
+}
+
+/// Of what budgets allow.
+bool is_short(const terrain::LodResult& lod) {
+    using terrain::LodStop;
+    return !lod.within_budget || lod.reason == LodStop::triangles || lod.reason == LodStop::chunks ||
+           lod.reason == LodStop::milliseconds || lod.reason == LodStop::nodes;
 }
 
 gl::GlError database_error(const terrain::TdbFailure& failure) {
@@ -162,6 +170,7 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
     TerrainPlan plan;
     plan.lod = select_drawn(eye.view, lod);
+    if (!eye.view.magnifiers.empty() && is_short(plan.lod)) unmagnify(eye.view, lod, plan);
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
@@ -187,6 +196,15 @@ void TerrainScene::widen_error(const terrain::View& view, const design::DesignSe
     }
 }
 
+/// Without magnifiers, where they take of the ground's triangles what its accuracy needs.
+void TerrainScene::unmagnify(const terrain::View& view, const terrain::LodSettings& lod, TerrainPlan& plan) {
+    terrain::View unmoved = view;
+    unmoved.magnifiers.clear();
+    const terrain::LodResult result = select_drawn(unmoved, lod);
+    plan.is_unmagnified = !plan.lod.within_budget || plan.lod.worst_error_px > kMagnifiersCost * result.worst_error_px;
+    plan.lod = plan.is_unmagnified ? result : select_drawn(view, lod);
+}
+
 /// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part
 /// follows from what is selected; so where it matters a second selection knows it from the first, a little widened, and where
 /// even that is not enough, twice the half is the whole.
@@ -209,9 +227,10 @@ std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const
     const draw::DepthPlan depth = depth_plan(view);
     std::uint32_t triangles = 0;
     for (const terrain::SelectedChunk& chunk : selected()) {
-        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)});
-        for (std::size_t n = 0; n < depth.count; ++n)
-            triangles += terrain::overlap(reach, depth.ranges[n]) ? std::uint32_t{chunk.entry->triangle_count} : 0u;
+        const double lift_m = double{greatest_lift_m(chunk.lift)};
+        const terrain::DepthSpan reach = terrain::depth_span(*chunk.entry, view, lift_m);
+        const std::uint32_t drawn = chunk.entry->triangle_count * terrain::draws_of(*chunk.entry, view, lift_m);
+        for (std::size_t n = 0; n < depth.count; ++n) triangles += terrain::overlap(reach, depth.ranges[n]) ? drawn : 0u;
     }
     return triangles;
 }

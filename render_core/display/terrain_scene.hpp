@@ -40,10 +40,11 @@ enum class DrapeState : std::uint8_t {
 /// What plan() found; plain data.
 struct TerrainPlan {
     terrain::LodResult lod;
-    std::uint32_t pending = 0;  ///< chunks wanted and not there yet
-    bool has_void = false;      ///< ground without data in view
-    bool is_late = false;       ///< the file answers too slowly
-    bool is_failing = false;    ///< parts of it cannot be had
+    std::uint32_t pending = 0;    ///< chunks wanted and not there yet
+    bool has_void = false;        ///< ground without data in view
+    bool is_late = false;         ///< the file answers too slowly
+    bool is_failing = false;      ///< parts of it cannot be had
+    bool is_unmagnified = false;  ///< the view's magnifiers left no room for it, and it is planned without
 };
 
 /// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
@@ -107,6 +108,7 @@ public:
 
 private:
     [[nodiscard]] terrain::View over_ground(terrain::View view);
+    void unmagnify(const terrain::View& view, const terrain::LodSettings& lod, TerrainPlan& plan);
     [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;

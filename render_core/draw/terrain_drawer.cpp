@@ -60,12 +60,24 @@ gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     bool are_coded = true;
     for (const DrawnDesign& design : designs) {
         are_coded = are_coded && design.output == TerrainOutput::code;
-        if (shows(design)) continue;
-        if (!styles_.try_push_back({design.design->terrain.style, variant_of(design), {}}))
-            return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
-        if (gl::GlError error = build_programs(gl, styles_.back()); !error.sentence.empty()) return error;
+        if (gl::GlError error = add_style(gl, design, false); !error.sentence.empty()) return error;
+        if (!design::magnifies(*design.design)) continue;
+        if (gl::GlError error = add_style(gl, design, true); !error.sentence.empty()) return error;
     }
+    magnified_style_ = style_of(designs[0], true);
     return are_coded ? gl::GlError{} : start_palette(gl, device, has_foci(designs));
+}
+
+gl::GlError TerrainDrawer::add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified) {
+    if (style_of(design, is_magnified) < styles_.size()) return {};
+    if (!styles_.try_push_back({design.design->terrain.style, variant_of(design, is_magnified), {}}))
+        return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
+    return build_programs(gl, styles_.back());
+}
+
+bool TerrainDrawer::shows(const DrawnDesign& design) const {
+    const bool has_parts = !design::magnifies(*design.design) || style_of(design, true) < styles_.size();
+    return has_parts && style_of(design, false) < styles_.size();
 }
 
 gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -105,10 +117,11 @@ gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effect
     return {};
 }
 
-TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
+TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn, bool is_magnified) const {
     const design::DesignSettings& design = *drawn.design;
     TerrainVariant variant;
     variant.output = drawn.output;
+    variant.magnified = is_magnified;
     variant.lifted = design.terrain.conservative_up;
     variant.flat = design.view.reference == design::Reference::flat;
     variant.ground_data = design.data.ground.is_shown;
@@ -125,8 +138,8 @@ TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn) const {
     return variant;
 }
 
-std::size_t TerrainDrawer::style_of(const DrawnDesign& design) const {
-    const TerrainVariant variant = variant_of(design);
+std::size_t TerrainDrawer::style_of(const DrawnDesign& design, bool is_magnified) const {
+    const TerrainVariant variant = variant_of(design, is_magnified);
     for (std::size_t n = 0; n < styles_.size(); ++n)
         if (variant == styles_[n].variant && covers(styles_[n].variant.focus, variant.focus) &&
             same_programs(styles_[n].style, design.design->terrain.style))
@@ -169,7 +182,8 @@ void TerrainDrawer::destroy(gl::Gl& gl) {
 }
 
 void TerrainDrawer::set_design(gl::Gl& gl, const DrawnDesign& design) {
-    style_ = style_of(design);
+    style_ = style_of(design, false);
+    magnified_style_ = style_of(design, true);
     TEDAVIS_CHECK(style_ < styles_.size());
     design_ = *design.design;
     if (ground_.has_data() && has_ground_data()) ground_.set_look(gl, design_.data.ground);
@@ -235,10 +249,8 @@ bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
     focus_.set(style().variant.focus.foci > 0 ? input.foci : nullptr, design_.foci, input.blurs_context);
-    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
-        for (const auto& of_focus : style().programs)
-            for (const gl::Program& program : of_focus[bands])
-                if (program.valid()) set_frame_uniforms(gl, program, input, range);
+    set_uniforms_of_programs(gl, style(), input, range);
+    if (magnifies(input)) set_uniforms_of_programs(gl, styles_[magnified_style_], input, range);
     if (focus_.is_any()) focus_.upload(gl, palette_, kFocusRow);
     if (palette_.valid()) palette_.bind(gl, 0);
     if (atlas_.is_started()) atlas_.bind(gl);
@@ -252,6 +264,14 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
         if (overlap(depths, range)) draw_chunk(gl, chunk, input, result);
     }
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
+}
+
+void TerrainDrawer::set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input,
+                                             const DepthRange& range) const {
+    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
+        for (const auto& of_focus : style.programs)
+            for (const gl::Program& program : of_focus[bands])
+                if (program.valid()) set_frame_uniforms(gl, program, input, range);
 }
 
 void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
@@ -279,14 +299,14 @@ std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool b
     return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
 }
 
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
+const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry, std::size_t pages,
                                               const TerrainDrawInput& input, bool in_focus) const {
     TerrainBands bands;
     if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
     const std::size_t n = band_variant(bands.count);
-    const gl::Program& program = style().programs[in_focus ? kInFocus : kAcrossFoci][n][pages];
+    const gl::Program& program = style.programs[in_focus ? kInFocus : kAcrossFoci][n][pages];
     program.use(gl);
     if (n > 0) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
@@ -302,8 +322,12 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     const PageChoice page = page_of(chunk.key);
     const bool baked = page.slot != terrain::kNoSlot;
     const std::size_t pages = page_variant(*chunk.entry, baked);
+    const bool is_in_parts =
+        magnifies(input) &&
+        earth::is_magnified(input.view.magnifiers, terrain::extent_of(*chunk.entry, double{greatest_lift_m(chunk.lift)}));
+    const Style& shown = is_in_parts ? styles_[magnified_style_] : style();
     const FocusOfChunk focus = focus_.of_chunk(*chunk.entry, input.view);
-    const gl::Program& program = use_program(gl, *chunk.entry, pages, input, focus.is_in_focus);
+    const gl::Program& program = use_program(gl, shown, *chunk.entry, pages, input, focus.is_in_focus);
     if (!focus.is_in_focus) GroundFocus::set_chunk_uniforms(gl, program, kTerrainFocus, focus);
     const terrain::Lattice& lattice = store_->lattice();
     set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
@@ -322,10 +346,27 @@ void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const Ter
     }
     if (has_ground_data()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
     point_attributes(gl, chunk.slot);
-    gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), slot.index_count,
+    is_in_parts ? draw_parts(gl, program, chunk, input, result) : draw_mesh(gl, chunk, result);
+}
+
+void TerrainDrawer::draw_mesh(gl::Gl& gl, const SelectedChunk& chunk, TerrainDrawResult& result) const {
+    const std::uint32_t index_count = slots_[chunk.slot].index_count;
+    gl::draw_triangles(gl, {static_cast<std::uint32_t>(chunk.slot * kSlotIndices), index_count,
                             static_cast<std::uint32_t>(chunk.entry->vertex_count - 1)});
-    result.triangles += slot.index_count / 3;
+    result.triangles += index_count / 3;
     ++result.draws;
+}
+
+/// Lines and strokes are as wide on the screen in each.
+void TerrainDrawer::draw_parts(gl::Gl& gl, const gl::Program& program, const SelectedChunk& chunk, const TerrainDrawInput& input,
+                               TerrainDrawResult& result) const {
+    const earth::GroundExtent extent = terrain::extent_of(*chunk.entry, double{greatest_lift_m(chunk.lift)});
+    earth::MagnifiedParts parts(input.view.magnifiers, extent);
+    for (earth::MagnifiedPart part; parts.next(part);) {
+        set_magnifier_uniforms(gl, program, kTerrainMagnifier, part, glm::round(input.view.eye));
+        set_pixel_uniform(gl, program, design_.terrain.style, input.view.focal_px * part.scale());
+        draw_mesh(gl, chunk, result);
+    }
 }
 
 }  // namespace tedavis::draw

@@ -56,14 +56,15 @@ public:
     /// For chunks that lie in focus as a whole, or where there is none, and for the others.
     static constexpr std::size_t kFocusVariants = 2;
 
-    /// Of each design, as its weights leave it and with raised ones; of one with foci also for frames in which none is anywhere.
-    static constexpr std::size_t kMaxStyles = 4 * (design::kMaxPhaseDesigns + 1);
+    /// Of each design, as its weights leave it and with raised ones; of one with foci also for frames in which none is
+    /// anywhere, and of one that magnifies for what is magnified.
+    static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
     /// For designs that follow one another while it runs; the first is drawn first.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
                                     effects::DeviceSettings& device, base::Arena& staging);
     /// Whether there are the programs and maps that a design needs.
-    [[nodiscard]] bool shows(const DrawnDesign& design) const { return style_of(design) < styles_.size(); }
+    [[nodiscard]] bool shows(const DrawnDesign& design) const;
     /// From here on another design, which shows() has said it can.
     void set_design(gl::Gl& gl, const DrawnDesign& design);
 
@@ -113,10 +114,16 @@ private:
                                           base::Arena& staging);
     [[nodiscard]] gl::GlError start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
     [[nodiscard]] gl::GlError start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device);
-    [[nodiscard]] TerrainVariant variant_of(const DrawnDesign& design) const;
-    [[nodiscard]] std::size_t style_of(const DrawnDesign& design) const;
+    [[nodiscard]] TerrainVariant variant_of(const DrawnDesign& design, bool is_magnified) const;
+    /// styles_.size() where there is none.
+    [[nodiscard]] std::size_t style_of(const DrawnDesign& design, bool is_magnified) const;
+    [[nodiscard]] gl::GlError add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified);
     [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, Style& style);
+    void set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] const Style& style() const { return styles_[style_]; }
+    [[nodiscard]] bool magnifies(const TerrainDrawInput& input) const {
+        return !input.view.magnifiers.empty() && magnified_style_ < styles_.size();
+    }
     [[nodiscard]] bool has_ground_data() const { return style().variant.ground_data; }
     [[nodiscard]] bool is_coded() const { return style().variant.output == TerrainOutput::code; }
     void upload_palette(gl::Gl& gl);
@@ -130,14 +137,17 @@ private:
     [[nodiscard]] bool upload_drape(gl::Gl& gl, const terrain::SelectedChunk& chunk, const terrain::View& view);
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] std::size_t page_variant(const terrain::ChunkEntry& entry, bool baked) const;
-    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const terrain::ChunkEntry& entry, std::size_t pages,
-                                                 const TerrainDrawInput& input, bool in_focus) const;
+    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry,
+                                                 std::size_t pages, const TerrainDrawInput& input, bool in_focus) const;
+    void draw_mesh(gl::Gl& gl, const terrain::SelectedChunk& chunk, TerrainDrawResult& result) const;
+    void draw_parts(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input,
+                    TerrainDrawResult& result) const;
     void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
     const terrain::TerrainStore* store_ = nullptr;
     design::DesignSettings design_;
     base::FixedVector<Style, kMaxStyles> styles_;
-    std::size_t style_ = 0;  ///< of design_
+    std::size_t style_ = 0, magnified_style_ = 0;  ///< of design_
     bool needs_maps_ = false;
     gl::Buffer vertices_, indices_;
     gl::Texture palette_;  ///< not where all write codes: who colours them has it

@@ -96,7 +96,8 @@ bool TerrainDrawer::upload_page(gl::Gl& gl, const SelectedChunk& chunk, const Te
 /// mean of what would else flicker.
 TerrainDrawer::PageChoice TerrainDrawer::drape_of(const SelectedChunk& chunk, const terrain::View& view) const {
     const terrain::Lattice& lattice = store_->lattice();
-    const double pixel_m = terrain::box_distance_m(*chunk.entry, view) / view.focal_px;
+    const double pixel_m =
+        terrain::box_distance_m(*chunk.entry, view) / (view.focal_px * terrain::magnification(*chunk.entry, view));
     PageChoice finest;
     for (terrain::ChunkKey owner = chunk.key; owner.level < lattice.levels(); owner = owner.parent()) {
         const terrain::SlotIndex slot = store_->drape_slot(owner);

@@ -82,7 +82,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kFocusUniformNames[0],
                                                          kFocusUniformNames[1],
                                                          kFocusUniformNames[2],
-                                                         kFocusUniformNames[3]};
+                                                         kFocusUniformNames[3],
+                                                         kMagnifierUniformNames[0],
+                                                         kMagnifierUniformNames[1]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -195,7 +197,7 @@ bool has_shafts_only(const design::DesignSettings& design) noexcept {
 bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
     const auto all = [](const TerrainVariant& v) {
         return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
-                        v.air, v.shafts, v.shadows, v.in_focus);
+                        v.air, v.shafts, v.shadows, v.in_focus, v.magnified);
     };
     return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
@@ -208,10 +210,9 @@ TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_de
     if (focus.blurs) return TerrainOutput::color_and_distance;
     if (!off_screen_depth) return TerrainOutput::color;
     const design::TerrainStyle& style = design.terrain.style;
-    // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own.
-    const bool has_shadows = design.effects.shadows.is_any();
-    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_shadows &&
-        focus.foci == 0)
+    // Codes tell distances too coarsely for the colours of air, and know of no second light beside their own, and no borders.
+    const bool has_more = design.effects.shadows.is_any() || design::magnifies(design) || focus.foci > 0;
+    if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_more)
         return TerrainOutput::code;
     const design::ViewEffects& effects = design.effects;
     const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 || effects.shadows.in_air > 0;
@@ -255,6 +256,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.shafts, "#define SHAFTS 1\n");
     add_focus(defines, variant.focus, variant.in_focus);
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
+    defines.add_if(variant.magnified, kMagnifiedDefine);
     return defines.text();
 }
 
@@ -264,6 +266,10 @@ base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const d
     base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view());
     base::FixedString<kMaxTerrainDefines + 3 * kMaxShaderText> fragment(defines.view());
     const bool code = variant.output == TerrainOutput::code;
+    if (variant.magnified) {
+        vertex.append(shader_text(k_magnified_vert));
+        fragment.append(shader_text(k_magnified_frag));
+    }
     vertex.append(shader_text(k_terrain_place_vert));
     vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
     if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));

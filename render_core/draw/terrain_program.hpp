@@ -12,6 +12,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/air_table.hpp"
 #include "render_core/draw/focus_ground.hpp"
+#include "render_core/draw/magnified_uniforms.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/shadow_map.hpp"
 #include "render_core/gl/program.hpp"
@@ -79,8 +80,9 @@ enum TerrainUniform : std::size_t {
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
-    kTerrainFocus,  ///< the first of kFocusUniformNames
-    kTerrainUniforms = kTerrainFocus + kFocusUniforms
+    kTerrainFocus,                                          ///< the first of kFocusUniformNames
+    kTerrainMagnifier = kTerrainFocus + kFocusUniforms,  ///< the first of kMagnifierUniformNames
+    kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
 };
 
 /// What a terrain program writes. All but the first go off-screen, for the picture pass.
@@ -124,6 +126,7 @@ struct TerrainVariant {
     bool shadows = false;                                                           ///< of data
     GroundFocusKind focus;                                                          ///< that the design has
     bool in_focus = true;                                                           ///< the chunk is, as a whole
+    bool magnified = false;                                                         ///< a part of what magnifiers move
     bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
 
     /// But for the focus.

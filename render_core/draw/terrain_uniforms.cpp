@@ -155,11 +155,16 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
                   number(sketch.contours));
     gl->Uniform2f(program.uniform(kContour), number(1 / sketch.contour_interval_m), static_cast<float>(sketch.contour_index));
     gl->Uniform2f(program.uniform(kStrokes), number(sketch.hatching), number(sketch.stippling));
-    gl->Uniform2f(program.uniform(kPixel), number(1 / focal_px), number(sketch.stroke_spacing_px));
+    set_pixel_uniform(gl, program, style, focal_px);
     const design::Color line = style.grid.line;
     gl->Uniform4f(program.uniform(kGridLook), static_cast<float>(line.red) / 255.0f, static_cast<float>(line.green) / 255.0f,
                   static_cast<float>(line.blue) / 255.0f, number(style.grid.strength));
     gl->Uniform1f(program.uniform(kGridSpacing), number(style.grid.spacing_m));
+}
+
+void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px) {
+    gl->Uniform2f(program.uniform(kPixel), static_cast<float>(1 / focal_px),
+                  static_cast<float>(style.sketch.stroke_spacing_px));
 }
 
 void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span) {

@@ -20,6 +20,9 @@ void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Vi
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m);
 void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
 
+/// How wide lines and strokes are on the ground, for so many pixels a unit tangent.
+void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
+
 /// For programs that write codes.
 void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span);
 

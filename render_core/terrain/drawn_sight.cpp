@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render_core/earth/magnified_way.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
 #include "render_core/terrain/stored_triangles.hpp"
 
@@ -32,9 +33,9 @@ glm::dvec3 normal_to(const glm::dvec3& way, const glm::dvec3& up) {
     return glm::normalize(glm::cross(way, axis));
 }
 
-Sight sight_of(const View& view, const glm::dvec3& way, double depth_m) {
-    Sight sight{way, view.near_m / depth_m, DrawnSight::reach(view), {}, {}};
-    sight.across = normal_to(way, glm::normalize(view.eye));
+Sight sight_of(const glm::dvec3& eye, const glm::dvec3& way, double from, double to) {
+    Sight sight{way, from, to, {}, {}};
+    sight.across = normal_to(way, glm::normalize(eye));
     sight.above = glm::normalize(glm::cross(sight.across, way));
     return sight;
 }
@@ -181,13 +182,20 @@ base::Span<const std::uint16_t> DrawnSight::drawn_indices(const SelectedChunk& c
 double DrawnSight::reach(const View& view) { return 1 - kTail * std::fmin(2 * view.half_width_tangent(), 1.0); }
 
 bool DrawnSight::is_hidden(const glm::dvec3& place) {
-    const glm::dvec3 way = place - view_.eye;
+    const glm::dvec3 way = view_.magnifiers.moved(place) - view_.eye;
     const double depth_m = glm::dot(way, view_.forward);
     if (view_.is_flat() || !(depth_m * reach(view_) > view_.near_m)) return false;
-    const Sight sight = sight_of(view_, way, depth_m);
+    const double from = view_.near_m / depth_m, to = reach(view_);
+    if (view_.magnifiers.empty()) return is_blocked(view_.eye, way, from, to);
+    return earth::any_true_way(view_.magnifiers, {view_.eye + way * from, view_.eye + way * to},
+                               [&](const earth::TrueWay& part) { return is_blocked(part.begin, part.end - part.begin, 0, 1); });
+}
+
+bool DrawnSight::is_blocked(const glm::dvec3& eye, const glm::dvec3& way, double from, double to) {
+    const Sight sight = sight_of(eye, way, from, to);
     for (const SelectedChunk& chunk : selected_) {
-        if (!meets_box(chunk, view_.eye, sight)) continue;
-        ChunkLook look(lattice_, chunk, meshes_.vertices(chunk), view_.eye, sight);
+        if (!meets_box(chunk, eye, sight)) continue;
+        ChunkLook look(lattice_, chunk, meshes_.vertices(chunk), eye, sight);
         if (!look.reaches_both_sides()) continue;
         if (look.meets_stored(meshes_.stored_indices(chunk))) return true;
         if (look.needs_drawn() && look.meets_drawn(drawn_indices(chunk))) return true;

@@ -10,6 +10,8 @@
 /// where the triangles that it replaces reach both sides: they have all the corners of those in their place, and a polygon whose
 /// triangles all stay on one side of a plane stays there.
 ///
+/// Where the view's magnifiers move the ground, the sight is taken apart into its ways over the ground as it is.
+///
 /// Computed in double, from the eye. Pure but for the meshes that are asked. Bounded: a box a chunk, and the vertices and
 /// triangles of the chunks whose boxes are met. No heap; the answer depends on nothing that was asked before.
 /// Thread  the meshes'.
@@ -36,6 +38,7 @@ public:
     [[nodiscard]] bool is_hidden(const glm::dvec3& place);
 
 private:
+    [[nodiscard]] bool is_blocked(const glm::dvec3& eye, const glm::dvec3& way, double from, double to);
     [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const SelectedChunk& chunk);
 
     const Lattice& lattice_;

@@ -15,14 +15,19 @@ constexpr double kNoBand = -std::numeric_limits<double>::infinity();
 
 float larger(float a, float b) { return a > b ? a : b; }
 
+/// Of the chunk's ground, where it is nearest.
+double px_per_m(const ChunkEntry& entry, const View& view) {
+    return magnification(entry, view) * view.focal_px / std::fmax(box_distance_m(entry, view), view.near_m);
+}
+
 /// As far as colours and lines can show it: by its length on the screen, and no finer than cells are worth.
 double shown_height_error_px(const ChunkEntry& entry, const View& view, double tau_px) {
-    const double px_per_m = view.focal_px / std::fmax(box_distance_m(entry, view), view.near_m);
+    const double scale = px_per_m(entry, view);
     const double area_m2 = 4 * double{entry.half_extent_m[0]} * double{entry.half_extent_m[1]};
     const double cell_m = std::sqrt(2 * area_m2 / std::fmax(entry.triangle_count, 1));
-    const double by_height = double{larger(entry.above_m, entry.below_m)} * px_per_m;
+    const double by_height = double{larger(entry.above_m, entry.below_m)} * scale;
     // Splitting halves the cells.
-    return std::fmin(by_height, tau_px * cell_m * px_per_m / (2 * kFinestCell_px));
+    return std::fmin(by_height, tau_px * cell_m * scale / (2 * kFinestCell_px));
 }
 
 /// How far the coast of a chunk with sea and land can lie beside the true one: half a texel of its attribute page, for its
@@ -30,9 +35,8 @@ double shown_height_error_px(const ChunkEntry& entry, const View& view, double t
 double coast_error_px(const ChunkEntry& entry, const View& view, double tau_px) {
     constexpr unsigned kBoth = kChunkHasSea | kChunkHasLand;
     if ((entry.flags & kBoth) != kBoth || entry.level < 2) return 0;
-    const double px_per_m = view.focal_px / std::fmax(box_distance_m(entry, view), view.near_m);
     const double side_m = 2 * double{larger(entry.half_extent_m[0], entry.half_extent_m[1])};
-    const double coast_px = 0.5 * side_m / (kAttributePosts - 1) * px_per_m;
+    const double coast_px = 0.5 * side_m / (kAttributePosts - 1) * px_per_m(entry, view);
     return coast_px <= tau_px ? coast_px : tau_px * (1.25 - 0.25 * tau_px / coast_px);
 }
 
@@ -234,13 +238,15 @@ double LodRefinement::texel_px(const LodNode& node) const {
     const DrapeDetail& drape = settings_.drape;
     if (!(drape.texel_m > 0) || node.key.level <= drape.level || node.entry->drape.bytes == 0) return 0;
     const double texel_m = drape.texel_m * std::exp2(node.key.level - drape.level);
-    return texel_m * view_.focal_px / std::fmax(box_distance_m(*node.entry, view_), view_.near_m);
+    const double shown_m = magnification(*node.entry, view_) * texel_m;
+    return shown_m * view_.focal_px / std::fmax(box_distance_m(*node.entry, view_), view_.near_m);
 }
 
 std::int64_t LodRefinement::triangles_of(const ChunkEntry& entry) const {
-    if (!(settings_.twice.near_m <= settings_.twice.far_m)) return entry.triangle_count;
+    const std::int64_t drawn = std::int64_t{entry.triangle_count} * draws_of(entry, view_, reach_m_);
+    if (!(settings_.twice.near_m <= settings_.twice.far_m)) return drawn;
     const bool is_twice = overlap(depth_span(entry, view_, reach_m_), settings_.twice);
-    return entry.triangle_count * (is_twice ? 2 : 1);
+    return drawn * (is_twice ? 2 : 1);
 }
 
 /// Chunks are judged by themselves first; what they do to their neighbours is found out when all is chosen.

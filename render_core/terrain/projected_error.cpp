@@ -26,6 +26,20 @@ void flatten(Box& box, const ChunkEntry& entry, double flat_msl_m) {
     box.half[2] += 0.5 * (most_m - least_m);
 }
 
+double radius_m(const ChunkEntry& entry) {
+    return std::hypot(double{entry.half_extent_m[0]}, double{entry.half_extent_m[1]}, double{entry.half_extent_m[2]});
+}
+
+/// By what its points can move: along a plane that leans with the chunk's distance from the middle.
+void move(Box& box, const ChunkEntry& entry, const earth::Magnifiers& magnifiers) {
+    for (const earth::Magnifier& magnifier : magnifiers) {
+        if (!magnifier.reaches(centre_of(entry), radius_m(entry))) continue;
+        box.half[0] += magnifier.farthest_move_m();
+        box.half[1] += magnifier.farthest_move_m();
+        box.half[2] += magnifier.farthest_move_m() * (magnifier.reach_m() + 2 * radius_m(entry)) / earth::kLeastCurvatureRadius_m;
+    }
+}
+
 /// Stretched upwards by lift_m.
 Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     Box box;
@@ -37,6 +51,7 @@ Box box_of(const ChunkEntry& entry, const View& view, double lift_m) {
     box.centre -= box.axis[2] * (0.5 * lift_m);
     box.half[2] += 0.5 * lift_m;
     if (view.is_flat()) flatten(box, entry, view.flat_msl_m);
+    move(box, entry, view.magnifiers);
     return box;
 }
 
@@ -91,6 +106,28 @@ bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m) {
         for (const double sign : {-1.0, 1.0})
             if (is_beyond(box, view.forward, sides[a] * sign, tangents[a])) return true;
     return false;
+}
+
+earth::GroundExtent extent_of(const ChunkEntry& entry, double lift_m) {
+    constexpr double kBoxSlack_m = 1;  // boxes are kept in floats
+    earth::GroundExtent extent;
+    extent.centre = centre_of(entry);
+    for (int n = 0; n < 3; ++n)
+        extent.half[n] =
+            double{entry.half_extent_m[n]} * glm::dvec3(entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]);
+    extent.more_m = kBoxSlack_m + lift_m;
+    return extent;
+}
+
+std::uint32_t draws_of(const ChunkEntry& entry, const View& view, double lift_m) {
+    return view.magnifiers.empty() ? 1 : earth::count_parts(view.magnifiers, extent_of(entry, lift_m));
+}
+
+double magnification(const ChunkEntry& entry, const View& view) {
+    double most = 1;
+    for (const earth::Magnifier& magnifier : view.magnifiers)
+        if (magnifier.reaches(centre_of(entry), radius_m(entry))) most = std::fmax(most, magnifier.factor());
+    return most;
 }
 
 double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m) {

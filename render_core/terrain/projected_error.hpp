@@ -3,11 +3,13 @@
 /// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies
 /// e * focal * |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth
 /// (difference of the two projections). In a flat view boxes are those of what is drawn, and errors still those of the relief:
-/// what is drawn has no more. Boxes are ECEF; pure functions; any thread.
+/// what is drawn has no more. Where magnifiers of the view reach, boxes are those of what is drawn, too; errors of height stay
+/// what they are. Boxes are ECEF; pure functions; any thread.
 #pragma once
 
 #include <glm/vec2.hpp>
 
+#include "render_core/earth/magnified_parts.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 #include "render_core/terrain/view.hpp"
 
@@ -34,6 +36,14 @@ struct DepthSpan {
     return a.far_m >= b.near_m && a.near_m <= b.far_m;
 }
 [[nodiscard]] DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m);
+
+/// Where the chunk's ground may lie, raised by `lift_m` or not.
+[[nodiscard]] earth::GroundExtent extent_of(const ChunkEntry& entry, double lift_m);
+/// Draws that a chunk takes: more than 1 where magnifiers of the view reach it.
+[[nodiscard]] std::uint32_t draws_of(const ChunkEntry& entry, const View& view, double lift_m);
+
+/// By how much the view's magnifiers draw a length of the chunk's ground longer at most; 1 where none reaches it.
+[[nodiscard]] double magnification(const ChunkEntry& entry, const View& view);
 
 /// From the eye to the chunk's centre; and to its box, 0 inside.
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);

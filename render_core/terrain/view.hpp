@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "render_core/earth/magnifier.hpp"
+
 namespace tedavis::terrain {
 
 /// What is known of the true surface round an eye, for errors of several sizes (near_ground.hpp).
@@ -40,6 +42,8 @@ struct View {
     NearGround ground;  ///< holds for this pose, and for no wider picture (near_ground.hpp)
     /// Not NaN: the surface is drawn at this height above MSL, wherever it is.
     double flat_msl_m = std::numeric_limits<double>::quiet_NaN();
+
+    earth::Magnifiers magnifiers{};  ///< what is drawn, and placed, is where they show it
 
     [[nodiscard]] bool is_flat() const { return flat_msl_m == flat_msl_m; }
     [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }

@@ -89,7 +89,7 @@ bool BillboardSheet::claim_beside(const Rect& box) {
 /// As high over its place as a stem in its length in the picture: upright, so that seen from above nothing beside it hides it.
 bool BillboardSheet::is_seen(const glm::dvec3& place) const {
     if (sight_ == nullptr) return true;
-    const double distance_m = glm::dot(place - view().eye, view().forward);
+    const double distance_m = glm::dot(place - view().eye, view().forward);  // as good as that where it is shown
     const double stem_m = static_cast<double>(kStem * text_px()) * distance_m / view().focal_px;
     return !sight_->is_hidden(place + glm::normalize(place) * stem_m);
 }

@@ -48,6 +48,7 @@ public:
     [[nodiscard]] const terrain::View& view() const { return eye_.view; }
     [[nodiscard]] float text_px() const { return eye_.text_px; }
     using Spot = SignSpot;
+    /// Where the view's magnifiers show the place.
     [[nodiscard]] Spot spot(const glm::dvec3& place) const { return eye_.spot(place); }
     [[nodiscard]] double seen_distance_m(double distance_m) const { return eye_.seen_distance_m(distance_m); }
     /// From one place to another over a dark rim of the same opacity, both ends with their own depths; nothing where one is not

@@ -31,7 +31,7 @@ struct DataFrame {
 
 /// What frames may have; for what they have not nothing is compiled.
 struct DataVariant {
-    bool air = false, grid = false, shadows = false;
+    bool air = false, grid = false, shadows = false, magnified = false;
 };
 
 /// Every program of data begins its list of uniforms with these.

@@ -36,6 +36,8 @@ public:
         const glm::dvec3 inwards[kViewSides] = {view.forward * across + view.right, view.forward * across - view.right,
                                                 view.forward * along + view.down, view.forward * along - view.down, view.forward};
         for (int n = 0; n < kViewSides; ++n) inwards_[n] = glm::normalize(inwards[n]);
+        for (const earth::Magnifier& magnifier : view.magnifiers)
+            moved_m_ = std::fmax(moved_m_, magnifier.farthest_move_m());
         sine_ = std::sin(middle_.latitude_rad);
         cosine_ = std::cos(middle_.latitude_rad);
         across_m_ = earth::prime_vertical_radius_m(middle_.latitude_rad);
@@ -52,7 +54,7 @@ public:
         const double north_m = along_m_ * north + 0.5 * across_m_ * sine_ * there * east * east + gone_m.y;
         const double square = east_m * east_m + north_m * north_m;
         const double sunk_m = square / (across_m_ + along_m_) + middle_.height.m;
-        const double margin_m = kMargin_m + kMarginShare * std::sqrt(square);
+        const double margin_m = kMargin_m + kMarginShare * std::sqrt(square) + moved_m_;
         const glm::dvec3 level = from_eye_ + axes_.east * east_m + axes_.north * north_m;
         const glm::dvec3 low = level + axes_.up * (low_m - sunk_m), high = level + axes_.up * (high_m - sunk_m);
         unsigned sides = 0;
@@ -67,6 +69,7 @@ private:
     LocalAxes axes_;
     glm::dvec3 inwards_[kViewSides]{};
     double sine_ = 0, cosine_ = 1, across_m_ = 1, along_m_ = 1;
+    double moved_m_ = 0;  ///< as far as magnifiers move things
 };
 
 /// Areas have limits of their own, and in space-time the height is none.

@@ -31,4 +31,9 @@ base::Span<GlyphInstance> GlyphBatch::add(GlyphShape shape, GlyphFacing facing, 
     return instances_.subspan(first, count);
 }
 
+void GlyphBatch::move_to_shown(std::size_t n, const earth::Magnifiers& magnifiers, const glm::dvec3& eye) {
+    if (magnifiers.empty()) return;
+    for (; n < use_.in_use; ++n) instances_[n].place = glm::vec3(magnifiers.moved(eye + glm::dvec3(instances_[n].place)) - eye);
+}
+
 }  // namespace tedavis::draw

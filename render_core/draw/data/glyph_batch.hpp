@@ -11,6 +11,7 @@
 #include "render_core/base/span.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/draw/data/glyph_shapes.hpp"
+#include "render_core/earth/magnifier.hpp"
 
 namespace tedavis::draw {
 
@@ -63,6 +64,8 @@ public:
     void move(const glm::vec3& by) {
         for (std::size_t n = 0; n < use_.in_use; ++n) instances_[n].place += by;
     }
+    /// To where the magnifiers show them, those from the n-th on; places are relative to the eye. Sizes stay.
+    void move_to_shown(std::size_t n, const earth::Magnifiers& magnifiers, const glm::dvec3& eye);
     [[nodiscard]] base::Span<const GlyphInstance> instances() const { return {instances_.data(), use_.in_use}; }
     [[nodiscard]] base::Span<const GlyphRun> runs() const { return {runs_.data(), runs_.size()}; }
     [[nodiscard]] base::Span<const GlyphInstance> of(const GlyphRun& run) const {

@@ -12,7 +12,7 @@ constexpr float kFarthest_px = 32'000;
 }  // namespace
 
 SignSpot SignView::spot(const glm::dvec3& place) const {
-    const glm::dvec3 from_eye = place - view.eye;
+    const glm::dvec3 from_eye = view.magnifiers.moved(place) - view.eye;
     SignSpot result;
     result.distance_m = glm::dot(from_eye, view.forward);
     if (!(result.distance_m > view.near_m)) return result;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "render_core/draw/magnified_uniforms.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/draw_triangles.hpp"
@@ -18,7 +19,8 @@ enum Uniform : std::size_t {
     kCover,
     kNearFade,
     kGrid,
-    kUniforms = kGrid + kGridUniforms
+    kMagnifier = kGrid + kGridUniforms,
+    kUniforms = kMagnifier + kMagnifierUniforms
 };
 
 constexpr double kHour_ns = 3.6e12;
@@ -43,6 +45,17 @@ NearFade near_fade(const SolidLook& look, bool is_opaque) {
     if (look.near_m <= 0) return {-1, 1};
     if (is_opaque) return {SolidLook::kOpaqueFrom * look.near_m, kAtOnce_per_m};
     return {look.near_m, 1 / ((SolidLook::kWholeFrom - 1) * look.near_m)};
+}
+
+earth::GroundExtent extent_of(const SolidPiece& piece) { return {piece.anchor, {}, static_cast<double>(piece.radius_m)}; }
+
+/// How far magnifiers may move it.
+double moved_m(const SolidPiece& piece, const terrain::View& view) {
+    double most_m = 0;
+    for (const earth::Magnifier& magnifier : view.magnifiers)
+        if (magnifier.reaches(piece.anchor, static_cast<double>(piece.radius_m)))
+            most_m = std::fmax(most_m, magnifier.farthest_move_m());
+    return most_m;
 }
 
 /// The ground has no lines of equal height, nor has what lies on it.
@@ -110,10 +123,13 @@ gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t mo
     if (order_.size() < most_pieces)
         return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     has_grid_ = variant.grid;
-    return build(gl, variant);
+    DataVariant plain = variant;
+    plain.magnified = false;
+    if (gl::GlError error = build(gl, plain, program_); !error.sentence.empty()) return error;
+    return variant.magnified ? build(gl, variant, magnified_program_) : gl::GlError{};
 }
 
-gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant) {
+gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const {
     static constexpr const char* kNames[kUniforms] = {kDataUniformNames[0],
                                                       kDataUniformNames[1],
                                                       kDataUniformNames[2],
@@ -133,11 +149,19 @@ gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant) {
                                                       kGridUniformNames[3],
                                                       kGridUniformNames[4],
                                                       kGridUniformNames[5],
-                                                      kGridUniformNames[6]};
+                                                      kGridUniformNames[6],
+                                                      kMagnifierUniformNames[0],
+                                                      kMagnifierUniformNames[1]};
     base::FixedString<kMaxShaderText> vertex(variant.grid ? "#define GRID 1\n" : "");
+    DataFragment fragment("#define SOLIDS 1\n");
+    if (variant.magnified) {
+        vertex.append(kMagnifiedDefine);
+        vertex.append(shader_text(k_magnified_vert));
+        fragment.append(kMagnifiedDefine);
+        fragment.append(shader_text(k_magnified_frag));
+    }
     vertex.append(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_solid_vert));
-    DataFragment fragment("#define SOLIDS 1\n");
     if (variant.grid) {
         fragment.append("#define GRID 1\n");
         fragment.append(shader_text(k_surface_line_frag));
@@ -148,7 +172,7 @@ gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant) {
         gl::build_program(gl, {"solid", vertex.view(), fragment.view(), base::Span<const gl::AttributeBinding>(kSolidBindings),
                                base::Span<const char* const>(kNames), true});
     if (!built.ok()) return built.error();
-    program_ = built.value();
+    program = built.value();
     return {};
 }
 
@@ -159,7 +183,7 @@ void SolidDrawer::choose(base::Span<const SolidBuffers* const> solids, const Sol
         for (std::uint32_t n = 0; n < pieces.size() && chosen_ < order_.size(); ++n) {
             const SolidPiece& piece = pieces[n];
             const double depth_m = glm::dot(piece.anchor - frame.frame.view.eye, frame.frame.view.forward);
-            const double reach_m = static_cast<double>(piece.radius_m);
+            const double reach_m = static_cast<double>(piece.radius_m) + moved_m(piece, frame.frame.view);
             const bool is_shown = (frame.shown_groups >> piece.look.group & 1u) != 0;
             if (!is_shown || !terrain::overlap({depth_m - reach_m, depth_m + reach_m}, range)) continue;
             order_[chosen_++] = {depth_m, b, n};
@@ -183,8 +207,7 @@ std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const
     choose(solids, frame, range);
     if (chosen_ == 0) return 0;
     order_by_depth();
-    program_.use(gl);
-    set_data_frame(gl, program_, frame.frame, range);
+    set_frame(gl, frame, range);
     for (GLuint attribute = 0; attribute < kSolidAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     gl->Enable(GL_CULL_FACE);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -203,6 +226,11 @@ void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> so
     if (pass != Pass::opaque) gl->DepthMask(GL_FALSE);
     if (pass == Pass::distances) gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
     if (pass == Pass::ghosts) gl->DepthFunc(GL_GREATER);
+    if (magnified_program_.valid()) {
+        magnified_program_.use(gl);
+        set_opaque(gl, magnified_program_, frame.frame, !blends);
+        program_.use(gl);
+    }
     set_opaque(gl, program_, frame.frame, !blends);
     std::uint32_t bound = kMostBuffers;
     for (std::uint32_t n = 0; n < chosen_; ++n) {
@@ -221,17 +249,53 @@ void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> so
     gl->Disable(GL_BLEND);
 }
 
-void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
+void SolidDrawer::set_frame(gl::Gl& gl, const SolidFrame& frame, const DepthRange& range) {
+    for (const gl::Program* program : {&magnified_program_, &program_}) {
+        if (!program->valid()) continue;
+        program->use(gl);
+        set_data_frame(gl, *program, frame.frame, range);
+    }
+}
+
+void SolidDrawer::set_piece(gl::Gl& gl, const gl::Program& program, const SolidPiece& piece, const SolidFrame& frame,
+                            Pass pass) const {
     const SolidLook& look = piece.look;
-    set_solid_place(gl, program_.uniform(kAnchor), piece, frame.frame.view.eye);
-    set_solid_fading(gl, program_.uniform(kFading), piece, grown_since(piece, frame));
+    set_solid_place(gl, program.uniform(kAnchor), piece, frame.frame.view.eye);
+    set_solid_fading(gl, program.uniform(kFading), piece, grown_since(piece, frame));
     const auto focal_px = static_cast<float>(frame.frame.view.focal_px);
-    gl->Uniform3f(program_.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
+    gl->Uniform3f(program.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
                   look.raised_px / focal_px);
     const NearFade fade = near_fade(look, pass == Pass::opaque);
-    gl->Uniform2f(program_.uniform(kNearFade), fade.from_m, fade.per_m);
-    if (has_grid_) set_grid_place(gl, program_, kGrid, grid_of(piece, frame.frame.grid), frame.frame.view.focal_px);
+    gl->Uniform2f(program.uniform(kNearFade), fade.from_m, fade.per_m);
+    if (has_grid_) set_grid_place(gl, program, kGrid, grid_of(piece, frame.frame.grid), frame.frame.view.focal_px);
+}
+
+void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
     point_solid_attributes(gl, piece);
+    if (magnified_program_.valid() && earth::is_magnified(frame.frame.view.magnifiers, extent_of(piece)))
+        return draw_parts(gl, piece, frame, pass);
+    set_piece(gl, program_, piece, frame, pass);
+    draw_sides(gl, piece, pass);
+}
+
+/// Lines of a grid are as wide on the screen in each.
+void SolidDrawer::draw_parts(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass) {
+    const DataFrame& data = frame.frame;
+    const earth::GroundExtent extent = extent_of(piece);
+    magnified_program_.use(gl);
+    set_piece(gl, magnified_program_, piece, frame, pass);
+    earth::MagnifiedParts parts(data.view.magnifiers, extent);
+    for (earth::MagnifiedPart part; parts.next(part);) {
+        set_magnifier_uniforms(gl, magnified_program_, kMagnifier, part, data.view.eye);
+        if (has_grid_)
+            set_grid_place(gl, magnified_program_, kGrid, grid_of(piece, data.grid), data.view.focal_px * part.scale());
+        draw_sides(gl, piece, pass);
+    }
+    program_.use(gl);
+}
+
+void SolidDrawer::draw_sides(gl::Gl& gl, const SolidPiece& piece, Pass pass) {
+    const SolidLook& look = piece.look;
     const gl::IndexRange range{piece.first_index, piece.indices, piece.vertices - 1};
     if ((pass == Pass::mixed && !look.is_hollow) || look.halo_px > 0) {
         gl->CullFace(GL_FRONT);
@@ -244,6 +308,9 @@ void SolidDrawer::draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFra
     ++draws_;
 }
 
-void SolidDrawer::destroy(gl::Gl& gl) { program_.destroy(gl); }
+void SolidDrawer::destroy(gl::Gl& gl) {
+    magnified_program_.destroy(gl);
+    program_.destroy(gl);
+}
 
 }  // namespace tedavis::draw

@@ -65,6 +65,7 @@ public:
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     [[nodiscard]] bool has_grid() const { return has_grid_; }
+    [[nodiscard]] bool can_magnify() const { return magnified_program_.valid(); }
     /// At most kMostBuffers of them; all uploaded. Returns the number of draws. The depth test is on, blending and culling off,
     /// before and after.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
@@ -80,10 +81,14 @@ private:
     void choose(base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, const DepthRange& range);
     void order_by_depth();
     void draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass);
+    void set_frame(gl::Gl& gl, const SolidFrame& frame, const DepthRange& range);
+    void set_piece(gl::Gl& gl, const gl::Program& program, const SolidPiece& piece, const SolidFrame& frame, Pass pass) const;
     void draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
-    [[nodiscard]] gl::GlError build(gl::Gl& gl, const DataVariant& variant);
+    void draw_parts(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
+    void draw_sides(gl::Gl& gl, const SolidPiece& piece, Pass pass);
+    [[nodiscard]] gl::GlError build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const;
 
-    gl::Program program_;
+    gl::Program program_, magnified_program_;
     base::Span<Ordered> order_;
     std::uint32_t chosen_ = 0, draws_ = 0;
     bool has_grid_ = false;

@@ -10,6 +10,9 @@ VARYING vec4 v_color;
 VARYING vec3 v_eye;
 
 void main() {
+#ifdef MAGNIFIED
+    leave_other_parts();
+#endif
     float distance_m = length(v_eye), shown = 1.0;
 #ifdef SOLIDS
     shown = clamp((distance_m - near_fade.x) * near_fade.y, 0.0, 1.0);

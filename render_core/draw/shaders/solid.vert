@@ -16,6 +16,9 @@ VARYING vec3 v_normal;
 void main() {
     vec3 normal = normal_unsure.xyz * (255.0 / 127.0) - 1.0;
     vec3 eye_relative = anchor + place;
+#ifdef MAGNIFIED
+    eye_relative = magnified(eye_relative);
+#endif
 #ifdef GRID
     v_place = place;
     v_normal = normal;

@@ -112,6 +112,9 @@ vec3 palette_color(float value) {
 #endif
 
 void main() {
+#ifdef MAGNIFIED
+    vec3 scale_edge = leave_other_parts();
+#endif
     float distance_m = length(v_eye);
     vec3 ray = v_eye / distance_m;
     float pixel_m = distance_m * pixel.x;  // at right angles to the ray
@@ -364,6 +367,13 @@ void main() {
     float meridian = grid_line(from_line.x, grid_spacing, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m));
     float parallel = grid_line(from_line.y, grid_spacing, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
     color = mix(color, grid_look.rgb, grid_look.a * max(meridian, parallel));
+#endif
+
+    // -- where the scale changes
+#ifdef MAGNIFIED
+    float from_edge_px = abs(scale_edge.z) / reach_of(vec3(scale_edge.xy, 0.0), n, ray, facing, pixel_m);
+    color = mix(color, vec3(0.0), 0.5 * clamp(3.0 - from_edge_px, 0.0, 1.0));
+    color = mix(color, vec3(1.0), clamp(1.5 - from_edge_px, 0.0, 1.0));
 #endif
 
     // -- what is not known, whatever the style: hatched on the screen

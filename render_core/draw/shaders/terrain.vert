@@ -44,18 +44,22 @@ VARYING vec4 v_shadow;         // there; height over the sea
 
 void main() {
     vec3 eye_relative = eye_relative_place();
-    gl_Position = view_projection * vec4(eye_relative, 1.0);
+    vec3 shown = eye_relative;
+#ifdef MAGNIFIED
+    shown = magnified(eye_relative);
+#endif
+    gl_Position = view_projection * vec4(shown, 1.0);
     v_height = height;
     v_class = class_of_vertex();
     v_normal = to_local * normal;
-    v_eye = to_local * eye_relative;
+    v_eye = to_local * shown;
 #ifdef AIR
-    v_ray = eye_relative;
+    v_ray = shown;
 #else
-    v_haze = 1.0 - exp(-length(eye_relative) * haze_per_m);
+    v_haze = 1.0 - exp(-length(shown) * haze_per_m);
 #endif
 #ifdef SHADOWS
-    vec4 in_space = vec4(eye_relative, 1.0);
+    vec4 in_space = vec4(eye_relative, 1.0);  // shadows fall on the ground as it is
     v_shadow.xyz = vec3(dot(shadow_axes[0], in_space), dot(shadow_axes[1], in_space), dot(shadow_axes[2], in_space));
 #ifdef FLAT
     v_shadow.w = flat_height;

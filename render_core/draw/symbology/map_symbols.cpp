@@ -51,6 +51,72 @@ void build_circle(const Painter& painter, const Plane& plane, Point center, floa
     painter.polyline(circle, color, strokes, true);
 }
 
+ShortText times_label(std::string_view what, std::uint32_t power) {
+    ShortText label(what);
+    label.append(whole_number(std::ldexp(1.0, static_cast<int>(power))).view());
+    return label;
+}
+
+/// With the factor, where it is the same for all.
+ShortText distorted_label(const MapInput& map) {
+    for (const MagnifiedSign& sign : map.magnified)
+        if (sign.power != map.magnified[0].power) return ShortText("DISTORTED");
+    ShortText label = times_label("DISTORTED ", map.magnified[0].power);
+    label.append("x");
+    return label;
+}
+
+Rect north_plate(const Painter& painter, const MapInput& map) {
+    const float t = painter.text_px();
+    const Rect& box = painter.layout().attitude;
+    const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0) + (map.magnified.empty() ? 0 : 1);
+    return {box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t, (kNorthBox + static_cast<float>(labels) * kNorthLabel) * t};
+}
+
+/// Where nothing is moved: no line of a circle that lies among what is.
+bool is_unmoved(const MapInput& map, const Plane& plane, Point at) {
+    for (const MagnifiedSign& sign : map.magnified)
+        if (std::hypot(at.x - sign.middle.x, (at.y - sign.middle.y) / plane.squash()) <= sign.reach_px) return false;
+    return true;
+}
+
+void build_broken_circle(const Painter& painter, const MapInput& map, const Plane& plane, Point center, float radius) {
+    Point before = plane.off(center, 0, radius);
+    for (int i = 1; i <= kRingSteps; ++i) {
+        const Point next = plane.off(center, 2 * base::kPi * i / kRingSteps, radius);
+        if (is_unmoved(map, plane, before) && is_unmoved(map, plane, next)) painter.line(before, next, kScaleColor, 0.7f);
+        before = next;
+    }
+}
+
+/// Beside the focus: over, under, left or right of it, or in its middle; empty where none of these is clear in the picture.
+Rect place_of_sign(const Painter& painter, const MapInput& map, const MagnifiedSign& sign) {
+    const Rect& box = painter.layout().attitude;
+    const float t = painter.text_px(), wide = 4.8f * t, high = 2.2f * t;
+    const float across = sign.radius_px + 0.5f * wide + 0.2f * t;
+    const float down = sign.radius_px * Plane(map).squash() + 0.5f * high + 0.2f * t;
+    const Point away[] = {{0, -down}, {0, down}, {-across, 0}, {across, 0}, {0, 0}};
+    for (const Point& by : away) {
+        const Rect plate{sign.middle.x + by.x - 0.5f * wide, sign.middle.y + by.y - 0.5f * high, wide, high};
+        if (box.contains(plate) && !plate.overlaps(north_plate(painter, map))) return plate;
+    }
+    return {};
+}
+
+void build_magnified_signs(const Painter& painter, const MapInput& map) {
+    for (const MagnifiedSign& sign : map.magnified) {
+        const Rect plate = place_of_sign(painter, map, sign);
+        if (!(plate.width > 0)) continue;
+        ShortText larger = times_label("FOCUS ", sign.power);
+        larger.append("x");
+        painter.batch().box(plate, kTapeGround);
+        Rect row{plate.x, plate.y, plate.width, 0.5f * plate.height};
+        painter.fitted_text(larger.view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        row.y += row.height;
+        painter.fitted_text(times_label("RIM 1/", sign.compression).view(), row, TextAnchor::center, 0.8f, kScaleColor);
+    }
+}
+
 /// Where the own ship is over the ground, straight below it on the screen; its own place where nothing says how far.
 Point foot_of(const Painter& painter, const MapInput& map) {
     Point foot = painter.layout().screen.center();
@@ -70,7 +136,10 @@ void build_ring(const Painter& painter, const MapInput& map) {
     const RangeRing ring = range_ring(static_cast<double>(room - kEdge * t), map.px_per_m);
     if (!(ring.radius_m > 0)) return;
     const auto radius = static_cast<float>(ring.radius_m * map.px_per_m);
-    build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+    if (map.magnified.empty())
+        build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+    else
+        build_broken_circle(painter, map, plane, center, radius);
     const Point at = plane.off(center, base::radians(135), radius);
     const Rect plate{at.x - 2 * t, at.y - 0.6f * t, 4 * t, 1.2f * t};
     painter.batch().box(plate, kTapeGround);
@@ -106,11 +175,8 @@ ShortText top_label(const SymbologyInput& input) {
 /// In the upper left corner, with what is up and what the picture is below it.
 void build_north(const Painter& painter, const SymbologyInput& input) {
     const float t = painter.text_px();
-    const Rect& box = painter.layout().attitude;
     const MapInput& map = input.map;
-    const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0);
-    const Rect plate{box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t,
-                     (kNorthBox + static_cast<float>(labels) * kNorthLabel) * t};
+    const Rect plate = north_plate(painter, map);
     painter.batch().box(plate, kTapeGround);
     const Plane plane(map);
     const Point center{plate.center().x, plate.y + 0.5f * kNorthBox * t};
@@ -129,6 +195,7 @@ void build_north(const Painter& painter, const SymbologyInput& input) {
     add(top_label(input).view(), label_color(input.decisions[Element::map_up].show));
     if (map.is_oblique) add("ORTHO", kScaleColor);
     if (map.is_flat) add("FLAT", kScaleColor);
+    if (!map.magnified.empty()) add(distorted_label(map).view(), kCautionColor);
 }
 
 /// Fuselage, wings and tail from above.
@@ -168,6 +235,7 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     if (position == ElementShow::failed) return painter.failed(box, "NO POSITION");
     build_ring(painter, input.map);
     build_drop(painter, input.map);
+    build_magnified_signs(painter, input.map);
     build_north(painter, input);
     build_own_ship(painter, input);
     if (position != ElementShow::flagged) return;

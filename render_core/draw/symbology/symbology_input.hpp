@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/display_decisions.hpp"
@@ -36,6 +37,15 @@ enum class SymbolGround : std::uint8_t {
     moving,       ///< on the way between the two, where neither kind would tell the truth
 };
 
+/// A place on the map that is shown larger than what is round it.
+struct MagnifiedSign {
+    Point middle;                              ///< on the screen
+    float radius_px = 0;                       ///< of the focus, as it is shown
+    float reach_px = 0;                        ///< of all that is moved
+    std::uint32_t power = 0, compression = 0;  ///< of two: so much larger, and the ring so much smaller
+};
+inline constexpr std::size_t kMostMagnifiedSigns = 4;
+
 /// The map, or the orthographic view, whose middle is the own ship.
 struct MapInput {
     double up_rad = 0;                         ///< true direction of what the map is turned to
@@ -45,6 +55,8 @@ struct MapInput {
     double turn_rad = 0;                       ///< of the top from there, clockwise
     double look_down_rad = base::radians(90);  ///< from level
     double above_ground_m = std::nan("");      ///< own ship's, over what is drawn as the ground; NaN: not known
+
+    base::FixedVector<MagnifiedSign, kMostMagnifiedSigns> magnified{};
 
     [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };

@@ -107,6 +107,56 @@ SymbologyInput oblique_input(double above_ground_m, double turn_deg = 0, bool fl
     return input;
 }
 
+/// Where the ring would pass through ground that is shown elsewhere, it is left out.
+TEST(MapSymbols, TheRingIsBrokenWhereTheGroundIsMoved) {
+    SymbologyInput input = map_input(0, 0);
+    const Drawn whole(input);
+    const RangeRing ring = range_ring(200, input.map.px_per_m);
+    const auto radius = static_cast<float>(ring.radius_m * input.map.px_per_m);
+    const Point middle = whole.layout.screen.center();
+    MagnifiedSign sign;
+    sign.middle = {middle.x - radius, middle.y};
+    sign.radius_px = 30;
+    sign.reach_px = 60;
+    sign.power = 1;
+    sign.compression = 1;
+    ASSERT_TRUE(input.map.magnified.try_push_back(sign));
+    const Drawn broken(input);
+    const auto vertices_near = [&](const Drawn& drawn, Point at) {
+        return std::count_if(drawn.batch().vertices().begin(), drawn.batch().vertices().end(), [&](const QuadVertex& v) {
+            return is_color(v, kScaleColor) && std::hypot(v.x - at.x, v.y - at.y) < 12;
+        });
+    };
+    const Point there = sign.middle, opposite{middle.x + radius, middle.y};
+    if (ring.radius_m > 0 && vertices_near(whole, there) > 0) {
+        EXPECT_EQ(vertices_near(broken, there), 0);
+        EXPECT_GT(vertices_near(broken, opposite), 0);
+    }
+}
+
+TEST(MapSymbols, PlacesThatAreShownLargerSayByHowMuch) {
+    SymbologyInput input = map_input(0, 0);
+    EXPECT_EQ(Drawn(input).text().find("FOCUS"), std::string::npos);
+    MagnifiedSign sign;
+    sign.middle = {600, 500};
+    sign.radius_px = 50;
+    sign.reach_px = 120;
+    sign.power = 2;
+    sign.compression = 1;
+    ASSERT_TRUE(input.map.magnified.try_push_back(sign));
+    const std::string text = Drawn(input).text();
+    EXPECT_NE(text.find("FOCUS 4x"), std::string::npos) << text;
+    EXPECT_NE(text.find("RIM 1/2"), std::string::npos) << text;
+    EXPECT_NE(text.find("DISTORTED 4x"), std::string::npos) << text;
+    sign.middle = {5000, 500};
+    sign.power = 1;
+    ASSERT_TRUE(input.map.magnified.try_push_back(sign));
+    const std::string both = Drawn(input).text();
+    EXPECT_EQ(both.find("FOCUS 2x"), std::string::npos) << "far out of the picture";
+    EXPECT_EQ(both.find("DISTORTED 4x"), std::string::npos) << "not all alike";
+    EXPECT_NE(both.find("DISTORTED"), std::string::npos);
+}
+
 TEST(MapSymbols, TheOrthographicViewSaysSo) {
     EXPECT_EQ(Drawn(map_input(40, 0)).text().find("ORTHO"), std::string::npos);
     const std::string text = Drawn(oblique_input(1000)).text();

@@ -1,0 +1,24 @@
+/// Programs that draw one part of what magnifiers move (earth/magnified_parts.hpp): a draw of the whole mesh by the part's linear
+/// map, of which fragments outside the part are left out (shaders/magnified.vert, magnified.frag). What no magnifier reaches is
+/// drawn once, by programs that know of none.
+///
+/// They have the uniforms of kMagnifierUniformNames, call magnified() and leave_other_parts(), and are built with the line
+/// kMagnifiedDefine. Thread  the GL thread.
+#pragma once
+
+#include <string_view>
+
+#include "render_core/earth/magnified_parts.hpp"
+#include "render_core/gl/program.hpp"
+
+namespace tedavis::draw {
+
+inline constexpr std::size_t kMagnifierUniforms = 2;
+inline constexpr const char* kMagnifierUniformNames[kMagnifierUniforms] = {"lens", "lens_part"};
+inline constexpr std::string_view kMagnifiedDefine = "#define MAGNIFIED 1\n";
+
+/// Of the program in use, whose list has those names from `first` on; its places are measured from `origin` (ECEF).
+void set_magnifier_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const earth::MagnifiedPart& part,
+                            const glm::dvec3& origin);
+
+}  // namespace tedavis::draw

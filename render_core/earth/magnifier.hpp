@@ -1,0 +1,149 @@
+/// A place on the Earth that is shown larger, and the ground round it smaller, so that all else stays where it is (thesis, 5.2.3,
+/// distortion).
+///
+/// Plane  that of the tangent to the ellipsoid at the middle: metres east and north of it.
+/// Map    a regular polygon round the focus (a square, or the octagon round a circle) grows by 2^power. The ground from there to
+///        a larger polygon shrinks outwards by 2^-compression, and beyond that nothing moves. Between the two the ground is cut
+///        into triangles: of each sector one that stands on the inner edge and keeps the factor of the focus along it, and two
+///        that stand on the outer edge and keep theirs along it. With a sector's own coordinates, `out` at right angles to its
+///        edges and `along` them, r and R the edges' distances, s = (out - r) / (R - r) and k = 2^power:
+///
+///            out'   = k r + (out - r) / 2^compression
+///            along' = along + (k - 1) clamp(along, -h (1 - s), h (1 - s)),     h = r tan(pi / sides)
+///
+///        Linear in each triangle with slopes that are powers of two, continuous, one to one: the Jacobian's determinant is
+///        4^power in the focus, 2^(power - compression) or 2^-compression round it and 1 beyond.
+/// Heights  above the plane are kept, so that in each part straight lines stay straight lines: what stands on the ground stands
+/// on
+///        it, and slopes in the focus look flatter, by the factor. The ground of a place that moves by d at a distance D from the
+///        middle gets higher above the ellipsoid by d (2 D + d) / 2 R at most: by a metre where a focus of 2 km is doubled.
+/// Pure functions of double; any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <type_traits>
+
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::earth {
+
+inline constexpr std::uint32_t kMostMagnifierPower = 4, kMostCompression = 3;
+
+struct MagnifierSettings {
+    double latitude_rad = 0, longitude_rad = 0;
+    bool is_square = false;   ///< with sides along east and north; else a circle
+    double radius_m = 0;      ///< of the focus; half the side of a square
+    double context_m = 0;     ///< from the focus to where nothing may move any more
+    std::uint32_t power = 1;  ///< 1..kMostMagnifierPower
+};
+
+class Magnifier {
+public:
+    static constexpr std::size_t kMostSides = 8, kTrianglesOfSector = 3, kMostCells = 2 + kTrianglesOfSector * kMostSides;
+    static constexpr double kLeastRadius_m = 1, kFarthest_m = 200'000;
+
+    /// Moves nothing.
+    Magnifier() = default;
+    /// With the least compression for which the context is wide enough. False, and `magnifier` stays, where none is, or a number
+    /// is out of range.
+    [[nodiscard]] static bool make(const MagnifierSettings& settings, Magnifier& magnifier);
+    /// How wide the context must be for a compression of 1..kMostCompression.
+    [[nodiscard]] static double context_needed_m(const MagnifierSettings& settings, std::uint32_t compression);
+
+    [[nodiscard]] std::uint32_t power() const { return power_; }
+    [[nodiscard]] std::uint32_t compression() const { return compression_; }
+    [[nodiscard]] double factor() const { return factor_; }
+    /// Beyond so far from the middle nothing moves; and nothing moves farther than that.
+    [[nodiscard]] double reach_m() const { return reach_m_; }
+    [[nodiscard]] double farthest_move_m() const { return (factor_ - 1) * corner_m_; }
+    /// By how much the ground gets higher above the ellipsoid at most.
+    [[nodiscard]] double farthest_rise_m() const { return farthest_move_m() * reach_m_ / kLeastCurvatureRadius_m; }
+    [[nodiscard]] const Ecef& middle() const { return middle_; }
+    [[nodiscard]] const glm::dvec3& east() const { return east_; }
+    [[nodiscard]] const glm::dvec3& north() const { return north_; }
+    [[nodiscard]] const glm::dvec3& up() const { return up_; }
+
+    /// East and north of the middle, m.
+    /// False where nothing within the distance of a place moves.
+    [[nodiscard]] bool reaches(const Ecef& place, double within_m) const {
+        return glm::distance(place, middle_) <= reach_m_ + within_m;
+    }
+    [[nodiscard]] glm::dvec2 in_plane(const Ecef& place) const;
+    [[nodiscard]] glm::dvec2 moved(const glm::dvec2& ground) const;
+    [[nodiscard]] glm::dvec2 moved_back(const glm::dvec2& shown) const;
+    /// Determinant of the map's derivative; on a border that of one side.
+    [[nodiscard]] double jacobian(const glm::dvec2& ground) const;
+
+    [[nodiscard]] Ecef moved(const Ecef& place) const;
+    [[nodiscard]] Ecef moved_back(const Ecef& shown) const;
+    /// What is over one place of the plane, as high over another one.
+    [[nodiscard]] Ecef shifted(const Ecef& place, const glm::dvec2& from, const glm::dvec2& to) const;
+
+    /// At which edges of a cell the scale of the focus, or of what is outside, ends.
+    enum class Borders : std::uint8_t { none, all, first };
+    /// A part of the plane in which the map is linear. What lies on its edges is in it.
+    struct Cell {
+        glm::dmat2 slope{1.0};                       ///< shown = slope * ground + shift
+        glm::dvec2 shift{0};                         ///< m
+        std::array<glm::dvec3, kMostSides> edges{};  ///< in it where dot(edge, (east, north, 1)) >= 0, m, for all
+        Borders borders = Borders::none;             ///< none of what is outside: the triangles have them
+        bool is_outside = false;                     ///< all but that: there nothing moves
+        [[nodiscard]] double inside_m(const glm::dvec2& ground) const;  ///< 0 or more in it: least distance from an edge
+        /// False where no point of the rectangle is in it; true where one may be.
+        [[nodiscard]] bool touches(const glm::dvec2& middle, const glm::dvec2& half) const;
+    };
+    /// The focus, the triangles, and what is outside.
+    [[nodiscard]] std::size_t cell_count() const { return 2 + kTrianglesOfSector * sides_; }
+    [[nodiscard]] Cell cell(std::size_t n) const;
+
+private:
+    /// Coordinates of a sector.
+    struct Sector {
+        glm::dvec2 axis{1, 0};
+        double out = 0, along = 0;
+    };
+    [[nodiscard]] glm::dvec2 axis(std::size_t sector) const;
+    [[nodiscard]] Sector sector_of(const glm::dvec2& place) const;
+    [[nodiscard]] double half_base_m(double out) const;
+    [[nodiscard]] Cell triangle(std::size_t sector, std::size_t n) const;
+
+    Ecef middle_{0};
+    glm::dvec3 east_{0}, north_{0}, up_{0};
+    std::uint32_t power_ = 0, compression_ = 0;
+    std::uint32_t sides_ = 0;
+    double factor_ = 1, shrink_ = 1;     ///< 2^power, 2^-compression
+    double inner_m_ = 0, outer_m_ = 0;   ///< distances of the polygons' edges
+    double corner_m_ = 0, reach_m_ = 0;  ///< and of their corners
+    double tangent_ = 0;                 ///< of half a sector
+};
+static_assert(std::is_trivially_copyable_v<Magnifier>);
+
+/// Several, none of which moves what another one moves.
+class Magnifiers {
+public:
+    static constexpr std::size_t kMost = 4;
+    static constexpr double kLeastApart_m = 200;  ///< from what one moves to what another does
+
+    /// False, and nothing changes, where it comes too near to one that is there, or there is no room.
+    [[nodiscard]] bool add(const Magnifier& magnifier);
+    void clear() { all_.clear(); }
+    [[nodiscard]] bool empty() const { return all_.empty(); }
+    [[nodiscard]] std::size_t size() const { return all_.size(); }
+    [[nodiscard]] const Magnifier* begin() const { return all_.begin(); }
+    [[nodiscard]] const Magnifier* end() const { return all_.end(); }
+
+    [[nodiscard]] Ecef moved(const Ecef& place) const;
+    [[nodiscard]] Ecef moved_back(const Ecef& shown) const;
+
+private:
+    base::FixedVector<Magnifier, kMost> all_;
+};
+static_assert(std::is_trivially_copyable_v<Magnifiers>);
+
+}  // namespace tedavis::earth
