@@ -205,7 +205,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                             {"terrain", aspect_json(record.terrain_aspect)},
                             {"data", aspect_json(record.data_aspect)},
                             {"uncertainty", aspect_json(record.uncertainty_aspect)},
-                            {"weights", weights_json(record)}};
+                            {"weights", weights_json(record)},
+                            {"crowded_regions", record.crowded_regions}};
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
     json["latency_ms"] = result.latency_ms;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

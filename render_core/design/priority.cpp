@@ -75,6 +75,12 @@ std::size_t PrioritySettings::aspect_of(scene::LayerRole role) const noexcept {
     return kDataAspect;
 }
 
+bool PrioritySettings::is_first(std::size_t aspect, const AspectWeights& weighed) const noexcept {
+    for (std::size_t n = 0; n < count(); ++n)
+        if (weighed.of[n] > weighed.of[aspect]) return false;
+    return true;
+}
+
 std::string_view PrioritySettings::name_of(std::size_t aspect) const {
     return aspect < kMainAspects ? kMainAspectNames[aspect] : parts[aspect - kMainAspects].name.view();
 }
@@ -87,6 +93,7 @@ void read_priority(base::ConfigSection section, PrioritySettings& priority) {
     priority.hazard_weight = section.number("hazard_weight", 0, 1, priority.hazard_weight);
     priority.hazard_ahead_s = section.number("hazard_ahead_s", 10, 600, priority.hazard_ahead_s);
     priority.hazard_within_m = section.number("hazard_within_m", 50, 20'000, priority.hazard_within_m);
+    priority.clutter_budget = section.number("clutter_budget", 0, 1, priority.clutter_budget);
     priority.stale_uncertainty = section.number("stale_uncertainty", 0, 1, priority.stale_uncertainty);
     for (std::size_t n = 0; n < section.table_count("aspect"); ++n) {
         if (n == kMaxDataParts) return fault_of(section, "aspect", "has more than 5 parts of the data; remove one");

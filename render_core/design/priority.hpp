@@ -67,11 +67,14 @@ struct PrioritySettings {
     double hazard_weight = 1;     ///< to which what is a hazard raises its aspect's
     double hazard_ahead_s = 90;   ///< flight in which a hazard begins to count; from half of it on it counts in full
     double hazard_within_m = 500;    ///< aside of the way, and above and below it a third
+    double clutter_budget = 1;       ///< of a region of the picture, 0..1; 1: none. Never spent on what comes first
     double stale_uncertainty = 0.6;  ///< weight that stale data raise the uncertainty's to
 
     [[nodiscard]] std::size_t count() const { return kMainAspects + parts.size(); }
     /// Of an element of the data: that of the first part that has its role, else the data's.
     [[nodiscard]] std::size_t aspect_of(scene::LayerRole role) const noexcept;
+    /// Of these weights: nothing has a larger one.
+    [[nodiscard]] bool is_first(std::size_t aspect, const AspectWeights& weighed) const noexcept;
     [[nodiscard]] std::string_view name_of(std::size_t aspect) const;
 };
 static_assert(std::is_trivially_copyable_v<PrioritySettings>);

@@ -11,6 +11,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/caster_set.hpp"
+#include "render_core/display/crowding.hpp"
 #include "render_core/display/element_labels.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/display/glyph_elements.hpp"
@@ -38,6 +39,7 @@ struct ElementFrame {
     OwnFlightFrame own{};
     double detail_factor = 1;               ///< of the detail of glyphs of fields
     const draw::FrameFoci* foci = nullptr;  ///< null: there are none
+    const Crowding* crowding = nullptr;     ///< null: nothing gives way
 };
 
 /// What the planned frame draws.

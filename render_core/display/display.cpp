@@ -165,6 +165,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     begin_record(now);
     plan_view();
     plan_foci();
+    crowding_ = crowding_of(clutter_, settings_.design.priority, weights_);
     magnify();
     decide_labels();
 }

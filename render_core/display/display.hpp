@@ -108,6 +108,9 @@ public:
         free_view_active_ = true;
     }
     void clear_free_view() { free_view_active_ = false; }
+    /// How cluttered regions of the picture are, by whoever measures it: from the next update() on data give way there as far as
+    /// the design's budget asks.
+    void set_clutter(const effects::ClutterMap& clutter) { clutter_ = clutter; }
     /// From the next update() on nothing is left out for being unseen: what the planner of effects saves can be measured.
     void force_effects(bool forced) { effects_are_forced_ = forced; }
 
@@ -219,7 +222,9 @@ private:
     MapsBeside maps_beside_;
     DataElements elements_;
     bool has_labels_ = false;  ///< an element of some design has some
-    FociPlan foci_;  ///< of the planned frame
+    FociPlan foci_;            ///< of the planned frame
+    effects::ClutterMap clutter_;
+    Crowding crowding_;  ///< of the planned frame
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;

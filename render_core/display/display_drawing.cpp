@@ -34,6 +34,7 @@ void Display::draw(base::Surface& surface) {
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_budget(frame_budget_.report(), record_);
     note_elements(elements_.reports(), record_);
+    note_crowding(crowding_.regions, record_);
     note_weights(settings_.design.priority, weights_, record_);
     note_drawn(drawn, settings_.device.budget, record_);
     note_work(work_, record_);

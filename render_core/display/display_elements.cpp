@@ -31,7 +31,8 @@ ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& v
             record_.flight_time,
             {way, &state_, record_.time},
             frame_budget_.detail_factor(),
-            foci_.foci.regions.empty() ? nullptr : &foci_.foci};
+            foci_.foci.regions.empty() ? nullptr : &foci_.foci,
+            crowding_.regions.is_whole() ? nullptr : &crowding_};
 }
 
 /// Symbology first, then the signs in the room that it leaves.

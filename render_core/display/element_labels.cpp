@@ -20,6 +20,10 @@ draw::Rect screen_of(const terrain::View& view) {
     return {0, 0, static_cast<float>(view.width), static_cast<float>(view.height)};
 }
 
+const scene::DetailRegions* regions_of(const LabelFrame& frame, const draw::ElementInput& input) {
+    return frame.crowding == nullptr ? nullptr : frame.crowding->regions_of(input.element, input.layer.entry->role);
+}
+
 /// As it was decided, where it stands now.
 draw::Rect room_of(const Label& label, const draw::BillboardShape& shape) {
     return label.level == LabelLevel::name ? shape.box.raised(label.stem, shape.text_px).with(label.side)
@@ -136,7 +140,8 @@ void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
     for (std::uint32_t n = 0; n < groups_.size(); ++n) {
         const draw::ElementInput input = shapes.input(n);
         static_cast<void>(planner_.add_group(draw::label_group(input)));
-        if (is_valid_at(input.layer, frame.time)) draw::offer_features(input, n, shapes.view(), settings_, planner_);
+        if (is_valid_at(input.layer, frame.time))
+            draw::offer_features(input, n, shapes.view(), settings_, planner_, regions_of(frame, input));
     }
     planner_.settle(shapes);
 }

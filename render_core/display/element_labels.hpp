@@ -16,6 +16,7 @@
 #pragma once
 
 #include "render_core/design/data_element.hpp"
+#include "render_core/display/crowding.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/draw/data/billboards.hpp"
 #include "render_core/draw/data/label_features.hpp"
@@ -38,6 +39,7 @@ struct LabelFrame {
     base::Time now;           ///< the source's
     double text_px = 16;
     const draw::FrameFoci* foci = nullptr;  ///< null: there are none
+    const Crowding* crowding = nullptr;     ///< null: nothing gives way
 };
 
 /// Whether the technique gives a layer's features icons and names.

@@ -37,7 +37,7 @@ private:
 };
 
 void DataElements::decide_labels(const ElementFrame& frame, double text_px) {
-    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci});
+    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci, frame.crowding});
 }
 
 void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {

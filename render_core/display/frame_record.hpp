@@ -136,6 +136,7 @@ struct FrameRecord {
     double earlier_share = 0;      ///< of the design before it, which fades out
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
     base::FixedVector<WeightRecord, design::kMaxAspects> weights;
+    std::uint32_t crowded_regions = 0;  ///< in which data give way for the clutter budget
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord>);
 

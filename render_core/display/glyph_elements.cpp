@@ -256,6 +256,7 @@ draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameI
     settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMostCandidates);
     const scene::GlyphFocus focus = draw::glyph_focus(foci_of(frame), *slot.element, *slot.layer, settings.coarsest);
     if (focus.regions != nullptr) settings.focus = &focus;
+    settings.regions = frame.regions;
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     if (!is_shown) return {0, 0, counts.drawn + counts.aggregated + counts.hidden};
     draw::ElementCount count = draw::add_wind_barbs(*frame.sheet, input_of(slot, frame), selection_.glyphs());
@@ -274,6 +275,7 @@ draw::ElementCount GlyphElements::plan(std::size_t n, const GlyphFrameInput& fra
     settings.most_drawn = most_glyphs_ / (static_cast<std::uint32_t>(used_) * parts_of(*slot.element));
     const scene::GlyphFocus focus = draw::glyph_focus(foci_of(frame), *slot.element, *slot.layer, settings.coarsest);
     if (focus.regions != nullptr) settings.focus = &focus;
+    settings.regions = frame.regions;
     const scene::GlyphCounts& counts = selection_.select(slot.fields[slot.shown], glyph_view(frame.view), settings);
     encode(slot, frame);
     batch_eye_ = frame.view.eye;

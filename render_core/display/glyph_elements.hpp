@@ -26,9 +26,10 @@ struct GlyphFrameInput {
     design::Color missing;
     std::int64_t time_ns = 0;  ///< of the source where it has a date
     bool has_date = false;
-    draw::BillboardSheet* sheet = nullptr;  ///< of the frame, for wind barbs
-    double detail_factor = 1;               ///< of the element's detail
-    const draw::LayerFoci* foci = nullptr;  ///< of the element's layer; null: everything is in the focus
+    draw::BillboardSheet* sheet = nullptr;          ///< of the frame, for wind barbs
+    double detail_factor = 1;                       ///< of the element's detail
+    const draw::LayerFoci* foci = nullptr;          ///< of the element's layer; null: everything is in the focus
+    const scene::DetailRegions* regions = nullptr;  ///< of the screen, in which the element gives way
 };
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;

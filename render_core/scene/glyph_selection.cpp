@@ -65,6 +65,9 @@ void GlyphSelection::set_view(const GlyphField& field, const GlyphView& view, co
     const glm::dmat3 to_field = glm::transpose(field.frame().axes);
     eye_ = to_field * (view.eye - field.frame().anchor);
     const glm::dvec3 forward = to_field * view.forward, right = to_field * view.right, down = to_field * view.down;
+    forward_ = forward;
+    right_ = right / view.half_width_tangent;
+    down_ = down / view.half_height_tangent;
     planes_[0] = {glm::normalize(forward * view.half_width_tangent + right), 0};
     planes_[1] = {glm::normalize(forward * view.half_width_tangent - right), 0};
     planes_[2] = {glm::normalize(forward * view.half_height_tangent + down), 0};
@@ -98,9 +101,22 @@ double GlyphSelection::greatest_degree(const GlyphSummary& summary) const {
     return greatest;
 }
 
+/// By the region of its mean place.
+double GlyphSelection::coarser_where_crowded(const GlyphSummary& summary) const {
+    if (settings_.regions == nullptr) return 1;
+    const glm::dvec3 way = glm::dvec3(summary.place) - eye_;
+    const double ahead_m = glm::dot(way, forward_);
+    if (!(ahead_m > 0)) return 1;
+    const double kept =
+        settings_.regions->at(0.5 + 0.5 * glm::dot(way, right_) / ahead_m, 0.5 + 0.5 * glm::dot(way, down_) / ahead_m);
+    return kept < 1 ? std::pow(settings_.coarsest, settings_.detail * (1 - kept)) : 1;
+}
+
 double GlyphSelection::coarser(const GlyphSummary& summary) const {
-    if (settings_.focus == nullptr) return 1;
-    return settings_.focus->coarser[static_cast<std::size_t>(std::round(greatest_degree(summary) * GlyphFocus::kSteps))];
+    const double crowded = coarser_where_crowded(summary);
+    if (settings_.focus == nullptr) return crowded;
+    return crowded *
+           settings_.focus->coarser[static_cast<std::size_t>(std::round(greatest_degree(summary) * GlyphFocus::kSteps))];
 }
 
 /// What stands for several that a focus may reach into is in it as a whole.

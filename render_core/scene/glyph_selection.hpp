@@ -20,6 +20,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/span.hpp"
+#include "render_core/scene/detail_regions.hpp"
 #include "render_core/scene/focus_region.hpp"
 #include "render_core/scene/glyph_field.hpp"
 
@@ -57,7 +58,8 @@ struct GlyphSettings {
     double detail = 1;     ///< 0..1: at 0 least_px and cell_px are `coarsest` times as large
     double coarsest = kCoarsestGlyphs;
     std::uint32_t most_drawn = 0xFFFFFFFFu;
-    const GlyphFocus* focus = nullptr;  ///< null: everything is in the focus
+    const GlyphFocus* focus = nullptr;       ///< null: everything is in the focus
+    const DetailRegions* regions = nullptr;  ///< of the screen, which lower `detail`; null: none does
 };
 struct SelectedGlyph {
     GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
@@ -119,6 +121,7 @@ private:
     [[nodiscard]] double distance_m(const GlyphSummary& summary) const;
     [[nodiscard]] double greatest_degree(const GlyphSummary& summary) const;
     [[nodiscard]] double coarser(const GlyphSummary& summary) const;
+    [[nodiscard]] double coarser_where_crowded(const GlyphSummary& summary) const;
     [[nodiscard]] std::uint8_t degree_of(const GlyphSummary& summary) const;
 
     base::Span<SelectedGlyph> glyphs_;
@@ -132,7 +135,8 @@ private:
         glm::dvec2 offset_m{0};
     };
     FocusPlane focus_planes_[kMaxFoci];
-    glm::dvec3 eye_{0};  ///< along the field's axes
+    glm::dvec3 eye_{0};                           ///< along the field's axes
+    glm::dvec3 forward_{0}, right_{0}, down_{0};  ///< in the field's axes; over the tangents of half the view
     double focal_px_ = 1;
     GlyphCounts counts_;
 };

@@ -22,6 +22,14 @@ double widest_cosine(const terrain::View& view) {
     return std::cos(std::min(corner + kBeside_rad, 1.5));
 }
 
+/// Shares of the picture from its middle.
+double across(const glm::dvec3& from_eye, const terrain::View& view) {
+    return 0.5 * glm::dot(from_eye, view.right) / (glm::dot(from_eye, view.forward) * view.half_width_tangent());
+}
+double down(const glm::dvec3& from_eye, const terrain::View& view) {
+    return 0.5 * glm::dot(from_eye, view.down) / (glm::dot(from_eye, view.forward) * view.half_height_tangent());
+}
+
 /// What may lie within reach, by latitude and longitude alone: most of a large layer does not.
 class Reach {
 public:
@@ -63,7 +71,7 @@ LabelGroup label_group(const ElementInput& input) {
 }
 
 void offer_features(const ElementInput& input, std::uint32_t group, const SignView& view, const design::LabelSettings& settings,
-                    LabelPlanner& planner) {
+                    LabelPlanner& planner, const scene::DetailRegions* regions) {
     const DegreeOfInterest interest(input.layer, settings);
     const double widest = widest_cosine(view.view);
     const Reach reach(view);
@@ -80,7 +88,9 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
         if (look.is_hidden) continue;
         const double degree = look.detail < 1 ? std::fmin(interest.of(feature, distance_m), settings.marker_above)
                                               : interest.of(feature, distance_m);
-        planner.offer(label_key(group, feature), degree, warns ? DegreeOfInterest::nearness(distance_m) : degree);
+        const double left =
+            regions == nullptr ? 1 : regions->at(0.5 + across(from_eye, view.view), 0.5 + down(from_eye, view.view));
+        planner.offer(label_key(group, feature), left * degree, warns ? DegreeOfInterest::nearness(distance_m) : left * degree);
     }
 }
 

@@ -12,6 +12,7 @@
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/draw/data/label_planner.hpp"
 #include "render_core/draw/data/sign_view.hpp"
+#include "render_core/scene/detail_regions.hpp"
 
 namespace tedavis::draw {
 
@@ -22,7 +23,7 @@ inline constexpr double kMostPlaces = 24;  ///< of a picture with less than all 
 [[nodiscard]] LabelGroup label_group(const ElementInput& input);
 /// All features of a group that may be in the picture, after its add_group().
 void offer_features(const ElementInput& input, std::uint32_t group, const SignView& view, const design::LabelSettings& settings,
-                    LabelPlanner& planner);
+                    LabelPlanner& planner, const scene::DetailRegions* regions = nullptr);
 [[nodiscard]] LabelShape label_shape(const ElementInput& input, std::uint32_t feature, const SignView& view);
 
 }  // namespace tedavis::draw

@@ -292,5 +292,37 @@ TEST(GlyphSelection, MemoryIsWhatItSays) {
     EXPECT_FALSE(nothing.start(none, 0));
 }
 
+/// Left and right of the view's middle.
+TEST(GlyphSelection, OnlyCrowdedRegionsHaveFewerGlyphs) {
+    Scattered scattered(level_frame(kGlyphAnchor, 30000));
+    DetailRegions crowded;
+    for (std::size_t row = 0; row < DetailRegions::kDown; ++row)
+        for (std::size_t column = 0; column < DetailRegions::kAcross / 2; ++column)
+            crowded.factor[row * DetailRegions::kAcross + column] = 0.25f;
+    const auto sides = [&](const DetailRegions* regions) {
+        GlyphSettings settings;
+        settings.regions = regions;
+        const GlyphCounts counts = scattered.look(kFrom, kTo, settings);
+        EXPECT_EQ(sum(counts), 4000u);
+        std::pair<int, int> found{0, 0};
+        const GlyphView& view = scattered.view;
+        for (const SelectedGlyph& glyph : scattered.chosen.selection.glyphs()) {
+            const glm::dvec3 way(glyph.summary.place);
+            const double across = glm::dot(way, view.right) / glm::dot(way, view.forward) / view.half_width_tangent;
+            // Groups across the middle are in either.
+            if (across < -0.1) ++found.first;
+            if (across > 0.1) ++found.second;
+        }
+        return found;
+    };
+    const auto [left, right] = sides(nullptr);
+    const auto [left_crowded, right_beside] = sides(&crowded);
+    ASSERT_GT(left, 50);
+    EXPECT_LT(left_crowded, left / 2);
+    EXPECT_EQ(right_beside, right);
+    const DetailRegions whole;
+    EXPECT_EQ(sides(&whole), std::pair(left, right));
+}
+
 }  // namespace
 }  // namespace tedavis::scene::test_glyph_selection

@@ -81,6 +81,29 @@ TEST(LabelFeatures, WhatWarnsIsProtected) {
     EXPECT_EQ(label_group(place.input()).named_share, 0.5);
 }
 
+/// Of equal interest, one on each side of the picture.
+TEST(LabelFeatures, InACrowdedRegionWhatDoesNotWarnIsOfLessInterest) {
+    scene::DetailRegions crowded;
+    for (std::size_t n = 0; n < crowded.factor.size(); ++n)
+        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowded.factor[n] = 0.25f;
+    for (const scene::LayerRole role : {scene::LayerRole::sample, scene::LayerRole::obstacle}) {
+        ElementOfTest test(layer_of({BillboardRoom::point(9000, -2000, 1000), BillboardRoom::point(9000, 2000, 1000)}, role));
+        const BillboardRoom room;
+        std::vector<unsigned char> block(1u << 16);
+        base::Arena arena(block.data(), block.size());
+        LabelPlanner planner;
+        ASSERT_TRUE(planner.start(arena));
+        const ElementInput input = test.input();
+        test_support::decide_labels(planner, input, room.sheet.eye(), {}, &crowded);
+        std::set<std::uint32_t> shown;
+        for (const Label& label : planner.labels())
+            if (label.level != LabelLevel::none) shown.insert(feature_of(label.key));
+        const std::set<std::uint32_t> expected =
+            role == scene::LayerRole::sample ? std::set<std::uint32_t>{1} : std::set<std::uint32_t>{0, 1};
+        EXPECT_EQ(shown, expected);
+    }
+}
+
 TEST(LabelFeatures, TheShapeIsThatOfTheBillboard) {
     ElementOfTest test(layer_of({BillboardRoom::point(4000, 0, 1000), BillboardRoom::point(-4000, 0, 1000)}));
     const BillboardRoom room;

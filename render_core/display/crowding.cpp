@@ -1,0 +1,22 @@
+#include "render_core/display/crowding.hpp"
+
+namespace tedavis::display {
+
+const scene::DetailRegions* Crowding::regions_of(const design::DataElement& element, scene::LayerRole role) const noexcept {
+    const bool says_uncertainty = element.technique == design::DataTechnique::uncertainty_only;
+    const bool gives_way = says_uncertainty ? lowers_uncertainty : (roles >> static_cast<unsigned>(role) & 1u) != 0;
+    return gives_way ? &regions : nullptr;
+}
+
+Crowding crowding_of(const effects::ClutterMap& clutter, const design::PrioritySettings& priority,
+                     const design::AspectWeights& weights) noexcept {
+    Crowding crowding;
+    crowding.regions = effects::detail_within(clutter, priority.clutter_budget);
+    if (crowding.regions.is_whole()) return crowding;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
+        if (!priority.is_first(priority.aspect_of(static_cast<scene::LayerRole>(n)), weights)) crowding.roles |= 1u << n;
+    crowding.lowers_uncertainty = !priority.is_first(design::kUncertaintyAspect, weights);
+    return crowding;
+}
+
+}  // namespace tedavis::display

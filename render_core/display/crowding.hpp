@@ -1,0 +1,26 @@
+/// Which regions of the picture are too cluttered, and which data give way there (effects/clutter_budget.hpp): all but those of
+/// the aspect that comes first.
+///
+/// Plain data; pure.
+#pragma once
+
+#include "render_core/design/design_settings.hpp"
+#include "render_core/effects/clutter_budget.hpp"
+
+namespace tedavis::display {
+
+struct Crowding {
+    scene::DetailRegions regions;
+    std::uint32_t roles = 0;          ///< of layers that give way; a bit for each scene::LayerRole
+    bool lowers_uncertainty = false;  ///< glyphs that say nothing else
+
+    /// What an element of the layer keeps where; null: all.
+    [[nodiscard]] const scene::DetailRegions* regions_of(const design::DataElement& element,
+                                                         scene::LayerRole role) const noexcept;
+};
+
+/// Without a budget, or where no region is beyond it, nothing gives way.
+[[nodiscard]] Crowding crowding_of(const effects::ClutterMap& clutter, const design::PrioritySettings& priority,
+                                   const design::AspectWeights& weights) noexcept;
+
+}  // namespace tedavis::display

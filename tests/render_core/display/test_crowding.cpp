@@ -1,0 +1,63 @@
+#include "render_core/display/crowding.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tedavis::display::test_crowding {
+namespace {
+
+using scene::LayerRole;
+
+effects::ClutterMap cluttered(std::size_t region) {
+    effects::ClutterMap map;
+    map.is_known = true;
+    map.measure[region] = 0.9f;
+    return map;
+}
+
+/// Terrain first, then obstacles, then all other data.
+design::PrioritySettings priority_of(double terrain, double data, double obstacles) {
+    design::PrioritySettings priority;
+    priority.is_stated = true;
+    priority.clutter_budget = 0.3;
+    priority.weights.of[design::kTerrainAspect] = terrain;
+    priority.weights.of[design::kDataAspect] = data;
+    priority.weights.of[design::kUncertaintyAspect] = 0.2;
+    priority.weights.of[design::kMainAspects] = obstacles;
+    design::DataPart part;
+    part.roles = 1u << static_cast<unsigned>(LayerRole::obstacle);
+    EXPECT_TRUE(priority.parts.try_push_back(part));
+    return priority;
+}
+
+bool gives_way(const Crowding& crowding, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
+    design::DataElement element;
+    element.technique = technique;
+    return crowding.regions_of(element, role) != nullptr;
+}
+
+TEST(Crowding, WhatComesFirstNeverGivesWay) {
+    const effects::ClutterMap map = cluttered(9);
+    const design::PrioritySettings data = priority_of(0.3, 1, 0.5), terrain = priority_of(1, 0.3, 1);
+    const Crowding in_cruise = crowding_of(map, data, data.weights), low = crowding_of(map, terrain, terrain.weights);
+    EXPECT_FALSE(gives_way(in_cruise, LayerRole::wind));
+    EXPECT_TRUE(gives_way(in_cruise, LayerRole::obstacle));
+    EXPECT_TRUE(gives_way(low, LayerRole::wind));
+    EXPECT_FALSE(gives_way(low, LayerRole::obstacle)) << "as first as terrain";
+    EXPECT_TRUE(gives_way(in_cruise, LayerRole::wind, design::DataTechnique::uncertainty_only));
+    design::AspectWeights unsure = data.weights;
+    unsure.of[design::kUncertaintyAspect] = 1;
+    EXPECT_FALSE(gives_way(crowding_of(map, data, unsure), LayerRole::wind, design::DataTechnique::uncertainty_only))
+        << "raised for the moment";
+}
+
+TEST(Crowding, WithinTheBudgetNothingGivesWay) {
+    const design::PrioritySettings priority = priority_of(1, 0.3, 0.3);
+    EXPECT_FALSE(gives_way(crowding_of({}, priority, priority.weights), LayerRole::wind)) << "nobody measures";
+    design::PrioritySettings without = priority;
+    without.clutter_budget = 1;
+    EXPECT_FALSE(gives_way(crowding_of(cluttered(9), without, without.weights), LayerRole::wind));
+    EXPECT_TRUE(gives_way(crowding_of(cluttered(9), priority, priority.weights), LayerRole::wind)) << "control";
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_crowding
