@@ -23,9 +23,11 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
     gl_.use_programs(settings.programs);
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
-    base::FixedVector<draw::DrawnDesign, design::kMaxPhaseDesigns + 1> designs;
-    for (std::size_t place = 0; place <= phases_.size(); ++place)
-        static_cast<void>(designs.try_push_back(drawn_design(design_at(place))));
+    base::FixedVector<draw::DrawnDesign, 2 * (design::kMaxPhaseDesigns + 1)> designs;
+    for (const bool has_focus : {false, true})
+        for (std::size_t place = 0; place <= phases_.size(); ++place)
+            if (const draw::DrawnDesign drawn = drawn_design(design_at(place), has_focus); drawn.has_focus == has_focus)
+                static_cast<void>(designs.try_push_back(drawn));
     if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
     if (terrain.file != nullptr) {
         const gl::GlError error = terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
@@ -143,6 +145,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
     begin_record(now);
     plan_view();
     plan_foci();
+    follow_foci();
     plan_terrain();
     plan_data();
     plan_elements(way);
@@ -171,6 +174,9 @@ void Display::plan_effects() {
     facts.panel = panel_;
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
+    facts.has_foci = foci_.foci.is_any();
+    facts.context_blur_px = terrain_of_context(settings_.design.foci).blur_px;
+    facts.reads_distances = reads_distances(settings_.design);
     facts.is_forced = effects_are_forced_;
     fade_share_ = next_fade_share();
     facts.fade_share = fade_share_;

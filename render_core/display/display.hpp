@@ -138,7 +138,8 @@ private:
     [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
         return place == 0 ? design_ : phases_.at(place);
     }
-    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design) const;
+    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design, bool has_focus) const;
+    void follow_foci();
     [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
     void follow_phase(const flight::PhaseStatus& phase);
     void show_design(std::size_t place);
@@ -196,7 +197,8 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
-    FociPlan foci_;  ///< of the planned frame
+    FociPlan foci_;            ///< of the planned frame
+    bool draws_foci_ = false;  ///< with what they change of the ground
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;

@@ -35,15 +35,28 @@ gl::GlError Display::take_designs(const DisplaySettings& settings) {
     return {};
 }
 
-draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design) const {
-    return {&design, draw::output_of(design, settings_.device.capability.depth24_targets)};
+draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design, bool has_focus) const {
+    return draw::drawn_as(design, settings_.device.capability.depth24_targets, has_focus);
+}
+
+/// Where no focus is anywhere the ground is that of a design without foci, by its programs.
+void Display::follow_foci() {
+    const bool draws = foci_.foci.is_any() && decisions_.show_terrain && !decisions_.unusual_attitude;
+    if (draws == draws_foci_) return;
+    draws_foci_ = draws;
+    const draw::DrawnDesign drawn = drawn_design(settings_.design, draws);
+    passes_.set_design(drawn);
+    terrain_.set_design(gl_, drawn);
 }
 
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    const draw::DrawnDesign drawn = drawn_design(possible);
-    return is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && passes_.shows(drawn) && terrain_.shows(drawn) &&
-           elements_.can_show(possible);
+    bool shows = is_dimmable && stereo_margin_px(possible) == stereo_.margin_px() && elements_.can_show(possible);
+    for (const bool has_focus : {false, true}) {
+        const draw::DrawnDesign drawn = drawn_design(possible, has_focus);
+        shows = shows && passes_.shows(drawn) && terrain_.shows(drawn);
+    }
+    return shows;
 }
 
 bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {
@@ -89,7 +102,7 @@ bool Display::set_foci(const design::FocusList& chosen) {
 void Display::show_design(std::size_t place) {
     shown_ = place;
     settings_.design = design_at(place);
-    const draw::DrawnDesign drawn = drawn_design(settings_.design);
+    const draw::DrawnDesign drawn = drawn_design(settings_.design, draws_foci_);
     passes_.set_design(drawn);
     terrain_.set_design(gl_, drawn);
     if (elements_.is_started()) set_elements();
