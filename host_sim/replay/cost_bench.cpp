@@ -72,6 +72,8 @@ std::string design_calling_for(Effect effect) {
         case Effect::curtains: return "effects/curtains";
         case Effect::soft_shadows: return "effects/soft_shadows";
         case Effect::volumetric_light: return "effects/volumetric_light";
+        case Effect::focus_ground: return "focus/brightness";
+        case Effect::focus_blur: return "focus/blur";
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:

@@ -32,17 +32,20 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     return {};
 }
 
-/// Every design as its weights leave it, the one that is shown first, and with all that may be raised.
+/// Every design as its weights leave it, the one that is shown first, and with all that may be raised; of those with foci also
+/// as they are where there is none.
 gl::GlError Display::start_drawing(const TerrainInput& terrain) {
     constexpr std::size_t kMost = 2 * (design::kMaxPhaseDesigns + 1);
-    design::DesignSettings weighted[kMost];
-    base::FixedVector<draw::DrawnDesign, kMost> designs;
+    base::FixedVector<design::DesignSettings, kMost> weighted;
     for (const bool raised : {false, true})
-        for (std::size_t place = 0; place <= phases_.size(); ++place) {
-            if (raised && !design_at(place).priority.is_stated) continue;
-            weighted[designs.size()] = design::weighted(design_at(place), raised);
-            static_cast<void>(designs.try_push_back(drawn_design(weighted[designs.size()])));
-        }
+        for (std::size_t place = 0; place <= phases_.size(); ++place)
+            if (!raised || design_at(place).priority.is_stated)
+                static_cast<void>(weighted.try_push_back(design::weighted(design_at(place), raised)));
+    base::FixedVector<draw::DrawnDesign, 2 * kMost> designs;
+    for (const bool has_focus : {false, true})
+        for (const design::DesignSettings& design : weighted)
+            if (const draw::DrawnDesign drawn = drawn_design(design, has_focus); drawn.has_focus == has_focus)
+                static_cast<void>(designs.try_push_back(drawn));
     if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
     if (terrain.file == nullptr) return {};
     return terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
@@ -139,6 +142,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
                      const flight::FlownWay* way) {
     follow_phase(phase, now);
     begin_update(state, phase, now);
+    follow_foci();
     if (has_new_look_) show_look();
     plan_terrain();
     plan_data();
@@ -192,6 +196,9 @@ void Display::plan_effects() {
     facts.panel = panel_;
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
+    facts.has_foci = foci_.foci.is_any();
+    facts.context_blur_px = terrain_of_context(settings_.design.foci).blur_px;
+    facts.reads_distances = reads_distances(settings_.design);
     facts.is_forced = effects_are_forced_;
     fade_share_ = next_fade_share();
     facts.fade_share = fade_share_;

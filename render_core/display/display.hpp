@@ -148,7 +148,8 @@ private:
     [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
         return place == 0 ? design_ : phases_.at(place);
     }
-    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design) const;
+    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design, bool has_focus) const;
+    void follow_foci();
     [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
     void follow_phase(const flight::PhaseStatus& phase, base::Time now);
     void show_design(std::size_t place);
@@ -223,6 +224,7 @@ private:
     DataElements elements_;
     bool has_labels_ = false;  ///< an element of some design has some
     FociPlan foci_;            ///< of the planned frame
+    bool draws_foci_ = false;  ///< with what they change of the ground
     effects::ClutterMap clutter_;
     Crowding crowding_;  ///< of the planned frame
     ScenePasses passes_;

@@ -37,8 +37,16 @@ gl::GlError Display::take_designs(const DisplaySettings& settings) {
     return {};
 }
 
-draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design) const {
-    return {&design, draw::output_of(design, settings_.device.capability.depth24_targets)};
+draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design, bool has_focus) const {
+    return draw::drawn_as(design, settings_.device.capability.depth24_targets, has_focus);
+}
+
+/// Where no focus is anywhere the ground is that of a design without foci, by its programs.
+void Display::follow_foci() {
+    const bool draws = foci_.foci.is_any() && decisions_.show_terrain && !decisions_.unusual_attitude;
+    if (draws == draws_foci_) return;
+    draws_foci_ = draws;
+    has_new_look_ = true;
 }
 
 bool Display::can_show(const design::DesignSettings& possible) const {
@@ -46,8 +54,10 @@ bool Display::can_show(const design::DesignSettings& possible) const {
     if (!is_dimmable || stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible)) return false;
     for (const bool raised : {false, true}) {
         const design::DesignSettings weighted = design::weighted(possible, raised);
-        const draw::DrawnDesign drawn = drawn_design(weighted);
-        if (!passes_.shows(drawn) || !terrain_.shows(drawn)) return false;
+        for (const bool has_focus : {false, true}) {
+            const draw::DrawnDesign drawn = drawn_design(weighted, has_focus);
+            if (!passes_.shows(drawn) || !terrain_.shows(drawn)) return false;
+        }
     }
     return true;
 }

@@ -102,6 +102,7 @@ DrawContext Display::context_of(const Eye& eye) const {
     context.shadows = shadows_;
     context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
     context.is_free_view = free_view_active_;
+    if (draws_foci_) context.foci = &foci_.foci.regions;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
     return context;
 }

@@ -29,7 +29,7 @@ void Display::take_weights() {
 
 void Display::show_look() {
     has_new_look_ = false;
-    const draw::DrawnDesign drawn = drawn_design(settings_.design);
+    const draw::DrawnDesign drawn = drawn_design(settings_.design, draws_foci_);
     passes_.set_design(drawn);
     terrain_.set_design(gl_, drawn);
 }

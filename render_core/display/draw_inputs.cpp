@@ -30,6 +30,8 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     input.air = frame.air;
     input.shadow = frame.shadow_read;
     input.left = frame.terrain_left;
+    input.foci = frame.foci;
+    input.blurs_context = frame.blurs_context;
     return input;
 }
 

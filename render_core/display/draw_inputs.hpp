@@ -30,6 +30,8 @@ struct DrawContext {
     ShadowPlan shadows{};                            ///< as planned
     draw::ShadowRead shadow_read{};                  ///< as drawn
     draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
+    const scene::FocusRegions* foci = nullptr;       ///< that change the ground; must stay. Null: none does
+    bool blurs_context = false;                      ///< round them
 };
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);

@@ -1,6 +1,8 @@
 #include "render_core/display/effect_calls.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tedavis::display {
 namespace {
@@ -50,6 +52,19 @@ EffectCall focus_call(const EffectFacts& facts) {
     return {Kind::called, "", blur_bound(facts.focus, facts.nearest_m, facts.farthest_m)};
 }
 
+constexpr std::string_view kNoFocus = "no focus is anywhere";
+
+EffectCall context_call(const EffectFacts& facts) {
+    if (!facts.has_foci) return {Kind::not_called_for, kNoFocus};
+    return {Kind::called, ""};
+}
+
+EffectCall context_blur_call(const EffectFacts& facts) {
+    if (!facts.has_foci) return {Kind::not_called_for, kNoFocus};
+    if (facts.reads_distances) return {Kind::no_input, "silhouettes, depth of field or light shafts need the distances instead"};
+    return {Kind::called, "", facts.context_blur_px};
+}
+
 EffectCall stereo_call(const EffectFacts& facts) {
     if (!facts.is_near) return {Kind::not_called_for, "the view is from far away"};
     return {Kind::called, "", facts.parallax_px};
@@ -58,7 +73,8 @@ EffectCall stereo_call(const EffectFacts& facts) {
 /// From the recovery out of an unusual attitude.
 bool distracts(Effect effect) {
     return effect == Effect::depth_of_field || effect == Effect::stereo || effect == Effect::cross_fade ||
-           effect == Effect::soft_shadows || effect == Effect::volumetric_light;
+           effect == Effect::soft_shadows || effect == Effect::volumetric_light || effect == Effect::focus_ground ||
+           effect == Effect::focus_blur;
 }
 
 bool is_removed(Effect effect, const DisplayDecisions& decisions) {
@@ -103,6 +119,32 @@ void replace_shadows(const design::ShadowSettings& asked, const StandIns& by, de
     if (by.volumetric_light != Effect::volumetric_light) shadows.in_air = 0;
 }
 
+/// Blur is another effect.
+bool asks_for_context(const design::FocusList& foci) {
+    design::FocusTerrain context = terrain_of_context(foci);
+    context.blur_px = 0;
+    bool asks = context.is_any();
+    for (const design::FocusSettings& focus : foci) asks = asks || focus.border.kind != design::FocusBorderKind::none;
+    return asks;
+}
+
+/// Alpha of the picture has room for distances, or for how sharp it is.
+void replace_context_blur(Effect by, design::DesignSettings& possible) {
+    if (by == Effect::focus_blur && !reads_distances(possible)) return;
+    for (design::FocusSettings& focus : possible.foci) {
+        if (by != Effect::count_) focus.terrain = draw::darkened_instead_of_blurred(focus.terrain);
+        focus.terrain.blur_px = 0;
+    }
+}
+
+/// Ground without shades and without lines would say nothing.
+void give_lines(design::SketchSettings& sketch) {
+    constexpr double kStrength = 0.5;
+    const double lines[] = {sketch.silhouettes, sketch.ridges,   sketch.valleys,  sketch.suggestive_contours,
+                            sketch.contours,    sketch.hatching, sketch.stippling};
+    if (*std::max_element(std::begin(lines), std::end(lines)) <= 0) sketch.contours = kStrength;
+}
+
 EffectCall light_shaft_call(const EffectFacts& facts) {
     const bool has_air = facts.asked.has(Effect::aerial_perspective) && facts.air.is_shown;
     const double bound = has_air                ? air_bound(facts.air, facts.farthest_m)
@@ -135,6 +177,8 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.stereo.mode != design::StereoMode::none) asked.add(Effect::stereo);
     if (design.effects.shadows.on_ground > 0) asked.add(Effect::soft_shadows);
     if (design.effects.shadows.in_air > 0) asked.add(Effect::volumetric_light);
+    if (asks_for_context(design.foci)) asked.add(Effect::focus_ground);
+    if (terrain_of_context(design.foci).blur_px > 0) asked.add(Effect::focus_blur);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
@@ -182,6 +226,17 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::curtains: take_out_cue(effect, without.data.elements); break;
         case Effect::soft_shadows: without.effects.shadows.on_ground = 0; break;
         case Effect::volumetric_light: without.effects.shadows.in_air = 0; break;
+        case Effect::focus_ground:
+            for (design::FocusSettings& focus : without.foci) {
+                const double blur_px = focus.terrain.blur_px;
+                focus.terrain = {};
+                focus.terrain.blur_px = blur_px;
+                focus.border = {};
+            }
+            break;
+        case Effect::focus_blur:
+            for (design::FocusSettings& focus : without.foci) focus.terrain.blur_px = 0;
+            break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -190,9 +245,15 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
     return without;
 }
 
+bool reads_distances(const design::DesignSettings& design) noexcept {
+    return design.terrain.style.sketch.silhouettes > 0 || design.effects.depth_of_field.blur_px > 0 ||
+           design.effects.shadows.in_air > 0;
+}
+
 effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept {
     effects::EffectSet reserve;
     if (possible.terrain.style.sketch.ridges > 0) reserve.add(Effect::ridges);
+    if (draw::ground_focus_kind(possible.foci).foci > 0) reserve.add(Effect::focus_ground);
     reserve.add(Effect::fixed_light);
     return reserve;
 }
@@ -213,12 +274,14 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
     }
     for (const Effect effect :
          {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
-          Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains})
+          Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains, Effect::focus_ground})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect :
          {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo, Effect::cross_fade})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
     replace_shadows(design.effects.shadows, {stands_in(Effect::soft_shadows), stands_in(Effect::volumetric_light)}, possible);
+    replace_context_blur(stands_in(Effect::focus_blur), possible);
+    if (terrain_of_context(possible.foci).sketch_outside) give_lines(possible.terrain.style.sketch);
     if (possible.sky.air.is_shown) possible.sky.haze_distance_m = 0;
     return possible;
 }
@@ -271,6 +334,8 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::panel_lighting] = panel_call(facts.panel);
     input[Effect::soft_shadows] = soft_shadow_call(facts.shadows, facts.is_near);
     input[Effect::volumetric_light] = light_shaft_call(facts);
+    input[Effect::focus_ground] = context_call(facts);
+    input[Effect::focus_blur] = context_blur_call(facts);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     for (std::size_t n = 0; n < draw::kCues; ++n) {
         const Effect effect = effect_of(static_cast<draw::Cue>(n));

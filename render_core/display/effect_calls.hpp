@@ -14,6 +14,7 @@
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_light.hpp"
 #include "render_core/display/terrain_scene.hpp"
+#include "render_core/draw/focus_ground.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/earth/atmosphere.hpp"
 #include "render_core/effects/device.hpp"
@@ -32,6 +33,9 @@ inline constexpr std::string_view kRemovedByPolicy = "removed by the failure pol
 [[nodiscard]] design::DesignSettings with_effect(const design::DesignSettings& design, effects::Effect effect) noexcept;
 /// The design as if it did not ask for an effect.
 [[nodiscard]] design::DesignSettings without_effect(const design::DesignSettings& design, effects::Effect effect) noexcept;
+
+/// Something else is found in the distances of the picture, so that there is no blur round foci.
+[[nodiscard]] bool reads_distances(const design::DesignSettings& design) noexcept;
 
 /// What can take another's place in a running display of this design, as possible_design() gives it: what is compiled in anyway.
 [[nodiscard]] effects::EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept;
@@ -63,6 +67,9 @@ struct EffectFacts {
     PanelLight panel{};
     CueStates cues{};
     ShadowPlan shadows{};
+    bool has_foci = false;       ///< one of those that change the ground is somewhere
+    double context_blur_px = 0;  ///< of the design as it is possible
+    bool reads_distances = false;
     bool is_forced = false;  ///< PlanInput::is_forced
 };
 

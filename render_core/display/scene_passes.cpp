@@ -14,10 +14,17 @@ void draw_terrain(gl::Gl& gl, const PassInput& input, const draw::DepthRange& ra
     gl->Disable(GL_CULL_FACE);
 }
 
-/// Terrain that serves light shafts alone needs no pass of its own.
+/// Terrain whose alpha serves light shafts or blur round foci alone needs no pass of its own.
 bool is_off_screen(const draw::DrawnDesign& design) {
-    const bool serves_shafts = design.output == draw::TerrainOutput::color_and_distance && draw::has_shafts_only(*design.design);
-    return design.output != draw::TerrainOutput::color && !serves_shafts;
+    const bool serves_effects = design.output == draw::TerrainOutput::color_and_distance &&
+                                (draw::has_shafts_only(*design.design) || draw::blurs_context(design));
+    return design.output != draw::TerrainOutput::color && !serves_effects;
+}
+
+/// Sharp as shaders/focus.frag writes it.
+draw::FocusRange context_range(const design::DesignSettings& design) {
+    const double sharp_m = draw::sharp_distance_m();
+    return {true, sharp_m, sharp_m, terrain_of_context(design.foci).blur_px};
 }
 
 draw::DataFrame data_frame(const PassInput& input) {
@@ -65,7 +72,7 @@ gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
     for (const draw::DrawnDesign& drawn : designs) {
         const design::ViewEffects& effects = drawn.design->effects;
         smooths_ = smooths_ || effects.antialiasing;
-        blurs_ = blurs_ || effects.depth_of_field.blur_px > 0;
+        blurs_ = blurs_ || effects.depth_of_field.blur_px > 0 || draw::blurs_context(drawn);
         has_shafts = has_shafts || effects.shadows.in_air > 0;
     }
     if (has_shafts)
@@ -77,9 +84,10 @@ gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
 
 bool ScenePasses::shows(const draw::DrawnDesign& design) const {
     const design::ViewEffects& effects = design.design->effects;
-    return (smooths_ || !effects.antialiasing) && (blurs_ || effects.depth_of_field.blur_px <= 0) &&
-           (shadows_.is_started() || !effects.shadows.is_any()) && (shafts_.is_started() || effects.shadows.in_air <= 0) &&
-           design.design->sky.air.is_shown == has_air_ && (!is_off_screen(design) || picture_.shows(design));
+    const bool blurs = effects.depth_of_field.blur_px > 0 || draw::blurs_context(design);
+    return (smooths_ || !effects.antialiasing) && (blurs_ || !blurs) && (shadows_.is_started() || !effects.shadows.is_any()) &&
+           (shafts_.is_started() || effects.shadows.in_air <= 0) && design.design->sky.air.is_shown == has_air_ &&
+           (!is_off_screen(design) || picture_.shows(design));
 }
 
 void ScenePasses::set_design(const draw::DrawnDesign& design) {
@@ -131,6 +139,14 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     effects.focus = frame.focus;
     if (has_shafts) frame.terrain_left = frame.data_left = {0, 1};
     if (effects.blurs) leave_distances(frame);
+    frame.blurs_context = input.plan.runs(effects::Effect::focus_blur) && frame.foci != nullptr;
+    if (frame.blurs_context) {
+        effects.blurs = true;
+        effects.focus = context_range(frame.design);
+        const double sharp = draw::distance_code(draw::sharp_distance_m());
+        frame.terrain_left = {0, 1};
+        frame.data_left = {sharp, sharp};
+    }
     const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
     const PassInput drawing{frame, input.plan, input.terrain, input.elements, input.work, input.has_void, input.has_shadow_map};
@@ -139,20 +155,20 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
         draw_shafts(gl, drawing, shadow);
         effects.shafts = &shafts_.texture();
     }
-    if (has_effects) finish_effects(gl, place, effects, input.work);
+    if (has_effects) finish_effects(gl, place, effects, frame.blurs_context, input.work);
     if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
     return drawn;
 }
 
 /// One pass for all: each has it among its work.
-void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked,
+void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, bool is_of_context,
                                  EffectWorkTable& work) {
     EffectWork pass;
     {
         const WorkScope scope(gl, pass);
         view_effects_.finish(gl, place, asked);
     }
-    if (asked.blurs) work[effects::Effect::depth_of_field] += pass;
+    if (asked.blurs) work[is_of_context ? effects::Effect::focus_blur : effects::Effect::depth_of_field] += pass;
     if (asked.smooths) work[effects::Effect::antialiasing] += pass;
     if (asked.shafts != nullptr) work[effects::Effect::volumetric_light] += pass;
 }

@@ -50,7 +50,8 @@ private:
     [[nodiscard]] draw::ShadowRead draw_shadows(gl::Gl& gl, const PassInput& input);
     [[nodiscard]] draw::AirFrame update_air(gl::Gl& gl, const PassInput& input);
     void draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn);
-    void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, EffectWorkTable& work);
+    void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, bool is_of_context,
+                        EffectWorkTable& work);
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
     void draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow);

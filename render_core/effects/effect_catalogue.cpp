@@ -81,6 +81,16 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "its strength times that of air, or of haze",
      "the same map; a pass of a tap a step at half the picture's size, and one of four taps",
      {Effect::soft_shadows, Effect::projections}},
+    {Effect::focus_ground, "focus_ground", Contribution::content, Need::nothing, true, "",
+     "a variant of the terrain's program; six taps and two for each point that is near, a pixel of ground at a rim or between"},
+    {Effect::focus_blur,
+     "focus_blur",
+     Contribution::geometry,
+     Need::second_picture,
+     true,
+     "the blur of the context",
+     "a picture off screen, and a pass of seventeen taps",
+     {Effect::focus_ground, Effect::count_}},
 }};
 
 constexpr bool is_in_order() {

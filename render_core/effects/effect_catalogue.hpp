@@ -37,6 +37,8 @@ enum class Effect : std::uint8_t {
     curtains,
     soft_shadows,
     volumetric_light,
+    focus_ground,
+    focus_blur,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);

@@ -87,19 +87,6 @@ VARYING vec4 v_shadow;
 vec2 map_place(vec2 texels) { return (whole(texels) + page_origin.xy) * page_scale.x; }
 #endif
 
-const float kSigned = 255.0 / 127.0;
-const float kZero = 128.0 / 127.0;
-
-float signed_root(float code) {
-    float root = code * kSigned - kZero;
-    return root * abs(root);
-}
-
-vec3 normal_of(vec2 code) {
-    vec2 level = code * kSigned - kZero;
-    return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
-}
-
 #ifdef STROKES
 float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.547); }
 #endif

@@ -1,4 +1,17 @@
-// What terrain.frag reads of atlases: places in them, and the image over the terrain.
+// What terrain.frag reads of atlases: numbers, places in them, and the image over the terrain.
+const float kSigned = 255.0 / 127.0;
+const float kZero = 128.0 / 127.0;
+
+float signed_root(float code) {
+    float root = code * kSigned - kZero;
+    return root * abs(root);
+}
+
+vec3 normal_of(vec2 code) {
+    vec2 level = code * kSigned - kZero;
+    return vec3(level, sqrt(max(1.0 - dot(level, level), 0.0)));
+}
+
 #if defined(BAKED) || defined(MAP_DRAPE)
 // Whole fractions of a texel: with atlases of 2^n texels every sum is exact, so a page looks the same wherever it lies.
 vec2 whole(vec2 texels) { return floor(texels * 256.0 + 0.5) / 256.0; }

@@ -25,6 +25,10 @@ design::DesignSettings design_with_everything() {
     design.sky.haze_distance_m = 50'000;
     design.terrain.style.grid.spacing_m = 1000;
     design.data.ground.is_shown = design.data.adjacent.is_shown = true;
+    design::FocusSettings focus;
+    focus.terrain.brightness = 0.4;
+    focus.terrain.blur_px = 6;
+    static_cast<void>(design.foci.try_push_back(focus));
     return design;
 }
 
@@ -118,6 +122,54 @@ TEST_F(EffectCalls, FromFarAwayThereIsNeitherHazeNorSilhouette) {
     facts_.haze_per_m = 0;
     EXPECT_EQ(call(Effect::silhouettes).kind, Kind::not_called_for);
     EXPECT_EQ(call(Effect::haze).kind, Kind::not_called_for);
+}
+
+TEST_F(EffectCalls, ContextIsThereWhereAFocusIs) {
+    for (const Effect effect : {Effect::focus_ground, Effect::focus_blur}) {
+        EXPECT_EQ(call(effect).kind, Kind::not_called_for);
+        EXPECT_EQ(call(effect).why, "no focus is anywhere");
+    }
+    facts_.has_foci = true;
+    facts_.context_blur_px = 6;
+    EXPECT_EQ(call(Effect::focus_ground).kind, Kind::called);
+    EXPECT_EQ(call(Effect::focus_blur).kind, Kind::called);
+    EXPECT_EQ(call(Effect::focus_blur).bound, 6);
+    facts_.reads_distances = true;
+    EXPECT_EQ(call(Effect::focus_blur).kind, Kind::no_input);
+    decisions_.unusual_attitude = true;
+    for (const Effect effect : {Effect::focus_ground, Effect::focus_blur})
+        EXPECT_EQ(call(effect).kind, Kind::not_called_for) << "the recovery sees all of the ground";
+}
+
+/// Brightness stands for blur where the device has no second picture, or its alpha is another's.
+TEST(PossibleDesign, IsDarkerRoundFociWhereItCannotBlur) {
+    design::DesignSettings design = design_with_everything();
+    effects::DeviceSettings device;
+    device.capability.gl.calls = effects::CallClass::es3;
+    device.capability.off_screen_pictures = 2;
+    const auto context = [&] { return terrain_of_context(possible_design(design, device).foci); };
+    EXPECT_TRUE(reads_distances(design));
+    EXPECT_EQ(context().blur_px, 0);
+    EXPECT_DOUBLE_EQ(context().brightness, 0.4 * draw::kBlurAsBrightness);
+    design.terrain.style.sketch.silhouettes = 0;
+    EXPECT_EQ(context().blur_px, 6);
+    EXPECT_EQ(context().brightness, 0.4);
+    device.capability.off_screen_pictures = 1;
+    EXPECT_EQ(context().blur_px, 0);
+    EXPECT_DOUBLE_EQ(context().brightness, 0.4 * draw::kBlurAsBrightness);
+    device.forbidden.add(Effect::focus_ground);
+    EXPECT_FALSE(context().is_any()) << "nothing may stand for it";
+}
+
+TEST(PossibleDesign, HasLinesWhereTheContextHasNothingElse) {
+    design::DesignSettings design;
+    ASSERT_TRUE(design.foci.try_push_back({}));
+    design.terrain.style.sketch = {};
+    EXPECT_EQ(possible_design(design, {}).terrain.style.sketch.contours, 0);
+    design.foci[0].terrain.sketch_outside = true;
+    EXPECT_GT(possible_design(design, {}).terrain.style.sketch.contours, 0);
+    design.terrain.style.sketch.hatching = 0.2;
+    EXPECT_EQ(possible_design(design, {}).terrain.style.sketch.contours, 0) << "it has lines of its own";
 }
 
 TEST_F(EffectCalls, HazeIsBoundedByTheFarthestGround) {
