@@ -51,16 +51,15 @@ public:
             const double x = ground.x - region.points[n].x, y = ground.y - region.points[n].y, square = x * x + y * y;
             least = square < least ? square : least;
         }
-        return least <= focus_m2_ ? 2 : least < context_m2_ ? 1 : 0;
+        const bool is_in = least <= focus_m2_, is_near = least < context_m2_;
+        return int{is_in} + int{is_in || is_near};
     }
 
 private:
-    static constexpr int kTerms = 5;
+    static constexpr std::size_t kTerms = 5;
     using Series = std::array<double, kTerms>;
     [[nodiscard]] static double at(const Series& series, double angle) {
-        double sum = series[kTerms - 1];
-        for (int n = kTerms - 2; n >= 0; --n) sum = sum * angle + series[static_cast<std::size_t>(n)];
-        return sum;
+        return (((series[4] * angle + series[3]) * angle + series[2]) * angle + series[1]) * angle + series[0];
     }
     [[nodiscard]] static glm::dvec2 in_plane_of(const FocusRegion& region, double latitude_rad, double longitude_rad);
     [[nodiscard]] static int part_of(const FocusRegion& region, const glm::dvec2& ground);

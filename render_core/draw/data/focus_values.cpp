@@ -151,30 +151,38 @@ Extent extent_of(const FocusOfData& data, const FocusFrame& frame) {
     return extent;
 }
 
-scene::FocusRegion where(const design::FocusSettings& focus, const FocusFrame& frame, const scene::FocusValueRange& range) {
-    const Extent extent = extent_of(focus.data, frame);
-    if (extent.box.is_empty()) return {};
+Cells cells_of(const FocusOfData& data, const FocusFrame& frame, const Extent& extent, const scene::FocusValueRange& range) {
     Cells cells(extent.box);
-    each_meant_layer(focus.data, frame, [&](const scene::Layer& layer, const LayerValues& values) {
+    each_meant_layer(data, frame, [&](const scene::Layer& layer, const LayerValues& values) {
         for (std::size_t n = 0; n < values.size(); ++n)
             if (const double value = values[n]; value >= range.low && value <= range.high)
                 each_place(values, n, layer, extent.reference_rad, [&](double lat, double lon) { cells.add(lat, lon); });
     });
+    return cells;
+}
+
+/// Round a cell's places, in the region's plane.
+Disc disc_round(const AngleBox& cell, double reference_rad, const scene::FocusRegion& region) {
+    const auto at = [&](double lat, double lon) {
+        return scene::in_focus_plane(region, earth::to_ecef({lat, reference_rad + lon, {0}}));
+    };
+    Disc disc{at(0.5 * (cell.south + cell.north), 0.5 * (cell.west + cell.east)), 0};
+    for (const double lat : {cell.south, cell.north})
+        for (const double lon : {cell.west, cell.east})
+            disc.reach_m = std::fmax(disc.reach_m, glm::distance(disc.middle, at(lat, lon)));
+    return disc;
+}
+
+scene::FocusRegion where(const design::FocusSettings& focus, const FocusFrame& frame, const scene::FocusValueRange& range) {
+    const Extent extent = extent_of(focus.data, frame);
+    if (extent.box.is_empty()) return {};
     const AngleBox& box = extent.box;
     scene::FocusRegion region = scene::focus_region_at(0.5 * (box.south + box.north),
                                                        earth::wrap_longitude(extent.reference_rad + 0.5 * (box.west + box.east)));
+    const Cells cells = cells_of(focus.data, frame, extent, range);
     base::FixedVector<Disc, kFocusCells * kFocusCells> discs;
-    for (const AngleBox& cell : cells.boxes()) {
-        if (cell.is_empty()) continue;
-        const auto at = [&](double lat, double lon) {
-            return scene::in_focus_plane(region, earth::to_ecef({lat, extent.reference_rad + lon, {0}}));
-        };
-        const glm::dvec2 middle = at(0.5 * (cell.south + cell.north), 0.5 * (cell.west + cell.east));
-        double reach_m = 0;
-        for (const double lat : {cell.south, cell.north})
-            for (const double lon : {cell.west, cell.east}) reach_m = std::fmax(reach_m, glm::distance(middle, at(lat, lon)));
-        static_cast<void>(discs.try_push_back({middle, reach_m}));
-    }
+    for (const AngleBox& cell : cells.boxes())
+        if (!cell.is_empty()) static_cast<void>(discs.try_push_back(disc_round(cell, extent.reference_rad, region)));
     region.context = focus.context;
     region.radius_m = focus.radius_m;
     cover({discs.data(), discs.size()}, region);

@@ -180,9 +180,13 @@ FocusCounts count_posts(const FocusRegion& region, const FocusMap& map, const sc
 }
 
 FocusCounts count_points(const FocusRegion& region, const FocusMap& map, const scene::Layer& layer) {
-    std::uint32_t parts[3] = {};
-    for (const scene::ScenePoint& point : layer.points) ++parts[map.part(region, point.latitude_rad, point.longitude_rad)];
-    return {parts[2], parts[1], parts[0]};
+    std::uint32_t in_focus = 0, reached = 0;
+    for (const scene::ScenePoint& point : layer.points) {
+        const int part = map.part(region, point.latitude_rad, point.longitude_rad);
+        in_focus += part == 2 ? 1 : 0;
+        reached += part > 0 ? 1 : 0;
+    }
+    return {in_focus, reached - in_focus, static_cast<std::uint32_t>(layer.points.size()) - reached};
 }
 
 }  // namespace
