@@ -35,7 +35,7 @@ struct PictureOptions {
     std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
     AskedWeights weights;             ///< of aspects; those that are missing are the design's
     ShownAspects shown = ShownAspects::all;
-    std::vector<std::string> foci;    ///< before the design's (design::read_focus)
+    std::vector<std::string> foci;      ///< before the design's (design::read_focus)
     std::optional<double> deadline_ms;  ///< of a frame; nothing: none
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen

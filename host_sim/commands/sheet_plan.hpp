@@ -15,11 +15,11 @@ namespace tedavis::host_sim {
 struct SheetPlan {
     struct Picture {
         std::string title;
-        std::string design;            ///< shipped name or path
-        std::optional<double> detail;  ///< of all its data, instead of the design's
-        AskedWeights weights;          ///< of aspects, above the design's
+        std::string design;             ///< shipped name or path
+        std::optional<double> detail;   ///< of all its data, instead of the design's
+        AskedWeights weights;           ///< of aspects, above the design's
         std::vector<std::string> foci;  ///< PictureOptions::foci
-        std::string view;              ///< name of one of `views`; empty: the sheet's pose
+        std::string view;               ///< name of one of `views`; empty: the sheet's pose
         std::string file;  ///< "lambert.png", by its name, else the last part of the design's; with a detail "barbs_30.png"
     };
     struct Group {

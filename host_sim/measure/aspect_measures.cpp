@@ -29,7 +29,8 @@ std::uint32_t distinct_colors(const RgbaView& picture, const RgbaView& without, 
     for (std::uint32_t y = 0; y < picture.height; ++y)
         for (std::uint32_t x = 0; x < picture.width; ++x) {
             const std::uint8_t *p = picture.row(y) + std::size_t{x} * 4, *q = without.row(y) + std::size_t{x} * 4;
-            if (std::equal(q, q + 3, bare) && !std::equal(p, p + 3, q)) colors.insert(std::uint32_t{p[0]} << 16 | std::uint32_t{p[1]} << 8 | p[2]);
+            if (std::equal(q, q + 3, bare) && !std::equal(p, p + 3, q))
+                colors.insert(std::uint32_t{p[0]} << 16 | std::uint32_t{p[1]} << 8 | p[2]);
         }
     return static_cast<std::uint32_t>(colors.size());
 }

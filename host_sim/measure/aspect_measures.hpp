@@ -17,8 +17,8 @@ struct AspectMeasures {
 
 /// Share of the pixels at which lightness changes by more than half an L* from one pixel to the next (Sobel).
 [[nodiscard]] double edge_density(const RgbaView& picture);
-/// Different colours of the pixels that have the ground's colour in `without`, and another one in the picture. Throws UserError where
-/// the sizes differ.
+/// Different colours of the pixels that have the ground's colour in `without`, and another one in the picture. Throws UserError
+/// where the sizes differ.
 [[nodiscard]] std::uint32_t distinct_colors(const RgbaView& picture, const RgbaView& without, design::Color ground);
 
 }  // namespace tedavis::host_sim

@@ -80,7 +80,7 @@ enum TerrainUniform : std::size_t {
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
-    kTerrainFocus,                                          ///< the first of kFocusUniformNames
+    kTerrainFocus,                                       ///< the first of kFocusUniformNames
     kTerrainMagnifier = kTerrainFocus + kFocusUniforms,  ///< the first of kMagnifierUniformNames
     kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
 };

@@ -42,7 +42,8 @@ TEST(PictureDifference, OfAPictureAndItselfIsNothing) {
 }
 
 TEST(PictureDifference, OfFlatTonesIsTheirColorDifferenceWithoutEdges) {
-    const double expected = color_difference(lab_of(design::linear_rgb({200, 30, 30})), lab_of(design::linear_rgb({190, 40, 30})));
+    const double expected =
+        color_difference(lab_of(design::linear_rgb({200, 30, 30})), lab_of(design::linear_rgb({190, 40, 30})));
     const PictureDifference two = picture_difference(view_of(flat({200, 30, 30})), view_of(flat({190, 40, 30})));
     EXPECT_DOUBLE_EQ(two.largest, expected);
     EXPECT_NEAR(two.mean, expected, 1e-9);
