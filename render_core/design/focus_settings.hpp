@@ -4,13 +4,14 @@
 ///     [[focus]]
 ///     name = "destination"         as the record and the cue for a hidden focus call it
 ///     shape = "circle"             "point", "path", "circle", "square", "sphere", "cuboid", or "data"
-///     at = "destination"           "own_ship", "destination", "flight_path", "place", "position"
+///     at = "destination"           "own_ship", "destination", "flight_path", "place", "position", "hazard"
 ///     place = "RWY 24"             a feature of the scene: of `place`; of `destination` the runway, where it is not the nearest
 ///     position_deg = [46.8, 9.8]   latitude and longitude, of `position`
 ///     ahead_s = 300                so much of the flight to come, of `flight_path`
-///     radius_m = 3000              of circles and spheres, half the side of squares and cuboids, proximity of points, paths,
-///     data height_m = 2500              above MSL, of a sphere's middle; absent: that of the thing itself lower_m = 1000 above
-///     MSL, of a cuboid upper_m = 3000
+///     radius_m = 3000              of circles and spheres, half the side of squares and cuboids, proximity of the others
+///     height_m = 2500              above MSL, of a sphere's middle; absent: that of the thing itself
+///     lower_m = 1000               above MSL, of a cuboid
+///     upper_m = 3000               the same
 ///
 ///     layer = "wind"               of a data focus, or role = "wind": where the values are, and then
 ///     attribute = "speed"
@@ -48,8 +49,10 @@ enum class FocusShape : std::uint8_t { point, path, circle, square, sphere, cubo
 inline constexpr std::array<std::string_view, 7> kFocusShapeNames{"point",  "path",   "circle", "square",
                                                                   "sphere", "cuboid", "data"};
 
-enum class FocusAt : std::uint8_t { own_ship, destination, flight_path, place, position };
-inline constexpr std::array<std::string_view, 5> kFocusAtNames{"own_ship", "destination", "flight_path", "place", "position"};
+/// Of `hazard`: where the first hazard on the way is met (PrioritySettings); nowhere while there is none.
+enum class FocusAt : std::uint8_t { own_ship, destination, flight_path, place, position, hazard };
+inline constexpr std::array<std::string_view, 6> kFocusAtNames{"own_ship", "destination", "flight_path",
+                                                               "place",    "position",    "hazard"};
 
 /// Which values are in a data focus: those from low to high, or so close to the extreme.
 enum class FocusValues : std::uint8_t { interval, highest, lowest };

@@ -224,6 +224,8 @@ private:
     DataElements elements_;
     bool has_labels_ = false;  ///< an element of some design has some
     FociPlan foci_;            ///< of the planned frame
+    earth::Geodetic hazard_;   ///< on the way, in the planned frame
+    bool has_hazard_ = false;
     bool draws_foci_ = false;  ///< with what they change of the ground
     effects::ClutterMap clutter_;
     Crowding crowding_;  ///< of the planned frame

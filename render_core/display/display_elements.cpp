@@ -19,9 +19,9 @@ void Display::plan_foci() {
     if (settings_.design.foci.empty() || !terrain_.is_started()) return;
     TerrainGround ground(terrain_, eye_.view);
     const double own_height_m = aircraft_msl_m_ + undulation_m(state_.own_ship.position);
-    foci_ = display::plan_foci(
-        settings_.design.foci,
-        {state_.own_ship, own_height_m, data_.has_scene() ? &data_.scene() : nullptr, record_.flight_time, ground});
+    foci_ =
+        display::plan_foci(settings_.design.foci, {state_.own_ship, own_height_m, data_.has_scene() ? &data_.scene() : nullptr,
+                                                   record_.flight_time, ground, has_hazard_ ? &hazard_ : nullptr});
 }
 
 ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {

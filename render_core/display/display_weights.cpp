@@ -37,6 +37,7 @@ void Display::show_look() {
 design::AspectWeights Display::weights_at(base::Time now) {
     const design::PrioritySettings& priority = design_at(shown_).priority;
     design::AspectWeights weights = priority.weights;
+    has_hazard_ = false;
     if (!priority.is_stated) return weights;
     double& uncertainty = weights.of[design::kUncertaintyAspect];
     if (data_are_stale(flight::flight_time(state_.utc, now))) uncertainty = std::fmax(uncertainty, priority.stale_uncertainty);
@@ -60,6 +61,7 @@ void Display::raise_hazards(const design::PrioritySettings& priority, base::Time
             if (priority.parts[n].is_hazard && priority.parts[n].has(layer.entry->role) &&
                 layer.entry->shape != scene::LayerShape::grid)
                 raise(design::kMainAspects + n, watch.layer_share(layer));
+    has_hazard_ = watch.first_met(hazard_);
 }
 
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.

@@ -1,7 +1,6 @@
 #include "render_core/display/hazard_watch.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/area_limits.hpp"
@@ -34,6 +33,18 @@ HazardWatch::HazardWatch(const design::PrioritySettings& settings, const Way& wa
 double HazardWatch::share_of(double seconds) const {
     const double left = 2 * (1 - seconds / settings_.hazard_ahead_s);
     return std::floor(kParts * std::fmin(std::fmax(left, 0), 1)) / kParts;
+}
+
+double HazardWatch::note(double seconds) {
+    const double share = share_of(seconds);
+    if (share > 0) soonest_s_ = std::fmin(soonest_s_, seconds);
+    return share;
+}
+
+bool HazardWatch::first_met(earth::Geodetic& place) const {
+    if (!(soonest_s_ < kNever)) return false;
+    place = geodetic_at(soonest_s_);
+    return true;
 }
 
 earth::Geodetic HazardWatch::geodetic_at(double seconds) const {
@@ -74,15 +85,15 @@ double HazardWatch::terrain_share() {
     for (int step = 0; step < kSteps; ++step) {
         const earth::Geodetic at = geodetic_at(time_of(step));
         const double ground_m = ground_.height_m(at.latitude_rad, at.longitude_rad);
-        if (at.height.m < ground_m + clearance_m()) return share_of(time_of(step));
+        if (at.height.m < ground_m + clearance_m()) return note(time_of(step));
     }
     return 0;
 }
 
 double HazardWatch::layer_share(const scene::Layer& layer) {
     double share = 0;
-    for (std::uint32_t feature = 0; feature < layer.entry->feature_count && share < 1; ++feature)
-        share = std::fmax(share, share_of(seconds_to(layer, feature)));
+    for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
+        share = std::fmax(share, note(seconds_to(layer, feature)));
     return share;
 }
 

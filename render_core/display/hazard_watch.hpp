@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "render_core/design/priority.hpp"
 #include "render_core/draw/data/element_input.hpp"
@@ -33,6 +34,8 @@ public:
 
     [[nodiscard]] double terrain_share();
     [[nodiscard]] double layer_share(const scene::Layer& layer);
+    /// Of all that was asked for: where on the way the first hazard is met. False where there was none.
+    [[nodiscard]] bool first_met(earth::Geodetic& place) const;
 
 private:
     struct Place {
@@ -46,6 +49,7 @@ private:
     [[nodiscard]] bool is_aside(const scene::Layer& layer, scene::Run run, Place drift) const;
     [[nodiscard]] double clearance_m() const { return settings_.hazard_within_m / 3; }
     [[nodiscard]] double share_of(double seconds) const;
+    double note(double seconds);
     [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
     [[nodiscard]] bool is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const;
     [[nodiscard]] bool is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds);
@@ -55,6 +59,7 @@ private:
     const Way& way_;
     draw::Ground& ground_;
     std::int64_t time_ns_;
+    double soonest_s_ = std::numeric_limits<double>::infinity();
     double metres_per_latitude_, metres_per_longitude_;  ///< a radian's
 };
 

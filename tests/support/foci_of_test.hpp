@@ -37,7 +37,7 @@ public:
     FociOfTest(const FociOfTest&) = delete;
     FociOfTest& operator=(const FociOfTest&) = delete;
     void plan_again(const scene::Scene* scene = nullptr, const flight::FlightTime& time = {}) {
-        plan = display::plan_foci(foci, {own_ship, own_ship.position.height.m, scene, time, ground});
+        plan = display::plan_foci(foci, {own_ship, own_ship.position.height.m, scene, time, ground, hazard});
     }
     [[nodiscard]] const draw::FrameFoci& frame() const { return plan.foci; }
     [[nodiscard]] const scene::FocusRegion& region(std::size_t n = 0) const { return plan.foci.regions[n]; }
@@ -45,6 +45,7 @@ public:
     design::FocusList foci;
     flight::OwnShipEstimate own_ship;
     LevelGround ground;
+    const earth::Geodetic* hazard = nullptr;
     display::FociPlan plan;
 };
 

@@ -117,6 +117,9 @@ Found find(const FocusSettings& focus, const FocusFrame& frame) {
     switch (focus.at) {
         case FocusAt::destination: return destination(focus, frame);
         case FocusAt::place: return named(frame, focus.place.view(), scene::LayerRole::place, true);
+        case FocusAt::hazard:
+            if (frame.hazard == nullptr) return {FocusState::no_hazard};
+            return {FocusState::shown, frame.hazard->latitude_rad, frame.hazard->longitude_rad, frame.hazard->height.m};
         case FocusAt::position: return found_at(focus.latitude_rad, focus.longitude_rad, frame.ground);
         default: return {state_of(frame.own_ship), own.latitude_rad, own.longitude_rad, frame.own_height_m};
     }
@@ -244,6 +247,7 @@ const char* reason_of(FocusState state) noexcept {
         case FocusState::no_motion: return "the own ship stands, and no way is planned here";
         case FocusState::no_such_place: return "the scene has no feature of that name";
         case FocusState::no_runway: return "the scene has no such runway";
+        case FocusState::no_hazard: return "no hazard lies on the way";
         case FocusState::no_such_data: return "no data of that kind hold now";
         case FocusState::no_such_value: return "no data have such a value now";
     }

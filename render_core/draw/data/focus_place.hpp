@@ -35,6 +35,7 @@ enum class FocusState : std::uint8_t {
     no_motion,
     no_such_place,
     no_runway,
+    no_hazard,
     no_such_data,  ///< no layer of that name or role with that attribute holds now
     no_such_value,
 };
@@ -49,6 +50,7 @@ struct FocusFrame {
     const scene::Scene* scene = nullptr;  ///< null: there is none
     flight::FlightTime time;
     Ground& ground;
+    const earth::Geodetic* hazard = nullptr;  ///< where the first one on the way is met; null: there is none
 };
 
 struct FocusPlace {

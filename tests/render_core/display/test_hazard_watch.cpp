@@ -106,6 +106,22 @@ TEST(HazardWatch, AnAreaIsOneFromItsBorderOnAndWithin) {
     EXPECT_EQ(watched.layer(area({point(3000, 5000, 0), point(6000, 5000, 0), point(6000, 9000, 0)}, 0, 9000)), 0) << "beside";
 }
 
+TEST(HazardWatch, TheFirstOneIsWhereItIsMet) {
+    Watched watched;
+    const LoadedScene far({"one", "a test", 1, {masts({point(6000, 0, 2000), point(3000, 0, 2000)})}});
+    HazardWatch watch(watched.settings, watched.way, watched.ground, 0);
+    earth::Geodetic met;
+    EXPECT_FALSE(watch.first_met(met));
+    EXPECT_EQ(watch.terrain_share(), 0);
+    EXPECT_FALSE(watch.first_met(met)) << "asked for, and there is none";
+    EXPECT_EQ(watch.layer_share(far.scene().layers()[0]), 1);
+    ASSERT_TRUE(watch.first_met(met));
+    const double north_m = (met.latitude_rad - base::radians(kLatitude_deg)) * earth::meridian_radius_m(met.latitude_rad);
+    EXPECT_NEAR(north_m, 2600, 400) << "500 m before the nearer one, by steps of 375 m";
+    EXPECT_EQ(met.longitude_rad, base::radians(kLongitude_deg));
+    EXPECT_EQ(met.height.m, 2050);
+}
+
 TEST(HazardWatch, TheWayIsTheSameWhereverItLeads) {
     Watched north, east;
     east.way.east_mps = kSpeed_mps;

@@ -82,6 +82,17 @@ TEST(FocusPlace, TheOwnShipAStatedPlaceAndANamedOne) {
     EXPECT_FALSE(foci.region(3).is_valid);
 }
 
+TEST(FocusPlace, AHazardIsWhereItIsMetWhileThereIsOne) {
+    FociOfTest foci({R"(at = "hazard", radius_m = 800)"});
+    EXPECT_EQ(foci.plan.states[0], FocusState::no_hazard);
+    EXPECT_FALSE(foci.region(0).is_valid);
+    const earth::Geodetic met{radians(46.85), radians(9.85), {2900}};
+    foci.hazard = &met;
+    foci.plan_again();
+    EXPECT_NEAR(metres(foci.region(0), 0, 46.85, 9.85), 0, 0.01);
+    EXPECT_EQ(foci.plan.heights_m[0], 2900);
+}
+
 TEST(FocusPlace, TheDestinationIsTheRunwayAtTheWaysEnd) {
     const LoadedScene scene(country());
     FociOfTest foci({R"(at = "destination")", R"(at = "destination", place = "NEAR")", R"(at = "destination", place = "WEST")"},
