@@ -5,7 +5,7 @@
 #include "tests/support/hills_display.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display::test_focus_pictures {
+namespace tedavis::display::test_foci_pictures {
 namespace {
 
 using test_support::HeadlessDisplay;
@@ -69,7 +69,7 @@ struct Without {
 const char* const kAhead =
     R"(name = "AHEAD", at = "position", position_deg = [47.03, 9.725], radius_m = 1500, context.width_m = 1500, data = {brightness = 0.3, saturation = 0.0, size = 0.5, context = "hidden"})";
 
-TEST(FocusPictures, AFocusThatChangesNothingIsNoDifference) {
+TEST(FociPictures, AFocusThatChangesNothingIsNoDifference) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Without without(device);
         Shown plain(with_foci({R"(at = "own_ship", radius_m = 500)"}), device);
@@ -80,7 +80,7 @@ TEST(FocusPictures, AFocusThatChangesNothingIsNoDifference) {
     }
 }
 
-TEST(FocusPictures, WhatIsBesideAFocusStepsBack) {
+TEST(FociPictures, WhatIsBesideAFocusStepsBack) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Without without(device);
         Shown focused(with_foci({kAhead}), device);
@@ -95,7 +95,7 @@ TEST(FocusPictures, WhatIsBesideAFocusStepsBack) {
     }
 }
 
-TEST(FocusPictures, ALostPositionTakesTheFocusAndItsContextAway) {
+TEST(FociPictures, ALostPositionTakesTheFocusAndItsContextAway) {
     Shown focused(with_foci({R"(at = "own_ship", radius_m = 1000, data.context = "hidden")"}));
     static_cast<void>(focused.picture());
     EXPECT_TRUE(focused.record().foci[0].is_shown);
@@ -105,7 +105,7 @@ TEST(FocusPictures, ALostPositionTakesTheFocusAndItsContextAway) {
     EXPECT_NE(focused.record().foci[0].reason.view().find("not known"), std::string_view::npos);
 }
 
-TEST(FocusPictures, FociMayBeChosenWhileItRuns) {
+TEST(FociPictures, FociMayBeChosenWhileItRuns) {
     HillsPicture with;
     design::FocusList foci;
     ASSERT_TRUE(foci.try_push_back(test_support::focus_of(kAhead)));
@@ -126,7 +126,7 @@ TEST(FocusPictures, FociMayBeChosenWhileItRuns) {
     EXPECT_EQ(own.picture(), with);
 }
 
-TEST(FocusPictures, ACueLeadsToWhatIsBehind) {
+TEST(FociPictures, ACueLeadsToWhatIsBehind) {
     Shown focused(with_foci({R"(name = "LAKE", at = "position", position_deg = [46.95, 9.65], radius_m = 300)"}));
     static_cast<void>(focused.picture());
     EXPECT_EQ(focused.record().foci[0].sight.view(), "out of view");
@@ -134,4 +134,4 @@ TEST(FocusPictures, ACueLeadsToWhatIsBehind) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_focus_pictures
+}  // namespace tedavis::display::test_foci_pictures
