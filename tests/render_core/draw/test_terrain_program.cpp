@@ -64,6 +64,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 variant.coast = pages > 1;
                 variant.air = pages == 1 && session.device.capability.gl.calls == effects::CallClass::es3;
                 variant.shadows = variant.shafts = variant.air;
+                variant.magnified = pages != 1;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
