@@ -30,6 +30,12 @@ void note_values(const scene::FocusRegion& region, const ElementReport& report, 
     static_cast<void>(record.values.try_push_back({layer.entry->name, name, found.low, found.high, found.count}));
 }
 
+void note_all_values(const scene::FocusRegion& region, const ElementReports& reports, const flight::FlightTime& time,
+                     FocusRecord& record) {
+    for (const ElementReport& report : reports)
+        if (region.is_valid && report.state == ElementState::shown) note_values(region, report, time, record);
+}
+
 void note_region(const scene::FocusRegion& region, FocusRecord& record) {
     record.is_shown = region.is_valid;
     if (!region.is_valid) return;
@@ -48,6 +54,9 @@ FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame)
     plan.foci.foci = &foci;
     plan.foci.look = design::data_of_context(foci);
     plan.foci.least_degree = least_degree(foci);
+    plan.foci.has_own_ship = frame.own_ship.state == base::SignalState::valid || frame.own_ship.state == base::SignalState::stale;
+    const earth::Geodetic& own = frame.own_ship.position;
+    plan.foci.own_ship = earth::to_ecef({own.latitude_rad, own.longitude_rad, {frame.own_height_m}});
     for (std::size_t n = 0; n < foci.size(); ++n) {
         scene::FocusRegion region;
         plan.heights_m[n] = std::numeric_limits<double>::quiet_NaN();
@@ -81,14 +90,10 @@ void note_foci(const FociPlan& plan, const DataElements& elements, const Element
         one.in_focus = counts.in_focus;
         one.intermediate = counts.intermediate;
         one.context = counts.context;
-        const bool is_of_data = focus.shape == design::FocusShape::data;
-        if (is_of_data && draw::is_shown(plan.states[n])) {
-            one.low = foci.ranges[n].low;
-            one.high = foci.ranges[n].high;
-        }
-        for (const ElementReport& report : elements.reports())
-            if (!is_of_data && foci.regions[n].is_valid && report.state == ElementState::shown)
-                note_values(foci.regions[n], report, frame.time, one);
+        if (focus.shape != design::FocusShape::data)
+            note_all_values(foci.regions[n], elements.reports(), frame.time, one);
+        else if (draw::is_shown(plan.states[n]))
+            one.low = foci.ranges[n].low, one.high = foci.ranges[n].high;
         const draw::FocusCue& cue = elements.focus_cues()[n];
         one.sight = draw::name_of(cue.sight);
         one.distance_m = cue.distance_m;

@@ -86,7 +86,7 @@ struct FocusRecord {
     double low = 0, high = -1;                                      ///< of a data focus; low > high: no value
     base::FixedVector<FocusValuesRecord, kMostFocusValues> values;  ///< of a focus of space
     base::FixedString<15> sight;                                    ///< "seen", "behind terrain" ...
-    double distance_m = 0;                                          ///< from the eye, where it is not seen
+    double distance_m = 0;                                          ///< from the own ship
     bool has_cue = false;                                           ///< that leads there
 };
 

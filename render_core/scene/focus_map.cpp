@@ -7,14 +7,22 @@
 namespace tedavis::scene {
 namespace {
 
-/// Sine and cosine of small angles: below 1e-13 off within kFocusMapReach_rad.
-struct Small {
-    double sine, less;  ///< 1 - cosine
-};
-Small small(double angle) {
-    const double square = angle * angle;
-    return {angle * (1 - square / 6 * (1 - square / 20 * (1 - square / 42))),
-            0.5 * square * (1 - square / 12 * (1 - square / 30))};
+/// Through as many places as it has terms, evenly over kFocusMapReach_rad to either side (Newton's divided differences).
+template <std::size_t N, class Function>
+std::array<double, N> series_of(const Function& function) {
+    std::array<double, N> places{}, differences{}, series{};
+    for (std::size_t n = 0; n < N; ++n) {
+        places[n] = kFocusMapReach_rad * (2 * static_cast<double>(n) / (N - 1) - 1);
+        differences[n] = function(places[n]);
+    }
+    for (std::size_t k = 1; k < N; ++k)
+        for (std::size_t n = N - 1; n >= k; --n)
+            differences[n] = (differences[n] - differences[n - 1]) / (places[n] - places[n - k]);
+    for (std::size_t n = N; n-- > 0;) {
+        for (std::size_t k = N - 1; k > 0; --k) series[k] = series[k - 1] - places[n] * series[k];
+        series[0] = differences[n] - places[n] * series[0];
+    }
+    return series;
 }
 
 }  // namespace
@@ -24,8 +32,20 @@ FocusMap::FocusMap(const FocusRegion& region) {
     latitude_rad_ = anchor.latitude_rad;
     longitude_rad_ = anchor.longitude_rad;
     sine_ = std::sin(latitude_rad_);
-    cosine_ = std::cos(latitude_rad_);
-    radius_m_ = earth::prime_vertical_radius_m(latitude_rad_);
+    const double cosine = std::cos(latitude_rad_);
+    const auto out_m = [&](double north) {
+        return earth::prime_vertical_radius_m(latitude_rad_ + north) * std::cos(latitude_rad_ + north);
+    };
+    const auto up_axis_m = [&](double north) {
+        return (1 - earth::kEccentricitySquared) * earth::prime_vertical_radius_m(latitude_rad_ + north) *
+               std::sin(latitude_rad_ + north);
+    };
+    out_m_ = series_of<kTerms>(out_m);
+    along_m_ = series_of<kTerms>(
+        [&](double north) { return (up_axis_m(north) - up_axis_m(0)) * cosine - (out_m(north) - out_m(0)) * sine_; });
+    is_round_ = region.kind == FocusPoints::places && !region.is_square && region.context.distance == FocusDistance::euclidean;
+    focus_m2_ = region.radius_m * region.radius_m;
+    context_m2_ = (region.radius_m + region.context.width_m) * (region.radius_m + region.context.width_m);
     glm::dvec2 low(1e12), high(-1e12);
     for (std::uint32_t n = 0; n < region.point_count; ++n) {
         low = glm::min(low, region.points[n]);
@@ -46,16 +66,13 @@ FocusMap::FocusMap(const FocusRegion& region) {
     is_wide_ = std::fmax(std::fmax(north_, east_), -std::fmin(south_, west_)) > kFocusMapReach_rad;
 }
 
-/// The difference of two places in ECEF along the anchor's axes; by angles from it, so that nothing is lost in large numbers.
-glm::dvec2 FocusMap::in_plane(const FocusRegion& region, double latitude_rad, double longitude_rad) const {
-    if (is_wide_) return in_focus_plane(region, earth::to_ecef({latitude_rad, longitude_rad, {0}}));
-    const Small up = small(latitude_rad - latitude_rad_), round = small(east_of(longitude_rad));
-    const double sine = sine_ * (1 - up.less) + cosine_ * up.sine, cosine = cosine_ * (1 - up.less) - sine_ * up.sine;
-    const double radius_m = earth::kSemiMajorAxis_m / std::sqrt(1 - earth::kEccentricitySquared * sine * sine);
-    const double out_m = radius_m * cosine;  // of the axis
-    const double along_axis_m = (1 - earth::kEccentricitySquared) * (radius_m * sine - radius_m_ * sine_);
-    const double outwards_m = out_m * (1 - round.less) - radius_m_ * cosine_;
-    return {out_m * round.sine, along_axis_m * cosine_ - outwards_m * sine_};
+glm::dvec2 FocusMap::in_plane_of(const FocusRegion& region, double latitude_rad, double longitude_rad) {
+    return in_focus_plane(region, earth::to_ecef({latitude_rad, longitude_rad, {0}}));
+}
+
+int FocusMap::part_of(const FocusRegion& region, const glm::dvec2& ground) {
+    const double distance_m = focus_distance_m(region, ground);
+    return distance_m <= 0 ? 2 : distance_m < region.context.width_m ? 1 : 0;
 }
 
 }  // namespace tedavis::scene

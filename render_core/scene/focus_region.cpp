@@ -9,11 +9,16 @@
 namespace tedavis::scene {
 namespace {
 
-double largest(const glm::dvec2& way) { return std::fmax(std::fabs(way.x), std::fabs(way.y)); }
+/// As std::fmin and std::fmax of numbers, without a call.
+double smaller(double a, double b) { return a < b ? a : b; }
+double larger(double a, double b) { return a > b ? a : b; }
+double within_one(double part) { return smaller(larger(part, 0), 1); }
+
+double largest(const glm::dvec2& way) { return larger(std::fabs(way.x), std::fabs(way.y)); }
 
 /// Half the side of the square round `way` that touches a circle round the origin; negative within.
 double chebyshev_to_circle(const glm::dvec2& way, double radius_m) {
-    const double x = largest(way), y = std::fmin(std::fabs(way.x), std::fabs(way.y));
+    const double x = largest(way), y = smaller(std::fabs(way.x), std::fabs(way.y));
     if (x * x + y * y <= radius_m * radius_m) return -1;
     if (x - radius_m >= y) return x - radius_m;                                   // by a side
     return (x + y - std::sqrt(2 * radius_m * radius_m - (x - y) * (x - y))) / 2;  // by a corner
@@ -21,7 +26,7 @@ double chebyshev_to_circle(const glm::dvec2& way, double radius_m) {
 
 double euclidean_to_square(const glm::dvec2& way, double half_m) {
     const double x = std::fabs(way.x) - half_m, y = std::fabs(way.y) - half_m;
-    return x <= 0 || y <= 0 ? std::fmax(x, y) : std::hypot(x, y);
+    return x <= 0 || y <= 0 ? larger(x, y) : std::hypot(x, y);
 }
 
 double to_place(const FocusRegion& region, const glm::dvec2& way) {
@@ -30,23 +35,21 @@ double to_place(const FocusRegion& region, const glm::dvec2& way) {
     return is_chebyshev ? chebyshev_to_circle(way, region.radius_m) : glm::length(way) - region.radius_m;
 }
 
-double at_part(const glm::dvec2& way, const glm::dvec2& along, double part) {
-    return largest(way - along * std::fmin(std::fmax(part, 0.0), 1.0));
-}
+double at_part(const glm::dvec2& way, const glm::dvec2& along, double part) { return largest(way - along * within_one(part)); }
 
 /// The larger of two distances that are straight lines but for a kink each is least at its ends, at a kink or where they cross.
 double chebyshev_to_leg(const glm::dvec2& way, const glm::dvec2& along) {
-    double least = std::fmin(at_part(way, along, 0), at_part(way, along, 1));
+    double least = smaller(at_part(way, along, 0), at_part(way, along, 1));
     const double over[4] = {way.x, way.y, way.x - way.y, way.x + way.y};
     const double by[4] = {along.x, along.y, along.x - along.y, along.x + along.y};
     for (int n = 0; n < 4; ++n)
-        if (std::fabs(by[n]) > 1e-9) least = std::fmin(least, at_part(way, along, over[n] / by[n]));
+        if (std::fabs(by[n]) > 1e-9) least = smaller(least, at_part(way, along, over[n] / by[n]));
     return least;
 }
 
 double euclidean_to_leg(const glm::dvec2& way, const glm::dvec2& along) {
     const double square = glm::dot(along, along);
-    const double part = square > 0 ? std::fmin(std::fmax(glm::dot(way, along) / square, 0.0), 1.0) : 0;
+    const double part = square > 0 ? within_one(glm::dot(way, along) / square) : 0;
     return glm::length(way - along * part);
 }
 
@@ -89,9 +92,9 @@ double focus_distance_m(const FocusRegion& region, const glm::dvec2& ground) noe
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t n = 0; n < parts; ++n) {
         const glm::dvec2 way = ground - region.points[n];
-        least = std::fmin(least, is_path ? to_leg(region, way, region.points[n + 1] - region.points[n]) : to_place(region, way));
+        least = smaller(least, is_path ? to_leg(region, way, region.points[n + 1] - region.points[n]) : to_place(region, way));
     }
-    return std::fmax(least, 0.0);
+    return larger(least, 0);
 }
 
 double degree_at_distance(const FocusContext& context, double distance_m) noexcept {

@@ -54,9 +54,9 @@ struct Found {
     double distance_m = 0;
 };
 
-Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, Ground& ground) {
+Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, const glm::dvec3& from, Ground& ground) {
     Found best;
-    if (scene::focus_distance_m(region, scene::in_focus_plane(region, sheet.view().eye)) <= 0) {
+    if (scene::focus_distance_m(region, scene::in_focus_plane(region, from)) <= 0) {
         best.sight = FocusSight::around;
         return best;
     }
@@ -67,7 +67,7 @@ Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, Gr
         const FocusSight sight = !is_in_picture         ? FocusSight::out_of_view
                                  : sheet.is_seen(place) ? FocusSight::seen
                                                         : FocusSight::behind_terrain;
-        const double distance_m = glm::distance(place, sheet.view().eye);
+        const double distance_m = glm::distance(place, from);
         const bool is_better = n == 0 || sight < best.sight || (sight == best.sight && distance_m < best.distance_m);
         if (is_better) best = {sight, place, distance_m};
     }
@@ -191,9 +191,10 @@ const char* name_of(FocusSight sight) noexcept {
 
 FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, Ground& ground, bool is_metric) {
     FocusCues cues;
+    const glm::dvec3 from = foci.has_own_ship ? foci.own_ship : sheet.view().eye;
     for (std::size_t n = 0; n < foci.regions.size(); ++n) {
         if (!foci.regions[n].is_valid) continue;
-        const Found found = look_for(sheet, foci.regions[n], ground);
+        const Found found = look_for(sheet, foci.regions[n], from, ground);
         cues[n] = {found.sight, found.distance_m, false};
         Cue cue(sheet, (*foci.foci)[n], found, is_metric);
         if (found.sight == FocusSight::behind_terrain) cues[n].is_drawn = cue.add_sign() || cue.add_arrow();

@@ -2,7 +2,8 @@
 /// focus is, each with the name and the distance. They keep clear of the symbology and of all signs.
 ///
 /// A focus is seen where one of its points is in the picture and no drawn terrain stands before it (terrain/drawn_sight.hpp).
-/// Points stand on the ground, in volumes in their middle. Who is in a focus needs no cue.
+/// Points stand on the ground, in volumes in their middle. Who is in a focus needs no cue. Distances are from the own ship, else
+/// from the eye.
 ///
 /// Pure but for the ground and the sight that are asked. Bounded. Thread  the sheet's.
 #pragma once
@@ -15,7 +16,7 @@ namespace tedavis::draw {
 
 enum class FocusSight : std::uint8_t {
     nowhere,  ///< not shown
-    around,   ///< the eye is in it
+    around,   ///< the own ship is in it
     seen,
     behind_terrain,
     out_of_view,
@@ -25,7 +26,7 @@ enum class FocusSight : std::uint8_t {
 
 struct FocusCue {
     FocusSight sight = FocusSight::nowhere;
-    double distance_m = 0;  ///< from the eye to the point that the cue leads to
+    double distance_m = 0;  ///< to the point that the cue leads to
     bool is_drawn = false;  ///< false where none is needed, or none has room
 };
 using FocusCues = std::array<FocusCue, scene::kMaxFoci>;

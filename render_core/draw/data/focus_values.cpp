@@ -24,17 +24,20 @@ struct AngleBox {
 
     [[nodiscard]] bool is_empty() const { return south > north; }
     void add(double latitude, double longitude) {
-        south = std::fmin(south, latitude);
-        north = std::fmax(north, latitude);
-        west = std::fmin(west, longitude);
-        east = std::fmax(east, longitude);
+        if (latitude < south) south = latitude;
+        if (latitude > north) north = latitude;
+        if (longitude < west) west = longitude;
+        if (longitude > east) east = longitude;
     }
 };
 
 /// All places of the values that one layer has, from the same place of reference.
 template <class Take>
 void each_place(const LayerValues& values, std::size_t n, const scene::Layer& layer, double reference_rad, const Take& take) {
-    const auto from = [&](double longitude_rad) { return std::remainder(longitude_rad - reference_rad, 2 * base::kPi); };
+    const auto from = [&](double longitude_rad) {
+        const double east = longitude_rad - reference_rad;
+        return east > base::kPi ? east - 2 * base::kPi : east < -base::kPi ? east + 2 * base::kPi : east;
+    };
     if (values.is_grid()) {
         const LayerValues::Place post = values.post(n);
         take(post.latitude_rad, from(post.longitude_rad));
@@ -124,6 +127,9 @@ void cover(base::Span<const Disc> discs, scene::FocusRegion& region) {
     region.radius_m += most_m;
 }
 
+/// Posts of it. The first row and the last one of a grid reach as far as all of them.
+std::size_t first_row(const scene::Layer& layer) { return layer.entry->grid.columns; }
+
 struct Extent {
     AngleBox box;
     double reference_rad = kInfinite;  ///< longitude
@@ -138,36 +144,45 @@ Extent extent_of(const FocusOfData& data, const FocusFrame& frame) {
                                        : values.points_of(n).count > 0 ? layer.points[values.points_of(n).first].longitude_rad
                                                                        : kInfinite;
             if (extent.reference_rad == kInfinite) continue;
+            if (values.is_grid() && n >= first_row(layer) && n + first_row(layer) < values.size()) continue;
             each_place(values, n, layer, extent.reference_rad, [&](double lat, double lon) { extent.box.add(lat, lon); });
         }
     });
     return extent;
 }
 
-scene::FocusRegion where(const design::FocusSettings& focus, const FocusFrame& frame, const scene::FocusValueRange& range) {
-    const Extent extent = extent_of(focus.data, frame);
-    if (extent.box.is_empty()) return {};
+Cells cells_of(const FocusOfData& data, const FocusFrame& frame, const Extent& extent, const scene::FocusValueRange& range) {
     Cells cells(extent.box);
-    each_meant_layer(focus.data, frame, [&](const scene::Layer& layer, const LayerValues& values) {
+    each_meant_layer(data, frame, [&](const scene::Layer& layer, const LayerValues& values) {
         for (std::size_t n = 0; n < values.size(); ++n)
             if (const double value = values[n]; value >= range.low && value <= range.high)
                 each_place(values, n, layer, extent.reference_rad, [&](double lat, double lon) { cells.add(lat, lon); });
     });
+    return cells;
+}
+
+/// Round a cell's places, in the region's plane.
+Disc disc_round(const AngleBox& cell, double reference_rad, const scene::FocusRegion& region) {
+    const auto at = [&](double lat, double lon) {
+        return scene::in_focus_plane(region, earth::to_ecef({lat, reference_rad + lon, {0}}));
+    };
+    Disc disc{at(0.5 * (cell.south + cell.north), 0.5 * (cell.west + cell.east)), 0};
+    for (const double lat : {cell.south, cell.north})
+        for (const double lon : {cell.west, cell.east})
+            disc.reach_m = std::fmax(disc.reach_m, glm::distance(disc.middle, at(lat, lon)));
+    return disc;
+}
+
+scene::FocusRegion where(const design::FocusSettings& focus, const FocusFrame& frame, const scene::FocusValueRange& range) {
+    const Extent extent = extent_of(focus.data, frame);
+    if (extent.box.is_empty()) return {};
     const AngleBox& box = extent.box;
     scene::FocusRegion region = scene::focus_region_at(0.5 * (box.south + box.north),
                                                        earth::wrap_longitude(extent.reference_rad + 0.5 * (box.west + box.east)));
+    const Cells cells = cells_of(focus.data, frame, extent, range);
     base::FixedVector<Disc, kFocusCells * kFocusCells> discs;
-    for (const AngleBox& cell : cells.boxes()) {
-        if (cell.is_empty()) continue;
-        const auto at = [&](double lat, double lon) {
-            return scene::in_focus_plane(region, earth::to_ecef({lat, extent.reference_rad + lon, {0}}));
-        };
-        const glm::dvec2 middle = at(0.5 * (cell.south + cell.north), 0.5 * (cell.west + cell.east));
-        double reach_m = 0;
-        for (const double lat : {cell.south, cell.north})
-            for (const double lon : {cell.west, cell.east}) reach_m = std::fmax(reach_m, glm::distance(middle, at(lat, lon)));
-        static_cast<void>(discs.try_push_back({middle, reach_m}));
-    }
+    for (const AngleBox& cell : cells.boxes())
+        if (!cell.is_empty()) static_cast<void>(discs.try_push_back(disc_round(cell, extent.reference_rad, region)));
     region.context = focus.context;
     region.radius_m = focus.radius_m;
     cover({discs.data(), discs.size()}, region);

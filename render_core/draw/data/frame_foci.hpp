@@ -19,6 +19,8 @@ struct FrameFoci {
     std::array<scene::FocusValueRange, scene::kMaxFoci> ranges{};  ///< of data foci
     design::FocusData look;                                        ///< of the data of the context
     double least_degree = 0;                                       ///< of the intermediate context
+    glm::dvec3 own_ship{0};                                        ///< ECEF
+    bool has_own_ship = false;                                     ///< its position is known
 
     /// False: there is no focus, or none is anywhere, and nothing steps back.
     [[nodiscard]] bool is_any() const noexcept;

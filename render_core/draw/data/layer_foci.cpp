@@ -72,15 +72,6 @@ private:
     scene::Run run_;
 };
 
-void add(FocusCounts& counts, double degree) {
-    if (degree >= 1)
-        ++counts.in_focus;
-    else if (degree > 0)
-        ++counts.intermediate;
-    else
-        ++counts.context;
-}
-
 }  // namespace
 
 bool is_hazard(scene::LayerRole role) noexcept {
@@ -163,24 +154,58 @@ FocusLook look_of_feature(const ElementInput& input, std::uint32_t feature) {
     return input.foci == nullptr ? FocusLook() : input.foci->look(input, feature);
 }
 
-FocusCounts count_in_focus(const FrameFoci& foci, std::size_t focus, const LayerFoci& layer, const ElementInput& input) {
-    FocusCounts counts;
-    if (input.layer.entry->shape != scene::LayerShape::grid) {
-        for (std::uint32_t n = 0; n < input.layer.entry->feature_count; ++n) add(counts, layer.degree_in(focus, input, n));
-        return counts;
+namespace {
+
+FocusCounts count_values(const LayerValues& values, const scene::FocusValueRange& range) {
+    std::uint32_t in_focus = 0, beside = 0;
+    const auto count = static_cast<std::uint32_t>(values.size());
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const double value = values[n];
+        // Without branches: what comes next cannot be guessed.
+        const unsigned is_in = static_cast<unsigned>(value >= range.low) & static_cast<unsigned>(value <= range.high);
+        const unsigned is_similar =
+            static_cast<unsigned>(range.low - value < range.similar) & static_cast<unsigned>(value - range.high < range.similar);
+        in_focus += is_in;
+        beside += is_similar & ~is_in;
     }
-    if (layer.is_by_value(focus)) {
-        const LayerValues& values = layer.values(focus);
-        for (std::size_t n = 0; n < values.size(); ++n) add(counts, scene::degree_of_value(foci.ranges[focus], values[n]));
-        return counts;
-    }
-    const scene::GridShape& grid = input.layer.entry->grid;
-    const FocusRegion& region = foci.regions[focus];
-    const FocusMap& map = foci.maps[focus];
-    if (!region.is_valid) return {0, 0, grid.columns * grid.rows};
+    return {in_focus, beside, count - in_focus - beside};
+}
+
+FocusCounts count_posts(const FocusRegion& region, const FocusMap& map, const scene::GridShape& grid) {
+    std::uint32_t parts[3] = {};
     for (std::uint32_t row = 0; row < grid.rows; ++row)
         for (std::uint32_t column = 0; column < grid.columns; ++column)
-            add(counts, map.degree(region, grid.north_rad - row * grid.step_lat_rad, grid.west_rad + column * grid.step_lon_rad));
+            ++parts[map.part(region, grid.north_rad - row * grid.step_lat_rad, grid.west_rad + column * grid.step_lon_rad)];
+    return {parts[2], parts[1], parts[0]};
+}
+
+FocusCounts count_points(const FocusRegion& region, const FocusMap& map, const scene::Layer& layer) {
+    std::uint32_t in_focus = 0, reached = 0;
+    for (const scene::ScenePoint& point : layer.points) {
+        const int part = map.part(region, point.latitude_rad, point.longitude_rad);
+        in_focus += part == 2 ? 1 : 0;
+        reached += part > 0 ? 1 : 0;
+    }
+    return {in_focus, reached - in_focus, static_cast<std::uint32_t>(layer.points.size()) - reached};
+}
+
+}  // namespace
+
+FocusCounts count_in_focus(const FrameFoci& foci, std::size_t focus, const LayerFoci& layer, const ElementInput& input) {
+    const scene::LayerEntry& entry = *input.layer.entry;
+    const bool is_grid = entry.shape == scene::LayerShape::grid;
+    const FocusRegion& region = foci.regions[focus];
+    if (is_grid && layer.is_by_value(focus)) return count_values(layer.values(focus), foci.ranges[focus]);
+    if (!region.is_valid && !layer.is_by_value(focus))
+        return {0, 0, is_grid ? entry.grid.columns * entry.grid.rows : entry.feature_count};
+    if (is_grid) return count_posts(region, foci.maps[focus], entry.grid);
+    if (!is_run(input.layer) && !region.is_volume && !layer.is_by_value(focus))
+        return count_points(region, foci.maps[focus], input.layer);
+    FocusCounts counts;
+    for (std::uint32_t n = 0; n < entry.feature_count; ++n) {
+        const double degree = layer.degree_in(focus, input, n);
+        ++(degree >= 1 ? counts.in_focus : degree > 0 ? counts.intermediate : counts.context);
+    }
     return counts;
 }
 

@@ -1,7 +1,5 @@
 #include "render_core/draw/data/layer_values.hpp"
 
-#include <cmath>
-
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/scene/grid_field.hpp"
 
@@ -20,43 +18,37 @@ bool LayerValues::has(const scene::Layer& layer, std::string_view attribute) noe
 }
 
 LayerValues::LayerValues(const scene::Layer& layer, std::string_view attribute, std::int64_t time_ns) : layer_(&layer) {
-    value_ = layer.find(attribute);
-    if (value_ == nullptr && makes_speed(layer, attribute)) {
-        value_ = layer.find("east");
-        north_ = layer.find("north");
+    const scene::Attribute* value = layer.find(attribute);
+    const scene::Attribute* north = nullptr;
+    if (value == nullptr && makes_speed(layer, attribute)) {
+        value = layer.find("east");
+        north = layer.find("north");
     }
-    if (value_ == nullptr) return;
+    if (value == nullptr) return;
+    is_of_points_ = value->entry->of == scene::AttributeOf::point;
     is_grid_ = layer.entry->shape == scene::LayerShape::grid;
-    if (!is_grid_) {
-        size_ = value_->values.size();
-        return;
+    std::size_t first = 0, second = 0;
+    size_ = value->values.size();
+    if (is_grid_) {
+        const scene::GridShape& grid = layer.entry->grid;
+        size_ = std::size_t{grid.columns} * grid.rows * grid.levels;
+        const scene::AxisPlace time = scene::GridField(layer, *value).time_at(time_ns);
+        const bool is_linear = value->entry->scale == scene::AttributeScale::quantitative;
+        const bool is_between = is_linear && time.fraction > 0 && time.fraction < 1;
+        first = (is_between || time.fraction < 0.5 ? time.first : time.second) * size_;
+        second = time.second * size_;
+        fraction_ = is_between ? time.fraction : 0;
     }
-    const scene::GridShape& grid = layer.entry->grid;
-    size_ = std::size_t{grid.columns} * grid.rows * grid.levels;
-    const scene::AxisPlace time = scene::GridField(layer, *value_).time_at(time_ns);
-    const bool is_linear = value_->entry->scale == scene::AttributeScale::quantitative;
-    const bool is_between = is_linear && time.fraction > 0 && time.fraction < 1;
-    first_ = (is_between || time.fraction < 0.5 ? time.first : time.second) * size_;
-    second_ = time.second * size_;
-    fraction_ = is_between ? time.fraction : 0;
-}
-
-double LayerValues::blended(const scene::Attribute& attribute, std::size_t n) const {
-    const auto first = static_cast<double>(attribute.values[first_ + n]);
-    if (fraction_ == 0) return first;
-    return first + fraction_ * (static_cast<double>(attribute.values[second_ + n]) - first);
-}
-
-double LayerValues::operator[](std::size_t n) const {
-    const double value = blended(*value_, n);
-    return north_ == nullptr ? value : std::hypot(value, blended(*north_, n));
+    const auto times = [&](const scene::Attribute& of) { return Times{of.values.data() + first, of.values.data() + second}; };
+    value_ = times(*value);
+    if (north != nullptr) north_ = times(*north);
 }
 
 scene::Run LayerValues::points_of(std::size_t n) const {
     const auto number = static_cast<std::uint32_t>(n);
     const bool is_run = layer_->entry->shape == scene::LayerShape::lines || layer_->entry->shape == scene::LayerShape::areas;
     if (is_grid_) return {};
-    return is_run && value_->entry->of == scene::AttributeOf::feature ? layer_->points_of(number) : scene::Run{number, 1};
+    return is_run && !is_of_points_ ? layer_->points_of(number) : scene::Run{number, 1};
 }
 
 LayerValues::Place LayerValues::post(std::size_t n) const {

@@ -7,6 +7,8 @@
 /// Pure. Frames  WGS84 radians. Any thread; the layer must stay.
 #pragma once
 
+#include <cmath>
+
 #include "render_core/scene/scene.hpp"
 
 namespace tedavis::draw {
@@ -18,8 +20,13 @@ public:
     LayerValues(const scene::Layer& layer, std::string_view attribute, std::int64_t time_ns);
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// NaN where missing.
-    [[nodiscard]] double operator[](std::size_t n) const;
+    /// NaN where missing. n below size().
+    [[nodiscard]] double operator[](std::size_t n) const {
+        const double value = between(value_, n);
+        if (north_.first == nullptr) return value;
+        const double north = between(north_, n);
+        return std::sqrt(value * value + north * north);
+    }
     /// Points that the n-th value is of; none of a grid.
     [[nodiscard]] scene::Run points_of(std::size_t n) const;
     struct Place {
@@ -29,16 +36,23 @@ public:
     [[nodiscard]] Place post(std::size_t n) const;
     [[nodiscard]] bool is_grid() const { return is_grid_; }
     /// A value a point, of layers that are no grid; else a value a feature.
-    [[nodiscard]] bool is_of_points() const { return value_->entry->of == scene::AttributeOf::point; }
+    [[nodiscard]] bool is_of_points() const { return is_of_points_; }
 
 private:
-    [[nodiscard]] double blended(const scene::Attribute& attribute, std::size_t n) const;
+    /// Of the time before and the one after.
+    struct Times {
+        const float *first = nullptr, *second = nullptr;
+    };
+    [[nodiscard]] double between(const Times& times, std::size_t n) const {
+        const auto first = static_cast<double>(times.first[n]);
+        return fraction_ == 0 ? first : first + fraction_ * (static_cast<double>(times.second[n]) - first);
+    }
 
     const scene::Layer* layer_;
-    const scene::Attribute *value_ = nullptr, *north_ = nullptr;
-    std::size_t size_ = 0, first_ = 0, second_ = 0;  ///< where the two times' values begin
+    Times value_, north_;
+    std::size_t size_ = 0;
     double fraction_ = 0;
-    bool is_grid_ = false;
+    bool is_grid_ = false, is_of_points_ = false;
 };
 
 }  // namespace tedavis::draw

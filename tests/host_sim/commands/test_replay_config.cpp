@@ -58,9 +58,11 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.force_effects = true;
     options.picture.deadline_ms = 16.7;
     options.picture.costs = "/data/costs.toml";
+    options.picture.foci = {R"(at = "place", place = "A \"B\"")", "radius_m = 700"};
     const ReplayOptions loaded = round_trip(options);
     EXPECT_EQ(loaded.picture.deadline_ms, options.picture.deadline_ms);
     EXPECT_EQ(loaded.picture.costs, options.picture.costs);
+    EXPECT_EQ(loaded.picture.foci, options.picture.foci);
     EXPECT_EQ(loaded.switches, options.switches);
     EXPECT_EQ(loaded.switch_config, options.switch_config);
     EXPECT_EQ(loaded.from_s, options.from_s);

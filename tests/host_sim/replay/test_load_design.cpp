@@ -25,6 +25,21 @@ TEST(LoadDesign, FindsShippedAndOwnFiles) {
     EXPECT_EQ(design_path(options), options.design);
 }
 
+TEST(LoadDesign, FociOfTheCommandLineStandBeforeTheDesigns) {
+    const test_support::TemporaryFolder folder;
+    PictureOptions options;
+    options.design = folder.write("own.toml", "name = \"own\"\n[[focus]]\nname = \"D\"\n[[focus]]\n");
+    options.foci = {"name = \"C\", radius_m = 700"};
+    const design::DesignSettings design = load_design(options);
+    ASSERT_EQ(design.foci.size(), 3u);
+    EXPECT_EQ(design.foci[0].name.view(), "C");
+    EXPECT_EQ(design.foci[1].name.view(), "D");
+    options.foci = {"radius = 1"};
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "--focus:1: unknown key");
+    options.foci = {"", "", ""};
+    test_support::expect_user_error([&] { static_cast<void>(load_design(options)); }, "room for 4");
+}
+
 TEST(LoadDesigns, PhasesHaveTheDesignsThatTheFileNames) {
     const test_support::TemporaryFolder folder;
     PictureOptions options;

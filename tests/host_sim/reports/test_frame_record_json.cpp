@@ -57,9 +57,9 @@ TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
 
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
-    for (const char* key :
-         {"frame", "time_s",  "utc",  "hash",   "phase", "sub_phase", "phase_source", "own_ship",     "signals", "flags",
-          "view",  "terrain", "data", "labels", "bytes", "governor",  "effects",      "presentation", "ms",      "latency_ms"})
+    for (const char* key : {"frame",    "time_s",   "utc",   "hash",    "phase",        "sub_phase", "phase_source",
+                            "own_ship", "signals",  "flags", "view",    "terrain",      "data",      "labels",
+                            "bytes",    "governor", "foci",  "effects", "presentation", "ms",        "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})
@@ -113,6 +113,32 @@ TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
     EXPECT_EQ(json["effects"][0]["state"], "replaced");
     EXPECT_EQ(json["effects"][0]["replaced_by"], "tint");
     EXPECT_EQ(json["effects"][0]["draws"], 3);
+}
+
+TEST(FrameRecordJson, TellsTheFoci) {
+    FrameResult result = test_support::frame_result(0, 3);
+    EXPECT_EQ(parsed(result)["foci"], Json::array());
+    display::FocusRecord here, gone;
+    here.name = "HERE";
+    here.is_shown = true;
+    here.latitude_rad = base::kPi / 4;
+    here.in_focus = 3;
+    here.low = 4;
+    here.high = 5;
+    here.sight = "seen";
+    ASSERT_TRUE(here.values.try_push_back({"wind", "speed", 1.5, 2.5, 7}));
+    gone.reason = "the own ship's position is not known";
+    ASSERT_TRUE(result.record.foci.try_push_back(here) && result.record.foci.try_push_back(gone));
+    const Json foci = parsed(result)["foci"];
+    EXPECT_EQ(foci[0]["name"], "HERE");
+    EXPECT_EQ(foci[0]["latitude_deg"], 45);
+    EXPECT_EQ(foci[0]["in_focus"], 3);
+    EXPECT_EQ(foci[0]["interval"], Json({4.0, 5.0}));
+    EXPECT_EQ(foci[0]["values"][0], Json({{"layer", "wind"}, {"attribute", "speed"}, {"count", 7}, {"interval", {1.5, 2.5}}}));
+    EXPECT_EQ(foci[1]["shown"], false);
+    EXPECT_EQ(foci[1]["reason"], "the own ship's position is not known");
+    EXPECT_EQ(foci[1]["interval"], nullptr);
+    EXPECT_FALSE(foci[1].contains("latitude_deg")) << "it is nowhere";
 }
 
 TEST(FrameRecordJson, WhatIsNotKnownIsNull) {

@@ -39,8 +39,8 @@ TEST(FocusMap, SaysWhatTheRegionSays) {
                 const double longitude = earth::wrap_longitude(base::radians(longitude_deg + 2 * off(random)));
                 const glm::dvec2 exact = in_double(region, latitude, longitude);
                 const glm::dvec2 found = map.in_plane(region, latitude, longitude);
-                EXPECT_NEAR(found.x, exact.x, 1e-3) << latitude_deg;
-                EXPECT_NEAR(found.y, exact.y, 1e-3) << latitude_deg;
+                EXPECT_NEAR(found.x, exact.x, 0.01) << latitude_deg;
+                EXPECT_NEAR(found.y, exact.y, 0.01) << latitude_deg;
                 const double degree = ground_focus_degree(region, exact);
                 EXPECT_NEAR(map.degree(region, latitude, longitude), degree, 1e-6)
                     << latitude_deg << " " << exact.x << " " << exact.y;

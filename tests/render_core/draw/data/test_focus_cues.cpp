@@ -20,6 +20,8 @@ std::string at(double ahead_m, double right_m) {
 
 struct Cued {
     explicit Cued(const std::string& line, const QuadBatch* symbology = nullptr) : foci({line}) {
+        foci.own_ship.position.height.m = BillboardRoom::kEyeHeight_m;
+        foci.plan_again();
         room.begin(symbology);
         cues = add_focus_cues(room.sheet, foci.frame(), foci.ground, false);
     }
