@@ -41,13 +41,17 @@ void Display::magnify() {
     record_.distortion = plan.records;
     if (plan.magnifiers.empty()) return;
     eye_.view.magnifiers = plan.magnifiers;
+    unmagnified_near_m_ = eye_.view.near_m;
+    unmagnified_far_m_ = eye_.view.far_m;
     make_room(eye_.view);
     seen_ = seen_by_both(eye_.view, eyes_);
 }
 
 void Display::stop_magnifying() {
     eye_.view.magnifiers.clear();
-    seen_.magnifiers.clear();
+    eye_.view.near_m = unmagnified_near_m_;
+    eye_.view.far_m = unmagnified_far_m_;
+    seen_ = seen_by_both(eye_.view, eyes_);
     withhold(record_.distortion, DistortionState::over_budget);
 }
 

@@ -165,12 +165,14 @@ terrain::View TerrainScene::over_ground(terrain::View view) {
 TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design, double tau_factor) {
     const terrain::LodSettings lod = lod_settings(design, eye, tau_factor);
     store_.begin_frame();
-    const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(eye.view)), needed_soon(lod, parts_in_view()),
+    TerrainPlan plan;
+    terrain::View view = eye.view;
+    plan.is_unmagnified = !view.magnifiers.empty() && !can_magnify(view, lod);
+    if (plan.is_unmagnified) view.magnifiers.clear();
+    const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(view)), needed_soon(lod, parts_in_view()),
                                                       SelectionKind::ideal, selected_);
     store_.want({wanted_.data(), selector_.wanted(wanted_)});
-    TerrainPlan plan;
-    plan.lod = select_drawn(eye.view, lod);
-    if (!eye.view.magnifiers.empty() && is_short(plan.lod)) unmagnify(eye.view, lod, plan);
+    plan.lod = select_drawn(view, lod);
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
     plan.pending = store_.pending();
@@ -196,13 +198,15 @@ void TerrainScene::widen_error(const terrain::View& view, const design::DesignSe
     }
 }
 
-/// Without magnifiers, where they take of the ground's triangles what its accuracy needs.
-void TerrainScene::unmagnify(const terrain::View& view, const terrain::LodSettings& lod, TerrainPlan& plan) {
+/// Not where they take of the ground's triangles what its accuracy needs. Of what would be drawn if all had arrived, so that no
+/// arrival changes the answer.
+bool TerrainScene::can_magnify(const terrain::View& view, const terrain::LodSettings& lod) {
+    const terrain::LodResult with = selector_.select(store_, over_ground(view), lod, SelectionKind::ideal, selected_);
+    if (!is_short(with)) return true;
     terrain::View unmoved = view;
     unmoved.magnifiers.clear();
-    const terrain::LodResult result = select_drawn(unmoved, lod);
-    plan.is_unmagnified = !plan.lod.within_budget || plan.lod.worst_error_px > kMagnifiersCost * result.worst_error_px;
-    plan.lod = plan.is_unmagnified ? result : select_drawn(view, lod);
+    const terrain::LodResult without = selector_.select(store_, over_ground(unmoved), lod, SelectionKind::ideal, selected_);
+    return with.within_budget && with.worst_error_px <= kMagnifiersCost * std::fmax(without.worst_error_px, lod.tau_px);
 }
 
 /// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part

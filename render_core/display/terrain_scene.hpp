@@ -108,7 +108,7 @@ public:
 
 private:
     [[nodiscard]] terrain::View over_ground(terrain::View view);
-    void unmagnify(const terrain::View& view, const terrain::LodSettings& lod, TerrainPlan& plan);
+    [[nodiscard]] bool can_magnify(const terrain::View& view, const terrain::LodSettings& lod);
     [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;

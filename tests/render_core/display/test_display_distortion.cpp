@@ -43,9 +43,16 @@ HillsPicture picture_of(const design::DesignSettings& design, const flight::Airc
     return picture;
 }
 
+/// By more than finer ground beside a focus changes a colour.
 std::size_t differing(const HillsPicture& a, const HillsPicture& b) {
+    constexpr int kMuch = 40;
     std::size_t count = 0;
-    for (std::size_t n = 0; n < a.rgba.size(); n += 4) count += std::equal(&a.rgba[n], &a.rgba[n] + 4, &b.rgba[n]) ? 0 : 1;
+    for (std::size_t n = 0; n < a.rgba.size(); n += 4) {
+        int most = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            most = std::max(most, std::abs(a.rgba[n + channel] - b.rgba[n + channel]));
+        count += most > kMuch ? 1 : 0;
+    }
     return count;
 }
 
@@ -61,8 +68,8 @@ TEST(DisplayDistortion, TheMapAndTheOrthographicViewShowAFocusLarger) {
             EXPECT_EQ(shown[0].power, 1u);
             EXPECT_GT(shown[0].middle.height.m, 100);
             EXPECT_TRUE(none.empty());
-            EXPECT_GT(differing(larger, plain), 1000u) << name;
-            EXPECT_LT(differing(larger, plain), larger.rgba.size() / 4 / 6) << name << ": the rest stays";
+            EXPECT_GT(differing(larger, plain), 300u) << name;
+            EXPECT_LT(differing(larger, plain), larger.rgba.size() / 4 / 10) << name << ": the rest stays";
         }
 }
 

@@ -79,6 +79,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 if (pages > 0)
                     variant.focus = any_focus(static_cast<std::size_t>(style.texture) + static_cast<std::size_t>(pages));
                 variant.in_focus = false;
+                variant.magnified = pages != 1;
                 auto program = build_terrain_program(session.gl, style, variant);
                 ASSERT_TRUE(program.ok()) << program.error().sentence.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
