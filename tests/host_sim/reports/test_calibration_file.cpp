@@ -15,7 +15,7 @@ MeasuredCosts measured() {
     m.terrain = "a\nb.tdb";
     m.rounds = 9;
     double ms = 0.125;
-    for (std::size_t n = 0; n < effects::kEffectCount; ++n, ms *= 2)
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n, ms += 0.125)
         m.costs.push_back(
             {std::string(effects::entry_of(static_cast<effects::Effect>(n)).name), {ms, ms / 2, 3}, ms, 0.1, "x", ""});
     for (const std::string_view name : effects::kOverheadNames)
