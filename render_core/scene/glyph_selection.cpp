@@ -112,11 +112,21 @@ double GlyphSelection::coarser_where_crowded(const GlyphSummary& summary) const 
     return kept < 1 ? std::pow(settings_.coarsest, settings_.detail * (1 - kept)) : 1;
 }
 
+std::size_t GlyphSelection::step_of(const GlyphSummary& summary) const {
+    return static_cast<std::size_t>(std::round(greatest_degree(summary) * GlyphFocus::kSteps));
+}
+
 double GlyphSelection::coarser(const GlyphSummary& summary) const {
     const double crowded = coarser_where_crowded(summary);
-    if (settings_.focus == nullptr) return crowded;
-    return crowded *
-           settings_.focus->coarser[static_cast<std::size_t>(std::round(greatest_degree(summary) * GlyphFocus::kSteps))];
+    return settings_.focus == nullptr ? crowded : crowded * settings_.focus->coarser[step_of(summary)];
+}
+
+/// By its width in glyphs, however large they are on the screen.
+bool GlyphSelection::stands_for_all(const GlyphSummary& summary) const {
+    if (settings_.focus == nullptr) return false;
+    const glm::dvec3 sides = 2.0 * glm::dvec3(summary.reach_m) + static_cast<double>(summary.size_m);
+    const double across = settings_.focus->across[step_of(summary)];
+    return across > 1 && std::fmax(sides.x, std::fmax(sides.y, sides.z)) <= across * static_cast<double>(summary.size_m);
 }
 
 /// What stands for several that a focus may reach into is in it as a whole.
@@ -179,6 +189,7 @@ bool GlyphSelection::enters(Part& part) {
 bool GlyphSelection::is_whole(const Part& part) {
     if (part.ref.is_leaf()) return true;
     const GlyphSummary& summary = field_->summary(part.ref);
+    if (stands_for_all(summary)) return true;
     const double distance = distance_m(summary), nearest = distance - radius_m(summary), larger = coarser(summary);
     return px_of(extent_m(summary), distance) <= settings_.cell_px * larger && nearest > 0 &&
            px_of(summary.size_m, nearest) < settings_.least_px * larger;

@@ -46,7 +46,8 @@ struct GlyphFocus {
     const FocusRegions* regions = nullptr;
     std::array<FocusValueRange, kMaxFoci> ranges{};
     std::array<bool, kMaxFoci> by_value{};     ///< which foci mean the glyphs' own values
-    std::array<double, kSteps + 1> coarser{};  ///< by degrees from 0 to 1
+    std::array<double, kSteps + 1> coarser{};  ///< by degrees from 0 to 1: times as large least_px and cell_px
+    std::array<double, kSteps + 1> across{};   ///< likewise: groups so many of their glyphs wide are one; 1: none is for that
     double least_degree = 0;                   ///< of the intermediate context
     bool hides_context = false;
 };
@@ -120,8 +121,10 @@ private:
     [[nodiscard]] double px_of(double length_m, double distance_m) const;
     [[nodiscard]] double distance_m(const GlyphSummary& summary) const;
     [[nodiscard]] double greatest_degree(const GlyphSummary& summary) const;
+    [[nodiscard]] std::size_t step_of(const GlyphSummary& summary) const;
     [[nodiscard]] double coarser(const GlyphSummary& summary) const;
     [[nodiscard]] double coarser_where_crowded(const GlyphSummary& summary) const;
+    [[nodiscard]] bool stands_for_all(const GlyphSummary& summary) const;
     [[nodiscard]] std::uint8_t degree_of(const GlyphSummary& summary) const;
 
     base::Span<SelectedGlyph> glyphs_;

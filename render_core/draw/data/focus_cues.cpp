@@ -113,8 +113,8 @@ public:
         const double angle = std::atan2(glm::dot(way, view.down), glm::dot(way, view.right));
         const float half = kArrow * text_px_;
         for (int n = 0; n < kRings * kTries; ++n) {
-            const int turn = n % kTries, steps = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
-            const Point middle = near_edge(angle + steps * kStep_rad, 1 - 0.2 * (n / kTries));
+            const int ring = n / kTries, turn = n % kTries, steps = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
+            const Point middle = near_edge(angle + steps * kStep_rad, 1 - 0.2 * ring);
             if (!claim(middle, half)) continue;
             const bool is_down = std::sin(angle) > 0;  // the arrow then stands below its text
             const float top = middle.y - half - 0.5f * texts_px();

@@ -31,7 +31,8 @@ scene::GlyphFocus glyph_focus(const FrameFoci* foci, const design::DataElement& 
     }
     for (std::size_t n = 0; n <= scene::GlyphFocus::kSteps; ++n) {
         const FocusLook look = look_at(*foci, static_cast<double>(n) / scene::GlyphFocus::kSteps);
-        focus.coarser[n] = std::pow(coarsest, 1 - look.detail) * look.aggregate;
+        focus.coarser[n] = std::pow(coarsest, 1 - look.detail);
+        focus.across[n] = look.aggregate;
     }
     return focus;
 }

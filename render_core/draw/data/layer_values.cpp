@@ -53,8 +53,8 @@ scene::Run LayerValues::points_of(std::size_t n) const {
 
 LayerValues::Place LayerValues::post(std::size_t n) const {
     const scene::GridShape& grid = layer_->entry->grid;
-    const std::size_t post = n % (std::size_t{grid.columns} * grid.rows);
-    return {grid.north_rad - static_cast<double>(post / grid.columns) * grid.step_lat_rad,
+    const std::size_t post = n % (std::size_t{grid.columns} * grid.rows), row = post / grid.columns;
+    return {grid.north_rad - static_cast<double>(row) * grid.step_lat_rad,
             earth::wrap_longitude(grid.west_rad + static_cast<double>(post % grid.columns) * grid.step_lon_rad)};
 }
 

@@ -35,6 +35,7 @@ struct Scattered {
         EXPECT_TRUE(regions.try_push_back(region));
         focus.regions = &regions;
         focus.coarser.fill(1);
+        focus.across.fill(1);
         focus.least_degree = 0.5;
     }
     const GlyphCounts& select(bool with_focus) {
@@ -83,6 +84,17 @@ TEST(GlyphsInFocus, AreAsTheyAreWithoutIt) {
         EXPECT_EQ(after.at(number), SelectedGlyph::kInFocus);
     }
     EXPECT_GT(in_focus, 40);
+}
+
+/// However large they are on the screen.
+TEST(GlyphsInFocus, BesideItGroupsOfSoManyAcrossAreOne) {
+    Scattered scattered(disc({2000, 3000}, 5000, 6000));
+    const GlyphCounts all = scattered.select(true);
+    scattered.focus.across.fill(20);
+    scattered.focus.across[GlyphFocus::kSteps] = 1;
+    const GlyphCounts fewer = scattered.select(true);
+    EXPECT_LT(fewer.glyphs, all.glyphs * 3 / 4);
+    EXPECT_EQ(fewer.drawn + fewer.aggregated + fewer.hidden, static_cast<std::uint32_t>(kSites));
 }
 
 TEST(GlyphsInFocus, EachHasItsDegreeByPlace) {

@@ -19,8 +19,11 @@ TEST(GlyphFocus, BelowFullDetailFewerGlyphsStandForMore) {
     ASSERT_EQ(focus.regions, &foci.frame().regions);
     EXPECT_TRUE(focus.hides_context);
     EXPECT_EQ(focus.coarser[scene::GlyphFocus::kSteps], 1);
-    EXPECT_NEAR(focus.coarser[scene::GlyphFocus::kSteps / 2], std::sqrt(8) * 2, 1e-9);
-    EXPECT_NEAR(focus.coarser[0], 24, 1e-9);
+    EXPECT_NEAR(focus.coarser[scene::GlyphFocus::kSteps / 2], std::sqrt(8), 1e-9);
+    EXPECT_NEAR(focus.coarser[0], 8, 1e-9);
+    EXPECT_NEAR(focus.across[0], 3, 1e-9);
+    EXPECT_NEAR(focus.across[scene::GlyphFocus::kSteps / 2], 2, 1e-9);
+    EXPECT_EQ(focus.across[scene::GlyphFocus::kSteps], 1);
     EXPECT_EQ(glyph_focus(nullptr, {}, scene.layer(), 8).regions, nullptr);
 }
 
