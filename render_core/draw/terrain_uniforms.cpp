@@ -163,8 +163,7 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
 }
 
 void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px) {
-    gl->Uniform2f(program.uniform(kPixel), static_cast<float>(1 / focal_px),
-                  static_cast<float>(style.sketch.stroke_spacing_px));
+    gl->Uniform2f(program.uniform(kPixel), static_cast<float>(1 / focal_px), static_cast<float>(style.sketch.stroke_spacing_px));
 }
 
 void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span) {

@@ -36,8 +36,7 @@ public:
         const glm::dvec3 inwards[kViewSides] = {view.forward * across + view.right, view.forward * across - view.right,
                                                 view.forward * along + view.down, view.forward * along - view.down, view.forward};
         for (int n = 0; n < kViewSides; ++n) inwards_[n] = glm::normalize(inwards[n]);
-        for (const earth::Magnifier& magnifier : view.magnifiers)
-            moved_m_ = std::fmax(moved_m_, magnifier.farthest_move_m());
+        for (const earth::Magnifier& magnifier : view.magnifiers) moved_m_ = std::fmax(moved_m_, magnifier.farthest_move_m());
         sine_ = std::sin(middle_.latitude_rad);
         cosine_ = std::cos(middle_.latitude_rad);
         across_m_ = earth::prime_vertical_radius_m(middle_.latitude_rad);

@@ -1,9 +1,9 @@
 /// Which features of a layer lie wholly out of a view, for records of what is drawn.
 ///
 /// A feature is out of view where all its points are, over all heights that it may have, beyond one and the same side of the view
-/// by more than a margin of 300 m and 0.5 % of the distance, which is more than a flat map of the surroundings is off, and by as much
-/// more as the view's magnifiers move things. What is
-/// farther than kFarthestSight_rad is not judged: nothing that may be in view is ever said to be out of it.
+/// by more than a margin of 300 m and 0.5 % of the distance, which is more than a flat map of the surroundings is off, and by as
+/// much more as the view's magnifiers move things. What is farther than kFarthestSight_rad is not judged: nothing that may be in
+/// view is ever said to be out of it.
 ///
 /// Pure. Bounded: the layer's points; of what is in view mostly the first ones.
 #pragma once

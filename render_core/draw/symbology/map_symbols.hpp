@@ -2,8 +2,8 @@
 /// round it; the arrow to the north with what the map is turned to.
 ///
 /// In the orthographic view they lie level: the ring is an ellipse round the own ship's place on the ground, to which a line
-/// leads down. It leaves out what lies in places that are shown larger: there it would be elsewhere on the ground. Those have signs
-/// with their scale, and the corner says so. The corner says ORTHO, and FLAT where the ground is drawn without its relief.
+/// leads down. It leaves out what lies in places that are shown larger: there it would be elsewhere on the ground. Those have
+/// signs with their scale, and the corner says so. The corner says ORTHO, and FLAT where the ground is drawn without its relief.
 ///
 /// Without a position there is a red cross in their place; a stale one is amber and says so. Without a heading the own ship is a
 /// disc that points nowhere. In the layout's box of the attitude.
