@@ -319,7 +319,7 @@ TEST(GlyphSelection, OnlyCrowdedRegionsHaveFewerGlyphs) {
     const auto [left_crowded, right_beside] = sides(&crowded);
     ASSERT_GT(left, 50);
     EXPECT_LT(left_crowded, left / 2);
-    EXPECT_EQ(right_beside, right);
+    EXPECT_NEAR(right_beside, right, 3) << "but for groups whose mean place is on the left";
     const DetailRegions whole;
     EXPECT_EQ(sides(&whole), std::pair(left, right));
 }
