@@ -258,7 +258,7 @@ private:
     terrain::View seen_;  ///< all that is drawn of the frame: eye_'s, or as wide as a picture for each eye
     EyePair eyes_;
     double unmagnified_near_m_ = 0, unmagnified_far_m_ = 0;  ///< planes of an eye with magnifiers before they made room
-    const flight::FlownWay* way_ = nullptr;  ///< of the planned frame, until it is drawn
+    const flight::FlownWay* way_ = nullptr;                  ///< of the planned frame, until it is drawn
     terrain::View free_view_;
     bool free_view_active_ = false;
     bool terrain_has_void_ = false;
