@@ -14,6 +14,7 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
+constexpr double kBeyond = 1e-6;      // a limit, by more than what a float rounds off
 constexpr double kBeside_rad = 0.5;   // of the picture's corners: as far as an eye turns in an epoch
 
 /// Of the angle to the view's middle up to which features are offered.
@@ -28,6 +29,11 @@ double across(const glm::dvec3& from_eye, const terrain::View& view) {
 }
 double down(const glm::dvec3& from_eye, const terrain::View& view) {
     return 0.5 * glm::dot(from_eye, view.down) / (glm::dot(from_eye, view.forward) * view.half_height_tangent());
+}
+
+/// Of a layer that steps back beside the foci.
+bool is_in_focus(const ElementInput& input, std::uint32_t feature) {
+    return input.foci != nullptr && input.foci->frame() != nullptr && input.foci->degree(input, feature) >= 1;
 }
 
 /// What may lie within reach, by latitude and longitude alone: most of a large layer does not.
@@ -86,10 +92,13 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
         if (glm::dot(from_eye, view.view.forward) <= widest * length_m - kBehind_m) continue;
         const FocusLook look = look_of_feature(input, feature);
         if (look.is_hidden) continue;
-        const double degree = look.detail < 1 ? std::fmin(interest.of(feature, distance_m), settings.marker_above)
-                                              : interest.of(feature, distance_m);
+        double degree = interest.of(feature, distance_m);
+        if (look.detail < 1)
+            degree = settings.marker_above + kBeyond;
+        else if (is_in_focus(input, feature))
+            degree = std::fmax(degree, settings.name_above + kBeyond);
         const double left =
-            regions == nullptr ? 1 : regions->at(0.5 + across(from_eye, view.view), 0.5 + down(from_eye, view.view));
+            regions == nullptr || warns ? 1 : regions->at(0.5 + across(from_eye, view.view), 0.5 + down(from_eye, view.view));
         planner.offer(label_key(group, feature), left * degree, warns ? DegreeOfInterest::nearness(distance_m) : left * degree);
     }
 }

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
+#include <string>
 
+#include "render_core/draw/data/layer_foci.hpp"
+#include "tests/support/foci_of_test.hpp"
 #include "tests/support/labelled_layer.hpp"
 
 namespace tedavis::draw::test_label_features {
@@ -102,6 +106,34 @@ TEST(LabelFeatures, InACrowdedRegionWhatDoesNotWarnIsOfLessInterest) {
             role == scene::LayerRole::sample ? std::set<std::uint32_t>{1} : std::set<std::uint32_t>{0, 1};
         EXPECT_EQ(shown, expected);
     }
+}
+
+/// Beside each other, of too little interest for names.
+TEST(LabelFeatures, InAFocusThereAreNamesAndRoundItMarkers) {
+    ElementOfTest test(layer_of({BillboardRoom::point(20'000, 0, 1000), BillboardRoom::point(20'000, 2500, 1000),
+                                 BillboardRoom::point(20'000, 9000, 1000)}));
+    const scene::ScenePoint middle = BillboardRoom::point(20'000, 0, 1000);
+    const std::string place = "at = \"position\", position_deg = [" + std::to_string(base::degrees(middle.latitude_rad)) + ", " +
+                              std::to_string(base::degrees(middle.longitude_rad)) + "], radius_m = 1000, ";
+    const test_support::FociOfTest foci({place + "context.width_m = 4000, data.detail = 0.5, data.context = \"hidden\""});
+    const BillboardRoom room;
+    std::vector<unsigned char> block(1u << 16);
+    base::Arena arena(block.data(), block.size());
+    LabelPlanner planner;
+    ASSERT_TRUE(planner.start(arena));
+    ElementInput input = test.input();
+    const LayerFoci layer(&foci.frame(), input.layer, 0, false);
+    input.foci = &layer;
+    design::LabelSettings settings;
+    settings.name_above = 0.9;
+    settings.marker_above = 0.8;
+    test_support::decide_labels(planner, input, room.sheet.eye(), settings);
+    std::map<std::uint32_t, LabelLevel> levels;
+    for (const Label& label : planner.labels()) levels[feature_of(label.key)] = label.level;
+    EXPECT_EQ(levels, (std::map<std::uint32_t, LabelLevel>{{0, LabelLevel::name}, {1, LabelLevel::marker}}));
+    input.foci = nullptr;
+    test_support::decide_labels(planner, input, room.sheet.eye(), settings);
+    for (const Label& label : planner.labels()) EXPECT_EQ(label.level, LabelLevel::none) << "control";
 }
 
 TEST(LabelFeatures, TheShapeIsThatOfTheBillboard) {
