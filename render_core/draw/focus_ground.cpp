@@ -16,8 +16,8 @@ namespace {
 using design::FocusBorderKind;
 using scene::FocusRegion;
 
-enum Texel : std::uint32_t { kRadius, kStep, kKind, kLook, kSpacing, kPoints };
-static_assert(kPoints + 2 * scene::kMaxFocusPoints <= GroundFocus::kTexelsOfFocus);
+enum Texel : std::uint32_t { kRadiusTexel, kStepTexel, kKindTexel, kLookTexel, kSpacingTexel, kPointsTexel };
+static_assert(kPointsTexel + 2 * scene::kMaxFocusPoints <= GroundFocus::kTexelsOfFocus);
 
 constexpr double kZero = 8388608, kMostNumber = 8388607;
 constexpr double kFinestUnit_m = 1.0 / 64;
@@ -165,22 +165,22 @@ void GroundFocus::write_focus(std::uint32_t n) {
     const FocusRegion& at = region(n);
     const design::FocusBorder& border = (*foci_)[n].border;
     const std::uint32_t first = n * kTexelsOfFocus;
-    write(first + kRadius, at.radius_m);
-    write(first + kStep, step_m(at, kMostNumber * unit_m_));
-    write(first + kSpacing, focus_grid_spacing_m(at.radius_m));
-    std::uint8_t* const kind = &texels_[std::size_t{4} * (first + kKind)];
+    write(first + kRadiusTexel, at.radius_m);
+    write(first + kStepTexel, step_m(at, kMostNumber * unit_m_));
+    write(first + kSpacingTexel, focus_grid_spacing_m(at.radius_m));
+    std::uint8_t* const kind = &texels_[std::size_t{4} * (first + kKindTexel)];
     kind[0] = static_cast<std::uint8_t>(steps(at));
     kind[1] = static_cast<std::uint8_t>((is_path(at) ? 1 : 0) + (at.is_square ? 2 : 0) +
                                         (at.context.distance == scene::FocusDistance::chebyshev ? 4 : 0));
     kind[2] = static_cast<std::uint8_t>(border.kind);
-    std::uint8_t* const look = &texels_[std::size_t{4} * (first + kLook)];
+    std::uint8_t* const look = &texels_[std::size_t{4} * (first + kLookTexel)];
     look[0] = border.color.red;
     look[1] = border.color.green;
     look[2] = border.color.blue;
     look[3] = static_cast<std::uint8_t>(std::lround(kTenthsOfPixel * border.width_px));
     for (std::uint32_t point = 0; point < at.point_count; ++point) {
-        write(first + kPoints + 2 * point, at.points[point].x);
-        write(first + kPoints + 2 * point + 1, at.points[point].y);
+        write(first + kPointsTexel + 2 * point, at.points[point].x);
+        write(first + kPointsTexel + 2 * point + 1, at.points[point].y);
     }
 }
 
