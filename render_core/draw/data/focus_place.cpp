@@ -20,7 +20,7 @@ using scene::FocusRegion;
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// A place on the ground, or of the own ship.
-struct Found {
+struct FoundPlace {
     FocusState state = FocusState::no_such_place;
     double latitude_rad = 0, longitude_rad = 0;
     double height_m = kNowhere;  ///< over the ellipsoid
@@ -34,12 +34,12 @@ FocusState state_of(const flight::OwnShipEstimate& own_ship) {
     }
 }
 
-Found found_at(double latitude_rad, double longitude_rad, Ground& ground) {
+FoundPlace found_at(double latitude_rad, double longitude_rad, Ground& ground) {
     return {FocusState::shown, latitude_rad, longitude_rad, ground.height_m(latitude_rad, longitude_rad)};
 }
 
 /// The middle of a feature's points, in the plane of angles at the first one.
-Found middle_of(const scene::Layer& layer, std::uint32_t feature, Ground& ground) {
+FoundPlace middle_of(const scene::Layer& layer, std::uint32_t feature, Ground& ground) {
     const bool is_run = layer.entry->shape == scene::LayerShape::lines || layer.entry->shape == scene::LayerShape::areas;
     const scene::Run run = is_run ? layer.points_of(feature) : scene::Run{feature, 1};
     if (run.count == 0) return {};
@@ -53,19 +53,19 @@ Found middle_of(const scene::Layer& layer, std::uint32_t feature, Ground& ground
     return found_at(first.latitude_rad + north, earth::wrap_longitude(first.longitude_rad + east), ground);
 }
 
-Found named_in(const scene::Layer& layer, std::string_view name, Ground& ground) {
+FoundPlace named_in(const scene::Layer& layer, std::string_view name, Ground& ground) {
     if (layer.entry->shape == scene::LayerShape::grid) return {};
     for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
         if (layer.name_of(feature) == name) return middle_of(layer, feature, ground);
     return {};
 }
 
-Found named(const FocusFrame& frame, std::string_view name, scene::LayerRole first, bool others_too) {
+FoundPlace named(const FocusFrame& frame, std::string_view name, scene::LayerRole first, bool others_too) {
     for (const bool is_first : {true, false}) {
         if (frame.scene == nullptr || (!is_first && !others_too)) break;
         for (const scene::Layer& layer : frame.scene->layers()) {
             if ((layer.entry->role == first) != is_first) continue;
-            const Found found = named_in(layer, name, frame.ground);
+            const FoundPlace found = named_in(layer, name, frame.ground);
             if (is_shown(found.state)) return found;
         }
     }
@@ -77,14 +77,14 @@ PlannedWay way_of(const FocusFrame& frame) {
     return planned_way(*frame.scene, frame.own_ship.position, frame.time.utc.ns, frame.time.is_date, kFarthestWay_m);
 }
 
-Found nearest_runway(const FocusFrame& frame, const earth::Geodetic& to) {
-    Found nearest;
+FoundPlace nearest_runway(const FocusFrame& frame, const earth::Geodetic& to) {
+    FoundPlace nearest;
     nearest.state = FocusState::no_runway;
     double least_m = std::numeric_limits<double>::infinity();
     for (const scene::Layer& layer : frame.scene->layers()) {
         if (layer.entry->role != scene::LayerRole::runway) continue;
         for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
-            const Found found = middle_of(layer, feature, frame.ground);
+            const FoundPlace found = middle_of(layer, feature, frame.ground);
             const double distance_m = glm::distance(earth::to_ecef({found.latitude_rad, found.longitude_rad, {0}}),
                                                     earth::to_ecef({to.latitude_rad, to.longitude_rad, {0}}));
             if (!is_shown(found.state) || !(distance_m < least_m)) continue;
@@ -95,12 +95,12 @@ Found nearest_runway(const FocusFrame& frame, const earth::Geodetic& to) {
     return nearest;
 }
 
-Found destination(const FocusSettings& focus, const FocusFrame& frame) {
-    Found none;
+FoundPlace destination(const FocusSettings& focus, const FocusFrame& frame) {
+    FoundPlace none;
     none.state = FocusState::no_runway;
     if (frame.scene == nullptr) return none;
     if (!focus.place.empty()) {
-        const Found found = named(frame, focus.place.view(), scene::LayerRole::runway, false);
+        const FoundPlace found = named(frame, focus.place.view(), scene::LayerRole::runway, false);
         return is_shown(found.state) ? found : none;
     }
     const FocusState own = state_of(frame.own_ship);
@@ -112,7 +112,7 @@ Found destination(const FocusSettings& focus, const FocusFrame& frame) {
     return nearest_runway(frame, {last.latitude_rad, last.longitude_rad, {0}});
 }
 
-Found find(const FocusSettings& focus, const FocusFrame& frame) {
+FoundPlace find(const FocusSettings& focus, const FocusFrame& frame) {
     const earth::Geodetic& own = frame.own_ship.position;
     switch (focus.at) {
         case FocusAt::destination: return destination(focus, frame);
@@ -125,7 +125,7 @@ Found find(const FocusSettings& focus, const FocusFrame& frame) {
     }
 }
 
-void make_volume(const FocusSettings& focus, const Found& found, Ground& ground, FocusRegion& region) {
+void make_volume(const FocusSettings& focus, const FoundPlace& found, Ground& ground, FocusRegion& region) {
     const double geoid_m = ground.undulation_m(found.latitude_rad, found.longitude_rad);
     region.is_ball = focus.shape == FocusShape::sphere;
     region.is_volume = region.is_ball || focus.shape == FocusShape::cuboid;
@@ -256,7 +256,7 @@ const char* reason_of(FocusState state) noexcept {
 
 FocusPlace place_of(const FocusSettings& focus, const FocusFrame& frame) {
     if (focus.shape == FocusShape::path) return path_ahead(focus, frame);
-    const Found found = find(focus, frame);
+    const FoundPlace found = find(focus, frame);
     FocusPlace place{found.state, {}, found.height_m};
     if (!is_shown(found.state)) return place;
     place.region = region_of(focus, found.latitude_rad, found.longitude_rad);
