@@ -42,6 +42,8 @@ void read_part(base::ConfigSection section, PrioritySettings& priority) {
     DataPart part;
     part.name = section.text("name");
     if (part.name.empty() || part.name.cut()) fault_of(section, "name", "must be 1 to 23 characters long");
+    for (std::size_t n = 0; n < priority.count(); ++n)
+        if (priority.name_of(n) == part.name.view()) fault_of(section, "name", "is taken by another aspect; give it another one");
     read_roles(section, part);
     part.is_hazard = section.boolean("hazard", false);
     const double weight = section.number("weight", 0, 1);

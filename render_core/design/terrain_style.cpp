@@ -175,7 +175,9 @@ bool MapSet::any() const noexcept {
 }
 
 double detail_of(const TerrainStyle& style) noexcept {
-    if (style.shade.technique != TerrainShade::none) return 1;
+    const ShadeSettings& shade = style.shade;
+    const bool is_flat = shade.ambient >= 1 && shade.technique != TerrainShade::light_map;
+    if (shade.technique != TerrainShade::none && !is_flat) return 1;
     return has_lines(style.sketch) ? 0.5 : 0.25;
 }
 

@@ -115,7 +115,10 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
     if (!priority.is_stated) return;
     const double terrain = weights.of[kTerrainAspect], data = priority.data.at(weights.of[kDataAspect]);
     const Details details = uncertainty_details(priority, weights);
-    design.data.ground = at_detail(design.data.ground, {data, details.intrinsic, details.extrinsic});
+    // Where nothing else says how unsure the ground's colours are.
+    const bool has_overlay_alone = design.data.ground.uncertainty.technique == IntrinsicUncertainty::none;
+    const double overlay = has_overlay_alone ? std::fmax(details.extrinsic, kLeastIntrinsic) : details.extrinsic;
+    design.data.ground = at_detail(design.data.ground, {data, details.intrinsic, overlay});
     if (design.data.ground.overlay.strength <= 0) design.data.ground.overlay.technique = UncertaintyOverlay::none;
     weigh_elements(priority, weights, details, design.data.elements);
     TerrainStyle& style = design.terrain.style;
@@ -126,19 +129,9 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
         style.shade.ambient = legible_ambient(style.shade, design.data.ground.scale, priority.least_difference);
 }
 
-AspectWeights raised_weights(const PrioritySettings& priority) noexcept {
-    AspectWeights weights = priority.weights;
-    const auto raise = [&weights](std::size_t aspect, double to) { weights.of[aspect] = std::fmax(weights.of[aspect], to); };
-    raise(kTerrainAspect, priority.hazard_weight);
-    raise(kUncertaintyAspect, priority.stale_uncertainty);
-    for (std::size_t n = 0; n < priority.parts.size(); ++n)
-        if (priority.parts[n].is_hazard) raise(kMainAspects + n, priority.hazard_weight);
-    return weights;
-}
-
 DesignSettings weighted(const DesignSettings& design, bool raised) noexcept {
     DesignSettings weighted = design;
-    weigh(raised ? raised_weights(design.priority) : design.priority.weights, weighted);
+    if (!raised) weigh(design.priority.weights, weighted);
     return weighted;
 }
 
@@ -154,6 +147,7 @@ void keep_programs(const DesignSettings& like, DesignSettings& design) noexcept 
         style.shade.ambient = 1;
         style.shade.ambient_color = {0xFF, 0xFF, 0xFF};
     }
+    if (has_colored_light(from.shade) && !has_colored_light(style.shade)) style.shade.ambient_color = {0xFF, 0xFF, 0xFE};
     const UncertaintyOverlay overlay = like.data.ground.overlay.technique;
     GroundOverlay& shown = design.data.ground.overlay;
     if (shown.technique == UncertaintyOverlay::none && overlay != UncertaintyOverlay::none) {

@@ -24,12 +24,12 @@ namespace tedavis::design {
 
 /// In place, of `design` as it was read.
 void weigh(const AspectWeights& weights, DesignSettings& design) noexcept;
-/// The largest that hazards and stale data may raise the weights to.
-[[nodiscard]] AspectWeights raised_weights(const PrioritySettings& priority) noexcept;
-/// By the weights that the design states, or by the largest ones.
+/// By the weights that the design states; raised: the design as it was read, whose programs show it at any weights
+/// (keep_programs()).
 [[nodiscard]] DesignSettings weighted(const DesignSettings& design, bool raised) noexcept;
 
-/// Strengths and techniques that `like` shows and `design` does not, so faint that nobody sees them: both have the same programs.
+/// Strengths, techniques and colours of light that `like`, the design as it was read, shows and `design`, at some weights, does
+/// not, so faint that nobody sees them: both have the same programs.
 void keep_programs(const DesignSettings& like, DesignSettings& design) noexcept;
 
 }  // namespace tedavis::design

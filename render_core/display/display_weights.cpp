@@ -23,7 +23,7 @@ void Display::take_weights() {
     const design::PrioritySettings& priority = design_at(shown_).priority;
     settings_.design = design_at(shown_);
     design::weigh(weights_, settings_.design);
-    if (!(weights_ == priority.weights)) design::keep_programs(design::weighted(design_at(shown_), true), settings_.design);
+    if (!(weights_ == priority.weights)) design::keep_programs(design_at(shown_), settings_.design);
     if (elements_.is_started()) set_elements();
 }
 
@@ -50,16 +50,18 @@ void Display::raise_hazards(const design::PrioritySettings& priority, base::Time
     Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
     if (!own.height_is_geometric) way.from.height.m += undulation_m(own.position);
     TerrainGround ground(terrain_, terrain::View());
-    HazardWatch watch(priority, way, ground, flight::flight_time(state_.utc, now).utc.ns);
+    const flight::FlightTime time = flight::flight_time(state_.utc, now);
+    HazardWatch watch(priority, way, ground, time.utc.ns);
     const auto raise = [&](std::size_t aspect, double share) {
         double& weight = weights.of[aspect];
         weight = std::fmax(weight, weight + share * (priority.hazard_weight - weight));
     };
-    raise(design::kTerrainAspect, watch.terrain_share());
+    // Where terrain comes first already it needs no focus of its own.
+    if (weights.of[design::kTerrainAspect] < priority.hazard_weight) raise(design::kTerrainAspect, watch.terrain_share());
     for (std::size_t n = 0; n < priority.parts.size() && data_.has_scene(); ++n)
         for (const scene::Layer& layer : data_.scene().layers())
             if (priority.parts[n].is_hazard && priority.parts[n].has(layer.entry->role) &&
-                layer.entry->shape != scene::LayerShape::grid)
+                layer.entry->shape != scene::LayerShape::grid && is_valid_at(layer, time))
                 raise(design::kMainAspects + n, watch.layer_share(layer));
     has_hazard_ = watch.first_met(hazard_);
 }

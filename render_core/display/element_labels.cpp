@@ -112,7 +112,8 @@ bool ElementLabels::has_leapt(const LabelFrame& frame) {
 }
 
 void ElementLabels::decide(const LabelFrame& frame) {
-    if (has_leapt(frame)) planner_.forget();
+    const bool leaps = has_leapt(frame);
+    if (leaps) planner_.forget();
     if (decided_for_ != design_) decide_anew(frame);
     const std::int64_t epoch = draw::LabelPlanner::epoch_of(frame.now);
     if (!planner_.is_due(epoch)) return;
@@ -120,7 +121,7 @@ void ElementLabels::decide(const LabelFrame& frame) {
     time_ = frame.time;
     epoch_now_ = frame.now;
     text_px_ = frame.text_px;
-    is_anew_ = false;
+    is_anew_ = leaps;
     decide_epoch(frame, epoch);
 }
 

@@ -82,10 +82,12 @@ bool HazardWatch::is_aside(const scene::Layer& layer, scene::Run run, Place drif
 }
 
 double HazardWatch::terrain_share() {
-    for (int step = 0; step < kSteps; ++step) {
-        const earth::Geodetic at = geodetic_at(time_of(step));
+    constexpr int kFiner = 4;
+    for (int step = 0; step < kFiner * kSteps; ++step) {
+        const double seconds = time_of(step) / kFiner;
+        const earth::Geodetic at = geodetic_at(seconds);
         const double ground_m = ground_.height_m(at.latitude_rad, at.longitude_rad);
-        if (at.height.m < ground_m + clearance_m()) return note(time_of(step));
+        if (at.height.m < ground_m + clearance_m()) return note(seconds);
     }
     return 0;
 }
@@ -137,7 +139,12 @@ double HazardWatch::over_ellipsoid_m(double height_m, scene::HeightDatum datum, 
 bool HazardWatch::is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds) {
     const earth::Geodetic at = geodetic_at(seconds);
     if (layer.entry->shape != scene::LayerShape::areas) {
-        const double top_m = static_cast<double>(layer.points[layer.points_of(feature).first].height_m);
+        const scene::Run run = layer.points_of(feature);
+        double top_m = static_cast<double>(layer.points[run.first].height_m);
+        for (std::uint32_t n = 1; n < run.count; ++n) {
+            const auto height_m = static_cast<double>(layer.points[run.first + n].height_m);
+            if (!(height_m <= top_m)) top_m = height_m;
+        }
         return !(at.height.m > over_ellipsoid_m(top_m, layer.entry->height_datum, at) + clearance_m());
     }
     const draw::AreaLimits limits = draw::area_limits(layer, feature);

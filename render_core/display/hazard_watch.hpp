@@ -2,9 +2,10 @@
 /// (design/priority.hpp).
 ///
 /// The way is straight ahead at the speed of the instant, for `hazard_ahead_s`. A hazard counts from 0 at its end to 1 at half of
-/// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below: a
-/// function of the instant alone, and no step that could flicker is larger than an eighth. What is not known (heights, floors)
-/// counts as if it were at the aircraft's own height.
+/// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below;
+/// terrain is looked at below the way alone, four times as often. A function of the instant alone: what is only just reached may
+/// come and go from frame to frame. Heights and floors that are not stated count as if they were at the aircraft's own height;
+/// ground that is not known does not count, and is said otherwise.
 ///
 /// Bounded: kSteps places of the way, and every point of the layers. Thread  the display's.
 #pragma once

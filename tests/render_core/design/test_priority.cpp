@@ -68,6 +68,7 @@ TEST(Priority, WhatIsWrongIsSaid) {
         {"[[priority.aspect]]\nname = \"a\"\nroles = []\nweight = 1\n", "at least one"},
         {"[[priority.aspect]]\nname = \"\"\nroles = [\"road\"]\nweight = 1\n", "1 to 23"},
         {"[priority]\nterrain = 1.5\n", "terrain"},
+        {"[[priority.aspect]]\nname = \"terrain\"\nroles = [\"road\"]\nweight = 1\n", "is taken"},
     };
     for (const auto& wrong : kWrong) {
         std::string fault;
@@ -75,7 +76,8 @@ TEST(Priority, WhatIsWrongIsSaid) {
         EXPECT_NE(fault.find(wrong.said), std::string::npos) << wrong.text << fault;
     }
     std::string six = "[priority]\n", fault;
-    for (int n = 0; n < 6; ++n) six += "[[priority.aspect]]\nname = \"a\"\nroles = [\"road\"]\nweight = 1\n";
+    for (int n = 0; n < 6; ++n)
+        six += "[[priority.aspect]]\nname = \"a" + std::to_string(n) + "\"\nroles = [\"road\"]\nweight = 1\n";
     static_cast<void>(read(six, &fault));
     EXPECT_NE(fault.find("more than 5"), std::string::npos) << fault;
 }

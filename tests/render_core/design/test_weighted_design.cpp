@@ -128,33 +128,32 @@ TEST(WeightedDesign, ClassesKeepTheirDifferenceInTheDarkestShade) {
     EXPECT_EQ(legible_ambient(shade, scale, 30), shade.ambient) << "no neighbours";
 }
 
-TEST(WeightedDesign, ARaisedPictureHasTheProgramsOfTheMostRaisedOne) {
-    const DesignSettings most = weighed(weights_of(1, 1, 1));
-    for (const double terrain : {0.0, 0.01, 0.5}) {
-        DesignSettings design = weighed(weights_of(terrain, 0.4, 0.2));
-        keep_programs(most, design);
-        EXPECT_TRUE(same_programs(design.terrain.style, most.terrain.style)) << terrain;
-        EXPECT_TRUE(same_programs(design.data, most.data)) << terrain;
+/// What hazards and stale data make of the weights is any mixture.
+TEST(WeightedDesign, AtAnyWeightsThereAreTheProgramsOfTheDesignAsItWasRead) {
+    for (const bool is_colored : {false, true}) {
+        DesignSettings full = full_design();
+        full.priority.shading.knots.clear();
+        static_cast<void>(full.priority.shading.knots.try_push_back({0.3, 0}));
+        static_cast<void>(full.priority.shading.knots.try_push_back({0.8, 1}));
+        if (is_colored) full.terrain.style.shade.ambient_color = {0xFF, 0xF8, 0xF0};
+        for (int n = 0; n < 11 * 11 * 11; ++n) {
+            const AspectWeights weights = weights_of(0.1 * (n % 11), 0.1 * (n / 11 % 11), 0.1 * (n / 121));
+            DesignSettings design = full;
+            weigh(weights, design);
+            keep_programs(full, design);
+            ASSERT_TRUE(same_programs(design.terrain.style, full.terrain.style)) << n << is_colored;
+            ASSERT_TRUE(same_programs(design.data, full.data)) << n;
+        }
     }
-    EXPECT_FALSE(same_programs(weighed(weights_of(0, 0, 0)).terrain.style, most.terrain.style)) << "control";
+    EXPECT_FALSE(same_programs(weighed(weights_of(0, 0, 0)).terrain.style, full_design().terrain.style)) << "control";
 }
 
-TEST(WeightedDesign, HazardsRaiseWhatTheyAre) {
-    PrioritySettings priority;
-    priority.weights = weights_of(0.2, 0.3, 0.1);
-    priority.hazard_weight = 0.9;
-    for (const bool is_hazard : {true, false}) {
-        DataPart part;
-        part.is_hazard = is_hazard;
-        priority.weights.of[priority.count()] = 0.5;
-        ASSERT_TRUE(priority.parts.try_push_back(part));
-    }
-    const AspectWeights raised = raised_weights(priority);
-    EXPECT_EQ(raised.of[kTerrainAspect], 0.9);
-    EXPECT_EQ(raised.of[kDataAspect], 0.3);
-    EXPECT_EQ(raised.of[kUncertaintyAspect], priority.stale_uncertainty);
-    EXPECT_EQ(raised.of[kMainAspects], 0.9);
-    EXPECT_EQ(raised.of[kMainAspects + 1], 0.5);
+TEST(WeightedDesign, AnOverlayThatAloneSaysHowUnsureDataAreStays) {
+    DesignSettings design = full_design();
+    design.data.ground.uncertainty.technique = IntrinsicUncertainty::none;
+    weigh(weights_of(1, 0.3, 0), design);
+    EXPECT_EQ(design.data.ground.overlay.technique, UncertaintyOverlay::fog);
+    EXPECT_GE(detail_of(design.data.ground.overlay), 0.25);
 }
 
 }  // namespace

@@ -110,8 +110,10 @@ TEST(LabelFeatures, InACrowdedRegionWhatDoesNotWarnIsOfLessInterest) {
 
 /// Beside each other, of too little interest for names.
 TEST(LabelFeatures, InAFocusThereAreNamesAndRoundItMarkers) {
-    ElementOfTest test(layer_of({BillboardRoom::point(20'000, 0, 1000), BillboardRoom::point(20'000, 2500, 1000),
-                                 BillboardRoom::point(20'000, 9000, 1000)}));
+    host_sim::LayerDraft places = layer_of({BillboardRoom::point(20'000, 0, 1000), BillboardRoom::point(20'000, 2500, 1000),
+                                            BillboardRoom::point(20'000, 9000, 1000)});
+    places.names = {"A", "B", "C"};
+    ElementOfTest test(places);
     const scene::ScenePoint middle = BillboardRoom::point(20'000, 0, 1000);
     const std::string place = "at = \"position\", position_deg = [" + std::to_string(base::degrees(middle.latitude_rad)) + ", " +
                               std::to_string(base::degrees(middle.longitude_rad)) + "], radius_m = 1000, ";
