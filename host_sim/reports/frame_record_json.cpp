@@ -190,7 +190,6 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["data"] = data_json(record);
     json["labels"] = {
         {"placed", record.labels.placed}, {"suppressed", record.labels.suppressed}, {"changed", record.labels.changed}};
-    json["labels"] = {{"placed", 0}, {"suppressed", 0}, {"changed", 0}};
     json["foci"] = Json::array();
     for (const display::FocusRecord& focus : record.foci) json["foci"].push_back(focus_json(focus));
     json["bytes"] = {{"cpu", record.bytes.cpu},

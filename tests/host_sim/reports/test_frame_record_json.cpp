@@ -73,6 +73,17 @@ TEST(FrameRecordJson, TellsTheMapAndTheWayToIt) {
     EXPECT_EQ(parsed(result)["view"], Json({{"mode", "map"}, {"transition", 0.25}}));
 }
 
+TEST(FrameRecordJson, TellsLabelsAndWeights) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.labels = {5, 7, 2};
+    result.record.crowded_regions = 3;
+    ASSERT_TRUE(result.record.weights.try_push_back({display::Name("obstacles"), 0.75, 0.5}));
+    const Json json = parsed(result);
+    EXPECT_EQ(json["labels"], Json({{"placed", 5}, {"suppressed", 7}, {"changed", 2}}));
+    EXPECT_EQ(json["presentation"]["weights"]["obstacles"], Json({{"weight", 0.75}, {"stated", 0.5}}));
+    EXPECT_EQ(json["presentation"]["crowded_regions"], 3);
+}
+
 TEST(FrameRecordJson, TellsTheLight) {
     FrameResult result = test_support::frame_result(0, 3);
     result.record.light = {display::LightSource::fixed, 0, base::kPi / 2};
