@@ -12,6 +12,10 @@ constexpr double kWhollyReadable = 0.5;   ///< of the shading that is left where
 constexpr double kLeastIntrinsic = 0.25;  ///< two gradations
 constexpr double kUnseen = 1.0 / 1024;    ///< of a strength: less than a step of a colour
 
+constexpr double SketchSettings::*kLines[] = {
+    &SketchSettings::silhouettes, &SketchSettings::ridges,   &SketchSettings::valleys,  &SketchSettings::suggestive_contours,
+    &SketchSettings::contours,    &SketchSettings::hatching, &SketchSettings::stippling};
+
 Color darker(Color color, double light) { return blended({0, 0, 0, color.alpha}, color, light); }
 
 double least_difference(const DataScale& scale, double light) {
@@ -93,9 +97,7 @@ ShadeSettings at_strength(const ShadeSettings& shade, double strength) noexcept 
 
 SketchSettings at_strength(const SketchSettings& sketch, double strength) noexcept {
     SketchSettings weaker = sketch;
-    for (double* line : {&weaker.silhouettes, &weaker.ridges, &weaker.valleys, &weaker.suggestive_contours, &weaker.contours,
-                         &weaker.hatching, &weaker.stippling})
-        *line *= strength;
+    for (double SketchSettings::*const line : kLines) weaker.*line *= strength;
     return weaker;
 }
 
@@ -129,9 +131,9 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
         style.shade.ambient = legible_ambient(style.shade, design.data.ground.scale, priority.least_difference);
 }
 
-DesignSettings weighted(const DesignSettings& design, bool raised) noexcept {
+DesignSettings weighted(const DesignSettings& design) noexcept {
     DesignSettings weighted = design;
-    if (!raised) weigh(design.priority.weights, weighted);
+    weigh(design.priority.weights, weighted);
     return weighted;
 }
 
@@ -156,13 +158,7 @@ void keep_programs(const DesignSettings& like, DesignSettings& design) noexcept 
     }
     keep(from.shade.ambient_occlusion, style.shade.ambient_occlusion);
     keep(from.shade.openness, style.shade.openness);
-    keep(from.sketch.silhouettes, style.sketch.silhouettes);
-    keep(from.sketch.ridges, style.sketch.ridges);
-    keep(from.sketch.valleys, style.sketch.valleys);
-    keep(from.sketch.suggestive_contours, style.sketch.suggestive_contours);
-    keep(from.sketch.contours, style.sketch.contours);
-    keep(from.sketch.hatching, style.sketch.hatching);
-    keep(from.sketch.stippling, style.sketch.stippling);
+    for (double SketchSettings::*const line : kLines) keep(from.sketch.*line, style.sketch.*line);
 }
 
 }  // namespace tedavis::design

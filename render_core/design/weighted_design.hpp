@@ -24,9 +24,8 @@ namespace tedavis::design {
 
 /// In place, of `design` as it was read.
 void weigh(const AspectWeights& weights, DesignSettings& design) noexcept;
-/// By the weights that the design states; raised: the design as it was read, whose programs show it at any weights
-/// (keep_programs()).
-[[nodiscard]] DesignSettings weighted(const DesignSettings& design, bool raised) noexcept;
+/// By the weights that the design states.
+[[nodiscard]] DesignSettings weighted(const DesignSettings& design) noexcept;
 
 /// Strengths, techniques and colours of light that `like`, the design as it was read, shows and `design`, at some weights, does
 /// not, so faint that nobody sees them: both have the same programs.

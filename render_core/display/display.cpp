@@ -32,19 +32,22 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     return {};
 }
 
-/// Every design as its weights leave it, the one that is shown first, and with all that may be raised; of those with foci also
-/// as they are where there is none.
+/// Every design as its weights leave it, the one that is shown first; and as it was read, whose programs show it at any weights.
+/// Those with foci also as they are where there is none.
 gl::GlError Display::start_drawing(const TerrainInput& terrain) {
     constexpr std::size_t kMost = 2 * (design::kMaxPhaseDesigns + 1);
-    base::FixedVector<design::DesignSettings, kMost> weighted;
-    for (const bool raised : {false, true})
-        for (std::size_t place = 0; place <= phases_.size(); ++place)
-            if (!raised || design_at(place).priority.is_stated)
-                static_cast<void>(weighted.try_push_back(design::weighted(design_at(place), raised)));
+    design::DesignSettings weighted[design::kMaxPhaseDesigns + 1];
+    base::FixedVector<const design::DesignSettings*, kMost> all;
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        weighted[place] = design::weighted(design_at(place));
+        static_cast<void>(all.try_push_back(&weighted[place]));
+    }
+    for (std::size_t place = 0; place <= phases_.size(); ++place)
+        if (design_at(place).priority.is_stated) static_cast<void>(all.try_push_back(&design_at(place)));
     base::FixedVector<draw::DrawnDesign, 2 * kMost> designs;
     for (const bool has_focus : {false, true})
-        for (const design::DesignSettings& design : weighted)
-            if (const draw::DrawnDesign drawn = drawn_design(design, has_focus); drawn.has_focus == has_focus)
+        for (const design::DesignSettings* const design : all)
+            if (const draw::DrawnDesign drawn = drawn_design(*design, has_focus); drawn.has_focus == has_focus)
                 static_cast<void>(designs.try_push_back(drawn));
     if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
     if (terrain.file == nullptr) return {};

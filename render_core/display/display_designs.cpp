@@ -52,13 +52,12 @@ void Display::follow_foci() {
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
     if (!is_dimmable || stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible)) return false;
-    for (const bool raised : {false, true}) {
-        const design::DesignSettings weighted = design::weighted(possible, raised);
+    const design::DesignSettings weighted = design::weighted(possible);
+    for (const design::DesignSettings* const design : {&weighted, &possible})
         for (const bool has_focus : {false, true}) {
-            const draw::DrawnDesign drawn = drawn_design(weighted, has_focus);
+            const draw::DrawnDesign drawn = drawn_design(*design, has_focus);
             if (!passes_.shows(drawn) || !terrain_.shows(drawn)) return false;
         }
-    }
     return true;
 }
 

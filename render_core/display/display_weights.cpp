@@ -18,7 +18,7 @@ void Display::weigh(base::Time now) {
     has_new_look_ = true;
 }
 
-/// What is raised for a while has the programs of all that may be raised.
+/// At other weights than the stated ones it has the programs of the design as it was read.
 void Display::take_weights() {
     const design::PrioritySettings& priority = design_at(shown_).priority;
     settings_.design = design_at(shown_);
