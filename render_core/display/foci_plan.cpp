@@ -86,14 +86,16 @@ void note_foci(const FociPlan& plan, const DataElements& elements, const Element
         one.shape = design::kFocusShapeNames[static_cast<std::size_t>(focus.shape)];
         one.reason = draw::reason_of(plan.states[n]);
         note_region(foci.regions[n], one);
-        const draw::FocusCounts counts = elements.count_in_focus(frame, n);
-        one.in_focus = counts.in_focus;
-        one.intermediate = counts.intermediate;
-        one.context = counts.context;
-        if (focus.shape != design::FocusShape::data)
-            note_all_values(foci.regions[n], elements.reports(), frame.time, one);
-        else if (draw::is_shown(plan.states[n]))
-            one.low = foci.ranges[n].low, one.high = foci.ranges[n].high;
+        if (draw::is_shown(plan.states[n])) {
+            const draw::FocusCounts counts = elements.count_in_focus(frame, n);
+            one.in_focus = counts.in_focus;
+            one.intermediate = counts.intermediate;
+            one.context = counts.context;
+            if (focus.shape != design::FocusShape::data)
+                note_all_values(foci.regions[n], elements.reports(), frame.time, one);
+            else
+                one.low = foci.ranges[n].low, one.high = foci.ranges[n].high;
+        }
         const draw::FocusCue& cue = elements.focus_cues()[n];
         one.sight = draw::name_of(cue.sight);
         one.distance_m = cue.distance_m;
