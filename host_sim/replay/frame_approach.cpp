@@ -18,7 +18,7 @@ base::Time FrameApproach::grid_time(std::int64_t frame) const {
 
 void FrameApproach::approach(base::Time time) {
     approach_frame(time);
-    reach_labels(time);
+    reach_epoch(time);
 }
 
 void FrameApproach::approach_frame(base::Time time) {
@@ -85,37 +85,37 @@ void FrameApproach::restore_rung(std::int64_t frame) {
 }
 
 void FrameApproach::plan(base::Time time) {
-    reach_labels(time);
+    reach_epoch(time);
     const PlayedInstant instant = player_.at(time);
     display_.approach(instant.aircraft, instant.phase, time, &player_.way());
     if (display_.must_be_drawn()) session_.draw();
 }
 
 /// Decides the epochs up to this time's, from the last one on whose memory is known.
-void FrameApproach::reach_labels(base::Time time) {
-    if (!display_.has_labels()) return;
+void FrameApproach::reach_epoch(base::Time time) {
+    if (!display_.has_epochs()) return;
     const std::int64_t first = draw::LabelPlanner::epoch_of(player_.first());
     const std::int64_t wanted = std::max(draw::LabelPlanner::epoch_of(time), first);
-    const auto after = labels_.upper_bound(wanted);
-    const std::int64_t known = after == labels_.begin() ? first - 1 : std::prev(after)->first;
+    const auto after = epochs_.upper_bound(wanted);
+    const std::int64_t known = after == epochs_.begin() ? first - 1 : std::prev(after)->first;
     // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
-    if (!label_epoch_ || wanted < *label_epoch_ || *label_epoch_ + kKeptEpochs < known) restore_labels(known);
-    while (*label_epoch_ < wanted) {
-        if (display_.labels().is_anew()) restore_labels(*label_epoch_);
-        const std::int64_t epoch = *label_epoch_ + 1;
+    if (!epoch_ || wanted < *epoch_ || *epoch_ + kKeptEpochs < known) restore_epoch(known);
+    while (*epoch_ < wanted) {
+        if (display_.epoch_is_anew()) restore_epoch(*epoch_);
+        const std::int64_t epoch = *epoch_ + 1;
         const base::Time begins = std::max(base::Time{epoch * draw::LabelPlanner::kEpoch.ns}, player_.first());
         const flight::PhaseStatus phase = phase_before(begins);
-        display_.approach_labels(player_.at(begins).aircraft, phase, begins);
-        keep_labels(epoch);
-        label_epoch_ = epoch;
+        display_.approach_epoch(player_.at(begins).aircraft, phase, begins);
+        keep_epoch(epoch);
+        epoch_ = epoch;
     }
 }
 
 /// Before the log's first epoch there are none.
-void FrameApproach::restore_labels(std::int64_t epoch) {
-    const auto kept = labels_.find(epoch);
-    display_.labels().restore(kept == labels_.end() ? display::EpochMemory() : kept->second);
-    label_epoch_ = epoch;
+void FrameApproach::restore_epoch(std::int64_t epoch) {
+    const auto kept = epochs_.find(epoch);
+    display_.restore(kept == epochs_.end() ? display::EpochMemory() : kept->second);
+    epoch_ = epoch;
 }
 
 /// Of the last frame of the grid before this time: what it is told the next frame shows.
@@ -124,15 +124,15 @@ flight::PhaseStatus FrameApproach::phase_before(base::Time time) {
     return player_.at(std::max(grid_time(frame), player_.first())).phase;
 }
 
-void FrameApproach::keep_labels(std::int64_t epoch) {
-    display_.labels().keep(labels_[epoch]);
-    if ((epoch - kKeptEpochs) % kKeepEvery != 0) labels_.erase(epoch - kKeptEpochs);
+void FrameApproach::keep_epoch(std::int64_t epoch) {
+    epochs_[epoch] = display_.epoch();
+    if ((epoch - kKeptEpochs) % kKeepEvery != 0) epochs_.erase(epoch - kKeptEpochs);
 }
 
 void FrameApproach::forget() {
     last_.reset();
-    labels_.clear();
-    label_epoch_.reset();
+    epochs_.clear();
+    epoch_.reset();
     rungs_.clear();
     governors_.clear();
 }

@@ -12,9 +12,10 @@
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
 ///
-/// Which labels stand follows from all epochs of half a second since the log's start (display/element_labels.hpp): each is
-/// decided once, by the instant at which it begins and the design of the frame before, without the frames between; their memory
-/// is kept every kKeepEvery epochs, and of the last kKeptEpochs.
+/// Which labels stand, and how much hazards raise the weights of aspects, follows from all epochs of half a second since the
+/// log's start (display/element_labels.hpp, display/raised_weights.hpp): each is decided once, by the instant at which it begins
+/// and the design of the frame before, without the frames between; their memory is kept every kKeepEvery epochs, and of the last
+/// kKeptEpochs.
 #pragma once
 
 #include <cstdint>
@@ -46,10 +47,10 @@ private:
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
     void restore_rung(std::int64_t frame);
-    void reach_labels(base::Time time);
-    void restore_labels(std::int64_t epoch);
+    void reach_epoch(base::Time time);
+    void restore_epoch(std::int64_t epoch);
     [[nodiscard]] flight::PhaseStatus phase_before(base::Time time);
-    void keep_labels(std::int64_t epoch);
+    void keep_epoch(std::int64_t epoch);
 
     FlightPlayer& player_;
     DisplaySession& session_;
@@ -59,8 +60,8 @@ private:
     // Before the frames of the grid, from the log's first on.
     std::vector<std::uint8_t> rungs_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
-    std::optional<std::int64_t> label_epoch_;        ///< that the display's labels are of
-    std::map<std::int64_t, display::EpochMemory> labels_;
+    std::optional<std::int64_t> epoch_;              ///< that the display's weights and labels are of
+    std::map<std::int64_t, display::EpochMemory> epochs_;
 };
 
 }  // namespace tedavis::host_sim

@@ -87,6 +87,7 @@ public:
     /// (element_labels.hpp). Of the middle eye.
     void decide_labels(const ElementFrame& frame, double text_px);
     [[nodiscard]] ElementLabels& labels() { return labels_; }
+    [[nodiscard]] const ElementLabels& labels() const { return labels_; }
     [[nodiscard]] const LabelCounts& label_counts() const { return label_counts_; }
     /// Instead of them in a frame that shows none of it.
     void rest();

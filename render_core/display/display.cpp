@@ -26,6 +26,7 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
     if (gl::GlError error = start_drawing(terrain); !error.sentence.empty()) return error;
     if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
+    note_epochs();
     gl_.seal();
     gl_.use_programs(nullptr);
     memory_.note_use(settings_.device.budget);
@@ -118,6 +119,7 @@ bool Display::take_scene(const scene::Scene& scene) {
     if (is_unexpected || !data_.is_newer(scene)) return false;
     keep_scene();
     if (!data_.take(scene)) return false;
+    note_epochs();
     if (!elements_.is_started()) return true;
     set_elements();
     elements_.labels().forget();

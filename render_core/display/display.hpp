@@ -19,6 +19,7 @@
 #include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/panel_lighting.hpp"
+#include "render_core/display/raised_weights.hpp"
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/symbology_data.hpp"
@@ -45,6 +46,12 @@ struct DisplaySettings {
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
 };
 
+/// What an epoch leaves to the next one. Plain data.
+struct EpochMemory {
+    LabelEpoch labels;
+    RaisedWeights weights;
+};
+
 class Display {
 public:
     Display() = default;
@@ -67,13 +74,17 @@ public:
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
     void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                   const flight::FlownWay* way = nullptr);
-    /// Decides the labels of an epoch (element_labels.hpp) that begins at `now`, and plans nothing else: what a replay does for
-    /// every epoch from the log's start on, so that labels are the same however a frame is reached. `phase`: of the frame before
-    /// that instant, whose design the next frame shows.
-    void approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
-    /// Whether labels remember anything; keep() and restore() what they do.
-    [[nodiscard]] bool has_labels() const { return elements_.is_started() && has_labels_; }
-    [[nodiscard]] ElementLabels& labels() { return elements_.labels(); }
+    /// Decides the weights and labels of an epoch (raised_weights.hpp, element_labels.hpp) that begins at `now`, and plans
+    /// nothing else: what a replay does for every epoch from the log's start on, so that they are the same however a frame is
+    /// reached. `phase`: of the frame before that instant, whose design the next frame shows.
+    void approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Whether an epoch leaves anything to the next one.
+    [[nodiscard]] bool has_epochs() const { return has_epochs_; }
+    [[nodiscard]] EpochMemory epoch() const;
+    void restore(const EpochMemory& memory);
+    /// What was decided for the epoch has been decided anew, for another design or elsewhere: the next one follows from the
+    /// former.
+    [[nodiscard]] bool epoch_is_anew() const { return raised_.is_anew() || elements_.labels().is_anew(); }
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
@@ -162,8 +173,8 @@ private:
     void weigh(base::Time now);
     void take_weights();
     void show_look();
-    [[nodiscard]] design::AspectWeights weights_at(base::Time now);
-    void raise_hazards(const design::PrioritySettings& priority, base::Time now, design::AspectWeights& weights);
+    class Raises;
+    void note_epochs();
     [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
     [[nodiscard]] effects::EffectSet asked() const;
     void decide_labels();
@@ -222,10 +233,9 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
-    bool has_labels_ = false;  ///< an element of some design has some
+    bool has_epochs_ = false;  ///< some design has labels, or weights
+    RaisedWeights raised_;
     FociPlan foci_;            ///< of the planned frame
-    earth::Geodetic hazard_;   ///< on the way, in the planned frame
-    bool has_hazard_ = false;
     bool draws_foci_ = false;  ///< with what they change of the ground
     effects::ClutterMap clutter_;
     Crowding crowding_;  ///< of the planned frame

@@ -76,6 +76,8 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
     forget_turns();
     show_design(0);
     elements_.labels().forget();
+    raised_.forget();
+    note_epochs();
     return true;
 }
 

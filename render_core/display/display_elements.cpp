@@ -8,20 +8,29 @@ namespace tedavis::display {
 void Display::set_elements() {
     const scene::Scene* const scene = data_.has_scene() ? &data_.scene() : nullptr;
     elements_.set(scene, settings_.design.data.elements, settings_.design.labels, shown_);
-    has_labels_ = false;
-    for (std::size_t place = 0; scene != nullptr && place <= phases_.size(); ++place)
-        has_labels_ = has_labels_ || ElementLabels::is_any(*scene, design_at(place).data.elements);
+}
+
+/// Of other designs, or another scene.
+void Display::note_epochs() {
+    has_epochs_ = false;
+    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+        const design::DesignSettings& design = design_at(place);
+        const bool has_labels =
+            elements_.is_started() && data_.has_scene() && ElementLabels::is_any(data_.scene(), design.data.elements);
+        has_epochs_ = has_epochs_ || has_labels || design.priority.is_stated;
+    }
 }
 
 /// Where they are, whatever is shown of them.
 void Display::plan_foci() {
     foci_ = {};
     if (settings_.design.foci.empty() || !terrain_.is_started()) return;
+    const design::PrioritySettings& priority = settings_.design.priority;
     TerrainGround ground(terrain_, eye_.view);
     const double own_height_m = aircraft_msl_m_ + undulation_m(state_.own_ship.position);
     foci_ =
         display::plan_foci(settings_.design.foci, {state_.own_ship, own_height_m, data_.has_scene() ? &data_.scene() : nullptr,
-                                                   record_.flight_time, ground, has_hazard_ ? &hazard_ : nullptr});
+                                                   record_.flight_time, ground, priority.is_stated ? raised_.hazard() : nullptr});
 }
 
 ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
@@ -89,7 +98,7 @@ void Display::settle(const flight::AircraftState& state, const flight::PhaseStat
     }
 }
 
-void Display::approach_labels(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+void Display::approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     const std::uint64_t frame = frame_;
     const DisplayConditions conditions = conditions_;
     const DisplayDecisions decisions = decisions_;
@@ -109,6 +118,18 @@ void Display::approach_labels(const flight::AircraftState& state, const flight::
     decisions_ = decisions;
     conditions_ = conditions;
     frame_ = frame;
+}
+
+EpochMemory Display::epoch() const {
+    EpochMemory memory;
+    if (elements_.is_started()) elements_.labels().keep(memory.labels);
+    memory.weights = raised_;
+    return memory;
+}
+
+void Display::restore(const EpochMemory& memory) {
+    if (elements_.is_started()) elements_.labels().restore(memory.labels);
+    raised_ = memory.weights;
 }
 
 }  // namespace tedavis::display

@@ -9,9 +9,57 @@
 
 namespace tedavis::display {
 
+/// Of the design that is shown.
+class Display::Raises final : public RaiseSource {
+public:
+    explicit Raises(Display& display) : display_(display), priority_(display.design_at(display.shown_).priority) {}
+
+    [[nodiscard]] WeightRaises raises_at(const WeighedInstant& instant) override {
+        WeightRaises raises;
+        if (!priority_.is_stated) return raises;
+        if (display_.data_are_stale(instant.time)) raise(raises, design::kUncertaintyAspect, 1, priority_.stale_uncertainty);
+        if (display_.terrain_.is_started() && instant.own_ship.state == base::SignalState::valid) raise_hazards(instant, raises);
+        return raises;
+    }
+
+private:
+    void raise(WeightRaises& raises, std::size_t aspect, double share, double weight) const {
+        raises.of[aspect] = std::fmax(raises.of[aspect], share * (weight - priority_.weights.of[aspect]));
+    }
+
+    void raise_hazards(const WeighedInstant& instant, WeightRaises& raises) const {
+        const flight::OwnShipEstimate& own = instant.own_ship;
+        Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
+        if (!own.height_is_geometric) way.from.height.m += display_.undulation_m(own.position);
+        TerrainGround ground(display_.terrain_, terrain::View());
+        HazardWatch watch(priority_, way, ground, instant.time.utc.ns);
+        // Where terrain comes first already it needs no focus of its own.
+        if (priority_.weights.of[design::kTerrainAspect] < priority_.hazard_weight)
+            raise(raises, design::kTerrainAspect, watch.terrain_share(), priority_.hazard_weight);
+        for (std::size_t n = 0; n < priority_.parts.size() && display_.data_.has_scene(); ++n)
+            for (const scene::Layer& layer : display_.data_.scene().layers())
+                if (is_hazard(n, layer, instant.time))
+                    raise(raises, design::kMainAspects + n, watch.layer_share(layer), priority_.hazard_weight);
+        raises.has_hazard = watch.first_met(raises.hazard);
+    }
+
+    [[nodiscard]] bool is_hazard(std::size_t part, const scene::Layer& layer, const flight::FlightTime& time) const {
+        return priority_.parts[part].is_hazard && priority_.parts[part].has(layer.entry->role) &&
+               layer.entry->shape != scene::LayerShape::grid && is_valid_at(layer, time);
+    }
+
+    Display& display_;
+    const design::PrioritySettings& priority_;
+};
+
 /// Before anything of the frame is planned.
 void Display::weigh(base::Time now) {
-    const design::AspectWeights weights = weights_at(now);
+    design::AspectWeights weights = design_at(shown_).priority.weights;
+    if (has_epochs_) {
+        Raises raises(*this);
+        raised_.follow({now, flight::flight_time(state_.utc, now), state_.own_ship}, raises, shown_);
+        if (design_at(shown_).priority.is_stated) weights = raised_.above(weights);
+    }
     if (weights == weights_) return;
     weights_ = weights;
     take_weights();
@@ -32,38 +80,6 @@ void Display::show_look() {
     const draw::DrawnDesign drawn = drawn_design(settings_.design, draws_foci_);
     passes_.set_design(drawn);
     terrain_.set_design(gl_, drawn);
-}
-
-design::AspectWeights Display::weights_at(base::Time now) {
-    const design::PrioritySettings& priority = design_at(shown_).priority;
-    design::AspectWeights weights = priority.weights;
-    has_hazard_ = false;
-    if (!priority.is_stated) return weights;
-    double& uncertainty = weights.of[design::kUncertaintyAspect];
-    if (data_are_stale(flight::flight_time(state_.utc, now))) uncertainty = std::fmax(uncertainty, priority.stale_uncertainty);
-    if (terrain_.is_started() && state_.own_ship.state == base::SignalState::valid) raise_hazards(priority, now, weights);
-    return weights;
-}
-
-void Display::raise_hazards(const design::PrioritySettings& priority, base::Time now, design::AspectWeights& weights) {
-    const flight::OwnShipEstimate& own = state_.own_ship;
-    Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
-    if (!own.height_is_geometric) way.from.height.m += undulation_m(own.position);
-    TerrainGround ground(terrain_, terrain::View());
-    const flight::FlightTime time = flight::flight_time(state_.utc, now);
-    HazardWatch watch(priority, way, ground, time.utc.ns);
-    const auto raise = [&](std::size_t aspect, double share) {
-        double& weight = weights.of[aspect];
-        weight = std::fmax(weight, weight + share * (priority.hazard_weight - weight));
-    };
-    // Where terrain comes first already it needs no focus of its own.
-    if (weights.of[design::kTerrainAspect] < priority.hazard_weight) raise(design::kTerrainAspect, watch.terrain_share());
-    for (std::size_t n = 0; n < priority.parts.size() && data_.has_scene(); ++n)
-        for (const scene::Layer& layer : data_.scene().layers())
-            if (priority.parts[n].is_hazard && priority.parts[n].has(layer.entry->role) &&
-                layer.entry->shape != scene::LayerShape::grid && is_valid_at(layer, time))
-                raise(design::kMainAspects + n, watch.layer_share(layer));
-    has_hazard_ = watch.first_met(hazard_);
 }
 
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.

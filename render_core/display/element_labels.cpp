@@ -147,7 +147,7 @@ void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
     planner_.settle(shapes);
 }
 
-void ElementLabels::keep(EpochMemory& memory) const {
+void ElementLabels::keep(LabelEpoch& memory) const {
     planner_.keep(memory.labels);
     memory.view = view_;
     memory.time = time_;
@@ -156,7 +156,7 @@ void ElementLabels::keep(EpochMemory& memory) const {
     memory.design = decided_for_;
 }
 
-void ElementLabels::restore(const EpochMemory& memory) {
+void ElementLabels::restore(const LabelEpoch& memory) {
     planner_.restore(memory.labels);
     view_ = memory.view;
     time_ = memory.time;

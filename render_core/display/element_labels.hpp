@@ -50,7 +50,7 @@ struct LabelFrame {
 [[nodiscard]] bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time);
 
 /// What an epoch leaves to the next one, and to a turn of designs. Plain data.
-struct EpochMemory {
+struct LabelEpoch {
     draw::LabelMemory labels;
     terrain::View view;  ///< at the epoch's first instant, with what follows
     flight::FlightTime time;
@@ -78,8 +78,8 @@ public:
     void skip(base::Time now);
     /// Labels of an element's layer that the epoch leaves out.
     [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
-    void keep(EpochMemory& memory) const;
-    void restore(const EpochMemory& memory);
+    void keep(LabelEpoch& memory) const;
+    void restore(const LabelEpoch& memory);
     /// The epoch was decided by one design, and then anew for another.
     [[nodiscard]] bool is_anew() const { return is_anew_; }
 

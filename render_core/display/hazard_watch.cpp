@@ -83,13 +83,23 @@ bool HazardWatch::is_aside(const scene::Layer& layer, scene::Run run, Place drif
 
 double HazardWatch::terrain_share() {
     constexpr int kFiner = 4;
-    for (int step = 0; step < kFiner * kSteps; ++step) {
-        const double seconds = time_of(step) / kFiner;
-        const earth::Geodetic at = geodetic_at(seconds);
-        const double ground_m = ground_.height_m(at.latitude_rad, at.longitude_rad);
-        if (at.height.m < ground_m + clearance_m()) return note(seconds);
-    }
+    for (int step = 0; step < kFiner * kSteps; ++step)
+        if (is_at_terrain(time_of(step) / kFiner)) return note(time_of(step) / kFiner);
     return 0;
+}
+
+/// Below the way and aside of it, across its track.
+bool HazardWatch::is_at_terrain(double seconds) {
+    constexpr int kAside = 2;
+    const double speed = std::hypot(way_.east_mps, way_.north_mps);
+    const earth::Geodetic way = geodetic_at(seconds);
+    for (int n = -kAside; n <= kAside; ++n) {
+        const double aside = speed > 0 ? settings_.hazard_within_m * n / (kAside * speed) : 0;
+        const double ground_m = ground_.height_m(way.latitude_rad - aside * way_.east_mps / metres_per_latitude_,
+                                                 way.longitude_rad + aside * way_.north_mps / metres_per_longitude_);
+        if (way.height.m < ground_m + clearance_m()) return true;
+    }
+    return false;
 }
 
 double HazardWatch::layer_share(const scene::Layer& layer) {

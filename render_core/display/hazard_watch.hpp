@@ -3,9 +3,9 @@
 ///
 /// The way is straight ahead at the speed of the instant, for `hazard_ahead_s`. A hazard counts from 0 at its end to 1 at half of
 /// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below;
-/// terrain is looked at below the way alone, four times as often. A function of the instant alone: what is only just reached may
-/// come and go from frame to frame. Heights and floors that are not stated count as if they were at the aircraft's own height;
-/// ground that is not known does not count, and is said otherwise.
+/// terrain is looked at four times as often, on five lines along the way. A function of the instant alone: what is only just
+/// reached comes and goes (raised_weights.hpp steadies it). Heights and floors that are not stated count as if they were at the
+/// aircraft's own height; ground that is not known does not count, and is said otherwise.
 ///
 /// Bounded: kSteps places of the way, and every point of the layers. Thread  the display's.
 #pragma once
@@ -51,6 +51,7 @@ private:
     [[nodiscard]] double clearance_m() const { return settings_.hazard_within_m / 3; }
     [[nodiscard]] double share_of(double seconds) const;
     double note(double seconds);
+    [[nodiscard]] bool is_at_terrain(double seconds);
     [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
     [[nodiscard]] bool is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const;
     [[nodiscard]] bool is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds);

@@ -38,9 +38,11 @@ struct Frame {
     std::uint32_t pending = 0, triangles = 0;
     double tau_px = 0;
     display::LabelRecord labels{};
+    double terrain_weight = 1;
     bool operator==(const Frame& o) const {
-        return hash == o.hash && pending == o.pending && triangles == o.triangles && tau_px == o.tau_px &&
-               labels.placed == o.labels.placed && labels.suppressed == o.labels.suppressed && labels.changed == o.labels.changed;
+        return terrain_weight == o.terrain_weight && hash == o.hash && pending == o.pending && triangles == o.triangles &&
+               tau_px == o.tau_px && labels.placed == o.labels.placed && labels.suppressed == o.labels.suppressed &&
+               labels.changed == o.labels.changed;
     }
 };
 
@@ -57,8 +59,12 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
         session.display().update(instant.aircraft, instant.phase, times.at(n));
         session.draw();
         const display::TerrainRecord& terrain = session.display().record().terrain;
-        frames[times.at(n).ns] = {session.frame_hash(), terrain.pending, terrain.triangles, terrain.tau_reached_px,
-                                  session.display().record().labels};
+        frames[times.at(n).ns] = {session.frame_hash(),
+                                  terrain.pending,
+                                  terrain.triangles,
+                                  terrain.tau_reached_px,
+                                  session.display().record().labels,
+                                  session.display().record().weights[0].weight};
     }
     return frames;
 }
@@ -262,6 +268,33 @@ TEST(FrameApproach, LabelsOfTwoDesignsAreTheSameHoweverAFrameIsReached) {
         EXPECT_EQ(differences(all, run(crowd(frames * kStep_s, kStep_s), true)), 0u) << "from frame " << frames;
     for (const double frames : {3.0, -1.0})
         EXPECT_EQ(differences(all, run(crowd(0, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+}
+
+/// In the climb terrain is a hazard that counts for much, in cruise for little.
+ReplayOptions weighed(double from_s, double step_s) {
+    const auto priority = [](double terrain, double within_m) {
+        return "[priority]\nterrain = " + std::to_string(terrain) + "\nhazard_within_m = " + std::to_string(within_m) + "\n";
+    };
+    static const std::string kClimb = files().folder.write(
+        "weighed_climb.toml",
+        "name = \"climb\"\n[effects]\nfade_s = 0.5\n[phases]\ncruise = \"weighed_cruise.toml\"\n" + priority(0.1, 3000));
+    static const std::string kCruise =
+        files().folder.write("weighed_cruise.toml", "name = \"cruise\"\n[effects]\nfade_s = 0.5\n" + priority(0.4, 2600));
+    ReplayOptions o = of_two_designs(from_s, 4, step_s);
+    o.picture.design = kClimb;
+    return o;
+}
+
+TEST(FrameApproach, RaisedWeightsAreTheSameHoweverAFrameIsReached) {
+    const auto all = run(weighed(0, kStep_s), true);
+    std::set<double> weights;
+    for (const auto& [time, frame] : all) weights.insert(frame.terrain_weight);
+    ASSERT_GT(weights.size(), 4u) << "hazards raise it, and it turns";
+    for (const double frames : {1.0, 20.0, 46.0, 47.0, 48.0, 49.0, 52.0, 60.0, 61.0, 90.0})
+        EXPECT_EQ(differences(all, run(weighed(frames * kStep_s, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {3.0, -1.0})
+        EXPECT_EQ(differences(all, run(weighed(0, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+    EXPECT_GT(differences(all, run(weighed(90 * kStep_s, kStep_s), false)), 0u) << "control";
 }
 
 }  // namespace

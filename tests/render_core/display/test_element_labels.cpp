@@ -148,7 +148,7 @@ TEST(ElementLabels, WhatIsLeftOutIsCountedByElement) {
 TEST(ElementLabels, DecisionsStandForAnEpoch) {
     Shown shown(scene_of({kPlaces, kMasts}));
     static_cast<void>(shown.frame(10));
-    EpochMemory before, after;
+    LabelEpoch before, after;
     shown.labels.keep(before);
     static_cast<void>(shown.frame(10.4, 3));
     shown.labels.keep(after);
@@ -163,7 +163,7 @@ TEST(ElementLabels, DecisionsStandForAnEpoch) {
     EXPECT_EQ(after.labels.epoch, before.labels.epoch);
 }
 
-bool are_same(const EpochMemory& a, const EpochMemory& b) {
+bool are_same(const LabelEpoch& a, const LabelEpoch& b) {
     bool same = a.labels.epoch == b.labels.epoch && a.labels.labels.size() == b.labels.labels.size();
     for (std::size_t n = 0; same && n < a.labels.labels.size(); ++n) {
         const draw::Label &one = a.labels.labels[n], &other = b.labels.labels[n];
@@ -172,8 +172,8 @@ bool are_same(const EpochMemory& a, const EpochMemory& b) {
     return same;
 }
 
-EpochMemory memory_of(const Shown& shown) {
-    EpochMemory memory;
+LabelEpoch memory_of(const Shown& shown) {
+    LabelEpoch memory;
     shown.labels.keep(memory);
     return memory;
 }
@@ -182,7 +182,7 @@ TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
     Shown shown(scene_of({kPlaces, kMasts})), other(scene_of({kPlaces, kMasts})), late(scene_of({kPlaces, kMasts}));
     static_cast<void>(shown.frame(9.6));
     static_cast<void>(shown.frame(10.1));
-    const EpochMemory before = memory_of(shown);
+    const LabelEpoch before = memory_of(shown);
     shown.set(1);
     EXPECT_EQ(shown.frame(10.3, 180).placed, 0u) << "behind";
     EXPECT_TRUE(shown.labels.is_anew());

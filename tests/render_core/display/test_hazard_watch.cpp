@@ -141,5 +141,25 @@ TEST(HazardWatch, TerrainIsOneWhereTheWayComesDownToIt) {
     EXPECT_EQ(watched.terrain(), 0) << "what is not known is said otherwise";
 }
 
+/// Rises to 2000 m beyond a line east of where the way begins.
+class RidgeEast final : public draw::Ground {
+public:
+    double height_m(double, double longitude_rad) override { return longitude_rad > from_rad ? 2000 : 600; }
+    double undulation_m(double, double) override { return 0; }
+    double from_rad = 0;
+};
+
+TEST(HazardWatch, TerrainAsideIsOneAsFarAsAnythingElse) {
+    Watched watched;
+    RidgeEast ridge;
+    for (const double east_m : {-300.0, 200.0, 450.0, 550.0, 900.0}) {
+        ridge.from_rad = point(0, east_m, 0).longitude_rad;
+        EXPECT_EQ(HazardWatch(watched.settings, watched.way, ridge, 0).terrain_share(), east_m < 500 ? 1 : 0) << east_m;
+        Way back = watched.way;  // it lies on the other side of who flies the other way
+        back.north_mps = -kSpeed_mps;
+        EXPECT_EQ(HazardWatch(watched.settings, back, ridge, 0).terrain_share(), east_m < 500 ? 1 : 0) << east_m;
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::display::test_hazard_watch

@@ -1,0 +1,61 @@
+#include "render_core/display/raised_weights.hpp"
+
+#include <algorithm>
+
+#include "render_core/draw/data/label_planner.hpp"
+
+namespace tedavis::display {
+namespace {
+
+bool is_same_flight(const flight::OwnShipEstimate& a, const flight::OwnShipEstimate& b) {
+    return a.state == b.state && a.position.latitude_rad == b.position.latitude_rad &&
+           a.position.longitude_rad == b.position.longitude_rad && a.position.height.m == b.position.height.m &&
+           a.velocity_north_mps == b.velocity_north_mps && a.velocity_east_mps == b.velocity_east_mps &&
+           a.velocity_up_mps == b.velocity_up_mps;
+}
+
+}  // namespace
+
+void RaisedWeights::follow(const WeighedInstant& instant, RaiseSource& source, std::size_t design) {
+    // The same instant elsewhere: nobody flies there.
+    const bool leaps = is_decided_ && instant.now == last_now_ && !is_same_flight(instant.own_ship, last_own_);
+    last_now_ = instant.now;
+    last_own_ = instant.own_ship;
+    if (is_decided_ && !leaps && design != design_) {
+        raises_ = source.raises_at(instant_);
+        is_anew_ = true;
+    }
+    design_ = design;
+    const std::int64_t epoch = draw::LabelPlanner::epoch_of(instant.now);
+    const std::int64_t passed = epoch - draw::LabelPlanner::epoch_of(instant_.now);
+    if (is_decided_ && passed == 0 && !leaps) return;
+    const WeightRaises asked = source.raises_at(instant);
+    if (!is_decided_ || leaps || passed < 0)
+        raises_ = asked;
+    else
+        approach(asked, passed);
+    instant_ = instant;
+    is_decided_ = true;
+    is_anew_ = leaps;
+}
+
+void RaisedWeights::approach(const WeightRaises& asked, std::int64_t epochs) {
+    bool is_falling = false;
+    for (std::size_t n = 0; n < raises_.of.size(); ++n) {
+        double& raise = raises_.of[n];
+        const auto steps = static_cast<double>(epochs);
+        raise = std::min(std::max(asked.of[n], raise - steps * kMostFall), raise + steps * kMostRise);
+        is_falling = is_falling || (n != design::kUncertaintyAspect && raise > 0);
+    }
+    if (!asked.has_hazard && is_falling) return;
+    raises_.has_hazard = asked.has_hazard;
+    raises_.hazard = asked.hazard;
+}
+
+design::AspectWeights RaisedWeights::above(const design::AspectWeights& stated) const {
+    design::AspectWeights weights = stated;
+    for (std::size_t n = 0; n < weights.of.size(); ++n) weights.of[n] = std::min(weights.of[n] + raises_.of[n], 1.0);
+    return weights;
+}
+
+}  // namespace tedavis::display

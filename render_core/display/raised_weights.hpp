@@ -1,0 +1,73 @@
+/// What raises the weights of aspects above those that a design states: hazards on the way, and stale data. Decided at the epochs
+/// of labels (draw/data/label_planner.hpp) by what they ask for at the epoch's first instant, and approached little by little:
+/// what is only just reached neither flickers nor leaps.
+///
+///   follow(instant, source, design) each frame, and at every epoch that a replay passes over · above(stated)
+///
+/// The place of a hazard is that of the epoch; it stays while what it raised is still falling. When another of the display's
+/// designs takes its turn the epoch is decided anew for that one, at its first instant and at once: the fade between both covers
+/// it.
+///
+/// Plain data: a copy is what an epoch leaves to the next one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render_core/base/time.hpp"
+#include "render_core/design/priority.hpp"
+#include "render_core/flight/aircraft_state.hpp"
+#include "render_core/flight/flight_time.hpp"
+
+namespace tedavis::display {
+
+/// That aspects are weighed by.
+struct WeighedInstant {
+    base::Time now{0};  ///< the source's
+    flight::FlightTime time;
+    flight::OwnShipEstimate own_ship;
+};
+
+struct WeightRaises {
+    std::array<double, design::kMaxAspects> of{};  ///< 0..1, above the stated weights
+    bool has_hazard = false;
+    earth::Geodetic hazard;  ///< with it: where the first one is met; height over the ellipsoid
+};
+
+/// What is asked for at an instant.
+class RaiseSource {
+public:
+    virtual ~RaiseSource() = default;
+    [[nodiscard]] virtual WeightRaises raises_at(const WeighedInstant& instant) = 0;
+
+protected:
+    RaiseSource() = default;
+    RaiseSource(const RaiseSource&) = default;
+    RaiseSource& operator=(const RaiseSource&) = default;
+};
+
+class RaisedWeights {
+public:
+    static constexpr double kMostRise = 0.25, kMostFall = 0.125;  ///< of a weight, from one epoch to the next
+
+    /// `design`: a number for each of the display's designs; `source` answers for that one.
+    void follow(const WeighedInstant& instant, RaiseSource& source, std::size_t design);
+    void forget() { *this = {}; }
+    [[nodiscard]] design::AspectWeights above(const design::AspectWeights& stated) const;
+    /// Null where there is none.
+    [[nodiscard]] const earth::Geodetic* hazard() const { return raises_.has_hazard ? &raises_.hazard : nullptr; }
+    /// The epoch was decided in one way, and then anew.
+    [[nodiscard]] bool is_anew() const { return is_anew_; }
+
+private:
+    void approach(const WeightRaises& asked, std::int64_t epochs);
+
+    WeightRaises raises_;
+    WeighedInstant instant_;  ///< the epoch's first
+    base::Time last_now_{0};
+    flight::OwnShipEstimate last_own_;
+    std::size_t design_ = 0;
+    bool is_decided_ = false, is_anew_ = false;
+};
+
+}  // namespace tedavis::display
