@@ -1,5 +1,6 @@
 #include "host_sim/commands/shot.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
@@ -27,6 +28,14 @@ flight::PhaseStatus named_phase(const std::string& name) {
     return flight::stated_phase(phase.phase, flight::PhaseSource::switches);
 }
 
+/// Those that were asked for stand before the design's.
+void note_hidden_foci(const display::FrameRecord& record, std::size_t asked, Console& console) {
+    for (std::size_t n = 0; n < std::min<std::size_t>(asked, record.foci.size()); ++n)
+        if (!record.foci[n].is_shown)
+            console.note("note: focus " + std::to_string(n + 1) +
+                         " of --focus is nowhere: " + std::string(record.foci[n].reason.view()));
+}
+
 }  // namespace
 
 int run_shot(const ShotOptions& options, Console& console) {
@@ -45,6 +54,7 @@ int run_shot(const ShotOptions& options, Console& console) {
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
                        hash_text(result.hash),
                    json);
+    note_hidden_foci(result.record, options.picture.foci.size(), console);
     const std::string fault = session.terrain_fault();
     if (fault.empty()) return 0;
     console.note("note: " + fault);

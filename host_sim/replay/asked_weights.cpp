@@ -30,7 +30,10 @@ AskedWeights weights_from(const std::string& text) {
         const char *begin = part.data() + sign + 1, *end = part.data() + part.size();
         const auto read = std::from_chars(begin, end, weight);
         const bool is_weight = read.ec == std::errc() && read.ptr == end && weight >= 0 && weight <= 1;
-        if (!is_weight || !weights.emplace(part.substr(0, sign), weight).second) refuse(text);
+        if (!is_weight) refuse(text);
+        const std::string name = part.substr(0, sign);
+        if (!weights.emplace(name, weight).second)
+            throw UserError("weights \"" + text + "\": '" + name + "' has two weights; leave one out");
     }
     if (weights.empty()) refuse(text);
     return weights;

@@ -51,7 +51,10 @@ void add_foci(const std::vector<std::string>& lines, design::FocusList& foci) {
     bool has_room = true;
     for (const std::string& line : lines) {
         const auto focus = design::read_focus(line);
-        if (!focus.ok()) throw UserError(std::string(focus.error().sentence.view()));
+        if (!focus.ok())
+            throw UserError(
+                std::string(focus.error().sentence.view()) + "; it is '" + line +
+                "', and should be keys of [[focus]] with commas between, such as 'at = \"place\", place = \"DAVOS\"'");
         has_room = foci.try_push_back(focus.value()) && has_room;
     }
     for (const design::FocusSettings& focus : own) has_room = foci.try_push_back(focus) && has_room;

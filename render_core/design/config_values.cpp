@@ -5,7 +5,7 @@
 namespace tedavis::design {
 
 void fault_of(base::ConfigSection& section, std::string_view key, std::string_view what) {
-    base::FixedString<191> sentence("'");
+    base::FixedString<447> sentence("'");
     sentence.append(key);
     sentence.append("' ");
     sentence.append(what);

@@ -27,13 +27,24 @@ std::size_t role_named(std::string_view name) {
     return role;
 }
 
+void refuse_role(base::ConfigSection& section, std::string_view name) {
+    base::FixedString<383> sentence("has '");
+    sentence.append(name);
+    sentence.append("', which is no role of layers; roles are");
+    for (std::size_t role = 0; role < kRoles; ++role) {
+        sentence.append(role == 0 ? " " : ", ");
+        sentence.append(scene::name_of(static_cast<scene::LayerRole>(role)));
+    }
+    fault_of(section, "roles", sentence.view());
+}
+
 void read_roles(base::ConfigSection& section, DataPart& part) {
     std::string_view names[kRoles];
     const std::size_t count = section.texts("roles", names);
     if (count == 0) fault_of(section, "roles", "must name at least one role of layers");
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t role = role_named(names[n]);
-        if (role == kRoles) return fault_of(section, "roles", "has a name that is no role of layers");
+        if (role == kRoles) return refuse_role(section, names[n]);
         part.roles |= 1u << role;
     }
 }

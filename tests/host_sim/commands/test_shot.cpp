@@ -131,6 +131,15 @@ TEST(Shot, ADamagedChunkLeavesThePictureAndEndsWithTwo) {
     EXPECT_TRUE(std::filesystem::exists(files().folder.file("damaged.json")));
 }
 
+TEST(Shot, AFocusThatIsNowhereIsSaid) {
+    ShotOptions options = shot();
+    options.picture.foci = {"at = \"place\", place = \"DAVOS\"", "at = \"own_ship\""};
+    const test_support::CommandRun run =
+        test_support::run_command([&](Console& console) { return run_shot(options, console); }, true);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(run.notes, "note: focus 1 of --focus is nowhere: the scene has no feature of that name\n");
+}
+
 TEST(Shot, WrongInputIsRefusedAndNothingIsWritten) {
     const auto refused = [](ShotOptions options, const std::string& words) {
         options.output = files().folder.file("refused.png");
