@@ -41,21 +41,26 @@ struct Reader {
     ~Reader() { png_image_free(&image); }
 };
 
-}  // namespace
-
-std::string encode_png(const RgbaView& view) {
+template <class View>
+std::string encoded(const View& view, int color_type) {
     std::string bytes;
     Writer writer;
     png_set_write_fn(writer.png, &bytes, append_bytes, nothing_to_flush);
     png_set_compression_level(writer.png, kCompression);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(writer.png, writer.info, view.width, view.height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+    png_set_IHDR(writer.png, writer.info, view.width, view.height, 8, color_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(writer.png, writer.info);
     for (std::uint32_t y = 0; y < view.height; ++y) png_write_row(writer.png, view.row(y));
     png_write_end(writer.png, writer.info);
     return bytes;
 }
+
+}  // namespace
+
+std::string encode_png(const RgbaView& view) { return encoded(view, PNG_COLOR_TYPE_RGBA); }
+
+std::string encode_grey_png(const GreyView& view) { return encoded(view, PNG_COLOR_TYPE_GRAY); }
 
 void write_png(const std::string& path, const RgbaView& view) { write_file_atomically(path, encode_png(view)); }
 

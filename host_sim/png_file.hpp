@@ -1,4 +1,4 @@
-/// PNG pictures: 8-bit RGBA, top row first.
+/// PNG pictures: 8-bit RGBA or grey, top row first.
 ///
 /// The same pixels always give the same bytes (fixed compression and filter settings).
 #pragma once
@@ -31,8 +31,17 @@ struct RgbaView {
     return {picture.pixels.data(), picture.width, picture.height, false};
 }
 
+/// A number a pixel, top row first, without copying them.
+struct GreyView {
+    const std::uint8_t* pixels = nullptr;
+    std::uint32_t width = 0, height = 0;
+
+    [[nodiscard]] const std::uint8_t* row(std::uint32_t y_from_top) const { return pixels + std::size_t{y_from_top} * width; }
+};
+
 /// The file's bytes.
 [[nodiscard]] std::string encode_png(const RgbaView& view);
+[[nodiscard]] std::string encode_grey_png(const GreyView& view);
 /// Appears whole or not at all; throws UserError.
 void write_png(const std::string& path, const RgbaView& view);
 /// Any PNG, as RGBA8. Throws UserError when it is missing, damaged or no PNG.

@@ -7,6 +7,9 @@
 namespace tedavis::host_sim {
 namespace {
 
+constexpr const char* kLayersText =
+    "beside each picture X.layers.png: 0 terrain, 1 data, 2 uncertainty, 3 labels, 4 symbology, by which pixel is whose";
+
 /// What every command that draws has.
 void add_surface_options(CLI::App* command, PictureOptions& picture) {
     static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
@@ -59,6 +62,7 @@ void add_shot(CLI::App& app, CommandLine& line) {
         "--phase", [&o](const std::string& text) { o.phase = phase_from(text); },
         "flight phase, as if a switch stated it; default: none is stated");
     command->add_option("-o", o.output, "the picture to write (.png)")->required();
+    command->add_flag("--layers", o.layers, kLayersText);
     add_picture_options(command, o.picture);
 }
 
@@ -148,6 +152,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     add_replay_instants(command, o);
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
+    CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
     CLI::Option* ledger = command->add_flag(
         "--ledger", o.ledger, "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");
     line.replay_config_holds = command->get_options(
@@ -155,8 +160,9 @@ void add_replay(CLI::App& app, CommandLine& line) {
     command->add_option("-o", o.output, "folder to write to")->required();
     command->add_option("--save-config", o.save_config,
                         "writes data, design and parameters of this replay to a file, after --window with its switches");
-    CLI::Option* window =
-        command->add_flag("--window", o.window, "in a window on the screen, with the keys below")->excludes(ledger);
+    CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
+                              ->excludes(ledger)
+                              ->excludes(layers);
     command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
     command->add_option("--config", line.replay_config,
                         "a file that --save-config wrote; beside it only -o, --save-config, --window and --tour");

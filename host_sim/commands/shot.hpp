@@ -15,6 +15,7 @@ struct ShotOptions {
     std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
+    bool layers = false;  ///< also X.layers.png: which layer each pixel is of
     std::string output;  ///< X.png; the record goes beside it as X.json; without an extension the same
 };
 

@@ -158,6 +158,15 @@ void DisplaySession::draw() {
     display_->draw(*surface_);
     for (const display::Name& flag : display_->record().flags)
         terrain_faulty_ = terrain_faulty_ || flag.view() == "terrain.failing" || flag.view() == "terrain.failed";
+    read_back();
+}
+
+void DisplaySession::draw_up_to(display::PictureLayer last) {
+    display_->draw_up_to(*surface_, last);
+    read_back();
+}
+
+void DisplaySession::read_back() {
     if (!gl::read_pixels(display_->gl(), width(), height(), {pixels_.data(), pixels_.size()}))
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
 }

@@ -49,6 +49,8 @@ public:
 
     /// Draws what was planned and reads it back; bottom row first.
     void draw();
+    /// The frame that was drawn last without what lies before a layer (Display::draw_up_to), read back instead of it.
+    void draw_up_to(display::PictureLayer last);
     /// Shows what was drawn last where the surface has a screen. Throws UserError when the surface is lost.
     void present();
     [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
@@ -63,6 +65,7 @@ private:
     void open_terrain(const std::string& path);
     void open_scene(const std::string& path);
     void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
+    void read_back();
     void hold_deadline(const PictureOptions& options);
 
     effects::DeviceSettings device_;

@@ -7,6 +7,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/heap_trap/heap_trap.hpp"
+#include "host_sim/replay/layer_mask.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
@@ -19,9 +20,10 @@ using flight::Signal;
 
 double milliseconds_between(base::Time a, base::Time b) { return (b - a).to_seconds() * 1000; }
 
-/// "000123.png", as frame_picture_path names them.
+/// "000123.png", as frame_picture_path names them, and "000123.layers.png".
 bool is_frame_picture(const std::filesystem::path& file) {
-    const std::string stem = file.stem().string();
+    const bool has_kind = file.stem().extension() == ".layers";
+    const std::string stem = has_kind ? file.stem().stem().string() : file.stem().string();
     return file.extension() == ".png" && stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
@@ -41,6 +43,8 @@ std::string denied_text(const gl::DeniedReport& denied, const std::string& devic
 }
 
 const std::string& made_folder(const ReplayOptions& options) {
+    if (options.layers && options.frame_output() != FrameOutput::png)
+        throw UserError("--layers: lie beside the pictures of a run; leave --frames out, or say --frames png");
     const std::string frames = options.output + "/" + kFramesFolder;
     make_folder(options.output);
     remove_frame_pictures(frames);
@@ -61,6 +65,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
     instant_ = player_.at(time);
     draw_watched(time);
     result_.record = session_.display().record();
+    result_.has_layers = options_.layers;
     result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
     return result_;
@@ -89,6 +94,7 @@ void RunRecorder::keep() {
         story_.add_picture(result_, session_.pixels());
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());
+    if (options_.layers) write_layer_mask(frame_picture_path(options_.output, result_.record.frame), session_);
 }
 
 int RunRecorder::finish(bool interrupted, Console& console) {

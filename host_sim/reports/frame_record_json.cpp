@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -186,6 +187,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"triangles", record.terrain.triangles},
                        {"chunks", record.terrain.chunks},
                        {"pending", record.terrain.pending}};
+    if (result.has_layers) json["layers"] = display::kPictureLayerNames;
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
     json["labels"] = {

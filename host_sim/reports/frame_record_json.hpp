@@ -18,6 +18,7 @@ struct FrameResult {
     display::FrameRecord record;
     std::uint64_t hash = 0;  ///< of the pixels, base::frame_hash
     FrameTiming timing;
+    bool has_layers = false;  ///< beside its picture lies which layer each pixel is of
     double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 

@@ -89,6 +89,10 @@ public:
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
     void draw(base::Surface& surface);
+    /// Draws the frame that was drawn last again, without what lies before a layer: for those who measure pictures. Counts as no
+    /// frame, and changes nothing of its record or the next one; up to the symbology it is the same picture. A frame that keeps
+    /// the picture of an earlier design (must_be_drawn()) must be drawn up to there before the next one is planned.
+    void draw_up_to(base::Surface& surface, PictureLayer last);
     void stop();
 
     /// Colours, thresholds and views of other designs, and which phases have them; no new objects. Takes effect with the next
@@ -206,6 +210,7 @@ private:
     [[nodiscard]] ElementFrame element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
     [[nodiscard]] bool shows_elements() const { return elements_.is_started() && decisions_.show_terrain; }
     void plan_signs(const Eye& eye, SignFrame signs);
+    [[nodiscard]] draw::TerrainDrawResult paint(base::Surface& surface);
     [[nodiscard]] draw::TerrainDrawResult draw_scene(base::Surface& surface);
     [[nodiscard]] draw::TerrainDrawResult draw_eye(const EyePair& pair, draw::EyeSide side);
     [[nodiscard]] draw::TerrainDrawResult draw_eyes(base::Surface& surface);
@@ -255,6 +260,7 @@ private:
     effects::FrameCounters counters_;
     effects::FramePlan plan_;
     EffectWorkTable work_;  ///< of the frame that was drawn last
+    PictureLayer last_layer_ = PictureLayer::symbology;
     draw::FocusRange focus_;
     ShadowPlan shadows_;
     bool effects_are_forced_ = false;

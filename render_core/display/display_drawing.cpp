@@ -21,16 +21,7 @@ void Display::draw(base::Surface& surface) {
         put_symbology();
         plan_effects();
     }
-    const draw::TerrainDrawResult drawn = draw_scene(surface);
-    if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started()) {
-        const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
-        fade_.draw(gl_, fade_share_);
-    }
-    if (!free_view_active_) draw_symbology(surface);
-    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
-        const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
-        dimmer_.draw(gl_, panel_.white);
-    }
+    const draw::TerrainDrawResult drawn = paint(surface);
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_budget(frame_budget_.report(), record_);
     note_elements(elements_.reports(), record_);
@@ -39,6 +30,39 @@ void Display::draw(base::Surface& surface) {
     note_drawn(drawn, settings_.device.budget, record_);
     note_work(work_, record_);
     record_.bytes.uploaded = gl_.frame().uploaded_bytes;
+}
+
+draw::TerrainDrawResult Display::paint(base::Surface& surface) {
+    const draw::TerrainDrawResult drawn = draw_scene(surface);
+    if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started()) {
+        const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
+        fade_.draw(gl_, fade_share_);
+    }
+    if (!free_view_active_ && last_layer_ == PictureLayer::symbology) draw_symbology(surface);
+    if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
+        const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
+        dimmer_.draw(gl_, panel_.white);
+    }
+    return drawn;
+}
+
+/// Data on the ground go by the strength that their program draws them with.
+void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
+    const EffectWorkTable work = work_;
+    last_layer_ = last;
+    if (last < PictureLayer::uncertainty && terrain_.is_started()) {
+        design::DesignSettings bare = settings_.design;
+        bare.data.ground.uncertainty.strength = bare.data.ground.overlay.strength = 0;
+        if (last < PictureLayer::data) bare.data.ground.opacity = 0;
+        terrain_.set_design(gl_, drawn_design(bare, draws_foci_));
+    }
+    gl_.begin_frame();
+    gl::bind_surface(gl_, surface);
+    static_cast<void>(paint(surface));
+    if (last < PictureLayer::uncertainty && terrain_.is_started())
+        terrain_.set_design(gl_, drawn_design(settings_.design, draws_foci_));
+    last_layer_ = PictureLayer::symbology;
+    work_ = work;
 }
 
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
@@ -102,6 +126,7 @@ DrawContext Display::context_of(const Eye& eye) const {
     context.shadows = shadows_;
     context.haze_per_m = plan_.runs(effects::Effect::haze) ? eye_.haze_per_m : 0;
     context.is_free_view = free_view_active_;
+    context.last = last_layer_;
     if (draws_foci_) context.foci = &foci_.foci.regions;
     if (terrain_.is_started()) context.heights = height_span(terrain_.database().header());
     return context;

@@ -4,6 +4,7 @@
 #include "render_core/display/display_decisions.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/picture_layer.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/picture_pass.hpp"
@@ -32,6 +33,7 @@ struct DrawContext {
     draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
     const scene::FocusRegions* foci = nullptr;       ///< that change the ground; must stay. Null: none does
     bool blurs_context = false;                      ///< round them
+    PictureLayer last = PictureLayer::symbology;     ///< nothing is drawn that lies before it
 };
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);

@@ -30,8 +30,11 @@ draw::FocusRange context_range(const design::DesignSettings& design) {
 draw::DataFrame data_frame(const PassInput& input) {
     draw::DataFrame frame = make_data_frame(input.frame);
     frame.grid = {&input.frame.design.terrain.style.grid, &input.terrain.database()};
+    frame.without_uncertainty = input.frame.last < PictureLayer::uncertainty;
     return frame;
 }
+
+bool draws_elements(const PassInput& input) { return input.frame.last >= PictureLayer::data && input.elements.has_anything(); }
 
 /// What is not to be blurred leaves a distance that is in focus.
 void leave_distances(DrawContext& frame) {
@@ -156,7 +159,7 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
         effects.shafts = &shafts_.texture();
     }
     if (has_effects) finish_effects(gl, place, effects, frame.blurs_context, input.work);
-    if (frame.decisions.show_terrain) input.elements.draw_signs(gl, width_px_, height_px_);
+    if (frame.decisions.show_terrain && frame.last >= PictureLayer::labels) input.elements.draw_signs(gl, width_px_, height_px_);
     return drawn;
 }
 
@@ -199,7 +202,7 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
         const WorkScope work(gl, picture.outlined ? input.work[effects::Effect::silhouettes] : unlined);
         picture_.finish(gl, place, input.frame.design, picture);
     }
-    if (input.elements.has_anything()) draw_elements_over_picture(gl, input);
+    if (draws_elements(input)) draw_elements_over_picture(gl, input);
 }
 
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
@@ -211,7 +214,7 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
         gl->Disable(GL_DEPTH_TEST);
         if (goes_off_screen_) continue;
         if (n == 0) sky_.draw(gl, make_sky_input(input.frame));
-        if (!input.elements.has_anything()) continue;
+        if (!draws_elements(input)) continue;
         gl->Enable(GL_DEPTH_TEST);
         input.elements.draw(gl, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);

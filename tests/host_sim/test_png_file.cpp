@@ -28,6 +28,16 @@ TEST(PngFile, KeepsEveryPixelAndAlpha) {
     }
 }
 
+TEST(PngFile, GreyReadsBackAsGrey) {
+    const test_support::TemporaryFolder folder;
+    const std::vector<std::uint8_t> grey{0, 1, 2, 200, 254, 255};
+    const RgbaPicture back = read_png(folder.write("grey.png", encode_grey_png({grey.data(), 3, 2})));
+    ASSERT_EQ(back.pixels.size(), 24u);
+    EXPECT_EQ(back.width, 3u);
+    for (std::size_t n = 0; n < grey.size(); ++n)
+        for (std::size_t channel = 0; channel < 3; ++channel) EXPECT_EQ(back.pixels[4 * n + channel], grey[n]);
+}
+
 TEST(PngFile, TurnsGlRowsRound) {
     const RgbaPicture picture = pattern(2, 3);
     RgbaPicture turned = picture;

@@ -25,8 +25,9 @@ struct DataFrame {
     double haze_per_m = 0;              ///< 1 / distance at which haze hides 1 - 1/e; 0 for none
     design::Color haze;
     AirFrame air;
-    DistanceLeft left;  ///< in the picture's alpha, by what is opaque
-    DataGrid grid;      ///< on what asks for it
+    DistanceLeft left;                 ///< in the picture's alpha, by what is opaque
+    DataGrid grid;                     ///< on what asks for it
+    bool without_uncertainty = false;  ///< no glyphs that say nothing else
 };
 
 /// What frames may have; for what they have not nothing is compiled.

@@ -171,7 +171,8 @@ std::uint32_t GlyphDrawer::draw(gl::Gl& gl, const DataFrame& frame, const DepthR
             gl->DepthMask(GL_FALSE);
         }
         for (const GlyphRun& run : batch_->runs()) {
-            if (run.is_transparent != is_transparent || run.first >= uploaded_) continue;
+            const bool is_left_out = frame.without_uncertainty && is_of_uncertainty(run.shape);
+            if (run.is_transparent != is_transparent || run.first >= uploaded_ || is_left_out) continue;
             is_flat(run.shape) ? gl->Disable(GL_CULL_FACE) : gl->Enable(GL_CULL_FACE);
             is_instanced_ ? draw_instances(gl, run, program_.uniform(kFacing)) : draw_corners(gl, run, frame, range);
         }

@@ -41,6 +41,10 @@ inline constexpr std::size_t kGlyphShapes = static_cast<std::size_t>(GlyphShape:
            shape == GlyphShape::cross || shape == GlyphShape::circle || shape == GlyphShape::triangle ||
            shape == GlyphShape::puff || shape == GlyphShape::stem;
 }
+/// Says how unsure something is, and nothing else.
+[[nodiscard]] constexpr bool is_of_uncertainty(GlyphShape shape) {
+    return shape == GlyphShape::circle || shape == GlyphShape::triangle || shape == GlyphShape::tetrahedron;
+}
 /// Of the sphere, arrow and cone; others are plain already.
 [[nodiscard]] GlyphShape plain_variant(GlyphShape shape) noexcept;
 

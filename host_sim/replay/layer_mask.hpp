@@ -1,0 +1,24 @@
+/// Which layer each pixel of a frame belongs to: the frontmost one that changes it.
+///
+/// The frame is drawn up to each layer in turn; a pixel that a layer leaves as it is belongs to what lies behind. What blends
+/// with the ground is its own layer's from the first step of a colour on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/replay/display_session.hpp"
+
+namespace tedavis::host_sim {
+
+/// Of the frame that was drawn last: a number of display::PictureLayer a pixel, top row first. Afterwards the session's picture
+/// is the whole one again. Costs as many drawings as there are layers.
+[[nodiscard]] std::vector<std::uint8_t> layer_mask(DisplaySession& session);
+
+/// "x.layers.png" beside "x.png".
+[[nodiscard]] std::string layer_mask_path(const std::string& picture);
+/// There, as a grey PNG. Throws UserError.
+void write_layer_mask(const std::string& picture, DisplaySession& session);
+
+}  // namespace tedavis::host_sim
