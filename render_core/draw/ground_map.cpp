@@ -129,7 +129,7 @@ void GroundMap::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::
     }
     gl->Uniform1fv(program.uniform(kDataBreaks), static_cast<GLsizei>(kBreaks), breaks);
     gl->Uniform4f(program.uniform(kDataLook), number(look_.opacity), number(look_.uncertainty.strength),
-                  static_cast<float>(look_.uncertainty.levels), has_data_ ? 1.0f : 0.0f);
+                  static_cast<float>(look_.uncertainty.levels), has_data_ && look_.opacity > 0 ? 1.0f : 0.0f);
     gl->Uniform1f(program.uniform(kDataLowest), level_of(look_.shown_from, reach));
     const design::GroundOverlay& overlay = look_.overlay;
     gl->Uniform4f(program.uniform(kDataOverlay), number(overlay.strength), static_cast<float>(overlay.levels),

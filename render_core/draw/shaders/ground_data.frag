@@ -7,7 +7,7 @@ uniform vec4 data_size;          // 1 / size of the map; last column and row of 
 uniform vec4 data_scale;         // level in the palette = value * x + y; 1: classes, 1: values of the nearest post
 uniform float data_breaks[15];   // limits of classes as values, those that are not used beyond all
 uniform float data_lowest;       // values below it have no colour
-uniform vec4 data_look;          // opacity; what the least sure loses; levels of uncertainty, 0 for continuous; 1: there are data
+uniform vec4 data_look;          // opacity; what the least sure loses; levels of uncertainty, 0 for continuous; 1: data are shown
 VARYING vec2 v_data;             // posts east and south of the field's first
 
 vec4 data_texel(vec2 post) { return TEXTURE2D(data_map, (clamp(post, vec2(0.0), data_size.zw) + 0.5) * data_size.xy); }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <cstdlib>
 #include <filesystem>
 
 #include "host_sim/commands/shot.hpp"
@@ -51,16 +51,13 @@ const std::string& scene() {
 
 /// `data`: what it shows beside the terrain.
 std::string design(const std::string& name, const std::string& data) {
-    static const std::string kScale = files().folder.write("temperature.toml",
-                                                           "name = \"temperature\"\n[[stop]]\nvalue = 260\ncolor = \"#2040ff\"\n"
-                                                           "[[stop]]\nvalue = 310\ncolor = \"#ff4020\"\n");
     return files().folder.write(name, "name = \"layers\"\n" + data);
 }
 
-const std::string kGround = "[data.ground]\nlayer = \"air\"\nattribute = \"temperature\"\npalette = \"temperature.toml\"\n";
-const std::string kUnsure = "[data.ground.uncertainty]\ntechnique = \"whiteness\"\n";
+const std::string kGround = "[data.ground]\nlayer = \"air\"\nattribute = \"temperature\"\npalette = \"data_temperature\"\n";
+const std::string kUnsure = "[data.ground.uncertainty]\ntechnique = \"saturation\"\n";
 const std::string kGlyphs =
-    "[[data.element]]\nlayer = \"air\"\nattribute = \"temperature\"\ntechnique = \"spheres\"\n"
+    "[[data.element]]\nlayer = \"air\"\nattribute = \"temperature\"\ntechnique = \"spheres\"\npalette = \"data_temperature\"\n"
     "[data.element.uncertainty]\ntechnique = \"circles\"\n";
 const std::string kPlaces = "[[data.element]]\nrole = \"place\"\ntechnique = \"billboard\"\n";
 
@@ -96,8 +93,12 @@ Taken taken(ShotOptions options) {
     return taken;
 }
 
-bool is_same(const Taken& a, const Taken& b, std::size_t n) {
-    return std::equal(&a.picture.pixels[4 * n], &a.picture.pixels[4 * n] + 3, &b.picture.pixels[4 * n]);
+/// Of a pixel's channels.
+int difference(const Taken& a, const Taken& b, std::size_t n) {
+    int most = 0;
+    for (std::size_t channel = 4 * n; channel < 4 * n + 3; ++channel)
+        most = std::max(most, std::abs(int{a.picture.pixels[channel]} - int{b.picture.pixels[channel]}));
+    return most;
 }
 
 TEST(LayerMask, APixelIsOfTheFrontmostLayerThatChangesIt) {
@@ -105,18 +106,19 @@ TEST(LayerMask, APixelIsOfTheFrontmostLayerThatChangesIt) {
         const Taken all = taken(shot(design("all.toml", kGround + kUnsure + kGlyphs + kPlaces), device));
         for (std::size_t layer = 0; layer < display::kPictureLayers; ++layer)
             EXPECT_GT(all.count(static_cast<PictureLayer>(layer)), 50u) << device << display::kPictureLayerNames[layer];
-        // A picture of the terrain alone is the same wherever nothing stands before it.
+        // A picture of the terrain alone is the same wherever nothing stands before it, but for the planes of depth, which data
+        // move: a step of a colour.
         const Taken bare = taken(shot(design("bare.toml", ""), device));
         EXPECT_EQ(bare.count(PictureLayer::data) + bare.count(PictureLayer::uncertainty) + bare.count(PictureLayer::labels), 0u);
         std::size_t unlike = 0, like = 0;
         for (std::size_t n = 0; n < all.mask.size(); ++n) {
             const bool is_terrain = all.mask[n] == 0 && bare.mask[n] == 0;
-            unlike += is_terrain && !is_same(all, bare, n) ? 1 : 0;
+            unlike += is_terrain && difference(all, bare, n) > 2 ? 1 : 0;
             const bool is_other = all.mask[n] > 0 && all.mask[n] < static_cast<std::uint8_t>(PictureLayer::symbology);
-            like += is_other && is_same(all, bare, n) ? 1 : 0;
+            like += is_other && difference(all, bare, n) == 0 ? 1 : 0;
         }
         EXPECT_EQ(unlike, 0u) << device;
-        EXPECT_EQ(like, 0u) << device;
+        EXPECT_LT(like, all.mask.size() / 1000) << device << ": by chance";
     }
 }
 
@@ -146,7 +148,8 @@ TEST(LayerMask, ARunWithMasksHasTheFramesOfOneWithout) {
         for (std::uint64_t n = 0; n < 5; ++n) all.push_back(read_file(frame_picture_path(options.output, n)));
         return all;
     };
-    EXPECT_EQ(pictures(false, "plain_run"), pictures(true, "masked_run"));
+    const std::vector<std::string> plain = pictures(false, "plain_run");
+    EXPECT_EQ(pictures(true, "masked_run"), plain);
     EXPECT_TRUE(std::filesystem::exists(layer_mask_path(frame_picture_path(options.output, 4))));
     EXPECT_EQ(pictures(false, "masked_run").size(), 5u);
     EXPECT_FALSE(std::filesystem::exists(layer_mask_path(frame_picture_path(options.output, 4)))) << "of a run before";
