@@ -103,6 +103,7 @@ void add_sheet(CLI::App& app, CommandLine& line) {
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; default: the sheet's");
     add_time(command, o.time);
+    command->add_flag("--layers", o.layers, kLayersText);
     add_surface_options(command, o.picture);
     command->get_option("--terrain")->description("terrain database (.tdb); default: built from the sheet's raster");
     command->get_option("--scene")->description("scene database (.sdb); default: built from the sheet's scene");

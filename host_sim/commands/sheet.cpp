@@ -8,6 +8,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/replay/layer_mask.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/reports/contact_sheet.hpp"
 #include "host_sim/reports/sheet_page.hpp"
@@ -108,7 +109,7 @@ AspectMeasures measures_of(const PictureOptions& options, const AircraftPose& po
 
 /// Draws one picture into `drawn`; a sentence where a part of the terrain failed.
 std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const SheetPlan::Picture& planned,
-                         DrawnSheet::Picture& drawn, std::string& gl) {
+                         DrawnSheet::Picture& drawn, bool layers, std::string& gl) {
     if (job.plan.measures_aspects) drawn.measures = measures_of(options_of(job, planned), pose);
     DisplaySession session(options_of(job, planned), false);
     drawn.title = planned.title;
@@ -117,6 +118,7 @@ std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const Sh
     drawn.result = posed_frame(session, pose, {});
     require_view_within(job, drawn.result);
     drawn.pixels = upright(session.pixels());
+    if (layers) drawn.layers = layer_mask(session);
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
     if (drawn.measures) drawn.measures->glyphs = session.display().counters().glyphs;
     gl = session.gl_description();
@@ -135,8 +137,8 @@ DrawnSheet draw_sheet(const SheetJob& job, const SheetOptions& options, Console&
     for (const SheetPlan::Group& group : job.plan.groups) {
         sheet.groups.push_back({group.title, {}});
         for (const SheetPlan::Picture& picture : group.pictures) {
-            const std::string failed =
-                draw_picture(job, pose_of(job, options, picture), picture, sheet.groups.back().pictures.emplace_back(), sheet.gl);
+            const std::string failed = draw_picture(job, pose_of(job, options, picture), picture,
+                                                    sheet.groups.back().pictures.emplace_back(), options.layers, sheet.gl);
             if (fault.empty()) fault = failed;
             console.progress("pictures", ++done, job.plan.picture_count());
             if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
@@ -149,7 +151,12 @@ DrawnSheet draw_sheet(const SheetJob& job, const SheetOptions& options, Console&
 void write_sheet(const DrawnSheet& sheet, const std::string& output) {
     NewFolder folder(output);
     for (const DrawnSheet::Group& group : sheet.groups)
-        for (const DrawnSheet::Picture& picture : group.pictures) write_png(output + "/" + picture.file, view_of(picture.pixels));
+        for (const DrawnSheet::Picture& picture : group.pictures) {
+            write_png(output + "/" + picture.file, view_of(picture.pixels));
+            if (!picture.layers.empty())
+                write_file_atomically(layer_mask_path(output + "/" + picture.file),
+                                      encode_grey_png({picture.layers.data(), picture.pixels.width, picture.pixels.height}));
+        }
     write_png(output + "/" + kSheetPictureName, view_of(draw_contact_sheet(sheet)));
     write_file_atomically(output + "/" + kSheetPageName, sheet_page(sheet));
     write_file_atomically(output + "/" + kSheetJsonName, sheet_json(sheet) + "\n");

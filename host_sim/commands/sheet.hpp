@@ -16,6 +16,7 @@ struct SheetOptions {
     /// Its design is each picture's own. Without terrain, the sheet's raster is built into a database of its own first; so is
     /// the sheet's scene, unless terrain or scene are given.
     PictureOptions picture;
+    bool layers = false;               ///< beside every picture which layer each of its pixels is of
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's
     std::optional<base::Time> time;    ///< nothing: the sheet's
 };

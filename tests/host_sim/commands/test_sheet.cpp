@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "host_sim/png_file.hpp"
 #include "tests/support/command_run.hpp"
@@ -66,6 +67,20 @@ TEST(SheetCommand, LeavesPicturesSheetPageAndRecords) {
     EXPECT_GT(sheet.height, 2 * 120u) << "a row for each group";
     EXPECT_THAT(files().folder.read("whole/inner/index.html"), HasSubstr("One light"));
     EXPECT_THAT(run(o).results, HasSubstr("2 pictures of " + files().terrain));
+}
+
+TEST(SheetCommand, LayersLieBesideThePicturesThatTheyLeaveAsTheyAre) {
+    SheetOptions o = options("layered");
+    const auto plain = run(o, true).json();
+    EXPECT_FALSE(std::filesystem::exists(o.output + "/lambert.layers.png"));
+    o.layers = true;
+    const auto layered = run(o, true).json();
+    EXPECT_EQ(layered.at("pictures").at(0).at("hash"), plain.at("pictures").at(0).at("hash"));
+    const RgbaPicture mask = read_png(o.output + "/lambert.layers.png");
+    EXPECT_EQ(mask.width, 160u);
+    std::set<std::uint8_t> layers;
+    for (std::size_t n = 0; n < mask.pixels.size(); n += 4) layers.insert(mask.pixels[n]);
+    EXPECT_EQ(layers, (std::set<std::uint8_t>{0, 4})) << "terrain and symbology";
 }
 
 TEST(SheetCommand, SizeAndPoseReplaceTheSheetsOwn) {
