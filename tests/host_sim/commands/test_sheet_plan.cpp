@@ -179,7 +179,7 @@ TEST(SheetPlan, NamesTheLineOfWhatIsWrong) {
 
 TEST(SheetPlan, TheShippedOnesAreWhole) {
     const std::map<std::string, std::size_t> least = {
-        {"terrain-styles", 27}, {"data-techniques", 74}, {"effects", 18}, {"focus", 37}, {"priority", 6}};
+        {"terrain-styles", 27}, {"data-techniques", 74}, {"effects", 18}, {"focus", 39}, {"priority", 6}};
     for (const auto& [name, pictures] : least) {
         const std::string path = resolve_config(name, "sheets");
         const SheetPlan plan = read_sheet_plan(path);
