@@ -1,0 +1,153 @@
+#include "render_core/perception/edge_detector.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace tedavis::perception {
+namespace {
+
+constexpr std::size_t kSumRows = 2 * kMostRadius + 1;
+
+std::size_t map_places(int width, int height) { return pixels_of(width + 2, height + 2); }
+/// As many branches as an edge seldom has; where it has more, the map is read once more.
+constexpr std::size_t kMostWaiting = 256;
+
+std::int32_t squared_threshold(double length) { return static_cast<std::int32_t>(length * length); }
+
+}  // namespace
+
+std::size_t EdgeDetector::bytes(int most_width, int most_height) {
+    const std::size_t row = row_elements(most_width);
+    const std::size_t rows = row * (4 + 2 * kSumRows + 2 * (3 + 3 + 2) + 4 * 4);
+    constexpr std::size_t kAlignments = 8 * 16;
+    return rows + map_places(most_width, most_height) + 4 * kMostWaiting + kAlignments;
+}
+
+bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height) {
+    if (most_width < 1 || most_height < 1 || most_width > kMostPictureSide || most_height > kMostPictureSide) return false;
+    const std::size_t row = row_elements(most_width);
+    source_ = arena.allocate_array<std::uint8_t>(row);
+    levels_ = arena.allocate_array<std::uint8_t>(3 * row);
+    sums_ = arena.allocate_array<std::uint16_t>(kSumRows * row);
+    across_ = arena.allocate_array<std::int16_t>(3 * row);
+    down_ = arena.allocate_array<std::int16_t>(3 * row);
+    neighbors_ = arena.allocate_array<std::int16_t>(2 * row);
+    squared_ = arena.allocate_array<std::int32_t>(4 * row);
+    map_ = arena.allocate_array<std::uint8_t>(map_places(most_width, most_height));
+    waiting_ = arena.allocate_array<std::uint32_t>(kMostWaiting);
+    if (waiting_.empty() || map_.empty() || squared_.empty() || neighbors_.empty() || down_.empty() || across_.empty() ||
+        sums_.empty() || levels_.empty() || source_.empty())
+        return false;
+    most_width_ = most_width;
+    most_height_ = most_height;
+    return true;
+}
+
+bool EdgeDetector::detect(const PictureView& picture, const CannySettings& settings, base::Span<std::uint8_t> edges) {
+    if (!picture.is_valid() || !settings.is_valid() || picture.width > most_width_ || picture.height > most_height_ ||
+        edges.size() < pixels_of(picture.width, picture.height))
+        return false;
+    width_ = picture.width;
+    height_ = picture.height;
+    stride_ = row_elements(width_);
+    std::memset(map_.data(), 0, map_places(width_, height_));
+    find_crests(picture, settings);
+    connect();
+    for (int y = 0; y < height_; ++y) {
+        const std::uint8_t* from = map_.data() + pixels_of(width_ + 2, y + 1) + 1;
+        std::uint8_t* to = edges.data() + pixels_of(width_, y);
+        for (int x = 0; x < width_; ++x) to[x] = (from[x] & kStrongEdges) != 0 ? kEdge : 0;
+    }
+    return true;
+}
+
+GradientRow EdgeDetector::gradients(int y) {
+    const std::size_t at = static_cast<std::size_t>(y % 3) * stride_ + kRowLead;
+    return {across_.data() + at, down_.data() + at, squared_.data() + at};
+}
+
+std::uint16_t* EdgeDetector::sums(int y) { return sums_.data() + static_cast<std::size_t>(y) % kSumRows * stride_ + kRowLead; }
+
+void EdgeDetector::blur_source(const PictureView& picture, int y, const GaussianWeights& weights) {
+    std::uint8_t* row = source_.data() + kRowLead;
+    copy_colors(picture, y, row);
+    repeat_ends(row, width_);
+    blur_across(row, sums(y), width_, weights);
+}
+
+void EdgeDetector::blur_row(int y, int height, const GaussianWeights& weights) {
+    BlurRows rows{};
+    for (int k = -weights.radius; k <= weights.radius; ++k)
+        rows[static_cast<std::size_t>(k + weights.radius)] = sums(std::clamp(y + k, 0, height - 1));
+    blur_down(rows, levels(y), width_, weights);
+    repeat_ends(levels(y), width_);
+}
+
+/// Rows follow each other from step to step, so that what a step reads is still near.
+void EdgeDetector::find_crests(const PictureView& picture, const CannySettings& settings) {
+    const GaussianWeights weights = gaussian_weights(settings.sigma);
+    const EdgeThresholds thresholds{squared_threshold(settings.low), squared_threshold(settings.high)};
+    std::memset(squared_.data(), 0, 4 * stride_ * sizeof(std::int32_t));
+    const std::int32_t* none = squared_.data() + 3 * stride_ + kRowLead;
+    int blurred_across = 0;
+    for (int y = 0; y < height_ + 2; ++y) {
+        const int last_needed = std::min(y + weights.radius, height_ - 1);
+        for (; blurred_across <= last_needed; ++blurred_across) blur_source(picture, blurred_across, weights);
+        if (y < height_) blur_row(y, height_, weights);
+        const int slope = y - 1, crest = y - 2;
+        if (slope >= 0 && slope < height_)
+            gradient({levels(std::max(slope - 1, 0)), levels(slope), levels(std::min(slope + 1, height_ - 1))}, neighbors_.data(),
+                     width_, gradients(slope));
+        if (crest < 0) continue;
+        const GradientRows rows{crest > 0 ? gradients(crest - 1).squared : none,
+                                crest + 1 < height_ ? gradients(crest + 1).squared : none, gradients(crest)};
+        thin(rows, thresholds, width_, map_.data() + pixels_of(width_ + 2, crest + 1) + 1);
+    }
+}
+
+/// Makes strong what is connected with something strong. What finds no room to wait is found when the map is read again; each
+/// reading makes at least one more pixel strong.
+void EdgeDetector::connect() {
+    const std::size_t first = static_cast<std::size_t>(width_) + 3, end = map_places(width_, height_) - first;
+    do {
+        some_were_refused_ = false;
+        for (std::size_t place = first; place < end; ++place) {
+            std::uint64_t eight = 0;
+            if (place + 8 <= end) {
+                std::memcpy(&eight, map_.data() + place, sizeof(eight));
+                if ((eight & 0x7070707070707070u) == 0) {
+                    place += 7;
+                    continue;
+                }
+            }
+            if ((map_.data()[place] & kStrongEdges) == 0) continue;
+            spread_from(place);
+            while (waiting_count_ > 0) spread_from(waiting_.data()[--waiting_count_]);
+        }
+    } while (some_were_refused_);
+}
+
+void EdgeDetector::spread_from(std::size_t place) {
+    const std::size_t row = static_cast<std::size_t>(width_) + 2;
+    const std::size_t around[8] = {place - row - 1, place - row,     place - row + 1, place - 1,
+                                   place + 1,       place + row - 1, place + row,     place + row + 1};
+    const std::uint8_t* map = map_.data();
+    const auto strong = static_cast<std::uint8_t>((map[place] & kStrongEdges) >> 4);
+    std::uint8_t any = 0;
+    for (const std::size_t next : around) any |= map[next];
+    if ((any & strong) == 0) return;
+    for (const std::size_t next : around)
+        if ((map[next] & strong) != 0) promote(next, strong);
+}
+
+void EdgeDetector::promote(std::size_t place, std::uint8_t strong) {
+    std::uint8_t& pixel = map_.data()[place];
+    const auto changed = static_cast<std::uint8_t>(pixel & strong);
+    pixel = static_cast<std::uint8_t>((pixel & ~changed) | changed << 4);
+    if (waiting_count_ < waiting_.size())
+        waiting_.data()[waiting_count_++] = static_cast<std::uint32_t>(place);
+    else
+        some_were_refused_ = true;
+}
+
+}  // namespace tedavis::perception

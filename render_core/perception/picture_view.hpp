@@ -1,0 +1,52 @@
+/// A picture that somebody else owns, as the measures of perception read it.
+///
+/// Frame  rows from the top, pixels from the left; sRGB, eight bits a channel: red, green, blue, and where there are four
+/// channels one more that is not read. Owns nothing; the bytes must outlive the view.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tedavis::perception {
+
+inline constexpr int kMostPictureSide = 8192;
+inline constexpr int kColors = 3;
+
+struct PictureView {
+    const std::uint8_t* pixels = nullptr;  ///< of the top row
+    int width = 0, height = 0;             ///< 1..kMostPictureSide
+    int channels = 3;                      ///< bytes a pixel, 3 or 4
+    std::ptrdiff_t row_bytes = 0;          ///< from a row to the one below; negative where the lowest row is stored first
+
+    [[nodiscard]] const std::uint8_t* row(int y) const { return pixels + y * row_bytes; }
+    [[nodiscard]] bool is_valid() const {
+        const std::ptrdiff_t stride = row_bytes < 0 ? -row_bytes : row_bytes;
+        return pixels != nullptr && width >= 1 && height >= 1 && width <= kMostPictureSide && height <= kMostPictureSide &&
+               (channels == 3 || channels == 4) && stride >= std::ptrdiff_t{width} * channels;
+    }
+};
+
+[[nodiscard]] constexpr std::size_t pixels_of(int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+/// A picture whose rows follow each other without a gap.
+[[nodiscard]] constexpr PictureView packed_picture(const std::uint8_t* pixels, int width, int height, int channels = kColors) {
+    return {pixels, width, height, channels, std::ptrdiff_t{width} * channels};
+}
+
+/// Copies a row as red, green, blue triples; `out` has room for 3 x width bytes.
+inline void copy_colors(const PictureView& picture, int y, std::uint8_t* out) {
+    const std::uint8_t* from = picture.row(y);
+    if (picture.channels == kColors) {
+        for (int i = 0; i < kColors * picture.width; ++i) out[i] = from[i];
+        return;
+    }
+    for (int x = 0; x < picture.width; ++x, from += 4, out += kColors) {
+        out[0] = from[0];
+        out[1] = from[1];
+        out[2] = from[2];
+    }
+}
+
+}  // namespace tedavis::perception
