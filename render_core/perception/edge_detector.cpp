@@ -12,6 +12,10 @@ std::size_t map_places(int width, int height) { return pixels_of(width + 2, heig
 /// As many branches as an edge seldom has; where it has more, the map is read once more.
 constexpr std::size_t kMostWaiting = 256;
 
+void write_edges(const std::uint8_t* __restrict map, std::uint8_t* __restrict edges, int width) {
+    for (int x = 0; x < width; ++x) edges[x] = (map[x] & kStrongEdges) != 0 ? kEdge : 0;
+}
+
 std::int32_t squared_threshold(double length) { return static_cast<std::int32_t>(length * length); }
 
 }  // namespace
@@ -53,11 +57,8 @@ bool EdgeDetector::detect(const PictureView& picture, const CannySettings& setti
     std::memset(map_.data(), 0, map_places(width_, height_));
     find_crests(picture, settings);
     connect();
-    for (int y = 0; y < height_; ++y) {
-        const std::uint8_t* from = map_.data() + pixels_of(width_ + 2, y + 1) + 1;
-        std::uint8_t* to = edges.data() + pixels_of(width_, y);
-        for (int x = 0; x < width_; ++x) to[x] = (from[x] & kStrongEdges) != 0 ? kEdge : 0;
-    }
+    for (int y = 0; y < height_; ++y)
+        write_edges(map_.data() + pixels_of(width_ + 2, y + 1) + 1, edges.data() + pixels_of(width_, y), width_);
     return true;
 }
 
@@ -71,7 +72,7 @@ std::uint16_t* EdgeDetector::sums(int y) { return sums_.data() + static_cast<std
 void EdgeDetector::blur_source(const PictureView& picture, int y, const GaussianWeights& weights) {
     std::uint8_t* row = source_.data() + kRowLead;
     copy_colors(picture, y, row);
-    repeat_ends(row, width_);
+    repeat_ends(row, width_, weights.radius);
     blur_across(row, sums(y), width_, weights);
 }
 
@@ -80,7 +81,7 @@ void EdgeDetector::blur_row(int y, int height, const GaussianWeights& weights) {
     for (int k = -weights.radius; k <= weights.radius; ++k)
         rows[static_cast<std::size_t>(k + weights.radius)] = sums(std::clamp(y + k, 0, height - 1));
     blur_down(rows, levels(y), width_, weights);
-    repeat_ends(levels(y), width_);
+    repeat_ends(levels(y), width_, 1);
 }
 
 /// Rows follow each other from step to step, so that what a step reads is still near.

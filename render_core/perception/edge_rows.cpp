@@ -19,15 +19,19 @@ void blur_across_by(const std::uint8_t* __restrict source, std::uint16_t* __rest
     }
 }
 
+/// The sums have 24 bits: their upper and lower bytes are added up apart, so that sixteen suffice for each.
 template <int Radius>
 void blur_down_by(const BlurRows& rows, std::uint8_t* __restrict out, int count, const std::uint16_t* weights) {
-    const std::uint16_t* row[2 * Radius + 1];
-    for (int k = 0; k <= 2 * Radius; ++k) row[k] = rows[k];
     for (int i = 0; i < count; ++i) {
-        std::uint32_t sum = 1u << 15;
-        for (int k = -Radius; k <= Radius; ++k)
-            sum += static_cast<std::uint32_t>(weights[k < 0 ? -k : k]) * static_cast<std::uint32_t>(row[Radius + k][i]);
-        out[i] = static_cast<std::uint8_t>(sum >> 16);
+        const std::uint16_t middle = rows[Radius][i];
+        auto low = static_cast<std::uint16_t>(weights[0] * (middle & 0xFF));
+        auto high = static_cast<std::uint16_t>(weights[0] * (middle >> 8));
+        for (int k = 1; k <= Radius; ++k) {
+            const std::uint16_t above = rows[Radius - k][i], below = rows[Radius + k][i];
+            low = static_cast<std::uint16_t>(low + weights[k] * ((above & 0xFF) + (below & 0xFF)));
+            high = static_cast<std::uint16_t>(high + weights[k] * ((above >> 8) + (below >> 8)));
+        }
+        out[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(high + (low >> 8) + 128) >> 8);
     }
 }
 
@@ -61,20 +65,23 @@ void find_directions(const std::int16_t* __restrict across, const std::int16_t* 
     }
 }
 
+/// All bits of a number or none, by bits of a mask: `one` where they are set.
+std::int32_t either(std::int32_t mask, std::int32_t one, std::int32_t other) { return other ^ ((one ^ other) & mask); }
+std::int32_t mask_of(bool holds) { return -static_cast<std::int32_t>(holds); }
+
 /// 0: no edge, 1: weak, 2: strong.
-void thin_block(const GradientRows& rows, int first, const EdgeThresholds& thresholds, std::uint8_t* __restrict out) {
+void thin_block(const GradientRows& rows, int first, const EdgeThresholds& thresholds, std::int32_t* __restrict out) {
     BlockDirections to;
     find_directions(rows.here.across + first, rows.here.down + first, to);
     const std::int32_t *here = rows.here.squared + first, *above = rows.above + first, *below = rows.below + first;
     for (int i = 0; i < kRowBlock; ++i) {
         const std::int32_t across = to.is_across[i], down = to.is_down[i], falls = to.falls[i];
-        const std::int32_t diagonal_above = falls != 0 ? above[i + kColors] : above[i - kColors];
-        const std::int32_t diagonal_below = falls != 0 ? below[i - kColors] : below[i + kColors];
-        const std::int32_t before = across != 0 ? here[i - kColors] : down != 0 ? above[i] : diagonal_above;
-        const std::int32_t after = across != 0 ? here[i + kColors] : down != 0 ? below[i] : diagonal_below;
-        const std::int32_t or_equal = (across | down) & 1;
-        const bool is_crest = (here[i] > before) & (here[i] + or_equal > after) & (here[i] > thresholds.low);
-        out[i] = static_cast<std::uint8_t>(is_crest ? (here[i] > thresholds.high ? 2 : 1) : 0);
+        const std::int32_t upper = either(falls, above[i + kColors], above[i - kColors]);
+        const std::int32_t lower = either(falls, below[i - kColors], below[i + kColors]);
+        const std::int32_t before = either(across, here[i - kColors], either(down, above[i], upper));
+        const std::int32_t after = either(across, here[i + kColors], either(down, below[i], lower));
+        const std::int32_t is_crest = mask_of(here[i] > before) & mask_of(here[i] - (across | down) > after);
+        out[i] = (mask_of(here[i] > thresholds.low) & is_crest & 1) + (mask_of(here[i] > thresholds.high) & is_crest & 1);
     }
 }
 
@@ -86,10 +93,12 @@ bool has_any_above(const std::int32_t* squared, std::int32_t low) {
 
 }  // namespace
 
-void repeat_ends(std::uint8_t* row, int width) noexcept {
-    std::uint8_t* last = row + kColors * (width - 1);
-    for (int i = 1; i <= kRowLead; ++i) row[-i] = row[(3 * kRowLead - i) % kColors];
-    for (int i = 0; i < kRowLead; ++i) last[kColors + i] = last[i % kColors];
+void repeat_ends(std::uint8_t* row, int width, int times) noexcept {
+    std::uint8_t* end = row + kColors * width;
+    for (int n = 0; n < times; ++n) {
+        std::memcpy(row - kColors * (n + 1), row, kColors);
+        std::memcpy(end + kColors * n, end - kColors, kColors);
+    }
 }
 
 void blur_across(const std::uint8_t* source, std::uint16_t* out, int width, const GaussianWeights& weights) noexcept {
@@ -129,11 +138,11 @@ void thin(const GradientRows& rows, const EdgeThresholds& thresholds, int width,
     std::memset(edges, 0, static_cast<std::size_t>(width));
     for (int x = 0; x < width; x += kPixels) {
         if (!has_any_above(rows.here.squared + kColors * x, thresholds.low)) continue;
-        std::uint8_t kinds[kRowBlock];
+        std::int32_t kinds[kRowBlock];
         thin_block(rows, kColors * x, thresholds, kinds);
         const int pixels = width - x < kPixels ? width - x : kPixels;
         for (int n = 0; n < pixels; ++n) {
-            const std::uint8_t* kind = kinds + kColors * n;
+            const std::int32_t* kind = kinds + kColors * n;
             edges[x + n] = static_cast<std::uint8_t>(kBits[kind[0]] | kBits[kind[1]] << 1 | kBits[kind[2]] << 2);
         }
     }

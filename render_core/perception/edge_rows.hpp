@@ -26,8 +26,8 @@ static_assert(kRowLead >= kColors * kMostRadius && kRowBlock % kColors == 0);
 /// What a pixel's edge is in each colour: bit n for a weak edge of colour n, bit n + 4 for a strong one.
 inline constexpr std::uint8_t kWeakEdges = 0x07, kStrongEdges = 0x70;
 
-/// Repeats the first and the last pixel beyond the row's ends.
-void repeat_ends(std::uint8_t* row, int width) noexcept;
+/// Repeats the first and the last pixel so many times beyond the row's ends.
+void repeat_ends(std::uint8_t* row, int width, int times) noexcept;
 
 /// Sums of neighbours across, in 256ths of a level. Source ends repeated.
 void blur_across(const std::uint8_t* source, std::uint16_t* out, int width, const GaussianWeights& weights) noexcept;

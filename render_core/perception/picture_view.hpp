@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace tedavis::perception {
 
@@ -35,18 +36,15 @@ struct PictureView {
     return {pixels, width, height, channels, std::ptrdiff_t{width} * channels};
 }
 
-/// Copies a row as red, green, blue triples; `out` has room for 3 x width bytes.
+/// Copies a row as red, green, blue triples; `out` has room for 3 x width bytes and one more.
 inline void copy_colors(const PictureView& picture, int y, std::uint8_t* out) {
     const std::uint8_t* from = picture.row(y);
     if (picture.channels == kColors) {
-        for (int i = 0; i < kColors * picture.width; ++i) out[i] = from[i];
+        std::memcpy(out, from, static_cast<std::size_t>(kColors) * static_cast<std::size_t>(picture.width));
         return;
     }
-    for (int x = 0; x < picture.width; ++x, from += 4, out += kColors) {
-        out[0] = from[0];
-        out[1] = from[1];
-        out[2] = from[2];
-    }
+    // The fourth byte is overwritten by the next pixel.
+    for (int x = 0; x < picture.width; ++x) std::memcpy(out + kColors * x, from + 4 * x, 4);
 }
 
 }  // namespace tedavis::perception

@@ -31,7 +31,7 @@ struct Blurred {
         for (int y = 0; y < picture.height; ++y) {
             Row<std::uint8_t> source(picture.width, 200);
             copy_colors(picture.view(), y, source.at());
-            repeat_ends(source.at(), picture.width);
+            repeat_ends(source.at(), picture.width, weights.radius);
             blur_across(source.at(), sums[static_cast<std::size_t>(y)].at(), picture.width, weights);
         }
         BlurRows rows{};
@@ -77,7 +77,7 @@ TEST(EdgeRows, TheGradientIsSobels) {
         std::vector<Row<std::uint8_t>> levels(3, Row<std::uint8_t>(width));
         for (int y = 0; y < 3; ++y) {
             copy_colors(picture.view(), y, levels[static_cast<std::size_t>(y)].at());
-            repeat_ends(levels[static_cast<std::size_t>(y)].at(), width);
+            repeat_ends(levels[static_cast<std::size_t>(y)].at(), width, 1);
         }
         Slopes slopes(width);
         std::vector<std::int16_t> sums(2 * row_elements(width));
