@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "host_sim/png_file.hpp"
+#include "tests/support/golden_pictures.hpp"
 #include "tests/support/held_edges.hpp"
 
 namespace tedavis::perception::test_edge_detector {
@@ -57,17 +56,10 @@ TEST(EdgeDetector, AgreesWithOpenCv) {
 }
 
 TEST(EdgeDetector, AgreesWithOpenCvOnPicturesOfTheDisplay) {
-    HeldEdges held(1024, 768);
-    int pictures = 0;
-    for (const auto& file : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/tests/golden/pictures")) {
-        const host_sim::RgbaPicture picture = host_sim::read_png(file.path().string());
-        const PictureView view =
-            packed_picture(picture.pixels.data(), static_cast<int>(picture.width), static_cast<int>(picture.height), 4);
-        const std::vector<std::uint8_t> edges = held.of(view);
-        EXPECT_LE(share_that_differs(edges, edges_of_opencv(view, {})), kAgreement) << file.path();
-        ++pictures;
-    }
-    EXPECT_GE(pictures, 10);
+    const std::vector<test_support::NamedPicture> pictures = test_support::golden_pictures(TEDAVIS_SOURCE_DIR);
+    EXPECT_GE(pictures.size(), 10u);
+    for (const test_support::NamedPicture& of : pictures)
+        EXPECT_LE(share_that_differs(edges_of(of.picture), edges_of_opencv(of.picture.view(), {})), kAgreement) << of.name;
 }
 
 // Negative control: what is compared depends on every setting, and on all three channels.

@@ -1,0 +1,33 @@
+/// Where a feature differs from its surroundings: differences between finer and coarser levels of its pyramid, added across
+/// scales (thesis, 5.3.3; Itti, Koch, Niebur 1998: centres two to four levels below the picture, surrounds three and four levels
+/// coarser).
+///
+/// The mean over the kCenters x kSurrounds pairs, at the size of the finest centre.
+#pragma once
+
+#include <array>
+
+#include "render_core/base/span.hpp"
+#include "render_core/perception/plane.hpp"
+#include "render_core/perception/pyramid.hpp"
+
+namespace tedavis::perception {
+
+inline constexpr int kCenters = 3, kSurrounds = 2, kNearestSurround = 3;
+inline constexpr int kFeatureLevels = kCenters - 1 + kNearestSurround + kSurrounds;  // 7
+
+/// Levels of a feature from the finest centre on, each half as large as the one before, rounded up.
+using FeaturePyramid = std::array<Plane, kFeatureLevels>;
+/// Planes of the size of the centres.
+using CenterPlanes = std::array<Plane, kCenters>;
+
+/// Elements of scratch for that width of the finest centre.
+[[nodiscard]] constexpr std::size_t center_surround_scratch(int width) { return kSurrounds * expansion_scratch(width); }
+
+/// Apart, what exceeds its surroundings and what falls short of them; the results are the finest planes.
+void signed_differences(const FeaturePyramid& feature, const CenterPlanes& above, const CenterPlanes& below,
+                        base::Span<float> scratch) noexcept;
+/// Either way; the result is the finest plane.
+void differences(const FeaturePyramid& feature, const CenterPlanes& out, base::Span<float> scratch) noexcept;
+
+}  // namespace tedavis::perception

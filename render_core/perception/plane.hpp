@@ -1,0 +1,27 @@
+/// A picture of one number a pixel, rows from the top without gaps. Owns nothing.
+#pragma once
+
+#include <cstddef>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/perception/picture_view.hpp"
+
+namespace tedavis::perception {
+
+struct Plane {
+    float* values = nullptr;
+    int width = 0, height = 0;
+
+    [[nodiscard]] float* row(int y) const { return values + static_cast<std::ptrdiff_t>(y) * width; }
+    [[nodiscard]] std::size_t size() const { return pixels_of(width, height); }
+};
+
+/// Without values where the arena has no room.
+[[nodiscard]] inline Plane allocate_plane(base::Arena& arena, int width, int height) {
+    return {arena.allocate_array<float>(pixels_of(width, height)).data(), width, height};
+}
+
+/// A side of a level at 1/2^level of the size: its last pixel may reach beyond the picture.
+[[nodiscard]] constexpr int level_side(int side, int level) { return (side + (1 << level) - 1) >> level; }
+
+}  // namespace tedavis::perception

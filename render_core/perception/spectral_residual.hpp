@@ -1,0 +1,49 @@
+/// A second opinion on what draws the eye, by another principle: what in a picture's spectrum departs from its smooth course.
+///
+/// The luma of a picture, averaged to 64 x 64 whatever its shape; R = log|F| - mean of 3 x 3 of it (the spectrum is periodic);
+/// the map is the Gaussian mean (kResidualSigma_px) of |inverse(exp(R) F / |F|)|^2, divided by its maximum. A picture without any
+/// difference has no salient place: all 0.
+///
+/// Double precision; elementary functions are the C library's, so that maps of two machines agree to 1e-9, not to the bit. Memory
+/// from an arena, at start(). Thread  one.
+/// Source  X. Hou, L. Zhang, "Saliency Detection: A Spectral Residual Approach", CVPR 2007.
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/perception/picture_view.hpp"
+
+namespace tedavis::perception {
+
+inline constexpr int kResidualSide = 64;
+inline constexpr double kResidualSigma_px = 2.5;
+
+/// In place, of 64 numbers; forwards without a factor, backwards divided by 64.
+enum class TransformWay { forwards, backwards };
+void fourier_transform(base::Span<std::complex<double>> numbers, TransformWay way) noexcept;
+
+class SpectralResidual {
+public:
+    [[nodiscard]] static std::size_t bytes();
+    [[nodiscard]] bool start(base::Arena& arena);
+    /// False where the picture is not valid.
+    [[nodiscard]] bool look(const PictureView& picture);
+    /// Of the last picture: 64 x 64 values 0..1, rows from the top.
+    [[nodiscard]] base::Span<const float> values() const { return values_; }
+    [[nodiscard]] bool has_salient() const { return has_salient_; }
+
+private:
+    void transform(TransformWay way);
+    void take_residual();
+    void blur_power();
+
+    base::Span<std::complex<double>> spectrum_;
+    base::Span<double> numbers_;  ///< log of the spectrum, then power
+    base::Span<float> values_;
+    bool has_salient_ = false;
+};
+
+}  // namespace tedavis::perception
