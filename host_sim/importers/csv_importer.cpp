@@ -1,12 +1,12 @@
 #include "host_sim/importers/csv_importer.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "host_sim/csv_cells.hpp"
 #include "host_sim/importers/calendar_time.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
@@ -66,42 +66,18 @@ double largest_of(Column column) {
     }
 }
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"'))
-        text.remove_suffix(1);
-    return text;
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
-    }
-}
-
-std::optional<double> number_in(std::string_view text) {
-    double value = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-    return whole ? std::optional<double>(value) : std::nullopt;
-}
-
 class CsvReader {
 public:
     explicit CsvReader(const std::string& name) : name_(name) { file_.format = "CSV"; }
 
     void read_line(std::string_view line) {
         ++line_number_;
-        line = trimmed(line);
+        line = trimmed_cell(line);
         if (line.empty() || line.front() == '#') return;
         if (columns_.empty()) {
-            read_names(cells_of(line));
+            read_names(csv_cells(line));
         } else {
-            read_row(cells_of(line));
+            read_row(csv_cells(line));
         }
     }
 

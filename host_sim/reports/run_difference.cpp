@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "host_sim/png_file.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/reports/run_records.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -15,33 +15,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Records of one run, one at a time.
-class RecordReader {
+/// A run's records without what only the machine decides.
+class ComparableRecords {
 public:
-    explicit RecordReader(const std::string& folder) : path_(folder + "/" + kFrameRecordsName), stream_(path_) {
-        if (!stream_) throw UserError(path_ + ": cannot be read; name a folder that replay wrote");
-        if (stream_.peek() == std::ifstream::traits_type::eof())
-            throw UserError(path_ + ": holds no frame; replay the run again");
-    }
-    /// Nothing at the end.
+    explicit ComparableRecords(const std::string& folder) : records_(folder) {}
     std::optional<Json> next() {
-        std::string text;
-        if (!std::getline(stream_, text)) return std::nullopt;
-        ++line_;
-        Json record = Json::parse(text, nullptr, false);
-        if (!record.is_object() || !record.contains("frame") || !record["frame"].is_number_unsigned() ||
-            !record.contains("hash")) {
-            throw UserError(path_ + ":" + std::to_string(line_) + ": no frame record; replay the run again");
-        }
-        record.erase("ms");
+        std::optional<Json> record = records_.next();
+        if (record) record->erase("ms");
         return record;
     }
-    [[nodiscard]] std::uint64_t line() const { return line_; }
+    [[nodiscard]] std::uint64_t line() const { return records_.line(); }
 
 private:
-    std::string path_;
-    std::ifstream stream_;
-    std::uint64_t line_ = 0;
+    RunRecords records_;
 };
 
 void collect(const Json& a, const Json& b, const std::string& place, std::vector<RecordDifference>& found) {
@@ -114,7 +100,7 @@ PixelDifference compare_pictures(const std::string& path_a, const std::string& p
 }  // namespace
 
 std::optional<RunDifference> first_difference(const std::string& folder_a, const std::string& folder_b) {
-    RecordReader reader_a(folder_a), reader_b(folder_b);
+    ComparableRecords reader_a(folder_a), reader_b(folder_b);
     for (;;) {
         const auto a = reader_a.next(), b = reader_b.next();
         if (!a && !b) return std::nullopt;
