@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
@@ -14,6 +15,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr int kCompression = 1;  // frames are written by the hundred: a larger file for a fraction of the time
+constexpr int kMostCompression = 9;
 constexpr std::uint32_t kMostPixelsASide = 32768;
 
 void append_bytes(png_structp png, png_bytep bytes, png_size_t count) {
@@ -41,26 +43,56 @@ struct Reader {
     ~Reader() { png_image_free(&image); }
 };
 
-template <class View>
-std::string encoded(const View& view, int color_type) {
+bool is_grey(const RgbaView& view) {
+    for (std::uint32_t y = 0; y < view.height; ++y)
+        for (const std::uint8_t *at = view.row(y), *end = at + std::size_t{view.width} * 4; at != end; at += 4)
+            if (at[0] != at[1] || at[0] != at[2]) return false;
+    return true;
+}
+
+struct PngFormat {
+    int color_type, compression;
+    bool is_filtered_alike;  ///< every row by the pixel before; else each as libpng finds best
+};
+
+/// `row`: its bytes, by its number from the top.
+template <class Row>
+std::string encoded(std::uint32_t width, std::uint32_t height, const PngFormat& format, Row row) {
     std::string bytes;
     Writer writer;
     png_set_write_fn(writer.png, &bytes, append_bytes, nothing_to_flush);
-    png_set_compression_level(writer.png, kCompression);
-    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(writer.png, writer.info, view.width, view.height, 8, color_type, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(writer.png, format.compression);
+    if (format.is_filtered_alike) png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_IHDR(writer.png, writer.info, width, height, 8, format.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_write_info(writer.png, writer.info);
-    for (std::uint32_t y = 0; y < view.height; ++y) png_write_row(writer.png, view.row(y));
+    for (std::uint32_t y = 0; y < height; ++y) png_write_row(writer.png, row(y));
     png_write_end(writer.png, writer.info);
     return bytes;
 }
 
 }  // namespace
 
-std::string encode_png(const RgbaView& view) { return encoded(view, PNG_COLOR_TYPE_RGBA); }
+std::string encode_png(const RgbaView& view) {
+    return encoded(view.width, view.height, {PNG_COLOR_TYPE_RGBA, kCompression, true},
+                   [&](std::uint32_t y) { return view.row(y); });
+}
 
-std::string encode_grey_png(const GreyView& view) { return encoded(view, PNG_COLOR_TYPE_GRAY); }
+std::string encode_grey_png(const GreyView& view) {
+    return encoded(view.width, view.height, {PNG_COLOR_TYPE_GRAY, kCompression, true},
+                   [&](std::uint32_t y) { return view.row(y); });
+}
+
+std::string encode_small_png(const RgbaView& view) {
+    const std::uint32_t channels = is_grey(view) ? 1 : 3;
+    std::vector<std::uint8_t> line(std::size_t{view.width} * channels);
+    return encoded(view.width, view.height, {channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, kMostCompression, false},
+                   [&](std::uint32_t y) -> const std::uint8_t* {
+                       for (std::uint32_t x = 0; x < view.width; ++x)
+                           std::copy_n(view.row(y) + std::size_t{x} * 4, channels, &line[std::size_t{x} * channels]);
+                       return line.data();
+                   });
+}
 
 void write_png(const std::string& path, const RgbaView& view) { write_file_atomically(path, encode_png(view)); }
 
@@ -74,6 +106,7 @@ RgbaPicture read_png(const std::string& path) {
     if (reader.image.width > kMostPixelsASide || reader.image.height > kMostPixelsASide)
         throw UserError(path + ": larger than 32768 pixels a side; scale it down");
     reader.image.format = PNG_FORMAT_RGBA;
+    reader.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else libpng takes 16 bits for linear light
     RgbaPicture picture{reader.image.width, reader.image.height, {}};
     picture.pixels.resize(PNG_IMAGE_SIZE(reader.image));
     if (png_image_finish_read(&reader.image, nullptr, picture.pixels.data(), 0, nullptr) == 0) throw refuse();

@@ -42,6 +42,9 @@ struct GreyView {
 /// The file's bytes.
 [[nodiscard]] std::string encode_png(const RgbaView& view);
 [[nodiscard]] std::string encode_grey_png(const GreyView& view);
+/// The same without alpha, in as few bytes as it takes: for pages that hold their pictures. A picture of greys alone has one
+/// channel.
+[[nodiscard]] std::string encode_small_png(const RgbaView& view);
 /// Appears whole or not at all; throws UserError.
 void write_png(const std::string& path, const RgbaView& view);
 /// Any PNG, as RGBA8. Throws UserError when it is missing, damaged or no PNG.

@@ -1,13 +1,12 @@
 #include "host_sim/reports/html_report.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/reports/base64.hpp"
 #include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/phase_color.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/version.hpp"
 
@@ -23,6 +22,7 @@ constexpr const char* kStyle =
     "figcaption{font-size:.75rem;overflow-wrap:anywhere}"
     ".charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,22rem),1fr));gap:.5rem}"
     ".chart{width:100%;height:auto}.chart text{font:11px system-ui,sans-serif;fill:currentColor}"
+    ".chart .span{font-size:9px;fill:#111}"
     ".grid{stroke:#8886;stroke-width:.5}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
     "th,td{text-align:left;padding:.2rem .6rem .2rem 0;border-bottom:1px solid #8884;vertical-align:top}"
@@ -30,20 +30,6 @@ constexpr const char* kStyle =
     ".key{display:inline-block;width:.8rem;height:.8rem;margin-right:.3rem;vertical-align:-.05rem}"
     ".bad{color:#c22;font-weight:600}"
     "@media print{body{max-width:none;font-size:11px}section{break-inside:avoid}.wide{overflow:visible}}";
-
-/// Colours of the scenarios in the phase bar; told apart by their names in the table as well.
-std::string phase_color(const std::string& phase) {
-    static constexpr std::array<std::pair<const char*, const char*>, 6> kColors = {{{"ground", "#888888"},
-                                                                                    {"takeoff", "#d98c1f"},
-                                                                                    {"cruise", "#3a78c2"},
-                                                                                    {"approach", "#3f9a5a"},
-                                                                                    {"go_around", "#c23b4e"},
-                                                                                    {"unknown", "#b9a7c9"}}};
-    for (const auto& [name, color] : kColors) {
-        if (phase.rfind(name, 0) == 0) return color;
-    }
-    return "#b9a7c9";
-}
 
 std::string cell(const std::string& text) { return "<td>" + escaped_html(text) + "</td>"; }
 std::string number_cell(const std::string& text) { return "<td class='n'>" + text + "</td>"; }

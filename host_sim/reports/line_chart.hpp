@@ -1,4 +1,4 @@
-/// A chart over time as inline SVG: curves with gaps, a labelled grid, coloured spans along the bottom.
+/// A chart over time as inline SVG: curves with gaps, a labelled grid, coloured spans along the bottom, marks that are links.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@ namespace tedavis::host_sim {
 struct ChartCurve {
     std::string name, color;
     std::vector<double> values;  ///< one for each time; NaN leaves a gap
+    bool dashed = false;         ///< told apart without its colour
 };
 
 struct ChartSpan {
@@ -16,14 +17,25 @@ struct ChartSpan {
     std::string label, color;
 };
 
+/// A place on a curve, with a short label over it; labels that would touch stand in rows.
+struct ChartMark {
+    double time_s = 0, value = 0;
+    std::string label, link, description;  ///< `link`: what a click leads to, such as "#peak-a"
+};
+
 struct LineChart {
     std::string title, unit;
     std::vector<double> times_s;
     std::vector<ChartCurve> curves;
     std::vector<ChartSpan> spans;
+    std::string description = {};  ///< what the chart shows, in a sentence, for who does not see it
+    std::vector<ChartMark> marks = {};
+    double width = 480,
+           height = 230;  ///< of the drawing; by default narrow: on a phone it is shown nearly 1:1, on a desk it grows
 };
 
-/// Scales with its container; text stays readable from a width of 360 pixels.
+/// Scales with its container; text stays readable where that is three quarters of the drawing's width. Of many more values than
+/// the drawing has columns, the least and the greatest of each column are drawn.
 [[nodiscard]] std::string line_chart_svg(const LineChart& chart);
 /// Text safe inside HTML and attributes.
 [[nodiscard]] std::string escaped_html(const std::string& text);

@@ -72,5 +72,19 @@ TEST(PngFile, ShrinksByMeansOfWholeBlocks) {
     EXPECT_EQ(shrunk(view_of(picture), 5).pixels, picture.pixels);
 }
 
+TEST(PngFile, SmallOnesKeepTheColours) {
+    const test_support::TemporaryFolder folder;
+    for (const bool is_grey : {false, true}) {
+        RgbaPicture picture = pattern(33, 21);
+        for (std::size_t at = 0; at < picture.pixels.size(); at += 4) {
+            if (is_grey) picture.pixels[at + 1] = picture.pixels[at + 2] = picture.pixels[at];
+            picture.pixels[at + 3] = 255;
+        }
+        const std::string bytes = encode_small_png(view_of(picture));
+        EXPECT_EQ(read_png(folder.write("s.png", bytes)).pixels, picture.pixels);
+        EXPECT_EQ(bytes[25], is_grey ? 0 : 2) << "the colour type";
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_png_file

@@ -101,5 +101,49 @@ TEST(LineChart, EscapesAndRounds) {
     EXPECT_EQ(decimal(1e300, 0), "1000000000000000");
 }
 
+TEST(LineChart, MarksAreLinksAtTheirPlaces) {
+    LineChart chart = ramp();
+    chart.description = "a ramp & <more>";
+    EXPECT_THAT(line_chart_svg(chart), HasSubstr("role='img'"));
+    chart.marks.push_back({2, 200, "A", "#a", "the middle"});
+    const std::string svg = line_chart_svg(chart);
+    EXPECT_TRUE(is_well_formed(svg));
+    for (const char* part : {"role='group'", "<desc>a ramp &amp; &lt;more&gt;</desc>", "href='#a'", "aria-label='the middle'"})
+        EXPECT_THAT(svg, HasSubstr(part));
+    std::smatch place;
+    ASSERT_TRUE(std::regex_search(svg, place, std::regex("class='place' cx='([0-9.]+)' cy='([0-9.]+)'")));
+    const std::string middle = "L" + place[1].str() + " " + place[2].str();
+    EXPECT_THAT(path_of(svg), HasSubstr(middle)) << "on the curve";
+    chart.marks.push_back({2, 200, "B", "#b", "the same place"});
+    const std::string rows = line_chart_svg(chart);
+    const std::regex label("class='label' cx='[0-9.]+' cy='([0-9.]+)' r='([0-9.]+)'");
+    std::sregex_iterator first(rows.begin(), rows.end(), label), second = std::next(first);
+    EXPECT_GT(std::stod((*second)[1]) - std::stod((*first)[1]), 2 * std::stod((*first)[2])) << "labels do not touch";
+}
+
+// Of a long run the drawing keeps what stands out, and no more points than it has room for.
+TEST(LineChart, LongCurvesKeepTheirExtremes) {
+    LineChart chart{"Long", "", {}, {}, {}};
+    chart.curves.push_back({"c", "#000000", {}});
+    for (int n = 0; n < 12000; ++n) {
+        chart.times_s.push_back(0.1 * n);
+        chart.curves[0].values.push_back(n == 7001 ? 9 : n == 3003 ? -9 : 0.001 * (n % 7));
+    }
+    const std::string path = path_of(line_chart_svg(chart));
+    EXPECT_LT(count(path, "L"), 2 * 480u);
+    double least = 1e9, greatest = -1e9;
+    const std::regex point("[ML][0-9.]+ ([0-9.]+)");
+    for (std::sregex_iterator it(path.begin(), path.end(), point), end; it != end; ++it) {
+        least = std::min(least, std::stod((*it)[1]));
+        greatest = std::max(greatest, std::stod((*it)[1]));
+    }
+    chart.times_s = {0, 1, 2};
+    chart.curves[0].values = {-9, 0, 9};
+    const std::string ends = path_of(line_chart_svg(chart));
+    std::sregex_iterator it(ends.begin(), ends.end(), point);
+    EXPECT_NEAR(greatest, std::stod((*it)[1]), 0.11);
+    EXPECT_NEAR(least, std::stod((*std::next(it, 2))[1]), 0.11);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_line_chart

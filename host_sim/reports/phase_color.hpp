@@ -1,0 +1,24 @@
+/// Colours of flight phases in reports: one a scenario, light enough for dark text on them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace tedavis::host_sim {
+
+/// "#d98c1f" of "takeoff.first_climb". Never the only sign: names stand beside.
+[[nodiscard]] inline std::string phase_color(const std::string& phase) {
+    constexpr std::array<std::pair<const char*, const char*>, 6> kColors = {{{"ground", "#9a9a9a"},
+                                                                             {"takeoff", "#d98c1f"},
+                                                                             {"cruise", "#5c97dd"},
+                                                                             {"approach", "#4fae6b"},
+                                                                             {"go_around", "#e0707f"},
+                                                                             {"unknown", "#b9a7c9"}}};
+    for (const auto& [name, color] : kColors) {
+        if (phase.rfind(name, 0) == 0) return color;
+    }
+    return "#b9a7c9";
+}
+
+}  // namespace tedavis::host_sim
