@@ -12,6 +12,7 @@
 #include "host_sim/commands/check.hpp"
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
+#include "host_sim/commands/evaluate.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
@@ -39,6 +40,7 @@ struct CommandLine {
     SheetOptions sheet;
     DiffOptions diff;
     CheckOptions check;
+    EvaluateOptions evaluate;
     CalibrateOptions calibrate;
     ShadersOptions shaders;
     std::string replay_config;

@@ -34,6 +34,19 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs",
                                   [&c](Console& console) { return run_check(c, console); });
     check->add_option("FILE", c.files, "any file that the programs read")->required();
+    EvaluateOptions& e = line.evaluate;
+    CLI::App* evaluate = add_command(app, line, "evaluate", "clutter and saliency of pictures, of a flight, or of two designs",
+                                     [&e](Console& console) { return run_evaluate(e, console); });
+    evaluate
+        ->add_option("INPUT", e.inputs,
+                     "pictures (PNG, JPEG) of any software; or a folder that replay wrote, with its pictures; or two "
+                     "of them over the same flight, which are compared")
+        ->required();
+    evaluate->add_option("-o", e.output, "folder to write to: evaluation.json, views of pictures or peaks, report.html of runs")
+        ->required();
+    evaluate->add_option("--fixations", e.fixations,
+                         "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
+                         "scores the saliency maps by AUC and NSS");
 }
 
 /// Messages may span lines and quote what a broken file holds; the contract is one line that a terminal can show.

@@ -1,0 +1,23 @@
+/// `tedavis evaluate IMAGE...|RUN [RUN] -o DIR`: how cluttered pictures are and what draws the eye in them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+struct EvaluateOptions {
+    std::vector<std::string> inputs;  ///< pictures, or one folder that replay wrote, or two
+    std::string output;               ///< folder
+    std::string fixations;            ///< CSV; empty: none
+    std::uint32_t threads = 0;        ///< 0: as many as there are processors
+};
+
+/// Leaves evaluation.json, the views of pictures, and of runs report.html with the views of their peaks. Returns the exit code,
+/// kInterruptedExitCode with a valid result of what was measured so far; throws UserError and Interrupted.
+[[nodiscard]] int run_evaluate(const EvaluateOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

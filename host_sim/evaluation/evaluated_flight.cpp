@@ -1,0 +1,116 @@
+#include "host_sim/evaluation/evaluated_flight.hpp"
+
+#include <algorithm>
+
+namespace tedavis::host_sim {
+namespace {
+
+std::vector<LayerShare> mean_layers(const EvaluatedFlight& flight, std::size_t first, std::size_t end) {
+    std::vector<LayerShare> sums;
+    double frames = 0;
+    for (std::size_t n = first; n < end; ++n) {
+        const std::vector<LayerShare>& layers = flight.measures[n].layers;
+        frames += layers.empty() ? 0 : 1;
+        for (const LayerShare& one : layers) {
+            auto sum = std::find_if(sums.begin(), sums.end(), [&](const LayerShare& known) { return known.layer == one.layer; });
+            if (sum == sums.end()) sum = sums.insert(sums.end(), LayerShare{one.layer, 0, 0});
+            sum->share += one.share;
+            sum->area += one.area;
+        }
+    }
+    for (LayerShare& sum : sums) sum.share /= frames, sum.area /= frames;
+    return sums;
+}
+
+}  // namespace
+
+SpanSummary summary_of(const EvaluatedFlight& flight, std::size_t first, std::size_t end) {
+    SpanSummary span{flight.run.frames[first].phase, first, end, 0, 0, first, {}, flight.run.frames[first].prioritized};
+    for (std::size_t n = first; n < end; ++n) {
+        const double clutter = flight.measures[n].clutter;
+        span.mean += clutter / static_cast<double>(end - first);
+        if (clutter > span.highest) span.highest = clutter, span.highest_at = n;
+        if (flight.run.frames[n].prioritized != span.prioritized) span.prioritized.clear();
+    }
+    span.layers = mean_layers(flight, first, end);
+    return span;
+}
+
+std::vector<SpanSummary> summaries_by_phase(const EvaluatedFlight& flight) {
+    std::vector<SpanSummary> summaries;
+    for (const FlightPhaseSpan& span : phase_spans(flight.run.frames))
+        summaries.push_back(summary_of(flight, span.first, span.end));
+    return summaries;
+}
+
+std::optional<double> prioritized_share(const SpanSummary& span) {
+    for (const LayerShare& layer : span.layers)
+        if (!span.prioritized.empty() && layer.layer == span.prioritized) return layer.share;
+    return std::nullopt;
+}
+
+std::optional<double> mean_prioritized_share(const EvaluatedFlight& flight) {
+    double sum = 0, frames = 0;
+    for (std::size_t n = 0; n < flight.measures.size(); ++n) {
+        for (const LayerShare& layer : flight.measures[n].layers) {
+            if (layer.layer != flight.run.frames[n].prioritized) continue;
+            sum += layer.share;
+            frames += 1;
+        }
+    }
+    return frames > 0 ? std::optional<double>(sum / frames) : std::nullopt;
+}
+
+std::vector<double> times_of(const EvaluatedFlight& flight) {
+    std::vector<double> times;
+    for (const FlightFrame& frame : flight.run.frames) times.push_back(frame.time_s);
+    return times;
+}
+
+std::vector<double> clutter_of(const EvaluatedFlight& flight) {
+    std::vector<double> values;
+    for (const PictureMeasures& one : flight.measures) values.push_back(one.clutter);
+    return values;
+}
+
+std::vector<double> mean_grid(const EvaluatedFlight& flight) {
+    std::vector<double> means;
+    for (const PictureMeasures& one : flight.measures) {
+        means.resize(one.clutter_grid.size(), 0.0);
+        for (std::size_t n = 0; n < means.size(); ++n)
+            means[n] += one.clutter_grid[n] / static_cast<double>(flight.measures.size());
+    }
+    return means;
+}
+
+std::vector<FlightMoment> moments_of(const EvaluatedFlight& flight, const std::string& prefix) {
+    const std::vector<double> clutter = clutter_of(flight);
+    std::vector<Peak> peaks = find_peaks(times_of(flight), clutter, flight.peak_rule);
+    if (peaks.empty() && !clutter.empty()) {
+        const auto highest = std::max_element(clutter.begin(), clutter.end());
+        peaks.push_back({static_cast<std::size_t>(highest - clutter.begin()), 0});
+    }
+    std::vector<FlightMoment> moments;
+    for (const Peak& peak : peaks) {
+        FlightMoment moment;
+        const auto number = static_cast<int>(moments.size());
+        moment.label = prefix.empty() ? std::string(1, static_cast<char>('A' + number)) : prefix + std::to_string(number + 1);
+        moment.index = peak.index;
+        moment.prominence = peak.prominence;
+        moments.push_back(std::move(moment));
+    }
+    return moments;
+}
+
+std::string region_name(const perception::RegionGrid& grid, int column, int row) {
+    const auto third = [](int place, int count) { return std::min(2, (2 * place + 1) * 3 / (2 * count)); };
+    static constexpr const char* kRows[] = {"upper", "middle", "lower"};
+    static constexpr const char* kColumns[] = {"left", "centre", "right"};
+    return std::string(kRows[third(row, grid.rows)]) + " " + kColumns[third(column, grid.columns)];
+}
+
+std::size_t busiest_region(const std::vector<double>& densities) {
+    return static_cast<std::size_t>(std::max_element(densities.begin(), densities.end()) - densities.begin());
+}
+
+}  // namespace tedavis::host_sim

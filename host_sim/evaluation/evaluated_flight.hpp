@@ -1,0 +1,75 @@
+/// A run with what was measured of its pictures, and the moments that stand out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host_sim/evaluation/clutter_peaks.hpp"
+#include "host_sim/evaluation/flight_run.hpp"
+#include "host_sim/evaluation/picture_measures.hpp"
+
+namespace tedavis::host_sim {
+
+/// Views of one moment as bytes of small PNG files, for the report.
+struct MomentViews {
+    std::string picture, saliency, heat, edges;
+};
+
+/// What the plan was showing: a term and its words.
+using PlanLines = std::vector<std::pair<std::string, std::string>>;
+
+struct FlightMoment {
+    std::string label;      ///< "A"
+    std::size_t index = 0;  ///< of the frame in its flight
+    double prominence = 0;  ///< of clutter; 0 for a flight without peaks, whose highest value stands here
+    std::string file;       ///< beginning of the names of the view files in the evaluation's folder
+    PlanLines plan;         ///< of its flight
+    MomentViews views;      ///< of its flight
+    std::size_t other = 0;  ///< index of the same time's frame in the other flight; where there is one
+    PlanLines other_plan;   ///< empty without another flight
+    MomentViews other_views;
+};
+
+struct EvaluatedFlight {
+    FlightRun run;                          ///< as many frames as measures
+    std::vector<PictureMeasures> measures;  ///< one a frame
+    PeakRule peak_rule;
+    std::vector<FlightMoment> moments;  ///< in the order of time
+    bool interrupted = false;
+};
+
+/// Means and extremes of contiguous frames of one phase, or of all.
+struct SpanSummary {
+    std::string phase;
+    std::size_t first = 0, end = 0;  ///< indices of frames
+    double mean = 0, highest = 0;    ///< clutter
+    std::size_t highest_at = 0;      ///< index
+    std::vector<LayerShare> layers;  ///< means of the frames that have them; empty where none has
+    std::string prioritized;         ///< empty where it changes or none is
+};
+
+[[nodiscard]] SpanSummary summary_of(const EvaluatedFlight& flight, std::size_t first, std::size_t end);
+[[nodiscard]] std::vector<SpanSummary> summaries_by_phase(const EvaluatedFlight& flight);
+/// The share of the layer that a span's prioritized aspect is drawn in; nothing where either is unknown.
+[[nodiscard]] std::optional<double> prioritized_share(const SpanSummary& span);
+
+/// Mean over the frames that have a prioritized aspect and a layer of its name; nothing where none has.
+[[nodiscard]] std::optional<double> mean_prioritized_share(const EvaluatedFlight& flight);
+
+[[nodiscard]] std::vector<double> times_of(const EvaluatedFlight& flight);
+[[nodiscard]] std::vector<double> clutter_of(const EvaluatedFlight& flight);
+/// Means over the flight, region by region.
+[[nodiscard]] std::vector<double> mean_grid(const EvaluatedFlight& flight);
+
+/// Peaks of clutter, labelled A, B, ..., with a prefix "B" B1, B2, ...; where there are none, the highest value. Without plan and
+/// views.
+[[nodiscard]] std::vector<FlightMoment> moments_of(const EvaluatedFlight& flight, const std::string& prefix);
+
+/// "upper left", "middle", "lower right" of a region's place, told by thirds.
+[[nodiscard]] std::string region_name(const perception::RegionGrid& grid, int column, int row);
+/// The region with most edges.
+[[nodiscard]] std::size_t busiest_region(const std::vector<double>& densities);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,34 @@
+/// The pictures that an evaluation leaves of one picture.
+#pragma once
+
+#include <string>
+
+#include "host_sim/evaluation/evaluated_flight.hpp"
+#include "host_sim/evaluation/picture_meter.hpp"
+
+namespace tedavis::host_sim {
+
+/// Names in the evaluation's folder: NAME.saliency.png ...
+struct ViewFiles {
+    std::string saliency, heat, edges, regions, second_opinion, sheet;
+};
+[[nodiscard]] ViewFiles view_files(const std::string& name);
+
+/// All views in the picture's size.
+struct PictureViews {
+    RgbaPicture saliency, heat, edges, regions, second_opinion;
+};
+/// Of the picture that the meter measured last.
+[[nodiscard]] PictureViews picture_views(const RgbaPicture& picture, PictureMeter& meter, const PictureMeasures& measures,
+                                         const EvaluationSettings& settings);
+/// Picture and views side by side, with labels and numbers.
+[[nodiscard]] RgbaPicture views_sheet(const std::string& title, const RgbaPicture& picture, const PictureViews& views,
+                                      const PictureMeasures& measures);
+
+/// Writes them, and the sheet, each whole or not at all; throws UserError.
+void write_views(const std::string& folder, const std::string& name, const std::string& title, const RgbaPicture& picture,
+                 const PictureViews& views, const PictureMeasures& measures);
+/// Bytes of small pictures for a page.
+[[nodiscard]] MomentViews small_views(const RgbaPicture& picture, const PictureViews& views);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,25 @@
+/// `evaluation.json`, which is also what `evaluate --json` says.
+///
+/// Of pictures: `pictures` [{`file`, `size`, `clutter`, `clutter_grid` (rows of regions from the upper left), `saliency_map` (a
+/// PNG in the folder), `views`, `saliency_level`, `canny` {`sigma`, `low`, `high`}, `layer_shares`, `gaze`}]. Of a flight: `run`,
+/// what it is, `clutter` {`mean`, `highest`, `highest_s`}, `phases`, `peaks`, and `pictures` of all frames, which also have
+/// `frame`, `time_s` and `phase`; `saliency_map` is null but for peaks. Of two flights: `runs`, two such, and `differences`.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host_sim/evaluation/evaluate_pictures.hpp"
+#include "host_sim/evaluation/flight_report.hpp"
+
+namespace tedavis::host_sim {
+
+[[nodiscard]] nlohmann::ordered_json pictures_json(const std::vector<EvaluatedPicture>& pictures,
+                                                   const EvaluationSettings& settings, bool interrupted);
+[[nodiscard]] nlohmann::ordered_json flights_json(const FlightReport& report);
+
+/// Means over the pictures that were looked at; null where none was.
+[[nodiscard]] nlohmann::ordered_json gaze_summary_json(const std::vector<const PictureMeasures*>& pictures);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,110 @@
+#include "host_sim/evaluation/flight_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "host_sim/input_file.hpp"
+#include "host_sim/reports/run_folder.hpp"
+#include "host_sim/reports/run_records.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::string();
+}
+
+std::string prioritized_aspect(const Json& record) {
+    static constexpr std::array<const char*, 3> kAspects = {"terrain", "data", "uncertainty"};
+    if (!record.contains("presentation") || !record["presentation"].is_object()) return {};
+    std::string best;
+    double highest = 0;
+    for (const char* aspect : kAspects) {
+        const Json& shown = record["presentation"].value(aspect, Json::object());
+        const double weight =
+            shown.is_object() && shown.contains("weight") && shown["weight"].is_number() ? shown["weight"].get<double>() : 0.0;
+        if (weight == highest) best.clear();
+        if (weight > highest) best = aspect, highest = weight;
+    }
+    return best;
+}
+
+FlightFrame flight_frame(const Json& record, const RunRecords& records, const std::string& folder) {
+    if (!record.contains("time_s") || !record["time_s"].is_number())
+        throw UserError(records.path() + ":" + std::to_string(records.line()) +
+                        ": a record without time_s; replay the run again");
+    FlightFrame frame;
+    frame.frame = record["frame"].get<std::uint64_t>();
+    frame.time_s = record["time_s"].get<double>();
+    const std::string sub = text_of(record, "sub_phase");
+    frame.phase = text_of(record, "phase") + (sub.empty() ? "" : "." + sub);
+    frame.phase_source = text_of(record, "phase_source");
+    frame.prioritized = prioritized_aspect(record);
+    frame.layers = layer_names(record);
+    frame.picture = frame_picture_path(folder, frame.frame);
+    if (!std::filesystem::exists(frame.picture))
+        throw UserError(frame.picture + ": the run has no picture of this frame; replay it again with --frames png");
+    return frame;
+}
+
+void read_summary(FlightRun& run) {
+    const std::string path = run.folder + "/" + kSummaryName;
+    if (!std::filesystem::exists(path)) return;
+    const Json summary = Json::parse(read_file(path), nullptr, false);
+    if (!summary.is_object()) return;
+    run.log = text_of(summary, "log");
+    run.design = text_of(summary, "design");
+    run.device = text_of(summary, "device");
+    run.size = text_of(summary, "size");
+}
+
+}  // namespace
+
+std::vector<std::string> layer_names(const Json& record) {
+    std::vector<std::string> names;
+    if (!record.contains("layers") || !record["layers"].is_array()) return names;
+    for (const Json& name : record["layers"]) names.push_back(name.is_string() ? name.get<std::string>() : std::string());
+    return names;
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
+FlightRun read_flight_run(const std::string& folder) {
+    FlightRun run;
+    run.folder = folder;
+    RunRecords records(folder);
+    while (const std::optional<Json> record = records.next()) run.frames.push_back(flight_frame(*record, records, folder));
+    std::stable_sort(run.frames.begin(), run.frames.end(),
+                     [](const FlightFrame& a, const FlightFrame& b) { return a.time_s < b.time_s; });
+    read_summary(run);
+    return run;
+}
+
+std::vector<Json> records_of(const FlightRun& run, const std::vector<std::uint64_t>& frames) {
+    std::vector<Json> found(frames.size());
+    RunRecords records(run.folder);
+    while (const std::optional<Json> record = records.next()) {
+        const auto frame = (*record)["frame"].get<std::uint64_t>();
+        for (std::size_t n = 0; n < frames.size(); ++n)
+            if (frames[n] == frame) found[n] = *record;
+    }
+    return found;
+}
+
+std::vector<FlightPhaseSpan> phase_spans(const std::vector<FlightFrame>& frames) {
+    std::vector<FlightPhaseSpan> spans;
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+        if (spans.empty() || spans.back().phase != frames[n].phase) spans.push_back({frames[n].phase, n, n});
+        spans.back().end = n + 1;
+    }
+    return spans;
+}
+
+}  // namespace tedavis::host_sim

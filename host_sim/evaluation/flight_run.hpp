@@ -1,0 +1,48 @@
+/// A run that `replay` left, as far as its evaluation needs it: when each picture was shown, in which phase, and what came first.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+struct FlightFrame {
+    std::uint64_t frame = 0;
+    double time_s = 0;
+    std::string phase;         ///< "approach.final"
+    std::string phase_source;  ///< as in the record
+    /// The aspect with the greatest weight, where one is greater than the others: "terrain", "data", "uncertainty".
+    std::string prioritized;
+    std::vector<std::string> layers;  ///< names by the values of the layer mask beside the picture; empty: there is none
+    std::string picture;              ///< path
+};
+
+struct FlightRun {
+    std::string folder;
+    std::string log, design, device, size;  ///< of its summary; empty where it has none
+    std::vector<FlightFrame> frames;        ///< in the order of time
+};
+
+/// Throws UserError where the folder holds no run, or a run without its pictures; the sentence says how they are made.
+[[nodiscard]] FlightRun read_flight_run(const std::string& folder);
+
+/// `layers` of a record: what the values of its picture's layer mask stand for. Empty where the record has none.
+[[nodiscard]] std::vector<std::string> layer_names(const nlohmann::ordered_json& record);
+
+/// True for what read_flight_run may read: a folder.
+[[nodiscard]] bool is_folder(const std::string& path);
+
+/// The records of certain frames, null where the run has none.
+[[nodiscard]] std::vector<nlohmann::ordered_json> records_of(const FlightRun& run, const std::vector<std::uint64_t>& frames);
+
+/// Contiguous frames of one phase.
+struct FlightPhaseSpan {
+    std::string phase;
+    std::size_t first = 0, end = 0;  ///< indices of frames
+};
+[[nodiscard]] std::vector<FlightPhaseSpan> phase_spans(const std::vector<FlightFrame>& frames);
+
+}  // namespace tedavis::host_sim

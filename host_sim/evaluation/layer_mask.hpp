@@ -1,0 +1,28 @@
+/// Which part of the display each pixel of a picture belongs to.
+///
+/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey a pixel, which count from 0 through the names that the
+/// picture's record has under `layers` (the frame's line of `frames.jsonl`, or `P.json` of a `shot`).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+struct LayerMask {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> layers;  ///< of each pixel, rows from the top
+    std::vector<std::string> names;    ///< of values; larger values belong to no layer
+};
+
+/// "run/frames/000123.layers.png" of "run/frames/000123.png".
+[[nodiscard]] std::string layer_mask_path(const std::string& picture);
+/// Nothing where there is no mask or `names` is empty; throws UserError where it is damaged or has another size than the picture.
+[[nodiscard]] std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::vector<std::string>& names,
+                                                       std::uint32_t width, std::uint32_t height);
+/// Names from the record beside a picture that no run wrote; empty without one.
+[[nodiscard]] std::vector<std::string> layer_names_beside(const std::string& picture);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,24 @@
+/// A moment of a flight on the report's page: what stood on the display, what draws the eye, and what the plan was showing.
+#pragma once
+
+#include <string>
+
+#include "host_sim/evaluation/evaluated_flight.hpp"
+
+namespace tedavis::host_sim {
+
+/// "moment-A": what links lead to.
+[[nodiscard]] std::string moment_id(const FlightMoment& moment);
+/// "A: 312.0 s, approach.final, clutter 0.21"
+[[nodiscard]] std::string moment_words(const EvaluatedFlight& flight, const FlightMoment& moment);
+/// A link for the list below the graph.
+[[nodiscard]] std::string moment_tab(const EvaluatedFlight& flight, const FlightMoment& moment);
+/// `other`: the flight that it is compared with, null without one. Names tell the two apart.
+struct ComparedFlight {
+    const EvaluatedFlight* flight = nullptr;
+    std::string name;
+};
+[[nodiscard]] std::string moment_card(const ComparedFlight& own, const FlightMoment& moment, const ComparedFlight& other,
+                                      const EvaluationSettings& settings);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,36 @@
+/// What is measured of one picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/evaluation/gaze_score.hpp"
+#include "render_core/perception/edge_density.hpp"
+#include "render_core/perception/edge_detector.hpp"
+
+namespace tedavis::host_sim {
+
+/// The same for all pictures of an evaluation, so that their numbers can be compared.
+struct EvaluationSettings {
+    perception::CannySettings canny;
+    perception::RegionGrid grid;
+};
+
+/// How much of a picture's saliency lies on the pixels of one layer.
+struct LayerShare {
+    std::string layer;
+    double share = 0;  ///< 0..1 of all saliency
+    double area = 0;   ///< 0..1 of all pixels
+};
+
+struct PictureMeasures {
+    std::uint32_t width = 0, height = 0;
+    double clutter = 0;                ///< share of pixels that are edges
+    std::vector<double> clutter_grid;  ///< of each region, row by row from the upper left
+    double saliency_level = 0;         ///< mean on the fixed scale: to be compared from picture to picture
+    std::vector<LayerShare> layers;    ///< empty without a layer mask
+    std::optional<GazeScore> gaze;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,49 @@
+/// Measures pictures one after the other, with memory that grows to the largest of them and is used again.
+///
+/// Equal pictures give equal numbers, whatever was measured before. Thread  one a meter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host_sim/evaluation/evaluation_views.hpp"
+#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/evaluation/picture_measures.hpp"
+#include "render_core/perception/saliency_model.hpp"
+#include "render_core/perception/spectral_residual.hpp"
+
+namespace tedavis::host_sim {
+
+class PictureMeter {
+public:
+    explicit PictureMeter(const EvaluationSettings& settings) : settings_(settings) {}
+
+    /// `mask` may be null. Throws UserError for a picture larger than perception::kMostPictureSide, which `name` names.
+    [[nodiscard]] PictureMeasures measure(const RgbaPicture& picture, const std::string& name, const LayerMask* mask,
+                                          const std::vector<GazePixel>& gaze);
+
+    /// Of the picture measured last, a byte a pixel.
+    [[nodiscard]] const std::vector<std::uint8_t>& edges() const { return edges_; }
+    /// Likewise, with a value a pixel, normalised by the picture itself.
+    [[nodiscard]] FloatMap saliency() const { return enlarged(map_, width_, height_); }
+    /// What another model says of a picture: spectral residual (perception/spectral_residual.hpp), in the same form.
+    [[nodiscard]] FloatMap second_opinion(const RgbaPicture& picture);
+
+private:
+    void make_room(int width, int height);
+    void measure_edges(const perception::PictureView& view, PictureMeasures& measures);
+    void measure_saliency(const perception::PictureView& view, const LayerMask* mask, PictureMeasures& measures);
+
+    EvaluationSettings settings_;
+    std::vector<std::byte> memory_, opinion_memory_;
+    perception::EdgeDetector detector_;
+    perception::SaliencyModel model_;
+    perception::SpectralResidual opinion_;
+    int most_width_ = 0, most_height_ = 0;
+    std::uint32_t width_ = 0, height_ = 0;
+    std::vector<std::uint8_t> edges_;
+    FloatMap map_;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,97 @@
+#include "host_sim/commands/evaluate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/command_run.hpp"
+#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_evaluate {
+namespace {
+
+using test_support::CommandRun;
+using ::testing::HasSubstr;
+
+class EvaluateCommand : public ::testing::Test {
+protected:
+    CommandRun evaluate(const std::vector<std::string>& inputs, bool json = false, const std::string& fixations = "",
+                        std::uint32_t threads = 2) {
+        const EvaluateOptions options{inputs, place_.file("out"), fixations, threads};
+        return test_support::run_command([&](Console& console) { return run_evaluate(options, console); }, json);
+    }
+    std::string picture(const std::string& name, std::uint32_t stripe) {
+        write_png(place_.file(name), view_of(test_support::striped_picture(80, 60, stripe)));
+        return place_.file(name);
+    }
+    void refused(const std::vector<std::string>& inputs, const std::string& words, const std::string& fixations = "") {
+        test_support::expect_user_error([&] { (void)evaluate(inputs, false, fixations); }, words);
+        EXPECT_FALSE(std::filesystem::exists(place_.file("out"))) << "nothing is left";
+    }
+    test_support::TemporaryFolder place_;
+};
+
+TEST_F(EvaluateCommand, PicturesGetNumbersAndViews) {
+    const CommandRun run = evaluate({picture("plain.png", 0), picture("busy.png", 5)}, true);
+    EXPECT_EQ(run.code, 0);
+    const auto json = run.json();
+    EXPECT_EQ(json["pictures"][0]["clutter"], 0.0);
+    EXPECT_GT(json["pictures"][1]["clutter"], 0.1);
+    EXPECT_EQ(json, nlohmann::json::parse(place_.read("out/evaluation.json")));
+    EXPECT_TRUE(std::filesystem::exists(place_.file("out/" + json["pictures"][1]["saliency_map"].get<std::string>())));
+    const std::string text = evaluate({picture("busy.png", 5)}).results;
+    for (const char* part : {"1 picture", "busy.png", "busiest region"}) EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(EvaluateCommand, ARunGetsAReport) {
+    test_support::write_striped_run(place_, "run", 12, {3, 8});
+    const CommandRun run = evaluate({place_.file("run")});
+    EXPECT_EQ(run.code, 0);
+    for (const char* part : {"12 frames", "A: 3.0 s, takeoff.first_climb", "B: 8.0 s", "report.html"})
+        EXPECT_THAT(run.results, HasSubstr(part));
+    EXPECT_THAT(place_.read("out/report.html"), HasSubstr("id='moment-B'"));
+    const auto json = nlohmann::json::parse(place_.read("out/evaluation.json"));
+    EXPECT_EQ(json["pictures"].size(), 12u);
+    EXPECT_TRUE(std::filesystem::exists(place_.file("out/A.sheet.png")));
+    EXPECT_TRUE(std::filesystem::exists(place_.file("out/B.saliency.png")));
+}
+
+TEST_F(EvaluateCommand, TheResultDoesNotDependOnThreads) {
+    test_support::write_striped_run(place_, "run", 12, {3, 8});
+    (void)evaluate({place_.file("run")}, false, "", 1);
+    const std::string report = place_.read("out/report.html"), json = place_.read("out/evaluation.json");
+    (void)evaluate({place_.file("run")}, false, "", 3);
+    EXPECT_EQ(place_.read("out/report.html"), report);
+    EXPECT_EQ(place_.read("out/evaluation.json"), json);
+}
+
+TEST_F(EvaluateCommand, TwoRunsAreCompared) {
+    test_support::write_striped_run(place_, "a", 12, {3, 8});
+    test_support::write_striped_run(place_, "b", 12, {5});
+    const auto json = evaluate({place_.file("a"), place_.file("b")}, true).json();
+    EXPECT_EQ(json["runs"].size(), 2u);
+    EXPECT_LT(json["differences"]["all"]["change"], 0) << "one busy picture less";
+    EXPECT_EQ(json["runs"][1]["peaks"][0]["label"], "B1");
+    EXPECT_TRUE(std::filesystem::exists(place_.file("out/B1.other.heat.png")));
+}
+
+TEST_F(EvaluateCommand, RecordedGazeIsScored) {
+    const std::string gaze = place_.write("gaze.csv", "x,y\n0.1,0.5\n0.2,0.5\n");
+    const CommandRun run = evaluate({picture("busy.png", 5)}, false, gaze);
+    EXPECT_THAT(run.results, HasSubstr("recorded gaze on 1 picture: AUC "));
+}
+
+TEST_F(EvaluateCommand, SaysWhatIsWrong) {
+    test_support::write_striped_run(place_, "run", 3, {});
+    const std::string run = place_.file("run"), image = picture("a.png", 5);
+    refused({run, image}, "pictures and runs together");
+    refused({run, run, run}, "a third run");
+    refused({place_.file("none.png")}, "no such file");
+    refused({image}, "gaze.csv:2: 'x' is no number", place_.write("gaze.csv", "x,y\nx,1\n"));
+    const EvaluateOptions over{{image}, run, "", 1};
+    test_support::expect_user_error(
+        [&] { (void)test_support::run_command([&](Console& console) { return run_evaluate(over, console); }); }, "holds a run");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_evaluate

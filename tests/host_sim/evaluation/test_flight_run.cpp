@@ -1,0 +1,73 @@
+#include "host_sim/evaluation/flight_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_flight_run {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(FlightRun, ReadsRecordsPicturesAndSummary) {
+    const test_support::TemporaryFolder place;
+    test_support::write_striped_run(place, "run", 4, {2});
+    (void)place.write("run/summary.json", R"({"log":"a.log","design":"cruise","device":"es3-mid","size":"96x72"})");
+    const FlightRun run = read_flight_run(place.file("run"));
+    ASSERT_EQ(run.frames.size(), 4u);
+    EXPECT_EQ(run.design, "cruise");
+    EXPECT_EQ(run.log, "a.log");
+    EXPECT_EQ(run.frames[3].time_s, 3);
+    EXPECT_EQ(run.frames[3].phase, "takeoff.first_climb");
+    EXPECT_EQ(run.frames[3].phase_source, "can");
+    EXPECT_EQ(run.frames[3].prioritized, "terrain");
+    EXPECT_EQ(run.frames[3].picture, place.file("run/frames/000003.png"));
+    const auto records = records_of(run, {2, 9});
+    EXPECT_EQ(records[0]["frame"], 2);
+    EXPECT_TRUE(records[1].is_null());
+    EXPECT_TRUE(is_folder(place.path()));
+    EXPECT_FALSE(is_folder(place.file("run/summary.json")));
+}
+
+TEST(FlightRun, FramesOfARunThatGoesBackwardsAreInTheOrderOfTime) {
+    const test_support::TemporaryFolder place;
+    test_support::write_run(place, "run", [](FrameResult& result) {
+        result.record.time = base::Time{} + base::Duration::from_seconds(10.0 - static_cast<double>(result.record.frame));
+    });
+    for (std::uint64_t n = 0; n < 5; ++n) test_support::write_picture(place, "run", n, test_support::striped_picture(4, 4, 2));
+    const FlightRun run = read_flight_run(place.file("run"));
+    EXPECT_EQ(run.frames.front().frame, 4u);
+    EXPECT_EQ(run.frames.front().time_s, 6);
+    EXPECT_TRUE(run.frames.back().prioritized.empty()) << "equal weights";
+}
+
+TEST(FlightRun, SaysHowPicturesAreMade) {
+    const test_support::TemporaryFolder place;
+    test_support::write_run(place, "run", [](FrameResult&) {});
+    test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); }, "--frames png");
+    test_support::expect_user_error([&] { (void)read_flight_run(place.path()); }, "name a folder that replay wrote");
+    (void)place.write("run/frames.jsonl", "{\"frame\":0,\"hash\":\"1\"}\n");
+    test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); }, "frames.jsonl:1: a record without time_s");
+}
+
+TEST(FlightRun, PhasesAreContiguous) {
+    std::vector<FlightFrame> frames(5);
+    for (std::size_t n = 0; n < 5; ++n) frames[n].phase = n == 2 ? "b" : "a";
+    const auto spans = phase_spans(frames);
+    ASSERT_EQ(spans.size(), 3u);
+    EXPECT_EQ(spans[1].phase, "b");
+    EXPECT_EQ(spans[2].first, 3u);
+    EXPECT_EQ(spans[2].end, 5u);
+    EXPECT_TRUE(phase_spans({}).empty());
+}
+
+TEST(FlightRun, LayersAreNamedByTheRecord) {
+    EXPECT_THAT(layer_names({{"layers", {"terrain", "data"}}}), ElementsAre("terrain", "data"));
+    EXPECT_TRUE(layer_names({{"layers", 3}}).empty());
+    EXPECT_TRUE(layer_names(nlohmann::ordered_json::object()).empty());
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_flight_run
