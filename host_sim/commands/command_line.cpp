@@ -44,6 +44,8 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
         ->required();
     evaluate->add_option("-o", e.output, "folder to write to: evaluation.json, views of pictures or peaks, report.html of runs")
         ->required();
+    evaluate->add_option("--orderings", e.orderings,
+                         "what is reported of pictures, to hold theirs against: file or shipped name, such as thesis");
     evaluate->add_option("--fixations", e.fixations,
                          "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
                          "scores the saliency maps by AUC and NSS");

@@ -8,13 +8,16 @@
 #include "host_sim/evaluation/evaluate_flight.hpp"
 #include "host_sim/evaluation/evaluation_json.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/moment_card.hpp"
+#include "host_sim/evaluation/picture_orderings.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/threads/thread_workers.hpp"
 
@@ -141,13 +144,38 @@ int evaluate_runs(const EvaluateOptions& options, const FixationFile* gaze, cons
     return is_interrupted ? kInterruptedExitCode : 0;
 }
 
+std::optional<PictureOrderings> asked_orderings(const EvaluateOptions& options) {
+    if (options.orderings.empty()) return std::nullopt;
+    return read_orderings(resolve_config(options.orderings, "orderings"));
+}
+
+std::vector<OrderedPicture> ordered_pictures(const std::vector<EvaluatedPicture>& pictures) {
+    std::vector<OrderedPicture> all;
+    for (const EvaluatedPicture& picture : pictures) {
+        OrderedPicture one{std::filesystem::weakly_canonical(picture.file).string(), picture.measures.clutter, {}};
+        for (const LayerShare& layer : picture.measures.layers) one.shares.emplace_back(layer.layer, layer.share);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 int evaluate_images(const EvaluateOptions& options, const FixationFile* gaze, const EvaluationWork& work) {
-    const std::vector<EvaluatedPicture> pictures = evaluate_pictures(options.inputs, options.output, gaze, work);
-    const bool is_interrupted = pictures.size() < options.inputs.size();
+    std::vector<std::string> files = options.inputs;
+    files.erase(std::remove_if(files.begin(), files.end(), is_layer_mask), files.end());  // they lie beside their pictures
+    if (files.empty()) throw UserError(options.inputs[0] + ": which layer each pixel of a picture is of; name the picture");
+    const std::optional<PictureOrderings> orderings = asked_orderings(options);
+    const std::vector<EvaluatedPicture> pictures = evaluate_pictures(files, options.output, gaze, work);
+    const bool is_interrupted = pictures.size() < files.size();
     if (pictures.empty()) throw Interrupted("interrupted; nothing was written");
-    const nlohmann::ordered_json json = pictures_json(pictures, work.settings, is_interrupted);
+    nlohmann::ordered_json json = pictures_json(pictures, work.settings, is_interrupted);
+    std::string text = pictures_text(options.output, pictures, work.settings.grid);
+    if (orderings) {
+        const std::vector<JudgedOrdering> all = judged(*orderings, ordered_pictures(pictures));
+        json["orderings"] = orderings_json(all);
+        text += "\n" + orderings_text(all);
+    }
     write_file_atomically(options.output + "/" + kEvaluationName, json_text(json) + "\n");
-    work.console.result(pictures_text(options.output, pictures, work.settings.grid), json_text(json));
+    work.console.result(text, json_text(json));
     return is_interrupted ? kInterruptedExitCode : 0;
 }
 
@@ -158,6 +186,8 @@ int run_evaluate(const EvaluateOptions& options, Console& console) {
     const bool has_run = std::any_of(options.inputs.begin(), options.inputs.end(), is_run);
     if (has_run && !std::all_of(options.inputs.begin(), options.inputs.end(), is_run))
         throw UserError("pictures and runs together; evaluate them one after the other");
+    if (has_run && !options.orderings.empty())
+        throw UserError("--orderings: compares pictures, and these are runs; name pictures, or leave it out");
     require_no_run(options.output);
     std::optional<FixationFile> gaze;
     if (!options.fixations.empty()) gaze = read_fixations(options.fixations);

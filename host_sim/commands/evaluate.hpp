@@ -13,6 +13,7 @@ struct EvaluateOptions {
     std::vector<std::string> inputs;  ///< pictures, or one folder that replay wrote, or two
     std::string output;               ///< folder
     std::string fixations;            ///< CSV; empty: none
+    std::string orderings;            ///< of pictures: shipped name of configs/orderings, or a path; empty: none
     std::uint32_t threads = 0;        ///< 0: as many as there are processors
 };
 

@@ -5,10 +5,11 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/own_ground.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/new_folder.hpp"
-#include "host_sim/replay/layer_mask.hpp"
+#include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/reports/contact_sheet.hpp"
 #include "host_sim/reports/sheet_page.hpp"
@@ -118,7 +119,7 @@ std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const Sh
     drawn.result = posed_frame(session, pose, {});
     require_view_within(job, drawn.result);
     drawn.pixels = upright(session.pixels());
-    if (layers) drawn.layers = layer_mask(session);
+    if (layers) drawn.layers = drawn_layers(session);
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
     if (drawn.measures) drawn.measures->glyphs = session.display().counters().glyphs;
     gl = session.gl_description();
@@ -154,8 +155,8 @@ void write_sheet(const DrawnSheet& sheet, const std::string& output) {
         for (const DrawnSheet::Picture& picture : group.pictures) {
             write_png(output + "/" + picture.file, view_of(picture.pixels));
             if (!picture.layers.empty())
-                write_file_atomically(layer_mask_path(output + "/" + picture.file),
-                                      encode_grey_png({picture.layers.data(), picture.pixels.width, picture.pixels.height}));
+                write_layer_mask(output + "/" + picture.file,
+                                 {picture.layers.data(), picture.pixels.width, picture.pixels.height});
         }
     write_png(output + "/" + kSheetPictureName, view_of(draw_contact_sheet(sheet)));
     write_file_atomically(output + "/" + kSheetPageName, sheet_page(sheet));

@@ -6,7 +6,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
-#include "host_sim/replay/layer_mask.hpp"
+#include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -51,7 +51,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     result.has_layers = options.layers;
     const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
-    if (options.layers) write_layer_mask(options.output, session);
+    if (options.layers) write_drawn_layers(options.output, session);
     write_file_atomically(record_path(options.output), json + "\n");
     console.result(options.output + ": " + std::to_string(session.width()) + " x " + std::to_string(session.height()) +
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +

@@ -3,15 +3,25 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/atomic_file.hpp"
 #include "host_sim/evaluation/flight_run.hpp"
 #include "host_sim/input_file.hpp"
-#include "host_sim/png_file.hpp"
+#include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
 
 std::string layer_mask_path(const std::string& picture) {
     return std::filesystem::path(picture).replace_extension(".layers.png").string();
+}
+
+void write_layer_mask(const std::string& picture, const GreyView& layers) {
+    write_file_atomically(layer_mask_path(picture), encode_grey_png(layers));
+}
+
+bool is_layer_mask(const std::string& file) {
+    const std::filesystem::path path(file);
+    return path.extension() == ".png" && path.stem().extension() == ".layers";
 }
 
 std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::vector<std::string>& names, std::uint32_t width,
@@ -30,10 +40,15 @@ std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::
 }
 
 std::vector<std::string> layer_names_beside(const std::string& picture) {
-    const std::string path = std::filesystem::path(picture).replace_extension(".json").string();
-    if (!std::filesystem::is_regular_file(path) || !std::filesystem::exists(layer_mask_path(picture))) return {};
-    const auto record = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
-    return record.is_object() ? layer_names(record) : std::vector<std::string>();
+    if (!std::filesystem::exists(layer_mask_path(picture))) return {};
+    const std::filesystem::path file(picture);
+    for (const std::filesystem::path& path :
+         {std::filesystem::path(file).replace_extension(".json"), file.parent_path() / kSheetJsonName}) {
+        if (!std::filesystem::is_regular_file(path)) continue;
+        const auto record = nlohmann::ordered_json::parse(read_file(path.string()), nullptr, false);
+        if (record.is_object()) return layer_names(record);
+    }
+    return {};
 }
 
 }  // namespace tedavis::host_sim

@@ -1,13 +1,15 @@
 /// Which part of the display each pixel of a picture belongs to.
 ///
 /// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey a pixel, which count from 0 through the names that the
-/// picture's record has under `layers` (the frame's line of `frames.jsonl`, or `P.json` of a `shot`).
+/// picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "host_sim/png_file.hpp"
 
 namespace tedavis::host_sim {
 
@@ -17,8 +19,11 @@ struct LayerMask {
     std::vector<std::string> names;    ///< of values; larger values belong to no layer
 };
 
+/// Appears whole or not at all; throws UserError.
+void write_layer_mask(const std::string& picture, const GreyView& layers);
 /// "run/frames/000123.layers.png" of "run/frames/000123.png".
 [[nodiscard]] std::string layer_mask_path(const std::string& picture);
+[[nodiscard]] bool is_layer_mask(const std::string& file);
 /// Nothing where there is no mask or `names` is empty; throws UserError where it is damaged or has another size than the picture.
 [[nodiscard]] std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::vector<std::string>& names,
                                                        std::uint32_t width, std::uint32_t height);

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "host_sim/input_file.hpp"
-#include "host_sim/json_text.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/display/picture_layer.hpp"
@@ -118,10 +116,11 @@ std::string orderings_text(const std::vector<JudgedOrdering>& judged) {
         text +=
             (one.state == OrderingState::holds ? "    " : "  ") + one.ordering.title + " (" + measure_name(one.ordering) + ")\n";
     }
+    text.pop_back();
     return text;
 }
 
-std::string orderings_json(const std::vector<JudgedOrdering>& judged) {
+nlohmann::ordered_json orderings_json(const std::vector<JudgedOrdering>& judged) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const JudgedOrdering& one : judged) {
         nlohmann::ordered_json json = {{"title", one.ordering.title},
@@ -136,7 +135,7 @@ std::string orderings_json(const std::vector<JudgedOrdering>& judged) {
         if (one.state != OrderingState::missing) json["ours"] = {one.more, one.less};
         list.push_back(std::move(json));
     }
-    return json_text(list);
+    return list;
 }
 
 }  // namespace tedavis::host_sim

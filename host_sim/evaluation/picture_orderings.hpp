@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,6 @@ struct JudgedOrdering {
 /// A line an ordering, in columns.
 [[nodiscard]] std::string orderings_text(const std::vector<JudgedOrdering>& judged);
 /// A list of {`title`, `source`, `measure`, `more`, `less`, `reported`, `ours`, `state`}.
-[[nodiscard]] std::string orderings_json(const std::vector<JudgedOrdering>& judged);
+[[nodiscard]] nlohmann::ordered_json orderings_json(const std::vector<JudgedOrdering>& judged);
 
 }  // namespace tedavis::host_sim

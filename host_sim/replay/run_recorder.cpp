@@ -7,7 +7,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/heap_trap/heap_trap.hpp"
-#include "host_sim/replay/layer_mask.hpp"
+#include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
@@ -94,7 +94,7 @@ void RunRecorder::keep() {
         story_.add_picture(result_, session_.pixels());
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());
-    if (options_.layers) write_layer_mask(frame_picture_path(options_.output, result_.record.frame), session_);
+    if (options_.layers) write_drawn_layers(frame_picture_path(options_.output, result_.record.frame), session_);
 }
 
 int RunRecorder::finish(bool interrupted, Console& console) {

@@ -7,6 +7,7 @@
 #include "host_sim/reports/base64.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/version.hpp"
+#include "render_core/display/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -89,6 +90,10 @@ Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) 
     return json;
 }
 
+bool has_layers(const DrawnSheet& sheet) {
+    return !sheet.groups.empty() && !sheet.groups[0].pictures.empty() && !sheet.groups[0].pictures[0].layers.empty();
+}
+
 }  // namespace
 
 std::string sheet_page(const DrawnSheet& sheet) {
@@ -123,6 +128,7 @@ std::string sheet_json(const DrawnSheet& sheet) {
                  {"picture", kSheetPictureName},
                  {"page", kSheetPageName},
                  {"pictures", Json::array()}};
+    if (has_layers(sheet)) json["layers"] = display::kPictureLayerNames;
     for (const DrawnSheet::Group& group : sheet.groups)
         for (const DrawnSheet::Picture& picture : group.pictures) json["pictures"].push_back(picture_json(picture, group.title));
     return json_text(json);

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -76,7 +74,7 @@ TEST(PictureOrderings, AreToldInTextAndJson) {
     const std::string text = orderings_text(all);
     EXPECT_THAT(text, HasSubstr("0.30 -> 0.20   0.300 -> 0.200   holds    more (clutter)"));
     EXPECT_THAT(text, HasSubstr("more -> less   0.300 -> 0.200   differs  alike (clutter)"));
-    const auto json = nlohmann::json::parse(orderings_json(all));
+    const auto json = orderings_json(all);
     ASSERT_EQ(json.size(), 3u);
     EXPECT_EQ(json[0].at("state"), "holds");
     EXPECT_EQ(json[0].at("reported"), (std::vector<double>{0.3, 0.2}));

@@ -1,15 +1,14 @@
-#include "host_sim/replay/layer_mask.hpp"
+#include "host_sim/replay/drawn_layers.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
-#include "host_sim/atomic_file.hpp"
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/png_file.hpp"
 #include "render_core/display/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 
-std::vector<std::uint8_t> layer_mask(DisplaySession& session) {
+std::vector<std::uint8_t> drawn_layers(DisplaySession& session) {
     std::vector<std::uint8_t> mask(std::size_t{session.width()} * session.height(), 0);
     session.draw_up_to(display::PictureLayer::terrain);
     RgbaPicture behind = upright(session.pixels());
@@ -24,13 +23,9 @@ std::vector<std::uint8_t> layer_mask(DisplaySession& session) {
     return mask;
 }
 
-std::string layer_mask_path(const std::string& picture) {
-    return std::filesystem::path(picture).replace_extension(".layers.png").string();
-}
-
-void write_layer_mask(const std::string& picture, DisplaySession& session) {
-    const std::vector<std::uint8_t> mask = layer_mask(session);
-    write_file_atomically(layer_mask_path(picture), encode_grey_png({mask.data(), session.width(), session.height()}));
+void write_drawn_layers(const std::string& picture, DisplaySession& session) {
+    const std::vector<std::uint8_t> layers = drawn_layers(session);
+    write_layer_mask(picture, {layers.data(), session.width(), session.height()});
 }
 
 }  // namespace tedavis::host_sim

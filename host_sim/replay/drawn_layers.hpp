@@ -14,11 +14,8 @@ namespace tedavis::host_sim {
 
 /// Of the frame that was drawn last: a number of display::PictureLayer a pixel, top row first. Afterwards the session's picture
 /// is the whole one again. Costs as many drawings as there are layers.
-[[nodiscard]] std::vector<std::uint8_t> layer_mask(DisplaySession& session);
-
-/// "x.layers.png" beside "x.png".
-[[nodiscard]] std::string layer_mask_path(const std::string& picture);
-/// There, as a grey PNG. Throws UserError.
-void write_layer_mask(const std::string& picture, DisplaySession& session);
+[[nodiscard]] std::vector<std::uint8_t> drawn_layers(DisplaySession& session);
+/// Beside a picture (evaluation/layer_mask.hpp). Throws UserError.
+void write_drawn_layers(const std::string& picture, DisplaySession& session);
 
 }  // namespace tedavis::host_sim

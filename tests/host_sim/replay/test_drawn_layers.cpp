@@ -1,4 +1,4 @@
-#include "host_sim/replay/layer_mask.hpp"
+#include "host_sim/replay/drawn_layers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "host_sim/commands/shot.hpp"
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "render_core/display/picture_layer.hpp"
@@ -15,7 +16,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::host_sim::test_layer_mask {
+namespace tedavis::host_sim::test_drawn_layers {
 namespace {
 
 using display::PictureLayer;
@@ -101,7 +102,7 @@ int difference(const Taken& a, const Taken& b, std::size_t n) {
     return most;
 }
 
-TEST(LayerMask, APixelIsOfTheFrontmostLayerThatChangesIt) {
+TEST(DrawnLayers, APixelIsOfTheFrontmostLayerThatChangesIt) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Taken all = taken(shot(design("all.toml", kGround + kUnsure + kGlyphs + kPlaces), device));
         for (std::size_t layer = 0; layer < display::kPictureLayers; ++layer)
@@ -122,7 +123,7 @@ TEST(LayerMask, APixelIsOfTheFrontmostLayerThatChangesIt) {
     }
 }
 
-TEST(LayerMask, WhatADesignDoesNotShowIsInNoPixel) {
+TEST(DrawnLayers, WhatADesignDoesNotShowIsInNoPixel) {
     const Taken sure = taken(shot(design("sure.toml", kGround + kPlaces)));
     EXPECT_EQ(sure.count(PictureLayer::uncertainty), 0u);
     EXPECT_GT(sure.count(PictureLayer::data), 1000u);
@@ -133,7 +134,7 @@ TEST(LayerMask, WhatADesignDoesNotShowIsInNoPixel) {
     EXPECT_LT(taken(options).count(PictureLayer::symbology), sure.count(PictureLayer::symbology) / 2);
 }
 
-TEST(LayerMask, ARunWithMasksHasTheFramesOfOneWithout) {
+TEST(DrawnLayers, ARunWithMasksHasTheFramesOfOneWithout) {
     ReplayOptions options = files().options("plain_run");
     options.picture.scene = scene();
     options.picture.design = design("run.toml", kGround + kUnsure + kGlyphs + kPlaces);
@@ -163,4 +164,4 @@ TEST(LayerMask, ARunWithMasksHasTheFramesOfOneWithout) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_layer_mask
+}  // namespace tedavis::host_sim::test_drawn_layers
