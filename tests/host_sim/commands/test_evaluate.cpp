@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/evaluated_flights.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -17,18 +18,26 @@ class EvaluateCommand : public ::testing::Test {
 protected:
     CommandRun evaluate(const std::vector<std::string>& inputs, bool json = false, const std::string& fixations = "",
                         std::uint32_t threads = 2) {
-        const EvaluateOptions options{inputs, place_.file("out"), fixations, threads};
+        const EvaluateOptions options{inputs, place_.file("out"), fixations, orderings_, threads};
         return test_support::run_command([&](Console& console) { return run_evaluate(options, console); }, json);
     }
     std::string picture(const std::string& name, std::uint32_t stripe) {
         write_png(place_.file(name), view_of(test_support::striped_picture(80, 60, stripe)));
         return place_.file(name);
     }
+    void refused_in(const std::string& folder, const std::vector<std::string>& inputs, const std::string& words) {
+        const EvaluateOptions options{inputs, place_.file(folder), "", orderings_, 1};
+        test_support::expect_user_error(
+            [&] { (void)test_support::run_command([&](Console& console) { return run_evaluate(options, console); }, false); },
+            words);
+        EXPECT_FALSE(std::filesystem::exists(place_.file(folder))) << "nothing is left";
+    }
     void refused(const std::vector<std::string>& inputs, const std::string& words, const std::string& fixations = "") {
         test_support::expect_user_error([&] { (void)evaluate(inputs, false, fixations); }, words);
         EXPECT_FALSE(std::filesystem::exists(place_.file("out"))) << "nothing is left";
     }
     test_support::TemporaryFolder place_;
+    std::string orderings_;
 };
 
 TEST_F(EvaluateCommand, PicturesGetNumbersAndViews) {
@@ -41,6 +50,32 @@ TEST_F(EvaluateCommand, PicturesGetNumbersAndViews) {
     EXPECT_TRUE(std::filesystem::exists(place_.file("out/" + json["pictures"][1]["saliency_map"].get<std::string>())));
     const std::string text = evaluate({picture("busy.png", 5)}).results;
     for (const char* part : {"1 picture", "busy.png", "busiest region"}) EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(EvaluateCommand, PicturesAreHeldAgainstWhatIsReported) {
+    orderings_ =
+        place_.write("o.toml",
+                     "[[ordering]]\ntitle = \"busier\"\nmeasure = \"clutter\"\nmore = \"busy.png\"\nless = \"plain.png\"\n"
+                     "[[ordering]]\ntitle = \"wrong\"\nmeasure = \"clutter\"\nmore = \"plain.png\"\nless = \"busy.png\"\n"
+                     "[[ordering]]\ntitle = \"other\"\nmeasure = \"clutter\"\nmore = \"other.png\"\nless = \"busy.png\"\n");
+    const CommandRun run = evaluate({picture("plain.png", 0), picture("busy.png", 5)});
+    EXPECT_EQ(run.code, 0);
+    for (const char* part : {"holds    busier", "differs  wrong", "not measured"}) EXPECT_THAT(run.results, HasSubstr(part));
+    const auto json = nlohmann::json::parse(place_.read("out/evaluation.json"));
+    EXPECT_EQ(json["orderings"][1]["state"], "differs");
+    test_support::write_striped_run(place_, "run", 3, {});
+    refused_in("other", {place_.file("run")}, "--orderings: compares pictures");
+}
+
+TEST_F(EvaluateCommand, MasksOfLayersAreNoPictures) {
+    const std::vector<std::uint8_t> layers(80 * 60, 1);
+    const std::string busy = picture("busy.png", 5);
+    write_layer_mask(busy, {layers.data(), 80, 60});
+    place_.write("sheet.json", "{\"layers\":[\"terrain\",\"data\"]}");
+    const auto json = evaluate({busy, place_.file("busy.layers.png")}, true).json();
+    ASSERT_EQ(json["pictures"].size(), 1u);
+    EXPECT_EQ(json["pictures"][0]["layer_shares"]["data"], 1.0);
+    refused_in("other", {place_.file("busy.layers.png")}, "name the picture");
 }
 
 TEST_F(EvaluateCommand, ARunGetsAReport) {
@@ -88,7 +123,7 @@ TEST_F(EvaluateCommand, SaysWhatIsWrong) {
     refused({run, run, run}, "a third run");
     refused({place_.file("none.png")}, "no such file");
     refused({image}, "gaze.csv:2: 'x' is no number", place_.write("gaze.csv", "x,y\nx,1\n"));
-    const EvaluateOptions over{{image}, run, "", 1};
+    const EvaluateOptions over{{image}, run, "", "", 1};
     test_support::expect_user_error(
         [&] { (void)test_support::run_command([&](Console& console) { return run_evaluate(over, console); }); }, "holds a run");
 }
