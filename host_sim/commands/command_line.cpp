@@ -39,7 +39,8 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
                                      [&e](Console& console) { return run_evaluate(e, console); });
     evaluate
         ->add_option("INPUT", e.inputs,
-                     "pictures (PNG, JPEG) of any software; or a folder that replay wrote, with its pictures; or two "
+                     "pictures (PNG, JPEG) of any software, folders that sheet wrote; or a folder that replay wrote, with its "
+                     "pictures; or two "
                      "of them over the same flight, which are compared")
         ->required();
     evaluate->add_option("-o", e.output, "folder to write to: evaluation.json, views of pictures or peaks, report.html of runs")

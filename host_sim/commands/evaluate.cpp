@@ -8,13 +8,13 @@
 #include "host_sim/evaluation/evaluate_flight.hpp"
 #include "host_sim/evaluation/evaluation_json.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
-#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/moment_card.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/shipped_files.hpp"
@@ -160,8 +160,7 @@ std::vector<OrderedPicture> ordered_pictures(const std::vector<EvaluatedPicture>
 }
 
 int evaluate_images(const EvaluateOptions& options, const FixationFile* gaze, const EvaluationWork& work) {
-    std::vector<std::string> files = options.inputs;
-    files.erase(std::remove_if(files.begin(), files.end(), is_layer_mask), files.end());  // they lie beside their pictures
+    const std::vector<std::string> files = pictures_of_sheets(options.inputs);
     if (files.empty()) throw UserError(options.inputs[0] + ": which layer each pixel of a picture is of; name the picture");
     const std::optional<PictureOrderings> orderings = asked_orderings(options);
     const std::vector<EvaluatedPicture> pictures = evaluate_pictures(files, options.output, gaze, work);
@@ -182,7 +181,9 @@ int evaluate_images(const EvaluateOptions& options, const FixationFile* gaze, co
 }  // namespace
 
 int run_evaluate(const EvaluateOptions& options, Console& console) {
-    const auto is_run = [](const std::string& input) { return is_folder(input); };
+    const auto is_run = [](const std::string& input) {
+        return is_folder(input) && !std::filesystem::is_regular_file(input + "/" + kSheetJsonName);
+    };
     const bool has_run = std::any_of(options.inputs.begin(), options.inputs.end(), is_run);
     if (has_run && !std::all_of(options.inputs.begin(), options.inputs.end(), is_run))
         throw UserError("pictures and runs together; evaluate them one after the other");

@@ -10,7 +10,7 @@
 namespace tedavis::host_sim {
 
 struct EvaluateOptions {
-    std::vector<std::string> inputs;  ///< pictures, or one folder that replay wrote, or two
+    std::vector<std::string> inputs;  ///< pictures and folders of sheets, or one folder that replay wrote, or two
     std::string output;               ///< folder
     std::string fixations;            ///< CSV; empty: none
     std::string orderings;            ///< of pictures: shipped name of configs/orderings, or a path; empty: none

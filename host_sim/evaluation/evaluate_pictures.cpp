@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -33,6 +36,22 @@ std::vector<std::string> view_names(const std::vector<std::string>& files) {
         names.push_back(name);
     }
     return names;
+}
+
+std::vector<std::string> pictures_of_sheets(const std::vector<std::string>& inputs) {
+    std::vector<std::string> files;
+    for (const std::string& input : inputs) {
+        const std::string record = input + "/" + kSheetJsonName;
+        if (!std::filesystem::is_regular_file(record)) {
+            if (!is_layer_mask(input)) files.push_back(input);
+            continue;
+        }
+        const auto sheet = nlohmann::json::parse(read_file(record), nullptr, false);
+        const auto pictures = sheet.is_object() ? sheet.value("pictures", nlohmann::json::array()) : nlohmann::json::array();
+        if (!pictures.is_array() || pictures.empty()) throw UserError(record + ": names no pictures; write the sheet again");
+        for (const auto& picture : pictures) files.push_back(input + "/" + picture.value("file", ""));
+    }
+    return files;
 }
 
 PictureGaze gaze_of_pictures(const FixationFile& file, const std::vector<std::string>& pictures) {

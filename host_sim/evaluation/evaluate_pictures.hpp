@@ -20,6 +20,10 @@ struct EvaluatedPicture {
 /// Of each picture's file the name without folders and ending; where several are the same, with -2, -3 behind.
 [[nodiscard]] std::vector<std::string> view_names(const std::vector<std::string>& files);
 
+/// Folders that `sheet` wrote are replaced by their pictures, in the sheet's order; masks of layers, which lie beside their
+/// pictures, are left out. Throws UserError where a sheet's record is damaged.
+[[nodiscard]] std::vector<std::string> pictures_of_sheets(const std::vector<std::string>& inputs);
+
 /// Gaze by picture.
 struct PictureGaze {
     std::vector<std::vector<const Fixation*>> of_picture;

@@ -78,6 +78,18 @@ TEST_F(EvaluateCommand, MasksOfLayersAreNoPictures) {
     refused_in("other", {place_.file("busy.layers.png")}, "name the picture");
 }
 
+TEST_F(EvaluateCommand, AFolderOfASheetStandsForItsPictures) {
+    static_cast<void>(picture("b.png", 5));
+    static_cast<void>(picture("a.png", 0));
+    static_cast<void>(picture("sheet.png", 3));
+    place_.write("sheet.json", "{\"pictures\":[{\"file\":\"b.png\"},{\"file\":\"a.png\"}]}");
+    const auto json = evaluate({place_.file(".")}, true).json();
+    ASSERT_EQ(json["pictures"].size(), 2u);
+    EXPECT_GT(json["pictures"][0]["clutter"], json["pictures"][1]["clutter"]);
+    place_.write("sheet.json", "{}");
+    refused_in("other", {place_.file(".")}, "sheet.json: names no pictures");
+}
+
 TEST_F(EvaluateCommand, ARunGetsAReport) {
     test_support::write_striped_run(place_, "run", 12, {3, 8});
     const CommandRun run = evaluate({place_.file("run")});
