@@ -40,7 +40,7 @@ bool region_densities(const EdgeView& picture, const RegionGrid& grid, base::Spa
     if (!grid.is_valid() || densities.size() < static_cast<std::size_t>(grid.count())) return false;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
-            densities[static_cast<std::size_t>(row * grid.columns + column)] =
+            densities[pixels_of(grid.columns, row) + static_cast<std::size_t>(column)] =
                 edge_density(picture, region_of(grid, column, row, picture.width, picture.height));
     return true;
 }

@@ -78,8 +78,7 @@ void EdgeDetector::blur_source(const PictureView& picture, int y, const Gaussian
 
 void EdgeDetector::blur_row(int y, int height, const GaussianWeights& weights) {
     BlurRows rows{};
-    for (int k = -weights.radius; k <= weights.radius; ++k)
-        rows[static_cast<std::size_t>(k + weights.radius)] = sums(std::clamp(y + k, 0, height - 1));
+    for (int k = -weights.radius; k <= weights.radius; ++k) rows[k + weights.radius] = sums(std::clamp(y + k, 0, height - 1));
     blur_down(rows, levels(y), width_, weights);
     repeat_ends(levels(y), width_, 1);
 }

@@ -15,12 +15,13 @@
 
 namespace tedavis::perception {
 
-inline constexpr int kRowLead = 48, kRowBlock = 48;
+inline constexpr int kRowLead = 48, kRowBlock = 24;
 static_assert(kRowLead >= kColors * kMostRadius && kRowBlock % kColors == 0);
 
 /// Elements that a row of so many pixels takes in memory.
 [[nodiscard]] constexpr std::size_t row_elements(int width) {
-    return static_cast<std::size_t>((kColors * width + kRowBlock - 1) / kRowBlock * kRowBlock + 2 * kRowLead);
+    const int blocks = (kColors * width + kRowBlock - 1) / kRowBlock;
+    return std::size_t{kRowBlock} * static_cast<std::size_t>(blocks) + 2 * kRowLead;
 }
 
 /// What a pixel's edge is in each colour: bit n for a weak edge of colour n, bit n + 4 for a strong one.

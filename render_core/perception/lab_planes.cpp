@@ -63,39 +63,39 @@ void convert_row(const LightRows& light, int width, float* __restrict lightness,
 
 std::size_t LabConversion::bytes(int most_width) {
     const auto width = static_cast<std::size_t>(most_width);
-    return kLightSteps * sizeof(float) + kColors * (width + kMostBlock) * 3 + kColors * width * sizeof(float) + 4 * 16;
+    return kLightSteps * sizeof(float) + kMostChannels * (width + kMostBlock) * sizeof(std::uint16_t) +
+           kColors * width * sizeof(float) + 3 * 16;
 }
 
 bool LabConversion::start(base::Arena& arena, int most_width) {
     const auto width = static_cast<std::size_t>(most_width);
     light_of_ = arena.allocate_array<float>(kLightSteps);
-    row_ = arena.allocate_array<std::uint8_t>(kColors * (width + kMostBlock));
-    sums_ = arena.allocate_array<std::uint16_t>(kColors * (width + kMostBlock));
+    sums_ = arena.allocate_array<std::uint16_t>(kMostChannels * (width + kMostBlock));
     light_ = arena.allocate_array<float>(kColors * width);
     stride_ = width;
-    if (light_of_.empty() || row_.empty() || sums_.empty() || light_.empty()) return false;
+    if (light_of_.empty() || sums_.empty() || light_.empty()) return false;
     for (std::size_t n = 0; n < kLightSteps; ++n) light_of_[n] = linear_light(static_cast<double>(n) / (kMostBlock * kMostBlock));
     return true;
 }
 
 void LabConversion::add_rows(const PictureView& picture, int first, int level) {
-    const int count = kColors * (level_side(picture.width, level) << level);
-    std::uint8_t* __restrict row = row_.data();
+    const int in_picture = picture.channels * picture.width;
     std::uint16_t* __restrict sums = sums_.data();
-    std::memset(sums, 0, static_cast<std::size_t>(count) * sizeof(std::uint16_t));
+    std::memset(sums, 0, static_cast<std::size_t>(in_picture) * sizeof(std::uint16_t));
     for (int n = 0; n < 1 << level; ++n) {
-        copy_colors(picture, std::min(first + n, picture.height - 1), row);
-        for (int i = kColors * picture.width; i < count; ++i) row[i] = row[i - kColors];
-        for (int i = 0; i < count; ++i) sums[i] = static_cast<std::uint16_t>(sums[i] + row[i]);
+        const std::uint8_t* __restrict row = picture.row(std::min(first + n, picture.height - 1));
+        for (int i = 0; i < in_picture; ++i) sums[i] = static_cast<std::uint16_t>(sums[i] + row[i]);
     }
+    const int whole_blocks = picture.channels * (level_side(picture.width, level) << level);
+    for (int i = in_picture; i < whole_blocks; ++i) sums[i] = sums[i - picture.channels];
 }
 
-void LabConversion::read_light(int level, int width) {
+void LabConversion::read_light(int channels, int level, int width) {
     const int block = 1 << level, scale = kMostBlock * kMostBlock >> 2 * level;
     const std::uint16_t* sums = sums_.data();
     for (int i = 0; i < width; ++i) {
         int red = 0, green = 0, blue = 0;
-        for (int n = 0; n < block; ++n, sums += kColors) {
+        for (int n = 0; n < block; ++n, sums += channels) {
             red += sums[0];
             green += sums[1];
             blue += sums[2];
@@ -110,7 +110,7 @@ void LabConversion::read_light(int level, int width) {
 void LabConversion::convert(const PictureView& picture, int level, const LabPlanes& out) {
     for (int y = 0; y < out.lightness.height; ++y) {
         add_rows(picture, y << level, level);
-        read_light(level, out.lightness.width);
+        read_light(picture.channels, level, out.lightness.width);
         convert_row({light_.data(), light_.data() + stride_, light_.data() + 2 * stride_}, out.lightness.width,
                     out.lightness.row(y), out.a.row(y), out.b.row(y));
     }

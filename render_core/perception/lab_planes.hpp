@@ -30,11 +30,10 @@ public:
 
 private:
     void add_rows(const PictureView& picture, int first, int level);
-    void read_light(int level, int width);
+    void read_light(int channels, int level, int width);
 
     base::Span<float> light_of_;      ///< linear light by sixteenths of an sRGB level
-    base::Span<std::uint8_t> row_;    ///< of the picture, with its end repeated
-    base::Span<std::uint16_t> sums_;  ///< of a block's rows
+    base::Span<std::uint16_t> sums_;  ///< of a block's rows, with the picture's end repeated
     base::Span<float> light_;         ///< a row of red, of green, of blue
     std::size_t stride_ = 0;          ///< of light_
 };

@@ -1,6 +1,7 @@
 #include "render_core/perception/layer_saliency.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tedavis::perception {
 namespace {
@@ -12,7 +13,7 @@ struct LayerSums {
     std::uint32_t most = 0;
 };
 
-std::uint32_t steps_of(float saliency) { return static_cast<std::uint32_t>(saliency * kSteps + 0.5f); }
+std::uint32_t steps_of(float saliency) { return static_cast<std::uint32_t>(std::lround(saliency * kSteps)); }
 
 /// Pixels of one layer follow each other mostly: a run is added at once.
 void add_run(std::array<LayerSums, kMostLayers>& sums, std::uint8_t layer, std::uint32_t saliency, int pixels) {

@@ -17,34 +17,40 @@ struct AcrossRows {
     float *bell, *cosine, *sine, *slant_cosine, *slant_sine;
 };
 
-/// Buffers of the last rows, and one for the source with its ends repeated.
-class RowRing {
-public:
-    RowRing(float* scratch, int width) : scratch_(scratch), stride_(static_cast<std::size_t>(width) + 2 * kRadius) {}
-    [[nodiscard]] AcrossRows at(int y) const {
-        float* first = scratch_ + static_cast<std::size_t>(y % kRows) * 5 * stride_;
-        return {first, first + stride_, first + 2 * stride_, first + 3 * stride_, first + 4 * stride_};
-    }
-    [[nodiscard]] float* source() const { return scratch_ + 5 * kRows * stride_ + kRadius; }
-
-private:
-    float* scratch_;
-    std::size_t stride_;
+/// Columns that are filtered together.
+struct Strip {
+    int first = 0, width = 0;
 };
 
-void filter_across(const Plane& plane, int y, const GaborTaps& taps, const RowRing& ring) {
+/// Buffers of a strip's last rows, and one for the source with what lies beside it.
+class RowRing {
+public:
+    explicit RowRing(float* scratch) : scratch_(scratch) {}
+    [[nodiscard]] AcrossRows at(int y) const {
+        float* first = scratch_ + static_cast<std::size_t>(y % kRows) * 5 * kStride;
+        return {first, first + kStride, first + 2 * kStride, first + 3 * kStride, first + 4 * kStride};
+    }
+    [[nodiscard]] float* source() const { return scratch_ + 5 * kRows * kStride + kRadius; }
+
+private:
+    static constexpr std::size_t kStride = std::size_t{kGaborStrip} + 2 * kRadius;
+    float* scratch_;
+};
+
+void filter_across(const Plane& plane, const Strip& strip, int y, const GaborTaps& taps, const RowRing& ring) {
     float* source = ring.source();
-    std::copy_n(plane.row(y), plane.width, source);
+    const float* row = plane.row(y);
+    std::copy_n(row + strip.first, strip.width, source);
     for (int k = 1; k <= kRadius; ++k) {
-        source[-k] = source[0];
-        source[plane.width - 1 + k] = source[plane.width - 1];
+        source[-k] = row[std::max(strip.first - k, 0)];
+        source[strip.width - 1 + k] = row[std::min(strip.first + strip.width - 1 + k, plane.width - 1)];
     }
     const AcrossRows out = ring.at(y);
     float *bell = out.bell, *cosine = out.cosine, *sine = out.sine;
     float *slant_cosine = out.slant_cosine, *slant_sine = out.slant_sine;
     const GaborTaps t = taps;
     TEDAVIS_INDEPENDENT_LOOP
-    for (int x = 0; x < plane.width; ++x) {
+    for (int x = 0; x < strip.width; ++x) {
         float b = t.bell[0] * source[x], c = t.cosine[0] * source[x], d = t.slant_cosine[0] * source[x], s = 0, u = 0;
         for (int k = 1; k <= kRadius; ++k) {
             const float sum = source[x - k] + source[x + k], difference = source[x + k] - source[x - k];
@@ -101,6 +107,27 @@ void filter_slanted(const Tall& cosines, const Tall& sines, const GaborTaps& t, 
     }
 }
 
+void filter_strip(const Plane& plane, const Strip& strip, const GaborTaps& taps, const std::array<Plane, kDirections>& out,
+                  const RowRing& ring) {
+    int filtered = 0;
+    for (int y = 0; y < plane.height; ++y) {
+        for (; filtered <= std::min(y + kRadius, plane.height - 1); ++filtered) filter_across(plane, strip, filtered, taps, ring);
+        Tall across[5];
+        for (int k = 0; k < kRows; ++k) {
+            const AcrossRows rows = ring.at(std::clamp(y + k - kRadius, 0, plane.height - 1));
+            across[0].rows[k] = rows.bell;
+            across[1].rows[k] = rows.cosine;
+            across[2].rows[k] = rows.sine;
+            across[3].rows[k] = rows.slant_cosine;
+            across[4].rows[k] = rows.slant_sine;
+        }
+        const auto row = [&](int direction) { return out[direction].row(y) + strip.first; };
+        float* flat = ring.source();
+        filter_straight(across, taps, strip.width, flat, row(0), row(2));
+        filter_slanted(across[3], across[4], taps, strip.width, flat, row(1), row(3));
+    }
+}
+
 }  // namespace
 
 GaborTaps gabor_taps() noexcept {
@@ -126,23 +153,8 @@ GaborTaps gabor_taps() noexcept {
 
 void oriented_energy(const Plane& plane, const GaborTaps& taps, const std::array<Plane, kDirections>& out,
                      base::Span<float> scratch) noexcept {
-    const RowRing ring(scratch.data(), plane.width);
-    int filtered = 0;
-    for (int y = 0; y < plane.height; ++y) {
-        for (; filtered <= std::min(y + kRadius, plane.height - 1); ++filtered) filter_across(plane, filtered, taps, ring);
-        Tall across[5];
-        for (int k = 0; k < kRows; ++k) {
-            const AcrossRows rows = ring.at(std::clamp(y + k - kRadius, 0, plane.height - 1));
-            across[0].rows[k] = rows.bell;
-            across[1].rows[k] = rows.cosine;
-            across[2].rows[k] = rows.sine;
-            across[3].rows[k] = rows.slant_cosine;
-            across[4].rows[k] = rows.slant_sine;
-        }
-        float* flat = ring.source();
-        filter_straight(across, taps, plane.width, flat, out[0].row(y), out[2].row(y));
-        filter_slanted(across[3], across[4], taps, plane.width, flat, out[1].row(y), out[3].row(y));
-    }
+    for (int first = 0; first < plane.width; first += kGaborStrip)
+        filter_strip(plane, {first, std::min(kGaborStrip, plane.width - first)}, taps, out, RowRing(scratch.data()));
 }
 
 }  // namespace tedavis::perception

@@ -26,10 +26,10 @@ struct GaborTaps {
 };
 [[nodiscard]] GaborTaps gabor_taps() noexcept;
 
-/// Elements of scratch for planes of that width.
-[[nodiscard]] constexpr std::size_t oriented_energy_scratch(int width) {
-    return (5 * (2 * std::size_t{kGaborRadius} + 1) + 1) * (static_cast<std::size_t>(width) + 2 * kGaborRadius);
-}
+/// Elements of scratch, for planes of any size: they are filtered in strips, whose rows stay in the first cache.
+inline constexpr int kGaborStrip = 128;
+inline constexpr std::size_t kOrientedEnergyScratch =
+    (5 * (2 * std::size_t{kGaborRadius} + 1) + 1) * (std::size_t{kGaborStrip} + 2 * kGaborRadius);
 /// `out` has planes of the same size.
 void oriented_energy(const Plane& plane, const GaborTaps& taps, const std::array<Plane, kDirections>& out,
                      base::Span<float> scratch) noexcept;

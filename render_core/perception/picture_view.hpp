@@ -11,7 +11,7 @@
 namespace tedavis::perception {
 
 inline constexpr int kMostPictureSide = 8192;
-inline constexpr int kColors = 3;
+inline constexpr int kColors = 3, kMostChannels = 4;
 
 struct PictureView {
     const std::uint8_t* pixels = nullptr;  ///< of the top row

@@ -58,7 +58,7 @@ std::size_t scratch_floats(const PictureSize& size) {
     const int level = saliency_level(size.width, size.height), map_width = level_side(size.width, level);
     const int start_width = level_side(size.width, std::min(size.start_level, level));
     return std::max({reduction_scratch(start_width), softening_scratch(start_width), center_surround_scratch(map_width),
-                     oriented_energy_scratch(map_width)});
+                     kOrientedEnergyScratch});
 }
 
 struct RoomNeeds {

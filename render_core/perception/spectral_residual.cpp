@@ -13,7 +13,9 @@ using Complex = std::complex<double>;
 constexpr int kSide = kResidualSide, kBits = 6, kResidualRadius = 7;
 constexpr std::size_t kCells = std::size_t{kSide} * kSide;
 
-std::size_t cell(int x, int y) { return static_cast<std::size_t>((y & (kSide - 1)) * kSide + (x & (kSide - 1))); }
+std::size_t cell(int x, int y) {
+    return std::size_t{kSide} * static_cast<unsigned>(y & (kSide - 1)) + static_cast<unsigned>(x & (kSide - 1));
+}
 
 /// Product without the library's care for infinities.
 Complex times(const Complex& a, const Complex& b) {
@@ -59,7 +61,7 @@ void fourier_transform(base::Span<Complex> numbers, TransformWay way) noexcept {
             const double angle = sign * base::kPi * k / half;
             const Complex turn(std::cos(angle), std::sin(angle));
             for (int n = k; n < kSide; n += 2 * half) {
-                Complex &low = numbers[static_cast<std::size_t>(n)], &high = numbers[static_cast<std::size_t>(n + half)];
+                Complex &low = numbers[n], &high = numbers[n + half];
                 const Complex turned = times(turn, high);
                 high = low - turned;
                 low += turned;

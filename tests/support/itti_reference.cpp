@@ -37,8 +37,9 @@ Field across_scales(const Pyramid& feature, const Part& part) {
                 double mean = 0;
                 for (const int coarser : {3, 4}) {
                     const double scale = 1 << coarser;
-                    mean += part(fine(x, y) - feature[static_cast<std::size_t>(center + coarser)].between((x + 0.5) / scale,
-                                                                                                          (y + 0.5) / scale)) /
+                    const int surround = center + coarser;
+                    mean += part(fine(x, y) -
+                                 feature[static_cast<std::size_t>(surround)].between((x + 0.5) / scale, (y + 0.5) / scale)) /
                             6;
                 }
                 here.at(x, y) = mean + (center == 2 ? 0 : sum.between((x + 0.5) / 2, (y + 0.5) / 2));

@@ -20,7 +20,7 @@ struct Answers {
             held.emplace_back(plane.width, plane.height);
             out[k] = held[k].plane;
         }
-        std::vector<float> scratch(oriented_energy_scratch(plane.width));
+        std::vector<float> scratch(kOrientedEnergyScratch);
         oriented_energy(plane, gabor_taps(), out, scratch);
     }
     std::vector<HeldPlane> held;
@@ -29,7 +29,7 @@ struct Answers {
 constexpr double kPi = 3.14159265358979323846;
 
 TEST(OrientedEnergy, IsTheDirectSumOfProducts) {
-    const std::pair<int, int> sizes[] = {{1, 1}, {2, 3}, {5, 1}, {23, 17}, {64, 9}};
+    const std::pair<int, int> sizes[] = {{1, 1}, {2, 3}, {5, 1}, {23, 17}, {128, 9}, {300, 12}};
     for (const auto& [width, height] : sizes) {
         const HeldPlane plane = noise_plane(width, height, 3);
         const Answers answers(plane.plane);

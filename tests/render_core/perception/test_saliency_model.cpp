@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/saliency.hpp>
+#include <string>
 #include <vector>
 
 #include "tests/support/golden_pictures.hpp"
@@ -46,7 +47,8 @@ const std::vector<NamedPicture>& pictures() {
     static const std::vector<NamedPicture> all = [] {
         std::vector<NamedPicture> list = test_support::golden_pictures(TEDAVIS_SOURCE_DIR);
         list.resize(std::min<std::size_t>(list.size(), 20), list.front());
-        for (std::uint32_t seed = 0; seed < 4; ++seed) list.push_back({"landscape", landscape(256, 192, seed)});
+        for (std::uint32_t seed = 0; seed < 4; ++seed)
+            list.push_back({"landscape " + std::to_string(seed), landscape(256, 192, seed)});
         list.push_back({"another colour", disks({60, 200, 60}, 10, 4, 1)});
         list.push_back({"another size", disks({200, 60, 60}, 22, 1, 2)});
         list.push_back({"another lightness", disks({255, 190, 190}, 10, 2, 2)});

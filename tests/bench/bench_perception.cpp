@@ -1,0 +1,287 @@
+/// What measures of perception cost on one core: edges of three colours and saliency of the shipped approach picture at 1024 x
+/// 768 and 1920 x 1080, beside OpenCV's edges and the full-resolution saliency, what coarser starts change, and what parts cost.
+/// The least of many turns that alternate, as other work on the machine only adds. `--json` prints the lines as a list,
+/// `--picture X.png` measures another picture at its own size.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/own_ground.hpp"
+#include "host_sim/commands/shot.hpp"
+#include "host_sim/png_file.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+#include "render_core/perception/edge_density.hpp"
+#include "render_core/perception/edge_detector.hpp"
+#include "render_core/perception/layer_saliency.hpp"
+#include "render_core/perception/saliency_model.hpp"
+#include "render_core/perception/spectral_residual.hpp"
+#include "tests/bench/bench_result.hpp"
+#include "tests/support/rank_correlation.hpp"
+
+namespace {
+
+using namespace tedavis;
+using namespace tedavis::perception;
+using bench::BenchResult;
+
+constexpr int kTurns = 20, kInARow = 6;
+constexpr double kEdgesTarget_ms = 6, kSaliencyTarget_ms = 3, kGrowthTarget = 2.9, kDisagreementTarget = 0.005;
+constexpr double kNoTarget = std::numeric_limits<double>::max();
+
+/// The least of turns that alternate, each of some in a row, as over the pictures of a flight.
+std::vector<double> least_ms(const std::vector<std::function<void()>>& works) {
+    std::vector<double> least(works.size(), kNoTarget);
+    for (int turn = 0; turn < kTurns; ++turn)
+        for (std::size_t n = 0; n < works.size(); ++n)
+            for (int k = 0; k < kInARow; ++k) {
+                const base::Time start = platform::monotonic_now();
+                works[n]();
+                least[n] = std::min(least[n], (platform::monotonic_now() - start).to_seconds() * 1000);
+            }
+    return least;
+}
+
+template <class Measure>
+class Started {
+public:
+    template <class... Sizes>
+    explicit Started(const Sizes&... sizes) : block_(Measure::bytes(sizes...)) {
+        base::Arena arena(block_.data(), block_.size());
+        if (!measure.start(arena, sizes...)) throw std::runtime_error("a measure finds no room");
+    }
+    Measure measure;
+
+private:
+    std::vector<unsigned char> block_;
+};
+
+class Picture {
+public:
+    explicit Picture(const host_sim::RgbaPicture& png)
+        : width(static_cast<int>(png.width)), height(static_cast<int>(png.height)), rgba(png.pixels) {}
+    [[nodiscard]] PictureView view() const { return packed_picture(rgba.data(), width, height, 4); }
+    [[nodiscard]] std::size_t pixels() const { return pixels_of(width, height); }
+    /// Means of n x n pixels.
+    [[nodiscard]] Picture shrunk(int n) const {
+        host_sim::RgbaPicture smaller;
+        smaller.width = static_cast<std::uint32_t>(width / n);
+        smaller.height = static_cast<std::uint32_t>(height / n);
+        for (int y = 0; y < height / n; ++y)
+            for (int x = 0; x < width / n * 4; ++x) {
+                int sum = 0;
+                for (int v = 0; v < n; ++v)
+                    for (int u = 0; u < n; ++u)
+                        sum += rgba[(pixels_of(width, n * y + v) + static_cast<std::size_t>(n * (x / 4) + u)) * 4 +
+                                    static_cast<std::size_t>(x % 4)];
+                smaller.pixels.push_back(static_cast<std::uint8_t>((sum + n * n / 2) / (n * n)));
+            }
+        return Picture(smaller);
+    }
+    int width, height;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// On final approach to the shipped strip, with the shipped scene.
+Picture approach_picture(const host_sim::PictureOptions& ground, host_sim::PictureSize size, const std::string& folder) {
+    host_sim::ShotOptions options;
+    options.picture = ground;
+    options.picture.size = size;
+    options.picture.design = "approach";
+    options.pose = {36.55, -84.25, 900, 40, -3, 0};
+    options.phase = "approach.final";
+    options.output = folder + "/approach.png";
+    std::ostringstream results, notes;
+    host_sim::Console console(results, notes, true, false);
+    if (host_sim::run_shot(options, console) != 0) throw std::runtime_error("the picture could not be taken");
+    return Picture(host_sim::read_png(options.output));
+}
+
+cv::Mat edges_of_opencv(const Picture& picture, const CannySettings& settings) {
+    cv::Mat all = cv::Mat::zeros(picture.height, picture.width, CV_8U), channels[4];
+    const cv::Mat rgba(picture.height, picture.width, CV_8UC4, const_cast<std::uint8_t*>(picture.rgba.data()));
+    cv::split(rgba, channels);
+    for (int c = 0; c < 3; ++c) {
+        cv::Mat blurred, edges;
+        cv::GaussianBlur(channels[c], blurred, cv::Size(0, 0), settings.sigma, settings.sigma, cv::BORDER_REPLICATE);
+        cv::Canny(blurred, edges, settings.low, settings.high, 3, true);
+        all |= edges;
+    }
+    return all;
+}
+
+/// A blur of `sigma` makes of a step of 255 levels a gradient of so much at most.
+double step_gradient(double sigma) {
+    return 1020 * 0.5 * (std::erf(1.5 / sigma / std::sqrt(2)) + std::erf(0.5 / sigma / std::sqrt(2)));
+}
+
+class Bench {
+public:
+    Bench(Picture picture, std::vector<BenchResult>& lines)
+        : picture_(std::move(picture)),
+          name_(std::to_string(picture_.width) + " x " + std::to_string(picture_.height) + ": "),
+          lines_(&lines) {}
+
+    /// Returns the milliseconds.
+    double edges(bool has_target) {
+        Started<EdgeDetector> started(picture_.width, picture_.height);
+        std::vector<std::uint8_t> edges(picture_.pixels());
+        cv::Mat of_opencv;
+        const std::vector<double> ms =
+            least_ms({[&] { static_cast<void>(started.measure.detect(picture_.view(), settings_, edges)); },
+                      [&] { of_opencv = edges_of_opencv(picture_, settings_); }});
+        std::size_t differing = 0;
+        for (std::size_t n = 0; n < edges.size(); ++n) differing += edges[n] != of_opencv.data[n] ? 1 : 0;
+        density_ = edge_density({edges, picture_.width, picture_.height});
+        const double disagreement = static_cast<double>(differing) / static_cast<double>(edges.size());
+        add("edges of three colours", ms[0], "ms", has_target ? kEdgesTarget_ms : kNoTarget, ms[1]);
+        add("of OpenCV's time", ms[0] / ms[1], "", kNoTarget, 1);
+        add("pixels unlike OpenCV's", disagreement, "share", kDisagreementTarget, 0);
+        add("edge density", density_, "share", kNoTarget, cv::countNonZero(of_opencv) / static_cast<double>(picture_.pixels()));
+        edges_ms_ = ms[0];
+        return ms[0];
+    }
+
+    /// Of pictures of half and a quarter of the size, with sigma the same on the display and thresholds the same for a step.
+    void smaller_edges() {
+        for (const int n : {2, 4}) {
+            const Picture smaller = picture_.shrunk(n);
+            Started<EdgeDetector> started(smaller.width, smaller.height);
+            std::vector<std::uint8_t> edges(smaller.pixels());
+            CannySettings settings;
+            settings.sigma = settings_.sigma / n;
+            const double gain = step_gradient(settings.sigma) / step_gradient(settings_.sigma);
+            settings.low *= gain;
+            settings.high *= gain;
+            const std::vector<double> ms =
+                least_ms({[&] { static_cast<void>(started.measure.detect(smaller.view(), settings, edges)); }});
+            const std::string size = "edges at 1/" + std::to_string(n);
+            add(size, ms[0], "ms", kNoTarget, edges_ms_);
+            // Lines are as long in pixels as the picture is small, and one pixel wide.
+            add(size + ": density off by", std::fabs(edge_density({edges, smaller.width, smaller.height}) / n - density_),
+                "share", kNoTarget, density_);
+        }
+    }
+
+    double saliency(bool has_target) {
+        Started<SaliencyModel> started(picture_.width, picture_.height, 0);
+        SaliencyModel& model = started.measure;
+        const auto from = [&](int start_level) {
+            return [&model, this, start_level] {
+                static_cast<void>(model.look(picture_.view(), start_level));
+                static_cast<void>(model.map(SaliencyScale::per_picture));
+            };
+        };
+        const std::vector<double> ms =
+            least_ms({from(0), from(1), from(2), [&] { static_cast<void>(model.map(SaliencyScale::fixed)); }});
+        const std::vector<float> full = values(model, 0, SaliencyScale::per_picture),
+                                 fixed = values(model, 0, SaliencyScale::fixed);
+        add("saliency from 1/4", ms[2], "ms", has_target ? kSaliencyTarget_ms : kNoTarget, ms[0]);
+        add("saliency from 1/2", ms[1], "ms", kNoTarget, ms[0]);
+        add("saliency from full resolution", ms[0], "ms", kNoTarget, ms[0]);
+        add("another map of the same features", ms[3], "ms", kNoTarget, ms[2]);
+        for (const int start_level : {1, 2}) {
+            const std::string from_level = "saliency from 1/" + std::to_string(1 << start_level) + ": ";
+            rank(from_level + "rank correlation to full", full, values(model, start_level, SaliencyScale::per_picture));
+            rank(from_level + "the same, fixed scale", fixed, values(model, start_level, SaliencyScale::fixed));
+        }
+        return ms[2];
+    }
+
+    void parts() {
+        Started<SpectralResidual> residual;
+        Started<SaliencyModel> started(picture_.width, picture_.height, 2);
+        static_cast<void>(started.measure.look(picture_.view(), 2));
+        const SaliencyMap map = started.measure.map(SaliencyScale::per_picture);
+        std::vector<std::uint8_t> layers(picture_.pixels()), edges(picture_.pixels());
+        for (std::size_t n = 0; n < layers.size(); ++n) layers[n] = static_cast<std::uint8_t>(n / 37 % 5);
+        std::vector<double> densities(48);
+        LayerSaliencies sums;
+        const std::vector<double> ms =
+            least_ms({[&] { static_cast<void>(residual.measure.look(picture_.view())); },
+                      [&] {
+                          static_cast<void>(layer_saliency(map, {layers, picture_.width, picture_.height}, sums));
+                      },
+                      [&] {
+                          static_cast<void>(region_densities({edges, picture_.width, picture_.height}, {}, densities));
+                      }});
+        add("spectral residual", ms[0], "ms", kNoTarget, ms[0]);
+        add("saliency by layer", ms[1], "ms", kNoTarget, ms[1]);
+        add("edge density of 8 x 6 regions", ms[2], "ms", kNoTarget, ms[2]);
+    }
+
+private:
+    void add(const std::string& what, double value, const char* unit, double target, double baseline) {
+        lines_->push_back({name_ + what, value, unit, target, value <= target, baseline});
+    }
+    void rank(const std::string& what, const std::vector<float>& full, const std::vector<float>& coarser) {
+        const double correlation = test_support::rank_correlation(full, coarser);
+        lines_->push_back({name_ + what, correlation, "", 0.9, correlation >= 0.9, 1});
+    }
+    [[nodiscard]] std::vector<float> values(SaliencyModel& model, int start_level, SaliencyScale scale) const {
+        static_cast<void>(model.look(picture_.view(), start_level));
+        const SaliencyMap map = model.map(scale);
+        return {map.values.begin(), map.values.end()};
+    }
+
+    Picture picture_;
+    std::string name_;
+    std::vector<BenchResult>* lines_;
+    CannySettings settings_;
+    double edges_ms_ = 0, density_ = 0;
+};
+
+void measure_shipped(std::vector<BenchResult>& lines) {
+    const host_sim::TemporaryFolder folder;
+    std::ostringstream results, notes;
+    host_sim::Console console(results, notes, false, false);
+    host_sim::PictureOptions ground;
+    host_sim::use_own_ground(ground, folder.path(), console);
+    Bench usual(approach_picture(ground, {1024, 768}, folder.path()), lines);
+    Bench large(approach_picture(ground, {1920, 1080}, folder.path()), lines);
+    const double edges = usual.edges(true), large_edges = large.edges(false);
+    lines.push_back({"edges: 1920 x 1080 of 1024 x 768", large_edges / edges, "", kGrowthTarget,
+                     large_edges / edges <= kGrowthTarget, 1920.0 * 1080 / (1024 * 768)});
+    usual.smaller_edges();
+    const double saliency = usual.saliency(true), large_saliency = large.saliency(false);
+    lines.push_back({"saliency: 1920 x 1080 of 1024 x 768", large_saliency / saliency, "", kGrowthTarget,
+                     large_saliency / saliency <= kGrowthTarget, 1920.0 * 1080 / (1024 * 768)});
+    usual.parts();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    bool json = false;
+    std::string picture;
+    for (int n = 1; n < argc; ++n) {
+        if (std::strcmp(argv[n], "--json") == 0) {
+            json = true;
+        } else if (std::strcmp(argv[n], "--picture") == 0 && n + 1 < argc) {
+            picture = argv[++n];
+        } else {
+            std::fprintf(stderr, "bench_perception: unknown argument '%s'; --json and --picture X.png are known\n", argv[n]);
+            return 2;
+        }
+    }
+    cv::setNumThreads(1);
+    std::vector<BenchResult> lines;
+    if (picture.empty()) {
+        measure_shipped(lines);
+    } else {
+        Bench of(Picture(host_sim::read_png(picture)), lines);
+        of.edges(false);
+        of.smaller_edges();
+        of.saliency(false);
+        of.parts();
+    }
+    return bench::report(lines, json);
+}
