@@ -28,16 +28,20 @@ std::uint64_t count_above(const Plane& map, float threshold) {
 
 double rarity_above(const Plane& map, float threshold) { return information(count_above(map, threshold), map.size()); }
 
-/// out = weight * map, or that added to it.
-void add(const Plane& map, double weight, bool is_first, const Plane& out) {
+void add(const float* __restrict from, double weight, std::size_t count, float* __restrict to) {
     const auto factor = static_cast<float>(weight);
-    const float* __restrict from = map.values;
-    float* __restrict to = out.values;
-    const std::size_t count = map.size();
-    if (is_first)
-        for (std::size_t n = 0; n < count; ++n) to[n] = factor * from[n];
-    else
-        for (std::size_t n = 0; n < count; ++n) to[n] += factor * from[n];
+    for (std::size_t n = 0; n < count; ++n) to[n] += factor * from[n];
+}
+
+/// out = sum of weight * map, a part after the other, each of which stays in the first cache while all maps are added.
+void add_weighted(const Plane* maps, const double* weights, int count, const Plane& out) {
+    constexpr std::size_t kPart = 2048;
+    for (std::size_t first = 0; first < out.size(); first += kPart) {
+        const std::size_t pixels = std::min(kPart, out.size() - first);
+        std::fill_n(out.values + first, pixels, 0.0f);
+        for (int n = 0; n < count; ++n)
+            if (weights[n] > 0) add(maps[n].values + first, weights[n], pixels, out.values + first);
+    }
 }
 
 void scale_by(const Plane& map, float factor) {
@@ -58,26 +62,18 @@ double feature_weight(const Plane& map, SaliencyScale scale) noexcept {
 }
 
 bool combine(const SaliencyMaps& maps, SaliencyScale scale) noexcept {
-    bool has_any = false;
+    std::fill_n(maps.saliency.values, maps.saliency.size(), 0.0f);
     for (std::size_t kind = 0; kind + 1 < kFirstOfConspicuity.size(); ++kind) {
-        bool is_first = true;
-        for (int n = kFirstOfConspicuity[kind]; n < kFirstOfConspicuity[kind + 1]; ++n) {
-            const double weight = feature_weight(maps.features[n], scale);
-            if (weight <= 0) continue;
-            add(maps.features[n], weight, is_first, maps.conspicuity);
-            is_first = false;
-        }
-        if (is_first) continue;
-        add(maps.conspicuity, conspicuity_weight(maps.conspicuity, scale), !has_any, maps.saliency);
-        has_any = true;
+        const int first = kFirstOfConspicuity[kind], count = kFirstOfConspicuity[kind + 1] - first;
+        double weights[kFeatureMaps] = {}, sum = 0;
+        for (int n = 0; n < count; ++n) sum += weights[n] = feature_weight(maps.features[first + n], scale);
+        if (sum <= 0) continue;
+        add_weighted(&maps.features[first], weights, count, maps.conspicuity);
+        add(maps.conspicuity.values, conspicuity_weight(maps.conspicuity, scale), maps.saliency.size(), maps.saliency.values);
     }
-    const float most = has_any ? maximum(maps.saliency) : 0;
-    if (most <= 0) {
-        std::fill_n(maps.saliency.values, maps.saliency.size(), 0.0f);
-        return false;
-    }
-    scale_by(maps.saliency, scale == SaliencyScale::fixed ? kFixedGain : 1 / most);
-    return true;
+    const float most = maximum(maps.saliency);
+    if (most > 0) scale_by(maps.saliency, scale == SaliencyScale::fixed ? kFixedGain : 1 / most);
+    return most > 0;
 }
 
 }  // namespace tedavis::perception

@@ -101,6 +101,7 @@ TEST(SaliencyModel, ACoarserStartChangesLittle) {
         const double rank_1 = rank_correlation(full.values, saliency_of(of.picture, 1).values);
         const double rank_2 = rank_correlation(full.values, saliency_of(of.picture, 2).values);
         const double rank_fixed = rank_correlation(fixed.values, saliency_of(of.picture, 2, SaliencyScale::fixed).values);
+        RecordProperty(of.name, std::to_string(rank_1) + ' ' + std::to_string(rank_2) + ' ' + std::to_string(rank_fixed));
         EXPECT_GE(rank_1, 0.85) << of.name;  // the least are those of white noise
         EXPECT_GE(rank_2, 0.7) << of.name;
         EXPECT_GE(rank_fixed, 0.7) << of.name;
