@@ -3,11 +3,12 @@
 /// Each channel is blurred by a Gaussian (256ths, rounded once to eight bits, borders repeated), Sobel's 3x3 operator gives the
 /// gradient, whose Euclidean length is compared with the thresholds; what is largest across the edge remains, and of it what is
 /// longer than `high` or connected with such a pixel (of eight neighbours) through pixels longer than `low`. A pixel is an edge
-/// where it is one in any channel. The thresholds are fixed: a flat picture has no edges, however small its noise.
+/// where it is one in any channel. The thresholds are fixed: a flat picture has no edges, and noise below them makes none.
 ///
-/// All in integers: equal pictures give equal edges on every machine. Memory  from an arena, at start(). Thread  one. Bounded  by
+/// All in integers: equal pictures give equal edges on every machine. Memory from an arena, at start(). One thread. Bounded by
 /// the pixels: each becomes an edge once in each colour.
-/// Source  Canny 1986; `low` and `high` by default are 0.11 and 0.27 of the gradient of a step from 0 to 255, and sigma is 1, as
+///
+/// Source: Canny 1986; `low` and `high` by default are 0.11 and 0.27 of the gradient of a step from 0 to 255, and sigma is 1, as
 /// in Mack and Oliva 2004 and Rosenholtz, Li, Nakano, "Measuring Visual Clutter", Journal of Vision 7 (2007).
 #pragma once
 

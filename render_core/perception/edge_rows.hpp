@@ -1,9 +1,11 @@
 /// The steps of Canny's edge detector on one row, all three colours at once: elements of a row are red, green, blue of its pixels
 /// in turn, so that a pixel's neighbour is kColors elements away.
 ///
-/// Rows  have kRowLead elements before the first one and end with a whole block and kRowLead more, which may be read and written.
+/// Rows have kRowLead elements before the first one and end with a whole block and kRowLead more, which may be read and written.
 /// All sums are integers without rounding but that of the blurred row: a picture that is turned by a right angle or mirrored
-/// gives the same numbers. Source  J. Canny, "A Computational Approach to Edge Detection", IEEE PAMI 8 (1986).
+/// gives the same numbers.
+///
+/// Source: J. Canny, "A Computational Approach to Edge Detection", IEEE PAMI 8 (1986).
 #pragma once
 
 #include <array>

@@ -3,7 +3,8 @@
 /// Waves of kGaborWave_px under a Gaussian of kGaborSigma_px, cut at kGaborRadius; what the filter answers to a plane without
 /// structure is taken away (Morlet's form). 1 is a grating from 0 to 1 of that wave. Borders repeated. Direction n is n times 45
 /// degrees: 0 has stripes that stand upright, whose normal points right, 1 those whose normal points right and down.
-/// Source  D. Gabor 1946; oriented pyramids of L. Itti, C. Koch, E. Niebur, IEEE PAMI 20 (1998).
+///
+/// Source: D. Gabor 1946; oriented pyramids of L. Itti, C. Koch, E. Niebur, IEEE PAMI 20 (1998).
 #pragma once
 
 #include <array>

@@ -3,13 +3,16 @@
 /// (conspicuity.hpp).
 ///
 /// The map has a pixel for each 4 x 4 of the picture (the finest centre is two levels below it); where the smaller side has fewer
-/// than 64 pixels one for 2 x 2, below 32 for each. Levels end at one pixel: whatever is smaller is compared with the mean. Start
-/// level  0 converts each pixel to CIE-Lab: the reference. 1 and 2 convert means of 2 x 2 or 4 x 4 pixels' levels instead, and
-/// leave out the levels below; README.md says what that costs and saves.
+/// than 64 pixels one for 2 x 2, below 32 for each. Levels end at one pixel: whatever is smaller is compared with the mean.
 ///
-/// Equal pictures give equal maps on every machine with IEEE floats. Memory  from an arena, at start(). Thread  one. Bounded  by
-/// the pixels. Source  L. Itti, C. Koch, E. Niebur, "A Model of Saliency-Based Visual Attention for Rapid Scene Analysis", IEEE
-/// PAMI 20 (1998); B. Han, B. Zhou, "High Speed Visual Saliency Computation on GPU", ICIP 2007.
+/// A start level of 0 converts each pixel to CIE-Lab: the reference. 1 and 2 convert means of 2 x 2 or 4 x 4 pixels' levels
+/// instead, and leave out the levels below; README.md says what that costs and saves.
+///
+/// Equal pictures give equal maps; those of two machines differ by the last places of their libraries' pow and log2.
+/// Memory from an arena, at start(). One thread. Bounded by the pixels.
+///
+/// Source: L. Itti, C. Koch, E. Niebur, "A Model of Saliency-Based Visual Attention for Rapid Scene Analysis", IEEE PAMI 20
+/// (1998); B. Han, B. Zhou, "High Speed Visual Saliency Computation on GPU", ICIP 2007.
 #pragma once
 
 #include <array>

@@ -4,9 +4,10 @@
 /// the map is the Gaussian mean (kResidualSigma_px) of |inverse(exp(R) F / |F|)|^2, divided by its maximum. A picture without any
 /// difference has no salient place: all 0.
 ///
-/// Double precision; elementary functions are the C library's, so that maps of two machines agree to 1e-9, not to the bit. Memory
-/// from an arena, at start(). Thread  one.
-/// Source  X. Hou, L. Zhang, "Saliency Detection: A Spectral Residual Approach", CVPR 2007.
+/// Double precision; elementary functions are the C library's, so that maps of two machines agree to 1e-9, not to the bit.
+/// Memory from an arena, at start(). One thread.
+///
+/// Source: X. Hou, L. Zhang, "Saliency Detection: A Spectral Residual Approach", CVPR 2007.
 #pragma once
 
 #include <array>
