@@ -75,7 +75,7 @@ TEST(EdgeDensity, ARegionIsMeasuredAlone) {
     Edges edges(82, 62);
     edges.bytes.assign(edges.bytes.size(), 0);
     for (int y = 21; y < 31; ++y)
-        for (int x = 31; x < 36; ++x) edges.bytes[static_cast<std::size_t>(82 * y + x)] = 255;
+        for (int x = 31; x < 36; ++x) edges.bytes[pixels_of(82, y) + static_cast<std::size_t>(x)] = 255;
     std::vector<double> densities(48, 7);
     ASSERT_TRUE(region_densities(edges.view(), {}, densities));
     EXPECT_DOUBLE_EQ(densities[2 * 8 + 3], 0.5);
