@@ -8,6 +8,7 @@
 #include <string>
 
 #include "host_sim/commands/command_groups.hpp"
+#include "host_sim/commands/option_texts.hpp"
 #include "host_sim/version.hpp"
 
 namespace tedavis::host_sim {
@@ -47,6 +48,11 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
         ->required();
     evaluate->add_option("--orderings", e.orderings,
                          "what is reported of pictures, to hold theirs against: file or shipped name, such as thesis");
+    evaluate->add_option_function<std::string>(
+        "--canny", [&e](const std::string& text) { e.canny = canny_from(text); },
+        "sigma,low,high: blur in px and thresholds on the gradient of 8-bit channels by which edges are clutter; default: "
+        "1,70,170, "
+        "or what the orderings state");
     evaluate->add_option("--fixations", e.fixations,
                          "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
                          "scores the saliency maps by AUC and NSS");

@@ -159,10 +159,10 @@ std::vector<OrderedPicture> ordered_pictures(const std::vector<EvaluatedPicture>
     return all;
 }
 
-int evaluate_images(const EvaluateOptions& options, const FixationFile* gaze, const EvaluationWork& work) {
+int evaluate_images(const EvaluateOptions& options, const std::optional<PictureOrderings>& orderings, const FixationFile* gaze,
+                    const EvaluationWork& work) {
     const std::vector<std::string> files = pictures_of_sheets(options.inputs);
     if (files.empty()) throw UserError(options.inputs[0] + ": which layer each pixel of a picture is of; name the picture");
-    const std::optional<PictureOrderings> orderings = asked_orderings(options);
     const std::vector<EvaluatedPicture> pictures = evaluate_pictures(files, options.output, gaze, work);
     const bool is_interrupted = pictures.size() < files.size();
     if (pictures.empty()) throw Interrupted("interrupted; nothing was written");
@@ -190,14 +190,17 @@ int run_evaluate(const EvaluateOptions& options, Console& console) {
     if (has_run && !options.orderings.empty())
         throw UserError("--orderings: compares pictures, and these are runs; name pictures, or leave it out");
     require_no_run(options.output);
+    const std::optional<PictureOrderings> orderings = asked_orderings(options);
     std::optional<FixationFile> gaze;
     if (!options.fixations.empty()) gaze = read_fixations(options.fixations);
     const auto workers = evaluation_workers(options.threads);
     const InterruptGuard interrupt;
     NewFolder folder(options.output);
-    const EvaluationWork work{*workers, console, [&] { return interrupt.requested(); }, {}};
-    const int code =
-        has_run ? evaluate_runs(options, gaze ? &*gaze : nullptr, work) : evaluate_images(options, gaze ? &*gaze : nullptr, work);
+    EvaluationWork work{*workers, console, [&] { return interrupt.requested(); }, {}};
+    if (orderings && orderings->canny) work.settings.canny = *orderings->canny;
+    if (options.canny) work.settings.canny = *options.canny;
+    const int code = has_run ? evaluate_runs(options, gaze ? &*gaze : nullptr, work)
+                             : evaluate_images(options, orderings, gaze ? &*gaze : nullptr, work);
     folder.keep();
     return code;
 }

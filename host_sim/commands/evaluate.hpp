@@ -2,19 +2,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host_sim/console.hpp"
+#include "render_core/perception/edge_detector.hpp"
 
 namespace tedavis::host_sim {
 
 struct EvaluateOptions {
-    std::vector<std::string> inputs;  ///< pictures and folders of sheets, or one folder that replay wrote, or two
-    std::string output;               ///< folder
-    std::string fixations;            ///< CSV; empty: none
-    std::string orderings;            ///< of pictures: shipped name of configs/orderings, or a path; empty: none
-    std::uint32_t threads = 0;        ///< 0: as many as there are processors
+    std::vector<std::string> inputs;                 ///< pictures and folders of sheets, or one folder that replay wrote, or two
+    std::string output;                              ///< folder
+    std::string fixations;                           ///< CSV; empty: none
+    std::string orderings;                           ///< of pictures: shipped name of configs/orderings, or a path; empty: none
+    std::optional<perception::CannySettings> canny;  ///< nothing: the orderings', else the default
+    std::uint32_t threads = 0;                       ///< 0: as many as there are processors
 };
 
 /// Leaves evaluation.json, the views of pictures, and of runs report.html with the views of their peaks. Returns the exit code,

@@ -31,6 +31,17 @@ AircraftPose pose_from(const std::string& text) {
     return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 
+perception::CannySettings canny_from(const std::string& text) {
+    const std::vector<double> n = parse_number_list(text, ',');
+    perception::CannySettings canny;
+    if (n.size() == 3) canny = {n[0], n[1], n[2]};
+    if (n.size() != 3 || !canny.is_valid())
+        throw UserError("--canny " + text +
+                        ": not sigma,low,high: sigma 0 to 3 px, and thresholds on the gradient, low not above high; write for "
+                        "instance 1,70,170");
+    return canny;
+}
+
 std::string phase_from(const std::string& name) {
     if (!flight::phase_from_name(name).ok)
         throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");

@@ -5,6 +5,7 @@
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
+#include "render_core/perception/edge_detector.hpp"
 
 namespace tedavis::host_sim {
 
@@ -14,6 +15,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] AircraftPose pose_from(const std::string& text);
 /// The name of a phase, as it is.
 [[nodiscard]] std::string phase_from(const std::string& name);
+/// "sigma,low,high" of Canny's edges.
+[[nodiscard]] perception::CannySettings canny_from(const std::string& text);
 /// "2026-06-01T14:00:00Z"
 [[nodiscard]] base::Time time_from(const std::string& text);
 

@@ -1,6 +1,10 @@
 /// What somebody reports of pictures, one compared with another, held against what was measured of ours.
 ///
 ///     title = "Clutter and saliency as the thesis found them"
+///     [canny]                          by which edges their clutter was measured; absent: the default
+///     sigma = 1
+///     low = 6
+///     high = 15
 ///     [[ordering]]
 ///     title = "Terrain first is more cluttered than data first"
 ///     source = "figure 5.17"
@@ -19,6 +23,8 @@
 #include <string>
 #include <vector>
 
+#include "render_core/perception/edge_detector.hpp"
+
 namespace tedavis::host_sim {
 
 struct PictureOrdering {
@@ -31,6 +37,7 @@ struct PictureOrdering {
 
 struct PictureOrderings {
     std::string title;
+    std::optional<perception::CannySettings> canny;
     std::vector<PictureOrdering> orderings;
 };
 

@@ -18,7 +18,7 @@ class EvaluateCommand : public ::testing::Test {
 protected:
     CommandRun evaluate(const std::vector<std::string>& inputs, bool json = false, const std::string& fixations = "",
                         std::uint32_t threads = 2) {
-        const EvaluateOptions options{inputs, place_.file("out"), fixations, orderings_, threads};
+        const EvaluateOptions options{inputs, place_.file("out"), fixations, orderings_, canny_, threads};
         return test_support::run_command([&](Console& console) { return run_evaluate(options, console); }, json);
     }
     std::string picture(const std::string& name, std::uint32_t stripe) {
@@ -26,7 +26,7 @@ protected:
         return place_.file(name);
     }
     void refused_in(const std::string& folder, const std::vector<std::string>& inputs, const std::string& words) {
-        const EvaluateOptions options{inputs, place_.file(folder), "", orderings_, 1};
+        const EvaluateOptions options{inputs, place_.file(folder), "", orderings_, {}, 1};
         test_support::expect_user_error(
             [&] { (void)test_support::run_command([&](Console& console) { return run_evaluate(options, console); }, false); },
             words);
@@ -38,6 +38,7 @@ protected:
     }
     test_support::TemporaryFolder place_;
     std::string orderings_;
+    std::optional<perception::CannySettings> canny_;
 };
 
 TEST_F(EvaluateCommand, PicturesGetNumbersAndViews) {
@@ -65,6 +66,21 @@ TEST_F(EvaluateCommand, PicturesAreHeldAgainstWhatIsReported) {
     EXPECT_EQ(json["orderings"][1]["state"], "differs");
     test_support::write_striped_run(place_, "run", 3, {});
     refused_in("other", {place_.file("run")}, "--orderings: compares pictures");
+}
+
+TEST_F(EvaluateCommand, EdgesAreThoseOfTheThresholdsThatWereAskedFor) {
+    const auto canny = [&] {
+        const auto json = evaluate({picture("busy.png", 5)}, true).json();
+        const auto& used = json["pictures"][0]["canny"];
+        return std::array<double, 3>{used["sigma"], used["low"], used["high"]};
+    };
+    EXPECT_EQ(canny(), (std::array<double, 3>{1, 70, 170}));
+    orderings_ = place_.write("o.toml",
+                              "[canny]\nsigma = 2\nlow = 6\nhigh = 15\n[[ordering]]\ntitle = \"a\"\n"
+                              "measure = \"clutter\"\nmore = \"a.png\"\nless = \"busy.png\"\n");
+    EXPECT_EQ(canny(), (std::array<double, 3>{2, 6, 15}));
+    canny_ = perception::CannySettings{0, 1, 2};
+    EXPECT_EQ(canny(), (std::array<double, 3>{0, 1, 2})) << "the command's comes first";
 }
 
 TEST_F(EvaluateCommand, MasksOfLayersAreNoPictures) {
@@ -135,7 +151,7 @@ TEST_F(EvaluateCommand, SaysWhatIsWrong) {
     refused({run, run, run}, "a third run");
     refused({place_.file("none.png")}, "no such file");
     refused({image}, "gaze.csv:2: 'x' is no number", place_.write("gaze.csv", "x,y\nx,1\n"));
-    const EvaluateOptions over{{image}, run, "", "", 1};
+    const EvaluateOptions over{{image}, run, "", "", {}, 1};
     test_support::expect_user_error(
         [&] { (void)test_support::run_command([&](Console& console) { return run_evaluate(over, console); }); }, "holds a run");
 }

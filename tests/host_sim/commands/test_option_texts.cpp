@@ -29,6 +29,15 @@ TEST(OptionTexts, PosesAreSixNumbers) {
         expect_user_error([&] { static_cast<void>(pose_from(text)); }, "degrees");
 }
 
+TEST(OptionTexts, EdgesAreABlurAndTwoThresholds) {
+    const perception::CannySettings canny = canny_from("0.5,6,15");
+    EXPECT_EQ(canny.sigma, 0.5);
+    EXPECT_EQ(canny.low, 6);
+    EXPECT_EQ(canny.high, 15);
+    for (const char* text : {"1,6", "4,6,15", "1,16,15", "1,-1,15", "1,6,15,2", "edges"})
+        expect_user_error([&] { static_cast<void>(canny_from(text)); }, text);
+}
+
 TEST(OptionTexts, PhasesHaveNames) {
     EXPECT_EQ(phase_from("takeoff.first_climb"), "takeoff.first_climb");
     expect_user_error([] { static_cast<void>(phase_from("lunch")); }, "lunch");

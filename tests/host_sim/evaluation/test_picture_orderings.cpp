@@ -88,6 +88,7 @@ TEST(PictureOrderings, WhatIsWrongIsSaidWithItsLine) {
         test_support::expect_user_error([&] { static_cast<void>(read(text)); }, words);
     };
     refused("title = \"t\"\n", "has no [[ordering]]");
+    refused("[canny]\nsigma = 1\nlow = 20\nhigh = 10\n", "o.toml:3: 'low' must not be above 'high'");
     refused("[[ordering]]\ntitle = \"a\"\nmeasure = \"share.clouds\"\nmore = \"a\"\nless = \"b\"\n",
             "o.toml:3: 'measure' must be");
     refused("[[ordering]]\ntitle = \"a\"\nmeasure = \"clutter\"\nmore = \"a\"\n", "'less' is missing");
@@ -96,6 +97,8 @@ TEST(PictureOrderings, WhatIsWrongIsSaidWithItsLine) {
 
 TEST(PictureOrderings, TheShippedOnesAreThoseOfTheThesis) {
     const PictureOrderings shipped = read_orderings(resolve_config("thesis", "orderings"));
+    ASSERT_TRUE(shipped.canny.has_value());
+    EXPECT_TRUE(shipped.canny->is_valid());
     std::vector<std::array<double, 2>> reported;
     for (const PictureOrdering& ordering : shipped.orderings)
         if (ordering.reported) reported.push_back(*ordering.reported);
