@@ -131,11 +131,11 @@ double share_without_partner(const std::vector<std::uint8_t>& one, const std::ve
     std::size_t edges = 0, alone = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            if (one[static_cast<std::size_t>(y * width + x)] == 0) continue;
+            if (one[pixels_of(width, y) + static_cast<std::size_t>(x)] == 0) continue;
             bool has_partner = false;
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
-                    has_partner |= other[static_cast<std::size_t>(v * width + u)] != 0;
+                    has_partner |= other[pixels_of(width, v) + static_cast<std::size_t>(u)] != 0;
             ++edges;
             alone += has_partner ? 0 : 1;
         }
@@ -150,7 +150,7 @@ TEST(EdgeDetector, TurnsAndMirrorsWithThePicture) {
     SyntheticPicture mirrored = picture.mirrored(), turned = picture.turned();
     const auto as_picture = [](const std::vector<std::uint8_t>& bytes, int width, int height) {
         return SyntheticPicture(width, height, [&](int x, int y) {
-            const std::uint8_t level = bytes[static_cast<std::size_t>(y * width + x)];
+            const std::uint8_t level = bytes[pixels_of(width, y) + static_cast<std::size_t>(x)];
             return Rgb{level, level, level};
         });
     };
@@ -204,7 +204,7 @@ TEST(EdgeDetector, ReadsFourChannelsAndRowsFromBelow) {
         for (int x = 0; x < 100; ++x) {
             const Rgb color = picture.at(x, y);
             std::copy(color.begin(), color.end(), upside_down.begin() + (59 - y) * 440 + 4 * x);
-            upside_down[static_cast<std::size_t>((59 - y) * 440 + 4 * x + 3)] = static_cast<std::uint8_t>(x * y);
+            upside_down[pixels_of(440, 59 - y) + 4 * static_cast<std::size_t>(x) + 3] = static_cast<std::uint8_t>(x * y);
         }
     HeldEdges held(100, 60);
     EXPECT_EQ(held.of({upside_down.data() + 59 * 440, 100, 60, 4, -440}), edges_of(picture));
