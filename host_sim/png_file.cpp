@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csetjmp>
 #include <cstring>
 
 #include "host_sim/atomic_file.hpp"
@@ -36,12 +35,53 @@ struct Writer {
     ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-/// Frees what the simplified reader holds, on every way out.
-struct Reader {
-    png_image image{};
-    Reader() { image.version = PNG_IMAGE_VERSION; }
-    ~Reader() { png_image_free(&image); }
+[[noreturn]] void stop_decoding(png_structp, png_const_charp message) { throw std::runtime_error(message); }
+
+struct PngSource {
+    const char* at;
+    std::size_t left;
 };
+
+void take_bytes(png_structp png, png_bytep out, png_size_t count) {
+    PngSource& source = *static_cast<PngSource*>(png_get_io_ptr(png));
+    if (count > source.left) stop_decoding(png, "it ends too early");
+    std::memcpy(out, source.at, count);
+    source.at += count;
+    source.left -= count;
+}
+
+struct Reader {
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, stop_decoding, ignore_warning);
+    png_infop info = png_create_info_struct(png);
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+/// Whatever the file holds becomes eight bits of red, green, blue and alpha, as it is stored: no gamma is applied.
+void ask_for_rgba(const Reader& reader) {
+    png_set_expand(reader.png);
+    png_set_scale_16(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
+    (void)png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+}
+
+RgbaPicture decoded(const std::string& bytes, const std::string& path) {
+    PngSource source{bytes.data(), bytes.size()};
+    const Reader reader;
+    png_set_read_fn(reader.png, &source, take_bytes);
+    png_set_option(reader.png, PNG_IGNORE_ADLER32, PNG_OPTION_ON);  // the chunks that it covers have checksums of their own
+    png_read_info(reader.png, reader.info);
+    RgbaPicture picture{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), {}};
+    if (picture.width > kMostPixelsASide || picture.height > kMostPixelsASide)
+        throw UserError(path + ": larger than 32768 pixels a side; scale it down");
+    ask_for_rgba(reader);
+    picture.pixels.resize(std::size_t{picture.width} * picture.height * 4);
+    std::vector<png_bytep> rows;
+    for (std::uint32_t y = 0; y < picture.height; ++y) rows.push_back(&picture.pixels[std::size_t{y} * picture.width * 4]);
+    png_read_image(reader.png, rows.data());
+    return picture;
+}
 
 bool is_grey(const RgbaView& view) {
     for (std::uint32_t y = 0; y < view.height; ++y)
@@ -98,20 +138,13 @@ void write_png(const std::string& path, const RgbaView& view) { write_file_atomi
 
 RgbaPicture read_png(const std::string& path) {
     const std::string bytes = read_file(path);
-    Reader reader;
-    const auto refuse = [&]() -> UserError {
-        return UserError(path + ": not a sound PNG picture (" + reader.image.message + "); write it again");
-    };
-    if (png_image_begin_read_from_memory(&reader.image, bytes.data(), bytes.size()) == 0) throw refuse();
-    if (reader.image.width > kMostPixelsASide || reader.image.height > kMostPixelsASide)
-        throw UserError(path + ": larger than 32768 pixels a side; scale it down");
-    reader.image.format = PNG_FORMAT_RGBA;
-    reader.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else libpng takes 16 bits for linear light
-    RgbaPicture picture{reader.image.width, reader.image.height, {}};
-    picture.pixels.resize(PNG_IMAGE_SIZE(reader.image));
-    if (png_image_finish_read(&reader.image, nullptr, picture.pixels.data(), 0, nullptr) == 0) throw refuse();
-    if (PNG_IMAGE_FAILED(reader.image)) throw refuse();
-    return picture;
+    try {
+        return decoded(bytes, path);
+    } catch (const UserError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw UserError(path + ": not a sound PNG picture (" + error.what() + "); write it again");
+    }
 }
 
 RgbaPicture upright(const RgbaView& view) {
