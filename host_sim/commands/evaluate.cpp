@@ -1,6 +1,7 @@
 #include "host_sim/commands/evaluate.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -71,15 +72,15 @@ std::string pictures_text(const std::string& output, const std::vector<Evaluated
 }
 
 std::string phases_text(const EvaluatedFlight& flight) {
-    std::string text = "\n  phase                    from s    to s    mean  highest";
+    std::string text = "\n  phase                    from s     to s    mean  highest";
     const std::vector<SpanSummary> spans = summaries_by_phase(flight);
-    for (std::size_t n = 0; n < spans.size() && n < kPhasesInText; ++n)
-        text += "\n  " + padded(spans[n].phase, 22) +
-                padded("", 8 - std::min<std::size_t>(8, decimal(flight.run.frames[spans[n].first].time_s, 1).size())) +
-                decimal(flight.run.frames[spans[n].first].time_s, 1) +
-                padded("", 8 - std::min<std::size_t>(8, decimal(flight.run.frames[spans[n].end - 1].time_s, 1).size())) +
-                decimal(flight.run.frames[spans[n].end - 1].time_s, 1) + "   " + clutter_text(spans[n].mean) + "    " +
-                clutter_text(spans[n].highest);
+    for (std::size_t n = 0; n < spans.size() && n < kPhasesInText; ++n) {
+        const SpanSummary& span = spans[n];
+        char line[120];
+        std::snprintf(line, sizeof line, "\n  %-22s %8.1f %8.1f   %.3f    %.3f", span.phase.c_str(),
+                      flight.run.frames[span.first].time_s, flight.run.frames[span.end - 1].time_s, span.mean, span.highest);
+        text += line;
+    }
     if (spans.size() > kPhasesInText)
         text += "\n  and " + std::to_string(spans.size() - kPhasesInText) + " more phases in report.html";
     return text;
@@ -115,7 +116,14 @@ FlightReport evaluated_flights(const EvaluateOptions& options, const FixationFil
     for (const std::string& folder : options.inputs) runs.push_back(read_flight_run(folder));
     FlightReport report;
     report.settings = work.settings;
-    for (FlightRun& run : runs) report.flights.push_back(measure_flight(std::move(run), gaze, work));
+    for (FlightRun& run : runs) {
+        try {
+            report.flights.push_back(measure_flight(std::move(run), gaze, work));
+        } catch (const Interrupted&) {
+            if (report.flights.empty()) throw;
+            report.flights.front().interrupted = true;  // it is whole, but what it was to be compared with is missing
+        }
+    }
     if (report.flights.size() == 2) report.comparison = compared(report.flights[0], report.flights[1]);
     std::vector<MomentToDraw> to_draw;
     for (std::size_t n = 0; n < report.flights.size(); ++n) {

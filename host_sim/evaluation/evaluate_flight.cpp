@@ -1,6 +1,7 @@
 #include "host_sim/evaluation/evaluate_flight.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "host_sim/evaluation/evaluation_files.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
@@ -24,40 +25,43 @@ PictureMeasures measure_frame(PictureMeter& meter, const FlightFrame& frame, con
 
 }  // namespace
 
-FlightGaze gaze_of_flight(const FixationFile& file, const FlightRun& run) {
+std::vector<std::vector<const Fixation*>> gaze_of_flight(const FixationFile& file, const FlightRun& run) {
     if (!file.has_times)
         throw UserError(file.path +
                         ":1: no column time_s; gaze over a flight needs the time of each fixation, as in frames.jsonl");
-    FlightGaze gaze;
-    gaze.of_frame.resize(run.frames.size());
+    std::vector<std::vector<const Fixation*>> gaze(run.frames.size());
     const double end_s = run.frames.back().time_s + last_frame_s(run);
     for (const Fixation& fixation : file.fixations) {
         const double time_s = *fixation.time_s;
         const auto after = std::upper_bound(run.frames.begin(), run.frames.end(), time_s,
                                             [](double t, const FlightFrame& frame) { return t < frame.time_s; });
-        if (after == run.frames.begin() || time_s >= end_s)
-            ++gaze.outside_flight;
-        else
-            gaze.of_frame[static_cast<std::size_t>(after - run.frames.begin()) - 1].push_back(&fixation);
+        if (after != run.frames.begin() && time_s < end_s)
+            gaze[static_cast<std::size_t>(after - run.frames.begin()) - 1].push_back(&fixation);
     }
     return gaze;
 }
 
 EvaluatedFlight measure_flight(FlightRun run, const FixationFile* file, const EvaluationWork& work) {
     EvaluatedFlight flight;
-    FlightGaze gaze;
+    std::vector<std::vector<const Fixation*>> gaze;
     if (file != nullptr) gaze = gaze_of_flight(*file, run);
+    std::atomic<std::size_t> hits = 0;
     const auto measure = [&](PictureMeter& meter, std::size_t n) {
         const RgbaPicture picture = read_picture(run.frames[n].picture);
         const std::vector<GazePixel> pixels =
-            file == nullptr ? std::vector<GazePixel>() : gaze_pixels(*file, gaze.of_frame[n], picture.width, picture.height);
+            file == nullptr ? std::vector<GazePixel>() : gaze_pixels(*file, gaze[n], picture.width, picture.height);
+        hits += pixels.size();
         return measure_frame(meter, run.frames[n], picture, pixels);
     };
+    EvaluationWork quick = work;
+    quick.settings.saliency_start_level = kFlightStartLevel;
     const std::size_t count =
-        for_each_picture(work, run.folder, run.frames.size(), measure,
+        for_each_picture(quick, run.folder, run.frames.size(), measure,
                          [&](std::size_t, PictureMeasures&& one) { flight.measures.push_back(std::move(one)); });
     if (count == 0) throw Interrupted("interrupted; nothing was written");
     flight.interrupted = count < run.frames.size();
+    const std::string missed = file == nullptr || flight.interrupted ? std::string() : words_about_missed(*file, hits);
+    if (!missed.empty()) work.console.note(missed);
     run.frames.resize(count);
     flight.run = std::move(run);
     flight.peak_rule = peak_rule_for(times_of(flight), clutter_of(flight));

@@ -10,13 +10,8 @@
 
 namespace tedavis::host_sim {
 
-/// Gaze recorded over a flight, by frame.
-struct FlightGaze {
-    std::vector<std::vector<const Fixation*>> of_frame;  ///< as many as frames
-    std::size_t outside_flight = 0;                      ///< fixations farther from every frame than frames from each other
-};
-/// Each fixation belongs to the frame that was shown last. Throws UserError where the file has no column time_s.
-[[nodiscard]] FlightGaze gaze_of_flight(const FixationFile& file, const FlightRun& run);
+/// Fixations of each frame: the one that was shown last. Throws UserError where the file has no column time_s.
+[[nodiscard]] std::vector<std::vector<const Fixation*>> gaze_of_flight(const FixationFile& file, const FlightRun& run);
 
 /// `gaze` may be null. Without moments. Where the work is stopped, the flight has the frames so far and says so; throws
 /// Interrupted where there are none.

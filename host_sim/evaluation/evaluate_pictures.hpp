@@ -24,14 +24,10 @@ struct EvaluatedPicture {
 /// pictures, are left out. Throws UserError where a sheet's record is damaged.
 [[nodiscard]] std::vector<std::string> pictures_of_sheets(const std::vector<std::string>& inputs);
 
-/// Gaze by picture.
-struct PictureGaze {
-    std::vector<std::vector<const Fixation*>> of_picture;
-    std::size_t of_others = 0;  ///< fixations on pictures that are not among these
-};
-/// By the column `file`, which names a picture as the command did or without folders; without it all belongs to the only picture.
-/// Throws UserError where several pictures cannot be told apart.
-[[nodiscard]] PictureGaze gaze_of_pictures(const FixationFile& file, const std::vector<std::string>& pictures);
+/// Fixations of each picture, by the column `file`, which names it as the command did or without folders; without it all belong
+/// to the only picture. Throws UserError where several pictures cannot be told apart.
+[[nodiscard]] std::vector<std::vector<const Fixation*>> gaze_of_pictures(const FixationFile& file,
+                                                                         const std::vector<std::string>& pictures);
 
 /// `gaze` may be null. Writes views into the folder, which is there. Where the work is stopped, returns the pictures so far.
 [[nodiscard]] std::vector<EvaluatedPicture> evaluate_pictures(const std::vector<std::string>& files, const std::string& folder,

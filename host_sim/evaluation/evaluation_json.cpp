@@ -127,6 +127,7 @@ Json flight_json(const EvaluatedFlight& flight, const EvaluationSettings& settin
             {"layer_shares", shares_json(all.layers)},
             {"prioritized_share", share ? Json(*share) : Json()},
             {"gaze", gaze_summary_json(measures)},
+            {"saliency_start_level", kFlightStartLevel},
             {"peak_rule",
              {{"least_prominence", flight.peak_rule.least_prominence},
               {"least_distance_s", flight.peak_rule.least_distance_s},

@@ -114,4 +114,11 @@ std::vector<GazePixel> gaze_pixels(const FixationFile& file, const std::vector<c
     return pixels;
 }
 
+std::string words_about_missed(const FixationFile& file, std::size_t hits) {
+    const std::size_t count = file.fixations.size();
+    if (hits >= count) return {};
+    return "note: " + file.path + ": " + std::to_string(count - hits) + " of " + std::to_string(count) +
+           " fixations lie on none of the pictures and are left out";
+}
+
 }  // namespace tedavis::host_sim

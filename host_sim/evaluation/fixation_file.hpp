@@ -41,4 +41,7 @@ struct GazePixel {
 [[nodiscard]] std::vector<GazePixel> gaze_pixels(const FixationFile& file, const std::vector<const Fixation*>& fixations,
                                                  std::uint32_t width, std::uint32_t height);
 
+/// Says how many fixations hit no picture; empty where all of them did.
+[[nodiscard]] std::string words_about_missed(const FixationFile& file, std::size_t hits);
+
 }  // namespace tedavis::host_sim

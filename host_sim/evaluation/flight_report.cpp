@@ -310,8 +310,9 @@ std::string method(const EvaluationSettings& settings) {
            decimal(settings.canny.sigma, 2) + " px, thresholds " + decimal(settings.canny.low, 0) + " and " +
            decimal(settings.canny.high, 0) +
            " on the length of the gradient of 8-bit channels). Saliency: Itti-CIO2 on CIE-Lab, each map normalised by its own "
-           "picture. "
-           "Both predict what the eye meets; neither has seen the task.</p><p>TEDAVIS " +
+           "picture, from "
+           "means of 4 x 4 pixels for the numbers of frames and from every pixel for the pictures of moments. Both predict what "
+           "the eye meets; neither has seen the task.</p><p>TEDAVIS " +
            escaped_html(version()) + ". A simulation; not certified for use in flight.</p></footer>\n";
 }
 

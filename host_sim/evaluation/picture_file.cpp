@@ -116,7 +116,14 @@ RgbaPicture read_with_gdal(const std::string& path) {
     return picture;
 }
 
+bool is_opaque(const RgbaPicture& picture) {
+    std::uint8_t all = 255;
+    for (std::size_t at = 3; at < picture.pixels.size(); at += 4) all &= picture.pixels[at];
+    return all == 255;
+}
+
 void lay_on_black(RgbaPicture& picture) {
+    if (is_opaque(picture)) return;
     for (std::size_t at = 0; at < picture.pixels.size(); at += 4) {
         const std::uint32_t alpha = picture.pixels[at + 3];
         if (alpha == 255) continue;

@@ -15,7 +15,12 @@ namespace tedavis::host_sim {
 struct EvaluationSettings {
     perception::CannySettings canny;
     perception::RegionGrid grid;
+    int saliency_start_level = 0;  ///< perception/saliency_model.hpp: 0 is the reference
 };
+
+/// Of the frames of a flight: a fifth of the work for nearly the same map. Single pictures and views of moments have the
+/// reference.
+inline constexpr int kFlightStartLevel = 2;
 
 /// How much of a picture's saliency lies on the pixels of one layer.
 struct LayerShare {

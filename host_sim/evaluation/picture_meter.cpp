@@ -9,7 +9,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr int kStartLevel = 0;              // the reference: every pixel is converted
 constexpr std::size_t kAlignmentRoom = 64;  // of the parts of an arena
 
 perception::PictureView perception_view(const RgbaPicture& picture) {
@@ -33,12 +32,13 @@ void PictureMeter::make_room(int width, int height) {
     most_width_ = std::max(width, most_width_);
     most_height_ = std::max(height, most_height_);
     const std::size_t edge_bytes = perception::EdgeDetector::bytes(most_width_, most_height_);
-    const std::size_t model_bytes = perception::SaliencyModel::bytes(most_width_, most_height_, kStartLevel);
+    const std::size_t model_bytes = perception::SaliencyModel::bytes(most_width_, most_height_, settings_.saliency_start_level);
     memory_.assign(edge_bytes + model_bytes + 2 * kAlignmentRoom, std::byte{});
     base::Arena arena(memory_.data(), memory_.size());
     detector_ = {};
     model_ = {};
-    if (!detector_.start(arena, most_width_, most_height_) || !model_.start(arena, most_width_, most_height_, kStartLevel))
+    if (!detector_.start(arena, most_width_, most_height_) ||
+        !model_.start(arena, most_width_, most_height_, settings_.saliency_start_level))
         throw std::bad_alloc();
 }
 
@@ -71,19 +71,23 @@ void PictureMeter::measure_edges(const perception::PictureView& view, PictureMea
 }
 
 void PictureMeter::measure_saliency(const perception::PictureView& view, const LayerMask* mask, PictureMeasures& measures) {
-    if (!model_.look(view, kStartLevel)) throw std::logic_error("a picture that is not valid");
+    if (!model_.look(view, settings_.saliency_start_level)) throw std::logic_error("a picture that is not valid");
     const perception::SaliencyMap fixed = model_.map(perception::SaliencyScale::fixed);
     double sum = 0;
     for (const float value : fixed.values) sum += static_cast<double>(value);
     measures.saliency_level = sum / static_cast<double>(fixed.values.size());
-    const perception::SaliencyMap own = model_.map(perception::SaliencyScale::per_picture);
-    if (mask != nullptr) add_layers(own, *mask, measures);
-    const auto cell = static_cast<float>(1 << own.level);
-    map_ = {static_cast<std::uint32_t>(own.width),
-            static_cast<std::uint32_t>(own.height),
-            cell,
-            cell,
-            {own.values.begin(), own.values.end()}};
+    if (mask != nullptr) add_layers(model_.map(perception::SaliencyScale::per_picture), *mask, measures);
+}
+
+FloatMap PictureMeter::saliency() {
+    const perception::SaliencyMap map = model_.map(perception::SaliencyScale::per_picture);
+    const auto cell = static_cast<float>(1 << map.level);
+    const FloatMap cells{static_cast<std::uint32_t>(map.width),
+                         static_cast<std::uint32_t>(map.height),
+                         cell,
+                         cell,
+                         {map.values.begin(), map.values.end()}};
+    return enlarged(cells, width_, height_);
 }
 
 FloatMap PictureMeter::second_opinion(const RgbaPicture& picture) {

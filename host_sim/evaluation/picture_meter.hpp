@@ -26,7 +26,7 @@ public:
     /// Of the picture measured last, a byte a pixel.
     [[nodiscard]] const std::vector<std::uint8_t>& edges() const { return edges_; }
     /// Likewise, with a value a pixel, normalised by the picture itself.
-    [[nodiscard]] FloatMap saliency() const { return enlarged(map_, width_, height_); }
+    [[nodiscard]] FloatMap saliency();
     /// What another model says of a picture: spectral residual (perception/spectral_residual.hpp), in the same form.
     [[nodiscard]] FloatMap second_opinion(const RgbaPicture& picture);
 
@@ -43,7 +43,6 @@ private:
     int most_width_ = 0, most_height_ = 0;
     std::uint32_t width_ = 0, height_ = 0;
     std::vector<std::uint8_t> edges_;
-    FloatMap map_;
 };
 
 }  // namespace tedavis::host_sim

@@ -79,12 +79,20 @@ th,td{padding-right:.5rem}
 .plan{grid-template-columns:1fr}.plan dd{margin-bottom:.35rem}
 .regions td{padding:.25rem .2rem;font-size:.72rem}
 }
+@page{margin:12mm}
 @media print{
-body{max-width:none;padding:0;font-size:10pt}
+body{max-width:none;padding:0;font-size:9pt;line-height:1.35}
+h1{font-size:14pt}h2{font-size:11pt;margin:.9rem 0 .3rem}h3{font-size:10pt}
 .wide{display:block}.aside{display:table-cell}.narrow,.tabs,details{display:none}
+.facts{grid-template-columns:repeat(4,1fr);gap:.4rem;margin:.5rem 0}
+.fact{padding:.3rem .5rem}.fact b{font-size:12pt}.fact span{font-size:8pt}
 .js .moment{display:block}
-.views{grid-template-columns:repeat(4,1fr)}
-h2{break-after:avoid}
+.moment{padding:.5rem;margin:.4rem 0}
+.views{grid-template-columns:repeat(4,1fr);gap:.4rem;margin:.3rem 0}
+.plan{grid-template-columns:max-content 1fr;font-size:8pt;gap:0 .6rem}.plan dd{margin:0}
+figcaption,.soft,table{font-size:8pt}
+th,td{padding:.12rem .5rem .12rem 0}
+h2,h3{break-after:avoid}tr{break-inside:avoid}
 *{print-color-adjust:exact;-webkit-print-color-adjust:exact}
 }
 )css";

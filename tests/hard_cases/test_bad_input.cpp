@@ -101,6 +101,8 @@ const std::vector<Slot>& slots() {
         {"check_terrain", {"check", "@IN"}, "terrain.tdb", "run.log", true},
         {"check_log", {"check", "@IN"}, "run.log", "raster.tif", false},
         {"check_switches", {"check", "@IN"}, "run.switches", "run.log", false},
+        {"evaluate_picture", {"evaluate", "@IN", "-o", "@OUT/e"}, "picture.png", "flight.igc", true},
+        {"evaluate_gaze", {"evaluate", "@picture.png", "--fixations", "@IN", "-o", "@OUT/e"}, "gaze.csv", "raster.tif", false},
         {"diff_records", {"diff", "@FOLDER", "@run"}, "frames.jsonl", "flight.igc", true},
     };
     return table;

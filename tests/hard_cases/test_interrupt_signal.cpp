@@ -109,6 +109,20 @@ TEST_F(InterruptSignal, ScenarioBuildLeavesNotEvenItsFolder) {
     EXPECT_EQ(place_.entries(), 1u) << "the scenario only";
 }
 
+TEST_F(InterruptSignal, EvaluateKeepsThePicturesSoFar) {
+    std::vector<std::string> words{"evaluate", "--json", "-o", place_.file("out")};
+    for (int n = 0; n < 2000; ++n) words.push_back(ProgramSamples::path("picture.png"));
+    const ProgramResult result = stop(words, place_.file("out/picture-3.sheet.png"), 0);
+    EXPECT_EQ(result.code, kInterruptedCode) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["interrupted"], true);
+    ASSERT_GE(json["pictures"].size(), 1u);
+    EXPECT_LT(json["pictures"].size(), 2000u);
+    EXPECT_EQ(json, nlohmann::json::parse(place_.read("out/evaluation.json")));
+    const auto files = std::distance(std::filesystem::directory_iterator(place_.file("out")), {});
+    EXPECT_EQ(static_cast<std::size_t>(files), 6 * json["pictures"].size() + 1) << "the views of those pictures alone";
+}
+
 TEST_F(InterruptSignal, AKilledProgramLeavesNoHalfFileUnderTheNameOfAWholeOne) {
     const std::string flight = place_.write("f.csv", long_flight());
     ProgramSetting setting;

@@ -81,6 +81,9 @@ std::string scene() {
 }
 std::string masts() { return "longitude,latitude,name,height\n10.02,46.98,A,40\n10.03,46.99,B,60\n"; }
 
+/// Cut in its middle, its last row is short.
+std::string gaze() { return "x,y,who\n0.5,0.25,first\n0.75,0.5,second\n"; }
+
 /// A binary portable pixmap.
 std::string image() {
     std::string text = "P6 64 64 255\n";
@@ -111,8 +114,9 @@ void ProgramSamples::make(const std::string& name) const {
         {"palette.toml", "palettes/alpine.toml"},    {"device.toml", "devices/es3-mid.toml"},
         {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
     static const std::map<std::string, std::string (*)()> kWritten = {
-        {"flight.igc", igc},   {"flight.gpx", gpx},  {"flight.json", json}, {"flight.csv", csv},  {"flight.csv.gz", packed_csv},
-        {"sheet.toml", sheet}, {"image.ppm", image}, {"tour.csv", tour},    {"masts.csv", masts}, {"scene.toml", scene}};
+        {"flight.igc", igc},           {"flight.gpx", gpx},   {"flight.json", json}, {"flight.csv", csv},
+        {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image},  {"tour.csv", tour},
+        {"masts.csv", masts},          {"scene.toml", scene}, {"gaze.csv", gaze}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {
         std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
     } else if (const auto written = kWritten.find(name); written != kWritten.end()) {
@@ -128,6 +132,8 @@ void ProgramSamples::make_with_program(const std::string& name) const {
         run({"terrain", "fractal", "--size", "129", "-o", folder_.file(name)});
     } else if (name == "terrain.tdb") {
         run({"terrain", "build", path("raster.tif"), "-o", folder_.file(name)});
+    } else if (name == "picture.png") {
+        run({"shot", "--pose", "46.98,10.02,3500,0,0,0", "--size", "64x48", "-o", folder_.file(name)});
     } else if (name == "scene.sdb") {
         run({"scene", "build", path("scene.toml"), "-o", folder_.file(name)});
     } else if (name == "run.log" || name == "run.switches") {

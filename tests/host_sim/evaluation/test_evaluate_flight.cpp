@@ -66,10 +66,12 @@ TEST_F(EvaluateFlight, MomentsGetViewsAndPlan) {
 TEST_F(EvaluateFlight, GazeBelongsToTheFrameThatStood) {
     const std::string path = place_.write("gaze.csv", "time_s,x,y\n3.0,1,1\n3.9,2,2\n11.5,3,3\n-0.1,4,4\n12.5,5,5\n");
     const FixationFile file = read_fixations(path);
-    const FlightGaze gaze = gaze_of_flight(file, run());
-    EXPECT_EQ(gaze.of_frame[3].size(), 2u);
-    EXPECT_EQ(gaze.of_frame[11].size(), 1u);
-    EXPECT_EQ(gaze.outside_flight, 2u);
+    const auto gaze = gaze_of_flight(file, run());
+    EXPECT_EQ(gaze[3].size(), 2u);
+    EXPECT_EQ(gaze[11].size(), 1u);
+    std::size_t count = 0;
+    for (const auto& frame : gaze) count += frame.size();
+    EXPECT_EQ(count, 3u) << "two lie before and behind the flight";
     test_support::TestWork work;
     const EvaluatedFlight flight = measure_flight(run(), &file, work.work());
     EXPECT_TRUE(flight.measures[3].gaze.has_value());

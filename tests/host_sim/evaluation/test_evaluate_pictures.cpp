@@ -33,8 +33,24 @@ TEST_F(EvaluatePictures, EachHasMeasuresAndViews) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 12);
 }
 
+TEST_F(EvaluatePictures, NothingStaysWhereOneIsFaulty) {
+    const std::vector<std::string> files = {picture("a.png", 5), picture("b.png", 5), place_.write("c.png", "none")};
+    std::filesystem::create_directory(place_.file("out"));
+    test_support::expect_user_error([&] { (void)evaluate_pictures(files, place_.file("out"), nullptr, work_.work()); }, "c.png");
+    EXPECT_TRUE(std::filesystem::is_empty(place_.file("out")));
+}
+
+TEST_F(EvaluatePictures, WhereItIsStoppedThePicturesSoFarStay) {
+    const std::vector<std::string> files = {picture("a.png", 5), picture("b.png", 5), picture("c.png", 5)};
+    std::filesystem::create_directory(place_.file("out"));
+    test_support::TestWork stopped(1, 2);
+    EXPECT_EQ(evaluate_pictures(files, place_.file("out"), nullptr, stopped.work()).size(), 2u);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 12);
+}
+
 TEST_F(EvaluatePictures, NamesOfViewsDiffer) {
     EXPECT_THAT(view_names({"x/a.png", "y/a.jpg", "a.b.png", "a.png"}), ElementsAre("a", "a-2", "a.b", "a-3"));
+    EXPECT_THAT(view_names({"a-2.png", "a.png", "b/a.png"}), ElementsAre("a-2", "a", "a-3"));
 }
 
 TEST_F(EvaluatePictures, InputsAreNeverOverwritten) {
@@ -45,12 +61,11 @@ TEST_F(EvaluatePictures, InputsAreNeverOverwritten) {
 
 TEST_F(EvaluatePictures, GazeFindsItsPicture) {
     const FixationFile file = read_fixations(place_.write("g.csv", "file,x,y\na.png,1,1\nd/a.png,2,2\nb.png,3,3\nc.png,4,4\n"));
-    const PictureGaze gaze = gaze_of_pictures(file, {"d/a.png", "b.png"});
-    EXPECT_EQ(gaze.of_picture[0].size(), 2u);
-    EXPECT_EQ(gaze.of_picture[1].size(), 1u);
-    EXPECT_EQ(gaze.of_others, 1u);
+    const auto gaze = gaze_of_pictures(file, {"d/a.png", "b.png"});
+    EXPECT_EQ(gaze[0].size(), 2u);
+    EXPECT_EQ(gaze[1].size(), 1u);
     const FixationFile nameless = read_fixations(place_.write("n.csv", "x,y\n1,1\n"));
-    EXPECT_EQ(gaze_of_pictures(nameless, {"a.png"}).of_picture[0].size(), 1u);
+    EXPECT_EQ(gaze_of_pictures(nameless, {"a.png"})[0].size(), 1u);
     test_support::expect_user_error([&] { (void)gaze_of_pictures(nameless, {"a.png", "b.png"}); }, "no column file");
 }
 

@@ -1,5 +1,6 @@
 #include "host_sim/evaluation/fixation_file.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/expect_user_error.hpp"
@@ -39,6 +40,12 @@ TEST_F(FixationCsv, SharesWhereNothingIsAboveOne) {
     EXPECT_EQ(gaze_pixel(file, file.fixations[1], 100, 40)->x, 99u) << "the far edge belongs to the last pixel";
     const FixationFile beside = read("x,y\n-0.1,0.5\n");
     EXPECT_FALSE(gaze_pixel(beside, beside.fixations[0], 10, 10).has_value());
+}
+
+TEST_F(FixationCsv, SaysHowManyMissed) {
+    const FixationFile file = read("x,y\n10,20\n30,40\n");
+    EXPECT_EQ(words_about_missed(file, 2), "");
+    EXPECT_THAT(words_about_missed(file, 1), ::testing::HasSubstr("gaze.csv: 1 of 2 fixations lie on none"));
 }
 
 TEST_F(FixationCsv, SaysWhereItIsWrong) {
