@@ -138,6 +138,13 @@ const char* CallRule<&CallTable::BufferSubData>::refusal(CallState& state, GLenu
     return nullptr;
 }
 
+const char* CallRule<&CallTable::CopyTexSubImage2D>::refusal(CallState& state, GLenum target, GLint level, GLint, GLint, GLint,
+                                                             GLint, GLsizei width, GLsizei height) {
+    if (target != GL_TEXTURE_2D) return kTarget;
+    if (level != 0) return kEnumerant;
+    return size_refusal(state, width, height);
+}
+
 const char* CallRule<&CallTable::CreateShader>::refusal(CallState&, GLenum type) {
     return one_of(type, {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}) ? nullptr : kEnumerant;
 }

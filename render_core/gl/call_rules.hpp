@@ -55,6 +55,8 @@ TEDAVIS_GL_RULE(BlendEquation, GLenum mode)
 TEDAVIS_GL_RULE(BlendEquationSeparate, GLenum color, GLenum alpha)
 TEDAVIS_GL_RULE(BufferData, GLenum target, GLsizeiptr bytes, const void* data, GLenum usage)
 TEDAVIS_GL_RULE(BufferSubData, GLenum target, GLintptr offset, GLsizeiptr bytes, const void* data)
+TEDAVIS_GL_RULE(CopyTexSubImage2D, GLenum target, GLint level, GLint x, GLint y, GLint from_x, GLint from_y, GLsizei width,
+                GLsizei height)
 TEDAVIS_GL_RULE(CreateShader, GLenum type)
 TEDAVIS_GL_RULE(DeleteBuffers, GLsizei count, const GLuint* buffers)
 TEDAVIS_GL_RULE(Disable, GLenum capability)

@@ -8,6 +8,7 @@ namespace tedavis::gl {
 namespace {
 
 GLenum transfer_format(const Gl& gl, TextureFormat format) {
+    if (format == TextureFormat::rgb8) return GL_RGB;
     if (format != TextureFormat::r8) return GL_RGBA;
     return gl.has(CallId::TexStorage2D) ? GL_RED : GL_LUMINANCE;
 }
@@ -15,7 +16,10 @@ GLenum transfer_format(const Gl& gl, TextureFormat format) {
 GLenum texel_type(TextureFormat format) { return format == TextureFormat::rgba16f ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE; }
 
 GLenum sized_format(TextureFormat format) {
-    return format == TextureFormat::rgba8 ? GL_RGBA8 : format == TextureFormat::rgba16f ? GL_RGBA16F : GL_R8;
+    return format == TextureFormat::rgba8     ? GL_RGBA8
+           : format == TextureFormat::rgb8    ? GL_RGB8
+           : format == TextureFormat::rgba16f ? GL_RGBA16F
+                                              : GL_R8;
 }
 
 GLsizei to_size(std::uint32_t value) { return static_cast<GLsizei>(value); }
@@ -37,7 +41,7 @@ void store(Gl& gl, const TextureSettings& settings) {
 }
 
 std::uint64_t texel_bytes(TextureFormat format) {
-    return format == TextureFormat::rgba16f ? 8 : format == TextureFormat::rgba8 ? 4 : 1;
+    return format == TextureFormat::rgba16f ? 8 : format == TextureFormat::r8 ? 1 : 4;
 }
 
 }  // namespace
@@ -67,6 +71,12 @@ bool Texture::upload(Gl& gl, const TexelRect& part, const void* texels) const {
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(part.x), static_cast<GLint>(part.y), to_size(part.width),
                       to_size(part.height), transfer_format(gl, settings_.format), texel_type(settings_.format), texels);
     return true;
+}
+
+void Texture::copy_rows(Gl& gl, std::uint32_t to_row, std::uint32_t from_row, std::uint32_t rows) const {
+    bind(gl, 0);
+    gl->CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(to_row), 0, static_cast<GLint>(from_row),
+                          to_size(settings_.width_px), to_size(rows));
 }
 
 void Texture::destroy(Gl& gl) {

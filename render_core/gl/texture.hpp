@@ -13,8 +13,9 @@
 namespace tedavis::gl {
 
 /// `r8` reads back in a shader as .r in every lane (ES 2.0 has it as luminance; do not read the other components).
-/// `rgba16f` (half floats, filtered) is ES 3's only.
-enum class TextureFormat : std::uint8_t { r8, rgba8, rgba16f };
+/// `rgba16f` (half floats, filtered) is ES 3's only. `rgb8` holds copies of a surface, whether or not that has alpha; it counts
+/// four bytes a texel, as drivers store it.
+enum class TextureFormat : std::uint8_t { r8, rgb8, rgba8, rgba16f };
 enum class TextureFilter : std::uint8_t { nearest, linear };
 
 struct TextureSettings {
@@ -45,6 +46,8 @@ public:
     /// Tightly packed rows, the first one at y. False, and nothing happens, when the part is not inside the texture.
     /// Leaves the texture bound to unit 0.
     [[nodiscard]] bool upload(Gl& gl, const TexelRect& part, const void* texels) const;
+    /// Rows of what is bound for drawing, from its left edge, over rows of this one from `to_row` on. Where the device can copy.
+    void copy_rows(Gl& gl, std::uint32_t to_row, std::uint32_t from_row, std::uint32_t rows) const;
     void destroy(Gl& gl);
 
 private:

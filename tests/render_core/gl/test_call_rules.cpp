@@ -121,6 +121,17 @@ TEST_F(CallRules, VertexArraysComeFromBuffersInTypesOfTheDevice) {
     EXPECT_FALSE((allowed<&CallTable::EnableVertexAttribArray>(es2, 8u)));
 }
 
+TEST_F(CallRules, CopiesGoIntoTheOneLevelOfATexture) {
+    const auto copy = [&](GLenum target, GLint level, GLsizei edge) {
+        return allowed<&CallTable::CopyTexSubImage2D>(es2, target, level, 0, 0, 0, 0, edge, edge);
+    };
+    EXPECT_TRUE(copy(GL_TEXTURE_2D, 0, 2048));
+    EXPECT_FALSE(copy(GL_TEXTURE_2D, 0, 2049));
+    EXPECT_FALSE(copy(GL_TEXTURE_2D, 1, 16));
+    EXPECT_FALSE(copy(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, 16));
+    EXPECT_FALSE(device_has(sc2.rules, CallId::CopyTexSubImage2D));
+}
+
 TEST_F(CallRules, TextureFormatsAndSizes) {
     const void* none = nullptr;
     const auto image = [&](CallState& state, GLint internal, GLsizei edge, GLenum format, GLenum type) {

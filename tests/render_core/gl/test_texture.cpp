@@ -43,6 +43,28 @@ TEST_P(TextureTest, ShowsTheTexelsOfEveryFormat) {
     EXPECT_EQ(at_.gl.denied().total, 0u);
 }
 
+/// Whether or not the surface has alpha.
+TEST_P(TextureTest, TakesRowsOfWhatIsBound) {
+    auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba8, TextureFilter::nearest, 32, 32});
+    auto copy = make_texture(at_.gl, line_, {TextureFormat::rgb8, TextureFilter::nearest, 32, 32});
+    ASSERT_TRUE(texture.ok() && copy.ok());
+    EXPECT_EQ(line_.use.in_use, 2u * 32 * 32 * 4) << "as drivers store it";
+    std::vector<std::uint8_t> texels(32 * 32 * 4);
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i * 11 / 4);
+    ASSERT_TRUE(texture.value().upload(at_.gl, {0, 0, 32, 32}, texels.data()));
+    const auto whole = show(texture.value());
+    copy.value().copy_rows(at_.gl, 5, 20, 9);
+    const auto copied = show(copy.value());
+    for (std::size_t row = 5; row < 14; ++row)
+        for (std::size_t i = 0; i < 32; ++i)
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                ASSERT_EQ(copied[(row * 32 + i) * 4 + channel], whole[((row + 15) * 32 + i) * 4 + channel]) << row;
+    EXPECT_EQ(at_.gl.denied().total, 0u);
+    EXPECT_EQ(at_.gl.take_error(), GLenum{GL_NO_ERROR});
+    copy.value().destroy(at_.gl);
+    texture.value().destroy(at_.gl);
+}
+
 TEST_P(TextureTest, UploadsStayInside) {
     auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba8, TextureFilter::linear, 16, 8});
     ASSERT_TRUE(texture.ok());
