@@ -40,6 +40,11 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
                  "milliseconds that a frame may take by the costs of --costs; default: none is held")
         ->check(above_zero());
     command->add_option("--costs", picture.costs, "what everything costs on this machine: a file that calibrate wrote");
+    static const std::map<std::string, design::SaliencyView> kSaliency = {{"heat", design::SaliencyView::heat},
+                                                                          {"map", design::SaliencyView::map}};
+    command->add_option_function<std::string>(
+        "--saliency", [&picture](const std::string& word) { picture.saliency = choice_from("--saliency", word, kSaliency); },
+        "what draws the eye in each picture: heat (over it) or map (alone); default: as the design says");
     command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
 }
 

@@ -8,6 +8,7 @@
 
 #include "host_sim/console.hpp"
 #include "host_sim/replay/asked_weights.hpp"
+#include "render_core/design/view_effects.hpp"
 #include "render_core/effects/effect_planner.hpp"
 
 namespace tedavis::host_sim {
@@ -39,9 +40,11 @@ struct PictureOptions {
     std::optional<double> deadline_ms;  ///< of a frame; nothing: none
     std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
     bool force_effects = false;         ///< none is left out for being unseen
-    effects::EffectSet with, without;   ///< the design is drawn as if it asked for these (display::with_effect), or did not
-    effects::EffectSet forbidden;       ///< as if the device's file forbade them
-    bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
+    /// What draws the eye, over the picture; nothing: as the design says. On the design's scale.
+    std::optional<design::SaliencyView> saliency;
+    effects::EffectSet with, without;  ///< the design is drawn as if it asked for these (display::with_effect), or did not
+    effects::EffectSet forbidden;      ///< as if the device's file forbade them
+    bool symbology = true;             ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 
 struct ReplayOptions {

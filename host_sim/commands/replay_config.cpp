@@ -99,6 +99,9 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.deadline_ms = optional_number(section, "deadline_ms");
     picture.costs = text_of(section, "costs", "");
     picture.force_effects = section.boolean("force_effects", false);
+    constexpr auto& kViews = design::kSaliencyViewNames;
+    if (section.has("saliency"))
+        picture.saliency = static_cast<design::SaliencyView>(1 + section.choice("saliency", {kViews.data(), kViews.size()}, 0));
     if (section.has("width") || section.has("height")) {
         picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
                                    static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
@@ -134,6 +137,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.number("deadline_ms", picture.deadline_ms);
     toml.path("costs", picture.costs);
     if (picture.force_effects) toml.truth("force_effects");
+    if (picture.saliency) toml.word("saliency", design::kSaliencyViewNames[static_cast<std::size_t>(*picture.saliency) - 1]);
     return toml.text();
 }
 

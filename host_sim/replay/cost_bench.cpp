@@ -60,7 +60,8 @@ std::string design_calling_for(Effect effect) {
         case Effect::antialiasing:
         case Effect::stereo:
         case Effect::cross_fade:
-        case Effect::panel_lighting: return "default";
+        case Effect::panel_lighting:
+        case Effect::saliency: return "default";
         case Effect::surface_grid: return "styles/line_texture";
         case Effect::ridges: return "styles/ridges_and_valleys";
         case Effect::moving_sun: return "styles/moving_sun";

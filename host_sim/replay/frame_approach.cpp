@@ -44,11 +44,15 @@ void FrameApproach::approach_frame(base::Time time) {
     if (is_governed) display_.frame_budget().restore(governor);
 }
 
-/// The frame itself, or the last one before the phase's design began to take its place.
+/// The frame itself, or the one that measured what it shows, or the last one before the phase's design began to take its place.
 std::int64_t FrameApproach::first_needed(std::int64_t frame, base::Time time) {
+    const auto frames_since = [&](base::Time since) {
+        return static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_));
+    };
+    const std::int64_t measured = frame - frames_since(display_.needed_since(time));
     const base::Time since = player_.at(time).phase.presented_since;
-    if (!display_.fades() || since > time || time - since > kLongestFade) return frame;
-    return std::min(frame, frame - static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_)) - 1);
+    if (!display_.fades() || since > time || time - since > kLongestFade) return measured;
+    return std::min(measured, frame - frames_since(since) - 1);
 }
 
 /// Plans the frames of the grid before this one, from the last one on whose governor is known, but not after the one needed.

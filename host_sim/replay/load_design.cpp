@@ -72,6 +72,7 @@ void put_above(const PictureOptions& options, const std::string& path, design::D
         if (options.with.has(effect)) design = display::with_effect(design, effect);
         if (options.without.has(effect)) design = display::without_effect(design, effect);
     }
+    if (options.saliency) design.effects.saliency.view = *options.saliency;
     if (!options.symbology) design.symbology = without_instruments(design.symbology);
 }
 

@@ -31,6 +31,14 @@ void read_stereo(base::ConfigSection section, Stereo& stereo) {
     stereo.screen_m = section.number("screen_m", 1, 1e6, stereo.screen_m);
 }
 
+void read_saliency(base::ConfigSection section, Saliency& saliency) {
+    constexpr std::string_view kScales[] = {"picture", "fixed"};
+    if (!section.present()) return;
+    const std::size_t view = section.choice("view", {kSaliencyViewNames.data(), kSaliencyViewNames.size()}, 0);
+    saliency.view = static_cast<SaliencyView>(1 + view);
+    saliency.scale = section.choice("scale", kScales, 0) == 1 ? SaliencyScale::fixed : SaliencyScale::picture;
+}
+
 void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMostInsteadOf>& all) {
     if (!section.present()) return;
     all.clear();
@@ -56,6 +64,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
     read_stereo(section.section("stereo"), effects.stereo);
+    read_saliency(section.section("saliency"), effects.saliency);
     read_instead(section.section("instead"), effects.instead);
     read_shadows(section.section("shadows"), effects.shadows);
     const DepthOfField& field = effects.depth_of_field;

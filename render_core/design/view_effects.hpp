@@ -17,6 +17,10 @@
 ///     base_m = 2                  # between the eyes; at most a 30th of screen_m, and a sixth of what is nearest
 ///     screen_m = 300              # what is so far away lies in the screen's plane, with the symbology
 ///
+///     [effects.saliency]              # what draws the eye in the picture that is shown, symbology too
+///     (perception/saliency_model.hpp) view = "heat"               # over the picture; or "map": alone scale = "picture" # the
+///     most salient place of every picture is 1; or "fixed": pictures can be compared
+///
 ///     [effects.instead]
 ///     silhouettes = []            # nothing takes their place; else names of effects, the first that is possible
 ///
@@ -61,6 +65,16 @@ struct Stereo {
     double base_m = 2, screen_m = 300;
 };
 
+/// How the saliency map of the picture is shown; a tool for those who judge designs, not for flight.
+enum class SaliencyView : std::uint8_t { none, heat, map };
+inline constexpr std::array<std::string_view, 2> kSaliencyViewNames{"heat", "map"};  ///< from heat on
+enum class SaliencyScale : std::uint8_t { picture, fixed };
+
+struct Saliency {
+    SaliencyView view = SaliencyView::none;  ///< none: nothing is measured
+    SaliencyScale scale = SaliencyScale::picture;
+};
+
 /// An effect, and what takes its place where a device cannot do it or the time does not suffice: the first that is possible.
 /// Names of render_core/effects; nothing for the empty list.
 struct InsteadOf {
@@ -76,6 +90,7 @@ struct ViewEffects {
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes
     DepthOfField depth_of_field;
     Stereo stereo;
+    Saliency saliency;
     base::FixedVector<InsteadOf, kMostInsteadOf> instead;  ///< where another order is wanted than the effects' own
     ShadowSettings shadows;
 };

@@ -98,6 +98,8 @@ gl::GlError Display::start_drawers(draw::DrawnDesigns designs) {
     if (gl::GlError error = passes_.start(gl_, settings_.device, designs, width_px + 2 * margin_px, height_px);
         !error.sentence.empty())
         return error;
+    if (gl::GlError error = saliency_.start(gl_, settings_.device.budget, designs, width_px, height_px); !error.sentence.empty())
+        return error;
     if (dims)
         if (gl::GlError error = dimmer_.start(gl_, settings_.device.budget); !error.sentence.empty()) return error;
     return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
@@ -109,6 +111,7 @@ void Display::stop() {
     passes_.destroy(gl_);
     stereo_.destroy(gl_);
     fade_.destroy(gl_);
+    saliency_.destroy(gl_);
     dimmer_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
@@ -212,6 +215,7 @@ void Display::plan_effects() {
     facts.order = order_of(settings_.design);
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
+    saliency_.plan(plan_.runs(effects::Effect::saliency), record_.time);
 }
 
 ShadowPlan Display::plan_shadows() {

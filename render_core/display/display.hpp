@@ -20,6 +20,7 @@
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/raised_weights.hpp"
+#include "render_core/display/saliency_view.hpp"
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/symbology_data.hpp"
@@ -106,11 +107,14 @@ public:
     /// Whether a phase's design takes the place of another one little by little.
     [[nodiscard]] bool fades() const { return fade_.is_started(); }
     /// True where a later frame shows the planned one again: it must be drawn, even if nobody looks at it.
-    [[nodiscard]] bool must_be_drawn() const { return turn_ == Turn::keeps; }
+    [[nodiscard]] bool must_be_drawn() const { return turn_ == Turn::keeps || saliency_.must_be_drawn(); }
+    /// From when on, besides, frames that must be drawn are a part of the one at `time`.
+    [[nodiscard]] base::Time needed_since(base::Time time) const { return saliency_.needed_since(time); }
     /// The next update() does not follow the last one: the phase it is told has its design at once.
     void forget_turns() {
         turn_ = Turn::none;
         is_new_to_phases_ = true;
+        saliency_.forget();
     }
     /// Room to load the next scene into, by whoever reads files; it is empty, and stays whoever's it is until take_scene().
     [[nodiscard]] base::Arena& spare_scene_memory() { return data_.spare(); }
@@ -252,6 +256,7 @@ private:
     base::Time fade_began_{0};  ///< with fade_lasts_
     bool fade_lasts_ = false;
     double fade_share_ = 0;  ///< of the planned frame
+    SaliencyView saliency_;
     draw::Dimmer dimmer_;
     PanelLight panel_;
     draw::QuadDrawer quad_drawer_;

@@ -51,7 +51,9 @@ void Display::follow_foci() {
 
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    if (!is_dimmable || stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible)) return false;
+    if (!is_dimmable || !saliency_.shows(possible.effects.saliency) || stereo_margin_px(possible) != stereo_.margin_px() ||
+        !elements_.can_show(possible))
+        return false;
     const design::DesignSettings weighted = design::weighted(possible);
     for (const design::DesignSettings* const design : {&weighted, &possible})
         for (const bool has_focus : {false, true}) {

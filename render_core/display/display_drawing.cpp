@@ -38,7 +38,9 @@ draw::TerrainDrawResult Display::paint(base::Surface& surface) {
         const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
         fade_.draw(gl_, fade_share_);
     }
-    if (!free_view_active_ && last_layer_ == PictureLayer::symbology) draw_symbology(surface);
+    const bool is_whole = last_layer_ == PictureLayer::symbology;
+    if (!free_view_active_ && is_whole) draw_symbology(surface);
+    if (is_whole) saliency_.draw(gl_, surface, settings_.design.effects.saliency, work_[effects::Effect::saliency]);
     if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
         const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
         dimmer_.draw(gl_, panel_.white);

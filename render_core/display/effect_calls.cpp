@@ -74,7 +74,7 @@ EffectCall stereo_call(const EffectFacts& facts) {
 bool distracts(Effect effect) {
     return effect == Effect::depth_of_field || effect == Effect::stereo || effect == Effect::cross_fade ||
            effect == Effect::soft_shadows || effect == Effect::volumetric_light || effect == Effect::focus_ground ||
-           effect == Effect::focus_blur;
+           effect == Effect::focus_blur || effect == Effect::saliency;
 }
 
 bool is_removed(Effect effect, const DisplayDecisions& decisions) {
@@ -179,6 +179,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (design.effects.shadows.in_air > 0) asked.add(Effect::volumetric_light);
     if (asks_for_context(design.foci)) asked.add(Effect::focus_ground);
     if (terrain_of_context(design.foci).blur_px > 0) asked.add(Effect::focus_blur);
+    if (design.effects.saliency.view != design::SaliencyView::none) asked.add(Effect::saliency);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
@@ -193,6 +194,7 @@ design::DesignSettings with_effect(const design::DesignSettings& design, Effect 
     if (effect == Effect::stereo) with.effects.stereo.mode = design::StereoMode::side_by_side;
     if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kTaken;
     if (effect == Effect::volumetric_light) with.effects.shadows.in_air = kTaken;
+    if (effect == Effect::saliency) with.effects.saliency.view = design::SaliencyView::heat;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
@@ -237,6 +239,7 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
         case Effect::focus_blur:
             for (design::FocusSettings& focus : without.foci) focus.terrain.blur_px = 0;
             break;
+        case Effect::saliency: without.effects.saliency = {}; break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -276,8 +279,8 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
          {Effect::moving_sun, Effect::drape, Effect::haze, Effect::surface_grid, Effect::ground_data, Effect::adjacent,
           Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains, Effect::focus_ground})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
-    for (const Effect effect :
-         {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo, Effect::cross_fade})
+    for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo,
+                                Effect::cross_fade, Effect::saliency})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
     replace_shadows(design.effects.shadows, {stands_in(Effect::soft_shadows), stands_in(Effect::volumetric_light)}, possible);
     replace_context_blur(stands_in(Effect::focus_blur), possible);
@@ -337,6 +340,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::focus_ground] = context_call(facts);
     input[Effect::focus_blur] = context_blur_call(facts);
     input[Effect::antialiasing] = {Kind::called, "", 1};
+    input[Effect::saliency] = {Kind::called, ""};
     for (std::size_t n = 0; n < draw::kCues; ++n) {
         const Effect effect = effect_of(static_cast<draw::Cue>(n));
         input[effect] = cue_call(facts.cues[n], facts.forbidden.has(effect));

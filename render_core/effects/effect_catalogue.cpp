@@ -91,6 +91,8 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      "the blur of the context",
      "a picture off screen, and a pass of seventeen taps",
      {Effect::focus_ground, Effect::count_}},
+    {Effect::saliency, "saliency", Contribution::content, Need::picture_copy, true, "",
+     "a copy of the picture, and some eighty passes at a quarter of its size, an eighth on ES 2; a blended tap"},
 }};
 
 constexpr bool is_in_order() {
@@ -115,6 +117,7 @@ bool has(const DeviceCapability& device, Need need) noexcept {
     if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
     if (need == Need::shadow_map_and_picture) return has(device, Need::shadow_map) && has(device, Need::second_picture);
     if (need == Need::shadow_map) return device.gl.calls == CallClass::es3 && device.shadow_map_px > 0;
+    if (need == Need::picture_copy) return device.gl.calls != CallClass::sc2;
     return need == Need::nothing || device.gl.calls == CallClass::es3;
 }
 
@@ -123,6 +126,7 @@ std::string_view lack_of(Need need) noexcept {
     if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
     if (need == Need::shadow_map_and_picture) return "the device has no map of shadows, or no second picture off screen";
     if (need == Need::shadow_map) return "the device has no map of shadows";
+    if (need == Need::picture_copy) return "the device cannot copy what it has drawn";
     return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
 }
 

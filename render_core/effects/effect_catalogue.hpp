@@ -39,6 +39,7 @@ enum class Effect : std::uint8_t {
     volumetric_light,
     focus_ground,
     focus_blur,
+    saliency,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);
@@ -63,7 +64,8 @@ enum class Need : std::uint8_t {
     half_float_texture,
     second_picture,
     shadow_map,
-    shadow_map_and_picture
+    shadow_map_and_picture,
+    picture_copy
 };
 
 struct EffectEntry {

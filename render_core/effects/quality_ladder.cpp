@@ -14,7 +14,8 @@ struct GivenUp {
     std::uint8_t from;
 };
 constexpr GivenUp kGivenUp[] = {{Effect::depth_of_field, 1}, {Effect::focus_blur, 1},   {Effect::volumetric_light, 1},
-                                {Effect::antialiasing, 2},   {Effect::soft_shadows, 2}, {Effect::silhouettes, 4}};
+                                {Effect::saliency, 1},       {Effect::antialiasing, 2}, {Effect::soft_shadows, 2},
+                                {Effect::silhouettes, 4}};
 
 // Triangles fall with a power of the error: measured over six views of two databases, from an error of 1 to 4 pixels, 0.1 (no
 // finer data) to 1.

@@ -41,7 +41,8 @@ constexpr PixelEffect kPixelEffects[] = {{Effect::silhouettes, 5, kNoTarget},  {
                                          {Effect::haze, 0, kNoTarget},         {Effect::depth_of_field, 17, kNoTarget},
                                          {Effect::antialiasing, 5, kNoTarget}, {Effect::panel_lighting, 0, kNoTarget},
                                          {Effect::surface_grid, 0, kNoTarget}, {Effect::soft_shadows, 10, kNoTarget},
-                                         {Effect::volumetric_light, 10, 4},    {Effect::stereo, 1, kNoTarget}};
+                                         {Effect::volumetric_light, 10, 4},    {Effect::stereo, 1, kNoTarget},
+                                         {Effect::saliency, 17, kNoTarget}};
 
 /// Milliseconds of a pass that reads so many texels round every pixel.
 double bare_pass_ms(int taps, Tap tap) {

@@ -6,8 +6,8 @@ namespace {
 using Displays = test_support::ParsedCommands<add_displays>;
 
 TEST_F(Displays, OptionsReachTheReplay) {
-    parse({"replay", "f.log", "--terrain", "x.tdb", "--size", "320x240", "--gl", "osmesa", "--from", "2.5", "--step", "-1",
-           "--frames", "hash", "--ledger", "--force-effects", "-o", "run"});
+    parse({"replay", "f.log", "--terrain", "x.tdb", "--size",   "320x240",         "--gl",       "osmesa", "--from", "2.5",
+           "--step", "-1",    "--frames",  "hash",  "--ledger", "--force-effects", "--saliency", "heat",   "-o",     "run"});
     EXPECT_EQ(line.replay.log, "f.log");
     EXPECT_EQ(line.replay.picture.terrain, "x.tdb");
     ASSERT_TRUE(line.replay.picture.size.has_value());
@@ -18,6 +18,7 @@ TEST_F(Displays, OptionsReachTheReplay) {
     EXPECT_EQ(line.replay.frame_output(), FrameOutput::hash);
     EXPECT_TRUE(line.replay.ledger);
     EXPECT_TRUE(line.replay.picture.force_effects);
+    EXPECT_EQ(line.replay.picture.saliency, design::SaliencyView::heat);
 }
 
 TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {

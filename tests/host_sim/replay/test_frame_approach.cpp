@@ -205,6 +205,23 @@ TEST(FrameApproach, AFadeOfTwoDesignsIsTheSameHoweverAFrameIsReached) {
     EXPECT_GT(differences(all, run(of_two_designs(50 * kStep_s, 2.4, kStep_s), false)), 0u) << "control";
 }
 
+/// On the small lane a map is of an earlier frame.
+ReplayOptions with_saliency(double from_s, double to_s, double step_s) {
+    ReplayOptions o = options(from_s, to_s, step_s);
+    o.picture.device = "es2-small";
+    o.picture.with.add(effects::Effect::saliency);
+    return o;
+}
+
+TEST(FrameApproach, ASaliencyMapIsTheSameHoweverAFrameIsReached) {
+    const auto all = run(with_saliency(0, 1.4, kStep_s), true);
+    for (const double frames : {3.0, 14.0, 15.0, 16.0, 31.0})
+        EXPECT_EQ(differences(all, run(with_saliency(frames * kStep_s, 1.4, kStep_s), true)), 0u) << "from frame " << frames;
+    for (const double frames : {4.0, -1.0})
+        EXPECT_EQ(differences(all, run(with_saliency(0, 1.4, frames * kStep_s), true)), 0u) << "every " << frames << "th";
+    EXPECT_GT(differences(all, run(with_saliency(20 * kStep_s, 1.4, kStep_s), false)), 0u) << "control";
+}
+
 /// So many places along the way that most of them have to wait.
 const std::string& crowded_scene() {
     static const std::string kPath = [] {

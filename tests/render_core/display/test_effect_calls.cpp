@@ -77,7 +77,7 @@ TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
 TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
     design::DesignSettings whole = design_with_everything();
     for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo,
-                                Effect::cross_fade, Effect::soft_shadows, Effect::volumetric_light}) {
+                                Effect::cross_fade, Effect::soft_shadows, Effect::volumetric_light, Effect::saliency}) {
         EXPECT_FALSE(asked_effects(whole).has(effect));
         whole = with_effect(whole, effect);
     }

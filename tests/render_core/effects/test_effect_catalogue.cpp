@@ -18,6 +18,7 @@ const char* name_of(Need need) {
            : need == Need::second_picture         ? "a second picture off screen, ES 3"
            : need == Need::shadow_map             ? "a map of shadows, ES 3"
            : need == Need::shadow_map_and_picture ? "a map of shadows, a second picture off screen, ES 3"
+           : need == Need::picture_copy           ? "copies of what was drawn, ES"
                                                   : "";
 }
 
@@ -84,6 +85,7 @@ TEST(EffectCatalogue, ADeviceHasWhatItsFileSays) {
     device.depth24_targets = false;
     EXPECT_FALSE(has(device, Need::depth24_target));
     EXPECT_TRUE(has(device, Need::nothing));
+    EXPECT_TRUE(has(device, Need::picture_copy));
     device.gl.calls = CallClass::es3;
     EXPECT_TRUE(has(device, Need::half_float_texture));
     EXPECT_FALSE(has(device, Need::second_picture));
@@ -97,6 +99,7 @@ TEST(EffectCatalogue, ADeviceHasWhatItsFileSays) {
     EXPECT_FALSE(has(device, Need::shadow_map));
     EXPECT_FALSE(has(device, Need::half_float_texture));
     EXPECT_FALSE(has(device, Need::second_picture));
+    EXPECT_FALSE(has(device, Need::picture_copy));
     EXPECT_EQ(lack_of(Need::half_float_texture), "the device has no textures of half floats");
     EXPECT_EQ(lack_of(Need::depth24_target), "the device has no 24-bit depth off screen");
 }
