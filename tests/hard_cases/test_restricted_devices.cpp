@@ -42,6 +42,7 @@ protected:
         options_.picture.with.add(effects::Effect::aerial_perspective);
         options_.picture.with.add(effects::Effect::depth_of_field);
         options_.picture.with.add(effects::Effect::antialiasing);
+        options_.picture.with.add(effects::Effect::saliency);
         options_.output = folder_.file("run");
         options_.step_s = 20;
         options_.frames = host_sim::FrameOutput::hash;
@@ -76,7 +77,7 @@ TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
     const auto on_desktop = fly("desktop");
     EXPECT_EQ(on_desktop.code, 0) << on_desktop.notes;
     const auto kept = gave_way();
-    for (const char* effect : {"aerial_perspective", "depth_of_field", "antialiasing", "silhouettes"})
+    for (const char* effect : {"aerial_perspective", "depth_of_field", "antialiasing", "silhouettes", "saliency"})
         for (const std::string& reason : kept.count(effect) != 0 ? kept.at(effect) : std::set<std::string>())
             EXPECT_THAT(reason, ::testing::Not(HasSubstr("the device"))) << effect;
     for (const char* device : {"es2-small", "sc2"}) {
@@ -89,6 +90,7 @@ TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
         for (const char* effect : {"depth_of_field", "antialiasing"})
             EXPECT_THAT(gave[effect], ::testing::Contains(HasSubstr("the device has no"))) << device << ", " << effect;
         EXPECT_EQ(gave["silhouettes"].count("the device has no 24-bit depth off screen > ridges"), device == std::string("sc2"));
+        EXPECT_EQ(gave["saliency"].count("the device cannot copy what it has drawn > "), device == std::string("sc2"));
     }
 }
 
