@@ -114,14 +114,16 @@ RgbaPicture region_picture(const RgbaPicture& picture, const perception::RegionG
     RgbaPicture out = blank(picture.width, picture.height);
     for (std::size_t n = 0; n < out.pixels.size(); n += 4) paint(&out.pixels[n], dim_grey(&picture.pixels[n]), {}, 0);
     const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
+    auto next = densities.begin();
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             const perception::PixelRegion region = perception::region_of(grid, column, row, width, height);
-            const double density = densities[static_cast<std::size_t>(row * grid.columns + column)];
+            const double density = *next++;
             const auto value = static_cast<float>(std::min(density / kFullTint, 1.0));
             for (int y = region.top; y < region.bottom - 1; ++y) {
                 for (int x = region.left; x < region.right - 1; ++x) {
-                    std::uint8_t* pixel = &out.pixels[static_cast<std::size_t>(y * width + x) * 4];
+                    std::uint8_t* pixel =
+                        &out.pixels[(static_cast<std::size_t>(y) * picture.width + static_cast<std::size_t>(x)) * 4];
                     paint(pixel, static_cast<float>(pixel[0]), heat_color(value), 0.2f + 0.5f * value);
                 }
             }

@@ -203,10 +203,11 @@ std::string region_table(const FlightReport& report, const EvaluatedFlight& flig
     const std::vector<double> means = mean_grid(flight);
     const perception::RegionGrid& grid = report.settings.grid;
     std::string rows;
+    auto next = means.begin();
     for (int row = 0; row < grid.rows && !means.empty(); ++row) {
         rows += "<tr>";
         for (int column = 0; column < grid.columns; ++column) {
-            const double mean = means[static_cast<std::size_t>(row * grid.columns + column)];
+            const double mean = *next++;
             const double share = std::min(1.0, mean / 0.35);
             rows += "<td style='background:hsl(28 90% " + decimal(96 - 40 * share, 0) + "%)'>" + decimal(mean, 2) + "</td>";
         }

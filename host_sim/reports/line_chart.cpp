@@ -137,7 +137,7 @@ std::string curve_path(const LineChart& chart, const ChartCurve& curve, const Sc
 /// The label, or what follows its last dot, or nothing, by the room there is.
 std::string span_text(const std::string& label, double room) {
     constexpr double kLetter = 6.2;
-    const std::string name = label.substr(0, label.find(' ')), last = name.substr(name.rfind('.') + 1);
+    std::string name = label.substr(0, label.find(' ')), last = name.substr(name.rfind('.') + 1);
     if (kLetter * static_cast<double>(name.size()) < room) return name;
     return kLetter * static_cast<double>(last.size()) < room ? last : std::string();
 }

@@ -76,7 +76,8 @@ TEST_F(EvaluatePictures, GazeOnTheOddDiskScoresAboveChance) {
         for (int y = cy - 12; y <= cy + 12; ++y)
             for (int x = cx - 12; x <= cx + 12; ++x)
                 if ((x - cx) * (x - cx) + (y - cy) * (y - cy) <= 144)
-                    std::copy(color.begin(), color.end(), &disks.pixels[static_cast<std::size_t>(y * 320 + x) * 4]);
+                    std::copy(color.begin(), color.end(),
+                              &disks.pixels[(static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x)) * 4]);
     };
     for (int y = 40; y < 240; y += 80)
         for (int x = 40; x < 320; x += 80) disk(x, y, {90, 120, 200});

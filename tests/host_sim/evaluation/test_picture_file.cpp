@@ -50,7 +50,8 @@ int worst(const RgbaPicture& picture, const Color& color) {
     int largest = 0;
     for (int y = 0; y < kRows; ++y) {
         for (int x = 0; x < kColumns; ++x) {
-            const std::uint8_t* pixel = &picture.pixels[static_cast<std::size_t>(y * kColumns + x) * 4];
+            const std::uint8_t* pixel =
+                &picture.pixels[(static_cast<std::size_t>(y) * kColumns + static_cast<std::size_t>(x)) * 4];
             EXPECT_EQ(pixel[3], 255);
             for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(pixel[c] - color(x, y)[c]));
         }
