@@ -73,7 +73,9 @@ TEST(SaliencyPrograms, CountsComeBackWithinThreePercent) {
                                    " again, 1.0);\n}\n");
         for (std::size_t n = 0; n < bytes.size(); n += 4) {
             EXPECT_LE(bytes[n], 10 * 255 * 0.03 + 1) << device;
-            if (bytes[n + 1] == 255) EXPECT_EQ(bytes[n + 2], 0) << "none is none";
+            if (bytes[n + 1] == 255) {
+                EXPECT_EQ(bytes[n + 2], 0) << "none is none";
+            }
         }
     }
 }
