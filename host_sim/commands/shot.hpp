@@ -16,7 +16,7 @@ struct ShotOptions {
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
     bool layers = false;  ///< also X.layers.png: which layer each pixel is of
-    std::string output;  ///< X.png; the record goes beside it as X.json; without an extension the same
+    std::string output;   ///< X.png; the record goes beside it as X.json; without an extension the same
 };
 
 /// Returns the exit code, 2 also for a picture whose terrain failed; throws UserError.

@@ -19,7 +19,7 @@ struct FrameResult {
     std::uint64_t hash = 0;  ///< of the pixels, base::frame_hash
     FrameTiming timing;
     bool has_layers = false;  ///< beside its picture lies which layer each pixel is of
-    double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
+    double latency_ms = 0;    ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,

@@ -64,7 +64,8 @@ TEST(Priority, WhatIsWrongIsSaid) {
     } kWrong[] = {
         {"[priority.detail]\ndata = [0.2, 0.1, 0.4]\n", "pairs"},
         {"[priority.detail]\ndata = [0.4, 0.1, 0.4, 0.2]\n", "ascending"},
-        {"[[priority.aspect]]\nname = \"a\"\nroles = [\"rodes\"]\nweight = 1\n", "'rodes', which is no role of layers; roles are"},
+        {"[[priority.aspect]]\nname = \"a\"\nroles = [\"rodes\"]\nweight = 1\n",
+         "'rodes', which is no role of layers; roles are"},
         {"[[priority.aspect]]\nname = \"a\"\nroles = []\nweight = 1\n", "at least one"},
         {"[[priority.aspect]]\nname = \"\"\nroles = [\"road\"]\nweight = 1\n", "1 to 23"},
         {"[priority]\nterrain = 1.5\n", "terrain"},
