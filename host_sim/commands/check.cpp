@@ -13,6 +13,7 @@
 #include "bus/switches/switch_log_source.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
+#include "host_sim/evaluation/picture_orderings.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
@@ -194,6 +195,10 @@ bool is_raster_name(std::string extension) {
     return std::find(kRasterExtensions.begin(), kRasterExtensions.end(), extension) != kRasterExtensions.end();
 }
 
+std::string check_orderings(const std::string& path) {
+    return std::to_string(read_orderings(path).orderings.size()) + " orderings of pictures";
+}
+
 /// Read to its last post, as the terrain builder does.
 std::string check_raster(const std::string& path) {
     constexpr std::uint32_t kRowsAtOnce = 64;
@@ -218,7 +223,7 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 12> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 13> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
@@ -228,6 +233,7 @@ constexpr std::array<FolderKind, 12> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"scenarios", "[[leg]]", check_scenario},
                                                       {"scenes", "[[layer]]", check_scene},
                                                       {"sheets", "[[group.picture]]", check_sheet},
+                                                      {"orderings", "[[ordering]]", check_orderings},
                                                       {"costs", "[cost.terrain]", check_costs},
                                                       {"replays", "[picture]", check_replay_config}}};
 
@@ -248,7 +254,7 @@ FileChecker config_checker(const std::string& path) {
     throw UserError(
         path +
         ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches, "
-        "scenarios, scenes or sheets");
+        "scenarios, scenes, sheets or orderings");
 }
 
 std::string check_file(const std::string& path) {

@@ -14,7 +14,7 @@ using display::ElementShow;
 constexpr float kWidth = 4.6f;
 constexpr float kRow = 1.3f;
 constexpr float kText = 0.85f;
-constexpr float kMargin = 0.1f;
+constexpr float kFromSide = 0.1f;
 
 constexpr double kCalm_kt = 0.5;
 constexpr double kMost_kt = 399;
@@ -93,7 +93,7 @@ void build_temperature(const Painter& painter, const Rect& row, const SymbologyI
 
 Rect air_box(const Layout& layout) noexcept {
     const float t = layout.text_px;
-    return {layout.attitude.right() - (kWidth + kMargin) * t, layout.attitude.y + kMargin * t, kWidth * t, 2 * kRow * t};
+    return {layout.attitude.right() - (kWidth + kFromSide) * t, layout.attitude.y + kFromSide * t, kWidth * t, 2 * kRow * t};
 }
 
 void build_air(const Painter& painter, const SymbologyInput& input) {

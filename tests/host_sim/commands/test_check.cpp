@@ -45,7 +45,8 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
                                         {"buses/canaerospace.toml", "a bus"},
                                         {"switches/one_hot.toml", "a switch panel"},
                                         {"scenarios/default.toml", "a scenario of 14 legs"},
-                                        {"sheets/terrain-styles.toml", "a contact sheet of "}}) {
+                                        {"sheets/terrain-styles.toml", "a contact sheet of "},
+                                        {"orderings/thesis.toml", "9 orderings of pictures"}}) {
         const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
         EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
     }
