@@ -10,14 +10,14 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::uint32_t kStripRows = 64;  // of the picture; whole blocks at every level
-constexpr std::uint32_t kExtent = 16;     // texels that become one, across and down
+constexpr std::uint32_t kStripRows = 64;    // of the picture; whole blocks at every level
+constexpr std::uint32_t kBlockTexels = 16;  // texels that become one, across and down
 constexpr std::uint32_t kFigureColumns = 5, kFigureRows = 2;
 constexpr int kConspicuity = 3, kTotal = 4;  // their columns; those of groups before
 constexpr int kMost = 0, kCount = 1;         // rows
 
 std::uint32_t level_side(std::uint32_t side, int level) { return (side + (1u << level) - 1) >> level; }
-std::uint32_t extent_side(std::uint32_t side) { return (side + kExtent - 1) / kExtent; }
+std::uint32_t extent_side(std::uint32_t side) { return (side + kBlockTexels - 1) / kBlockTexels; }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ gl::GlError SaliencyPass::start_targets(gl::Gl& gl, base::BudgetTable& budget) {
     make(total_, width, height);
     make(map_, width, height, gl::TextureFilter::linear);
     std::uint32_t across = width, down = height;
-    for (std::size_t n = 0; n < kScratch && (n == 0 || across > kExtent || down > kExtent); ++n) {
+    for (std::size_t n = 0; n < kScratch && (n == 0 || across > kBlockTexels || down > kBlockTexels); ++n) {
         across = extent_side(across);
         down = extent_side(down);
         make(scratch_[n], across, down);

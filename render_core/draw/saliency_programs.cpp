@@ -6,8 +6,8 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr gl::AttributeBinding kAttributes[] = {{"position", 0}};
-constexpr const char* kUniformNames[kSaliencyUniforms] = {
+constexpr gl::AttributeBinding kSaliencyAttributes[] = {{"position", 0}};
+constexpr const char* kSaliencyUniformNames[kSaliencyUniforms] = {
     "first",       "second",       "third", "fourth",       "figures",     "first_size", "second_size", "third_size",
     "fourth_size", "figures_size", "strip", "share",        "has_coarser", "origin",     "column",      "scale",
     "bell",        "cosine",       "sine",  "slant_cosine", "slant_sine",  "flat_share"};
@@ -58,9 +58,9 @@ gl::GlError SaliencyPrograms::build(gl::Gl& gl, SaliencyStep step, int level) {
     if (parts.reads_between) fragment.append(shader_text(k_saliency_between_frag));
     if (parts.weighs) fragment.append(shader_text(k_saliency_weights_frag));
     fragment.append(parts.text);
-    auto built = gl::build_program(
-        gl, {parts.name, shader_text(k_saliency_vert), fragment.view(), base::Span<const gl::AttributeBinding>(kAttributes),
-             base::Span<const char* const>(kUniformNames), true});
+    auto built = gl::build_program(gl, {parts.name, shader_text(k_saliency_vert), fragment.view(),
+                                        base::Span<const gl::AttributeBinding>(kSaliencyAttributes),
+                                        base::Span<const char* const>(kSaliencyUniformNames), true});
     if (!built.ok()) return built.error();
     programs_[static_cast<std::size_t>(step)] = built.value();
     return {};
