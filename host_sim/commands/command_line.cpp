@@ -41,8 +41,7 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     evaluate
         ->add_option("INPUT", e.inputs,
                      "pictures (PNG, JPEG) of any software, folders that sheet wrote; or a folder that replay wrote, with its "
-                     "pictures; or two "
-                     "of them over the same flight, which are compared")
+                     "pictures; or two of them over the same flight, which are compared")
         ->required();
     evaluate->add_option("-o", e.output, "folder to write to: evaluation.json, views of pictures or peaks, report.html of runs")
         ->required();
@@ -51,8 +50,7 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     evaluate->add_option_function<std::string>(
         "--canny", [&e](const std::string& text) { e.canny = canny_from(text); },
         "sigma,low,high: blur in px and thresholds on the gradient of 8-bit channels by which edges are clutter; default: "
-        "1,70,170, "
-        "or what the orderings state");
+        "1,70,170, or what the orderings state");
     evaluate->add_option("--fixations", e.fixations,
                          "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
                          "scores the saliency maps by AUC and NSS");

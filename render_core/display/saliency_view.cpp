@@ -1,14 +1,9 @@
 #include "render_core/display/saliency_view.hpp"
 
+#include "render_core/draw/data/label_planner.hpp"
+
 namespace tedavis::display {
-namespace {
-
-std::int64_t epoch_of(base::Time time) {
-    const std::int64_t epoch = time.ns / kSaliencyEpoch.ns;
-    return time.ns % kSaliencyEpoch.ns < 0 ? epoch - 1 : epoch;
-}
-
-}  // namespace
+using draw::LabelPlanner;
 
 gl::GlError SaliencyView::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                 std::uint32_t height_px) {
@@ -27,12 +22,13 @@ bool SaliencyView::shows(const design::Saliency& saliency) const { return pass_.
 void SaliencyView::plan(bool runs, base::Time now) {
     runs_ = runs && pass_.is_started();
     now_ = now;
-    measures_ = runs_ && (!keeps_ || !has_map_ || now == measured_ || epoch_of(now) != epoch_of(measured_));
+    measures_ =
+        runs_ && (!keeps_ || !has_map_ || now == measured_ || LabelPlanner::epoch_of(now) != LabelPlanner::epoch_of(measured_));
 }
 
 base::Time SaliencyView::needed_since(base::Time time) const {
     if (!keeps_ || !pass_.is_started()) return time;
-    return base::Time{epoch_of(time) * kSaliencyEpoch.ns};
+    return base::Time{LabelPlanner::epoch_of(time) * LabelPlanner::kEpoch.ns};
 }
 
 void SaliencyView::draw(gl::Gl& gl, const base::Surface& surface, const design::Saliency& saliency, EffectWork& work) {

@@ -1,8 +1,8 @@
 /// The saliency map of a display's own pictures: when it is measured, and how it is shown over them.
 ///
-/// On es3 every frame that shows it measures it. On es2 the first frame of each kSaliencyEpoch does, as often as it is drawn, and
-/// the others show what that one measured: at most so old, and of a picture that stood a little elsewhere. A frame that measures
-/// for later ones must be drawn.
+/// On es3 every frame that shows it measures it. On es2 the first frame of each epoch of labels (draw/data/label_planner.hpp)
+/// does, as often as it is drawn, and the others show what that one measured: at most so old, and of a picture that stood a
+/// little elsewhere. A frame that measures for later ones must be drawn.
 ///
 /// Memory    draw::SaliencyPass's, where a design asks for it; else none. Thread  the GL thread; plan() is pure. Failure start():
 ///           one sentence.
@@ -14,8 +14,6 @@
 #include "render_core/draw/terrain_program.hpp"
 
 namespace tedavis::display {
-
-inline constexpr base::Duration kSaliencyEpoch = base::Duration::milliseconds(500);
 
 class SaliencyView {
 public:

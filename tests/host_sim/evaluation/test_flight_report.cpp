@@ -132,7 +132,7 @@ nlohmann::json verdict_of(const std::string& document) {
 class ReportInABrowser : public ::testing::Test {
 protected:
     void SetUp() override {
-        if (!test_support::has_browser()) GTEST_SKIP() << "Chromium is not installed (toolchains/install_packages tests)";
+        ASSERT_TRUE(test_support::has_browser()) << "Chromium is not installed (toolchains/install_packages tests)";
     }
     /// What the user saw, and what the console said.
     nlohmann::json use(std::string page, int width = 1280) {
