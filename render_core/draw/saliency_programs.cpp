@@ -57,6 +57,7 @@ gl::GlError SaliencyPrograms::build(gl::Gl& gl, SaliencyStep step, int level) {
     fragment.append(shader_text(k_saliency_codes_frag));
     if (parts.reads_between) fragment.append(shader_text(k_saliency_between_frag));
     if (parts.weighs) fragment.append(shader_text(k_saliency_weights_frag));
+    if (step == SaliencyStep::show_heat) fragment.append(shader_text(k_heat_frag));
     fragment.append(parts.text);
     auto built = gl::build_program(gl, {parts.name, shader_text(k_saliency_vert), fragment.view(),
                                         base::Span<const gl::AttributeBinding>(kSaliencyAttributes),

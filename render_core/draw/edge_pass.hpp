@@ -1,0 +1,78 @@
+/// Canny's edges of the picture that stands on a surface, made on the GPU, and how dense they are by regions.
+///
+/// What is an edge is said by perception/edge_detector.hpp, for its default settings. All sums are whole numbers that a float
+/// holds, so that crests and thresholds are the processor's, pixel by pixel. Only connections are followed less far: through
+/// kTurns blocks of 4 x 4 pixels from a strong edge. README.md says how much that changes. Both lanes find the same.
+///
+/// The picture is copied and searched in strips, which overlap by what a pixel's edge depends on; kept of the whole picture are
+/// three times two bits a pixel, twice. Every target has four bytes a texel, as ES 2 draws into. Nothing is blended or dithered,
+/// but what show() lays over the picture. Needs copies of the surface (not `sc2`), and floats of 32 bits in fragment shaders.
+///
+/// Memory    the line render_targets: 1.5 bytes a pixel of the picture and 10 a pixel of a strip with its neighbours (64 rows on
+///           es3, 32 on es2, and 10): 1,928,720 bytes at 1024 x 768 on es3, 723,984 at 640 x 480 on es2. A triangle from
+///           symbology_vertices.
+/// Thread    the GL thread. Failure  start(): one sentence.
+#pragma once
+
+#include <array>
+
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/draw/edge_programs.hpp"
+#include "render_core/effects/clutter_budget.hpp"
+#include "render_core/gl/buffer.hpp"
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+/// White edges on black instead of the picture, or over it the regions, tinted by their density.
+enum class EdgeView : std::uint8_t { edges, regions };
+
+class EdgePass {
+public:
+    /// So many blocks of 4 x 4 pixels far what is connected with a strong edge is followed.
+    static constexpr int kTurns = 12;
+
+    /// The surface has this size, at most perception::kMostPictureSide each way. `shows`: show() may be asked for.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+                                    bool shows);
+    [[nodiscard]] bool is_started() const { return counts_.valid(); }
+    [[nodiscard]] bool can_show() const { return programs_.has(EdgeStep::show_edges); }
+
+    /// Of what is on the surface now, which stays as it is and bound.
+    void measure(gl::Gl& gl, const base::Surface& surface);
+    /// Of the picture that was measured last, the share of edges in each region as perception::region_densities gives it; not
+    /// known before. Waits for the GPU, and reads 192 bytes. The surface is bound.
+    [[nodiscard]] effects::ClutterMap densities(gl::Gl& gl, const base::Surface& surface) const;
+    /// Of the picture that was measured last, over the surface that is bound.
+    void show(gl::Gl& gl, EdgeView view) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    /// Rows of the picture, from the top.
+    struct Rows {
+        std::uint32_t first, end;
+        [[nodiscard]] std::uint32_t count() const { return end - first; }
+    };
+
+    [[nodiscard]] gl::GlError start_edge_targets(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] gl::GlError start_edge_triangle(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] Rows around(const Rows& rows, std::uint32_t more) const;
+    void copy_planes(gl::Gl& gl, const base::Surface& surface, const Rows& rows);
+    void find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, const Rows& rows);
+    void follow(gl::Gl& gl);
+    void count(gl::Gl& gl);
+    [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::RenderTarget& of) const;
+    void draw(gl::Gl& gl) const;
+
+    EdgePrograms programs_;
+    gl::Buffer triangle_;
+    gl::Texture strip_;
+    gl::RenderTarget planes_, levels_;
+    std::array<gl::RenderTarget, 2> edges_;  ///< weak and strong ones, a texel for 4 x 4 pixels of a colour
+    gl::RenderTarget counts_;                ///< of four rows a texel, a column for a part of a region
+    gl::RenderTarget regions_;
+    std::uint32_t width_px_ = 0, height_px_ = 0, strip_rows_ = 0, parts_ = 1;
+    bool is_measured_ = false;
+};
+
+}  // namespace tedavis::draw

@@ -1,0 +1,46 @@
+/// The programs that edges are found, counted and shown by, and what they read.
+///
+/// Memory  none of ours. Thread  the GL thread. Failure  start(): one sentence.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render_core/gl/program.hpp"
+#include "render_core/gl/texture.hpp"
+
+namespace tedavis::draw {
+
+/// In the order in which they first run.
+enum class EdgeStep : std::uint8_t { planes, blur, crests, follow, count, regions, show_edges, show_regions, count_ };
+inline constexpr std::size_t kEdgeSteps = static_cast<std::size_t>(EdgeStep::count_);
+
+/// Uniforms of all steps; each has some of them.
+enum EdgeUniform : std::size_t {
+    kEdgeTexture,
+    kEdgeTextureSize,
+    kEdgePicture,
+    kEdgeBand,
+    kEdgeRows,
+    kEdgeBell,
+    kEdgeThresholds,
+    kEdgeParts,
+    kEdgeUniforms
+};
+
+class EdgePrograms {
+public:
+    /// Those that show something where that is asked for.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, bool shows);
+    [[nodiscard]] bool has(EdgeStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
+    /// In use from now on, and reads the texture, of a picture of that size.
+    [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::Texture& texture, std::uint32_t width_px,
+                                         std::uint32_t height_px) const;
+    void destroy(gl::Gl& gl);
+
+private:
+    [[nodiscard]] gl::GlError build(gl::Gl& gl, EdgeStep step);
+    std::array<gl::Program, kEdgeSteps> programs_;
+};
+
+}  // namespace tedavis::draw
