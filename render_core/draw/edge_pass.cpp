@@ -11,7 +11,7 @@
 namespace tedavis::draw {
 namespace {
 
-using Regions = scene::DetailRegions;
+using ClutterRegions = scene::DetailRegions;
 
 constexpr std::uint32_t kBlockPixels = 4;  // across and down
 constexpr std::uint32_t kLevelRows = 2;    // of levels above and below, that a crest depends on
@@ -19,12 +19,12 @@ constexpr std::uint32_t kBlurRows = 3;     // of the picture, that a level depen
 constexpr std::uint32_t kReadRows = kLevelRows + kBlurRows;
 constexpr std::uint32_t kMostCounted = 255;  // pixels of a row, in a byte
 
-std::uint32_t blocks(std::uint32_t pixels) { return (pixels + kBlockPixels - 1) / kBlockPixels; }
+std::uint32_t edge_blocks(std::uint32_t pixels) { return (pixels + kBlockPixels - 1) / kBlockPixels; }
 /// Columns of a colour's plane: a texel more at both ends.
-std::uint32_t plane_columns(std::uint32_t width_px) { return blocks(width_px) + 2; }
+std::uint32_t plane_columns(std::uint32_t width_px) { return edge_blocks(width_px) + 2; }
 /// Parts of a region so narrow that a byte holds what they count.
 std::uint32_t parts_of_region(std::uint32_t width_px) {
-    const std::uint32_t widest = width_px / std::uint32_t{Regions::kAcross} + 1;
+    const std::uint32_t widest = width_px / std::uint32_t{ClutterRegions::kAcross} + 1;
     return (widest + kMostCounted - 1) / kMostCounted;
 }
 
@@ -62,9 +62,9 @@ gl::GlError EdgePass::start_edge_targets(gl::Gl& gl, base::BudgetTable& budget) 
     strip_ = static_cast<gl::Texture&&>(strip.value());
     make(planes_, planes, strip_rows);
     make(levels_, planes, strip_rows_ + 2 * kLevelRows);
-    for (gl::RenderTarget& edges : edges_) make(edges, perception::kColors * blocks(width_px_), blocks(height_px_));
-    make(regions_, Regions::kAcross, Regions::kDown);
-    make(counts_, Regions::kAcross * parts_, blocks(height_px_));
+    for (gl::RenderTarget& edges : edges_) make(edges, perception::kColors * edge_blocks(width_px_), edge_blocks(height_px_));
+    make(regions_, ClutterRegions::kAcross, ClutterRegions::kDown);
+    make(counts_, ClutterRegions::kAcross * parts_, edge_blocks(height_px_));
     return first_error;
 }
 
@@ -139,7 +139,7 @@ void EdgePass::find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, co
                   static_cast<float>(settings.high * settings.high));
     edges_[0].bind(gl);
     gl->Viewport(0, static_cast<GLint>(rows.first / kBlockPixels), static_cast<GLsizei>(edges_[0].color().settings().width_px),
-                 static_cast<GLsizei>(blocks(rows.count())));
+                 static_cast<GLsizei>(edge_blocks(rows.count())));
     draw(gl);
 }
 
@@ -147,7 +147,7 @@ void EdgePass::follow(gl::Gl& gl) {
     static_assert(kTurns % 2 == 0, "the last turn leaves its edges where the first one found them");
     for (int turn = 0; turn < kTurns; ++turn) {
         const gl::Program& follow = use(gl, EdgeStep::follow, edges_[turn % 2]);
-        gl->Uniform1f(follow.uniform(kEdgeBand), static_cast<float>(blocks(width_px_)));
+        gl->Uniform1f(follow.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
         edges_[(turn + 1) % 2].bind(gl);
         draw(gl);
     }
@@ -155,7 +155,7 @@ void EdgePass::follow(gl::Gl& gl) {
 
 void EdgePass::count(gl::Gl& gl) {
     const gl::Program& count = use(gl, EdgeStep::count, edges_[0]);
-    gl->Uniform1f(count.uniform(kEdgeBand), static_cast<float>(blocks(width_px_)));
+    gl->Uniform1f(count.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
     gl->Uniform1f(count.uniform(kEdgeParts), static_cast<float>(parts_));
     counts_.bind(gl);
     draw(gl);
@@ -167,17 +167,17 @@ void EdgePass::count(gl::Gl& gl) {
 
 effects::ClutterMap EdgePass::densities(gl::Gl& gl, const base::Surface& surface) const {
     effects::ClutterMap map;
-    std::array<std::uint8_t, 4 * Regions::kAcross * Regions::kDown> bytes{};
+    std::array<std::uint8_t, 4 * ClutterRegions::kAcross * ClutterRegions::kDown> bytes{};
     if (!is_measured_) return map;
     regions_.bind(gl);
-    map.is_known = gl::read_pixels(gl, Regions::kAcross, Regions::kDown, {bytes.data(), bytes.size()});
+    map.is_known = gl::read_pixels(gl, ClutterRegions::kAcross, ClutterRegions::kDown, {bytes.data(), bytes.size()});
     gl::bind_surface(gl, surface);
     if (!map.is_known) return map;
-    const perception::RegionGrid grid{static_cast<int>(Regions::kAcross), static_cast<int>(Regions::kDown)};
+    const perception::RegionGrid grid{static_cast<int>(ClutterRegions::kAcross), static_cast<int>(ClutterRegions::kDown)};
     for (std::size_t n = 0; n < map.measure.size(); ++n) {
-        const perception::PixelRegion region =
-            perception::region_of(grid, static_cast<int>(n % Regions::kAcross), static_cast<int>(n / Regions::kAcross),
-                                  static_cast<int>(width_px_), static_cast<int>(height_px_));
+        const perception::PixelRegion region = perception::region_of(grid, static_cast<int>(n % ClutterRegions::kAcross),
+                                                                     static_cast<int>(n / ClutterRegions::kAcross),
+                                                                     static_cast<int>(width_px_), static_cast<int>(height_px_));
         const int pixels = (region.right - region.left) * (region.bottom - region.top);
         const int edges = bytes[4 * n] << 16 | bytes[4 * n + 1] << 8 | bytes[4 * n + 2];
         map.measure[n] = pixels > 0 ? static_cast<float>(static_cast<double>(edges) / pixels) : 0;
@@ -195,7 +195,7 @@ void EdgePass::show(gl::Gl& gl, EdgeView view) const {
         gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
     const gl::Program& program = is_tint ? use(gl, EdgeStep::show_regions, regions_) : use(gl, EdgeStep::show_edges, edges_[0]);
-    gl->Uniform1f(program.uniform(kEdgeBand), static_cast<float>(blocks(width_px_)));
+    gl->Uniform1f(program.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
     draw(gl);
     gl->Disable(GL_BLEND);
 }

@@ -1,7 +1,7 @@
 /// What measures of perception cost on one core: edges of three colours and saliency of the shipped approach picture at 1024 x
-/// 768 and 1920 x 1080, beside OpenCV's edges and the full-resolution saliency, what coarser starts change, and what parts cost.
-/// The least of many turns that alternate, as other work on the machine only adds. `--json` prints the lines as a list,
-/// `--picture X.png` measures another picture at its own size.
+/// 768 and 1920 x 1080, beside OpenCV's edges and the full-resolution saliency, what coarser starts change, and what parts cost;
+/// and the edges on the GPU. The least of many turns that alternate, as other work on the machine only adds. `--json` prints the
+/// lines as a list, `--picture X.png` measures another picture at its own size.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,6 +25,7 @@
 #include "render_core/perception/saliency_model.hpp"
 #include "render_core/perception/spectral_residual.hpp"
 #include "tests/bench/bench_result.hpp"
+#include "tests/bench/gpu_edges.hpp"
 #include "tests/support/rank_correlation.hpp"
 
 namespace {
@@ -34,7 +35,8 @@ using namespace tedavis::perception;
 using bench::BenchResult;
 
 constexpr int kTurns = 20, kInARow = 6;
-constexpr double kEdgesTarget_ms = 6, kSaliencyTarget_ms = 3, kGrowthTarget = 2.9, kDisagreementTarget = 0.005;
+constexpr double kEdgesTarget_ms = 6, kSaliencyTarget_ms = 3, kGrowthTarget = 2.9, kDisagreementTarget = 0.005,
+                 kDensityTarget = 0.004;
 constexpr double kNoTarget = std::numeric_limits<double>::max();
 
 /// The least of turns that alternate, each of some in a row, as over the pictures of a flight.
@@ -173,6 +175,25 @@ public:
         }
     }
 
+    /// On the surface of the machine's own OpenGL, which may be the processor's.
+    void edges_of_gpu() {
+        bench::GpuEdges gpu(picture_.rgba.data(), static_cast<std::uint32_t>(picture_.width),
+                            static_cast<std::uint32_t>(picture_.height));
+        const std::vector<double> ms = least_ms({[&] { gpu.measure(); }, [&] { find_edges(); }});
+        std::vector<double> densities(48);
+        static_cast<void>(region_densities({edges_, picture_.width, picture_.height}, {}, densities));
+        const effects::ClutterMap map = gpu.densities();
+        double most = 0, sum = 0;
+        for (std::size_t n = 0; n < densities.size(); ++n) {
+            const double off = std::fabs(static_cast<double>(map.measure[n]) - densities[n]);
+            most = std::max(most, off);
+            sum += off;
+        }
+        add("edges on the GPU", ms[0], "ms", kNoTarget, ms[1]);
+        add("regions' densities of the GPU, mean off by", sum / 48, "share", kDensityTarget, 0);
+        add("regions' densities of the GPU, most off by", most, "share", kNoTarget, 0);
+    }
+
     void saliency(bool has_target) {
         const std::vector<double> ms = least_ms({[&] { look(0); }, [&] { look(1); }, [&] { look(2); },
                                                  [&] { static_cast<void>(model_.measure.map(SaliencyScale::fixed)); }});
@@ -248,6 +269,8 @@ void measure_shipped(std::vector<BenchResult>& lines) {
     usual.edges(true);
     large.edges(false);
     usual.smaller_edges();
+    usual.edges_of_gpu();
+    large.edges_of_gpu();
     usual.saliency(true);
     large.saliency(false);
     usual.parts();
@@ -282,6 +305,7 @@ int main(int argc, char** argv) {
         Bench of(Picture(host_sim::read_png(picture)), lines);
         of.edges(false);
         of.smaller_edges();
+        of.edges_of_gpu();
         of.saliency(false);
         of.parts();
     }

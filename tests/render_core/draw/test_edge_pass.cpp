@@ -62,8 +62,8 @@ std::vector<std::uint8_t> texels_of(const SyntheticPicture& picture) {
 /// Pictures of one size on a device's surface, and their edges.
 class Measured {
 public:
-    Measured(const std::string& device, int width, int height, bool shows = true)
-        : session_("egl", device, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)),
+    Measured(const std::string& device, int width, int height, bool shows = true, const std::string& backend = "egl")
+        : session_(backend, device, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)),
           triangle_(session_.gl),
           width_(static_cast<std::uint32_t>(width)),
           height_(static_cast<std::uint32_t>(height)) {
@@ -272,6 +272,15 @@ TEST(EdgePass, FollowsAnEdgeSoFarAsItSays) {
         EXPECT_GE(reached, kReach) << device;
         EXPECT_LT(reached, kReach + 16) << device;
     }
+}
+
+TEST(EdgePass, FindsTheSameOnEveryBackend) {
+    const SyntheticPicture picture = test_support::landscape(260, 150, 7);
+    const Edges expected = Measured("es3-mid", 260, 150).edges(picture);
+    EXPECT_GT(f1(expected, processors(picture)), 0.98);
+    for (const std::string& backend : test_support::headless_backends())
+        for (const char* device : kDevices)
+            EXPECT_EQ(Measured(device, 260, 150, true, backend).edges(picture), expected) << backend << " " << device;
 }
 
 TEST(EdgePass, ReadsThePictureAndLeavesItAsItIs) {
