@@ -45,6 +45,11 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_option_function<std::string>(
         "--saliency", [&picture](const std::string& word) { picture.saliency = choice_from("--saliency", word, kSaliency); },
         "what draws the eye in each picture: heat (over it) or map (alone); default: as the design says");
+    static const std::map<std::string, design::ClutterView> kClutter = {{"edges", design::ClutterView::edges},
+                                                                        {"regions", design::ClutterView::regions}};
+    command->add_option_function<std::string>(
+        "--clutter", [&picture](const std::string& word) { picture.clutter = choice_from("--clutter", word, kClutter); },
+        "edges of each picture (alone), or regions (how dense they are, over it); default: as the design says");
     command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
 }
 

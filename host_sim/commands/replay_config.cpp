@@ -102,6 +102,10 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     constexpr auto& kViews = design::kSaliencyViewNames;
     if (section.has("saliency"))
         picture.saliency = static_cast<design::SaliencyView>(1 + section.choice("saliency", {kViews.data(), kViews.size()}, 0));
+    constexpr auto& kClutterViews = design::kClutterViewNames;
+    if (section.has("clutter"))
+        picture.clutter =
+            static_cast<design::ClutterView>(1 + section.choice("clutter", {kClutterViews.data(), kClutterViews.size()}, 0));
     if (section.has("width") || section.has("height")) {
         picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
                                    static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
@@ -138,6 +142,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.path("costs", picture.costs);
     if (picture.force_effects) toml.truth("force_effects");
     if (picture.saliency) toml.word("saliency", design::kSaliencyViewNames[static_cast<std::size_t>(*picture.saliency) - 1]);
+    if (picture.clutter) toml.word("clutter", design::kClutterViewNames[static_cast<std::size_t>(*picture.clutter) - 1]);
     return toml.text();
 }
 

@@ -82,6 +82,18 @@ std::string labels(const Json& record) {
     return placed.empty() ? placed : placed + " placed, " + number_at(record, {"labels", "suppressed"}, 0) + " suppressed";
 }
 
+/// "wind, place in 5 regions; 2 signs"
+std::string gives_way(const Json& record) {
+    std::string text;
+    for (const Json& role : entry(record, {"clutter", "gives_way"})) append(text, spaced(role.get<std::string>()));
+    if (text.empty()) return text;
+    std::size_t regions = 0;
+    for (const Json& region : entry(record, {"clutter", "regions"})) regions += region.value("detail", 1.0) < 1 ? 1 : 0;
+    text += " in " + std::to_string(regions) + (regions == 1 ? " region" : " regions");
+    const std::string lowered = number_at(record, {"labels", "lowered"}, 0);
+    return lowered.empty() || lowered == "0" ? text : text + "; " + lowered + " signs";
+}
+
 std::string effects(const Json& record, const std::string& state) {
     std::string text, last;
     const Json& all = entry(record, {"effects"});
@@ -135,6 +147,7 @@ PlanLines plan_lines(const Json& record) {
     add("terrain", terrain(record));
     add("data drawn", data(record));
     add("labels", labels(record));
+    add("gives way", gives_way(record));
     add("foci", foci(record));
     add("effects run", effects(record, "run"));
     add("replaced", effects(record, "replaced"));

@@ -61,7 +61,8 @@ std::string design_calling_for(Effect effect) {
         case Effect::stereo:
         case Effect::cross_fade:
         case Effect::panel_lighting:
-        case Effect::saliency: return "default";
+        case Effect::saliency:
+        case Effect::clutter: return "default";
         case Effect::surface_grid: return "styles/line_texture";
         case Effect::ridges: return "styles/ridges_and_valleys";
         case Effect::moving_sun: return "styles/moving_sun";

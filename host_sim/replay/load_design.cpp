@@ -73,6 +73,9 @@ void put_above(const PictureOptions& options, const std::string& path, design::D
         if (options.without.has(effect)) design = display::without_effect(design, effect);
     }
     if (options.saliency) design.effects.saliency.view = *options.saliency;
+    if (options.clutter) design.effects.clutter = *options.clutter;
+    if (design.effects.saliency.view != design::SaliencyView::none && design.effects.clutter != design::ClutterView::none)
+        throw UserError("--saliency, --clutter: one view lies over the other; leave one out");
     if (!options.symbology) design.symbology = without_instruments(design.symbology);
 }
 

@@ -79,6 +79,34 @@ Json weights_json(const display::FrameRecord& record) {
     return json;
 }
 
+/// Regions that are beyond the budget, or in which something gives way.
+Json crowded_json(const display::ClutterRecord& clutter) {
+    using scene::DetailRegions;
+    Json json = Json::array();
+    for (std::size_t n = 0; n < clutter.left.factor.size(); ++n) {
+        const auto whole = static_cast<double>(clutter.measured.whole.measure[n]);
+        if (whole <= clutter.budget && clutter.left.factor[n] >= 1) continue;
+        Json region{{"column", n % DetailRegions::kAcross}, {"row", n / DetailRegions::kAcross}, {"clutter", whole}};
+        region["least"] = clutter.measured.least.is_known ? Json(clutter.measured.least.measure[n]) : Json();
+        region["tried"] = clutter.measured.tried.is_known ? Json(clutter.measured.tried.measure[n]) : Json();
+        region["detail"] = clutter.left.factor[n];
+        json.push_back(std::move(region));
+    }
+    return json;
+}
+
+/// Null without a budget.
+Json clutter_json(const display::FrameRecord& record) {
+    const display::ClutterRecord& clutter = record.clutter;
+    if (clutter.budget >= 1) return {};
+    Json json{{"budget", clutter.budget}, {"is_measured", clutter.measured.whole.is_known}};
+    json["regions"] = clutter.measured.whole.is_known ? crowded_json(clutter) : Json::array();
+    json["gives_way"] = Json::array();
+    for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
+        if ((clutter.roles >> n & 1u) != 0) json["gives_way"].push_back(scene::name_of(static_cast<scene::LayerRole>(n)));
+    return json;
+}
+
 Json focus_json(const display::FocusRecord& focus) {
     Json json{{"name", text(focus.name.view())},
               {"shape", text(focus.shape.view())},
@@ -190,8 +218,10 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     if (result.has_layers) json["layers"] = display::kPictureLayerNames;
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
-    json["labels"] = {
-        {"placed", record.labels.placed}, {"suppressed", record.labels.suppressed}, {"changed", record.labels.changed}};
+    json["labels"] = {{"placed", record.labels.placed},
+                      {"suppressed", record.labels.suppressed},
+                      {"changed", record.labels.changed},
+                      {"lowered", record.labels.lowered}};
     json["foci"] = Json::array();
     for (const display::FocusRecord& focus : record.foci) json["foci"].push_back(focus_json(focus));
     json["bytes"] = {{"cpu", record.bytes.cpu},
@@ -206,8 +236,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                             {"terrain", aspect_json(record.terrain_aspect)},
                             {"data", aspect_json(record.data_aspect)},
                             {"uncertainty", aspect_json(record.uncertainty_aspect)},
-                            {"weights", weights_json(record)},
-                            {"crowded_regions", record.crowded_regions}};
+                            {"weights", weights_json(record)}};
+    json["clutter"] = clutter_json(record);
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
     json["latency_ms"] = result.latency_ms;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -70,6 +70,8 @@ struct PrioritySettings {
     double clutter_budget = 1;       ///< of a region of the picture, 0..1; 1: none. Never spent on what comes first
     double stale_uncertainty = 0.6;  ///< weight that stale data raise the uncertainty's to
 
+    /// That is held: where no weights are stated nothing comes before anything.
+    [[nodiscard]] double held_clutter() const { return is_stated ? clutter_budget : 1; }
     [[nodiscard]] std::size_t count() const { return kMainAspects + parts.size(); }
     /// Of an element of the data: that of the first part that has its role, else the data's.
     [[nodiscard]] std::size_t aspect_of(scene::LayerRole role) const noexcept;

@@ -39,6 +39,14 @@ void read_saliency(base::ConfigSection section, Saliency& saliency) {
     saliency.scale = section.choice("scale", kScales, 0) == 1 ? SaliencyScale::fixed : SaliencyScale::picture;
 }
 
+void read_clutter(base::ConfigSection section, ViewEffects& effects) {
+    if (!section.present()) return;
+    const std::size_t view = section.choice("view", {kClutterViewNames.data(), kClutterViewNames.size()}, 0);
+    effects.clutter = static_cast<ClutterView>(1 + view);
+    if (effects.saliency.view != SaliencyView::none)
+        fault_of(section, "view", "would lie over the saliency map; leave out [effects.saliency] or this table");
+}
+
 void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMostInsteadOf>& all) {
     if (!section.present()) return;
     all.clear();
@@ -65,6 +73,7 @@ void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);
     read_stereo(section.section("stereo"), effects.stereo);
     read_saliency(section.section("saliency"), effects.saliency);
+    read_clutter(section.section("clutter"), effects);
     read_instead(section.section("instead"), effects.instead);
     read_shadows(section.section("shadows"), effects.shadows);
     const DepthOfField& field = effects.depth_of_field;

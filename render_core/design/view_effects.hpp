@@ -17,9 +17,11 @@
 ///     base_m = 2                  # between the eyes; at most a 30th of screen_m, and a sixth of what is nearest
 ///     screen_m = 300              # what is so far away lies in the screen's plane, with the symbology
 ///
-///     [effects.saliency]              # what draws the eye in the picture that is shown, symbology too
-///     (perception/saliency_model.hpp) view = "heat"               # over the picture; or "map": alone scale = "picture" # the
-///     most salient place of every picture is 1; or "fixed": pictures can be compared
+///     [effects.saliency]          # what draws the eye (perception/saliency_model.hpp) in all that is shown, symbology too
+///     view = "heat"               # over the picture; or "map": alone
+///     scale = "picture"           # the most salient place of every picture is 1; or "fixed": pictures can be compared
+///     [effects.clutter]           # edges (perception/edge_detector.hpp) of all that is shown
+///     view = "edges"              # alone; or "regions": how dense they are, over the picture
 ///
 ///     [effects.instead]
 ///     silhouettes = []            # nothing takes their place; else names of effects, the first that is possible
@@ -75,6 +77,10 @@ struct Saliency {
     SaliencyScale scale = SaliencyScale::picture;
 };
 
+/// How clutter of the picture is shown; likewise a tool. The budget that is held is a matter of priorities (priority.hpp).
+enum class ClutterView : std::uint8_t { none, edges, regions };
+inline constexpr std::array<std::string_view, 2> kClutterViewNames{"edges", "regions"};  ///< from edges on
+
 /// An effect, and what takes its place where a device cannot do it or the time does not suffice: the first that is possible.
 /// Names of render_core/effects; nothing for the empty list.
 struct InsteadOf {
@@ -91,9 +97,15 @@ struct ViewEffects {
     DepthOfField depth_of_field;
     Stereo stereo;
     Saliency saliency;
+    ClutterView clutter = ClutterView::none;
     base::FixedVector<InsteadOf, kMostInsteadOf> instead;  ///< where another order is wanted than the effects' own
     ShadowSettings shadows;
 };
+
+/// Over the picture, or in its place.
+[[nodiscard]] inline bool shows_measure(const ViewEffects& effects) {
+    return effects.saliency.view != SaliencyView::none || effects.clutter != ClutterView::none;
+}
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects);
 

@@ -8,10 +8,10 @@ const scene::DetailRegions* Crowding::regions_of(const design::DataElement& elem
     return gives_way ? &regions : nullptr;
 }
 
-Crowding crowding_of(const effects::ClutterMap& clutter, const design::PrioritySettings& priority,
+Crowding crowding_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
                      const design::AspectWeights& weights) noexcept {
     Crowding crowding;
-    crowding.regions = effects::detail_within(clutter, priority.clutter_budget);
+    crowding.regions = regions;
     if (crowding.regions.is_whole()) return crowding;
     for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
         if (!priority.is_first(priority.aspect_of(static_cast<scene::LayerRole>(n)), weights)) crowding.roles |= 1u << n;

@@ -19,8 +19,8 @@ struct Crowding {
                                                          scene::LayerRole role) const noexcept;
 };
 
-/// Without a budget, or where no region is beyond it, nothing gives way.
-[[nodiscard]] Crowding crowding_of(const effects::ClutterMap& clutter, const design::PrioritySettings& priority,
+/// `regions`: what each keeps of its detail; where all keep all of it, nothing gives way.
+[[nodiscard]] Crowding crowding_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
                                    const design::AspectWeights& weights) noexcept;
 
 }  // namespace tedavis::display

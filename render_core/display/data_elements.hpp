@@ -54,7 +54,7 @@ struct SignFrame {
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
-    bool is_of_one_eye = false;                  ///< of a pair, whose frame has been planned: labels are counted with that
+    bool is_planned_again = false;               ///< of one eye of a pair, or to be measured: labels have been counted
     bool is_metric = false;                      ///< distances are in kilometres, not in nautical miles
 };
 
@@ -83,6 +83,8 @@ public:
     /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
     /// left.
     void plan_signs(const ElementFrame& frame, const SignFrame& signs);
+    /// What gives way, again, of the planned frame with another crowding; plan_signs() must follow.
+    void plan_detail(const ElementFrame& frame);
     /// What plan_signs() does where it has not been done for the frame's epoch: also of epochs that a replay passes over
     /// (element_labels.hpp). Of the middle eye.
     void decide_labels(const ElementFrame& frame, double text_px);

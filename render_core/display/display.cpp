@@ -100,6 +100,8 @@ gl::GlError Display::start_drawers(draw::DrawnDesigns designs) {
         return error;
     if (gl::GlError error = saliency_.start(gl_, settings_.device.budget, designs, width_px, height_px); !error.sentence.empty())
         return error;
+    if (gl::GlError error = clutter_.start(gl_, settings_.device.budget, designs, width_px, height_px); !error.sentence.empty())
+        return error;
     if (dims)
         if (gl::GlError error = dimmer_.start(gl_, settings_.device.budget); !error.sentence.empty()) return error;
     return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
@@ -112,6 +114,7 @@ void Display::stop() {
     stereo_.destroy(gl_);
     fade_.destroy(gl_);
     saliency_.destroy(gl_);
+    clutter_.destroy(gl_);
     dimmer_.destroy(gl_);
     elements_.destroy(gl_);
     terrain_.destroy(gl_);
@@ -150,6 +153,7 @@ void Display::update(const flight::AircraftState& state, const flight::PhaseStat
                      const flight::FlownWay* way) {
     follow_phase(phase, now);
     begin_update(state, phase, now);
+    plan_crowding();
     follow_foci();
     if (has_new_look_) show_look();
     plan_terrain();
@@ -170,6 +174,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
+    conditions_.shows_measure = shows_measure(settings_.design.effects);
     conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
     weigh(now);
     transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);
@@ -177,7 +182,6 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     begin_record(now);
     plan_view();
     plan_foci();
-    crowding_ = crowding_of(clutter_, settings_.design.priority, weights_);
     magnify();
     decide_labels();
 }
@@ -207,6 +211,9 @@ void Display::plan_effects() {
     facts.has_foci = foci_.foci.is_any();
     facts.context_blur_px = terrain_of_context(settings_.design.foci).blur_px;
     facts.reads_distances = reads_distances(settings_.design);
+    facts.shows_clutter = settings_.design.effects.clutter != design::ClutterView::none;
+    facts.has_what_gives_way = has_what_gives_way();
+    facts.is_stereo = stereo_.is_started();
     facts.is_forced = effects_are_forced_;
     fade_share_ = next_fade_share();
     facts.fade_share = fade_share_;
@@ -216,6 +223,7 @@ void Display::plan_effects() {
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
     saliency_.plan(plan_.runs(effects::Effect::saliency), record_.time);
+    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_, settings_.design.priority.held_clutter());
 }
 
 ShadowPlan Display::plan_shadows() {

@@ -7,9 +7,12 @@
 /// Failure   start() gives one sentence. Later faults of data remove what is not trustworthy, flag it and keep running.
 #pragma once
 
+#include <algorithm>
+
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/phase_designs.hpp"
+#include "render_core/display/clutter_control.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_memory.hpp"
 #include "render_core/display/draw_inputs.hpp"
@@ -107,14 +110,19 @@ public:
     /// Whether a phase's design takes the place of another one little by little.
     [[nodiscard]] bool fades() const { return fade_.is_started(); }
     /// True where a later frame shows the planned one again: it must be drawn, even if nobody looks at it.
-    [[nodiscard]] bool must_be_drawn() const { return turn_ == Turn::keeps || saliency_.must_be_drawn(); }
+    [[nodiscard]] bool must_be_drawn() const {
+        return turn_ == Turn::keeps || saliency_.must_be_drawn() || clutter_.must_be_drawn();
+    }
     /// From when on, besides, frames that must be drawn are a part of the one at `time`.
-    [[nodiscard]] base::Time needed_since(base::Time time) const { return saliency_.needed_since(time); }
+    [[nodiscard]] base::Time needed_since(base::Time time) const {
+        return std::min(saliency_.needed_since(time), clutter_.needed_since(time));
+    }
     /// The next update() does not follow the last one: the phase it is told has its design at once.
     void forget_turns() {
         turn_ = Turn::none;
         is_new_to_phases_ = true;
         saliency_.forget();
+        clutter_.forget();
     }
     /// Room to load the next scene into, by whoever reads files; it is empty, and stays whoever's it is until take_scene().
     [[nodiscard]] base::Arena& spare_scene_memory() { return data_.spare(); }
@@ -127,9 +135,6 @@ public:
         free_view_active_ = true;
     }
     void clear_free_view() { free_view_active_ = false; }
-    /// How cluttered regions of the picture are, by whoever measures it: from the next update() on data give way there as far as
-    /// the design's budget asks.
-    void set_clutter(const effects::ClutterMap& clutter) { clutter_ = clutter; }
     /// From the next update() on nothing is left out for being unseen: what the planner of effects saves can be measured.
     void force_effects(bool forced) { effects_are_forced_ = forced; }
 
@@ -201,6 +206,13 @@ private:
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void plan_effects();
+    void plan_crowding();
+    [[nodiscard]] bool has_what_gives_way() const;
+    void plan_detail_again();
+    draw::TerrainDrawResult paint_measured(base::Surface& surface);
+    void measure_unseen(base::Surface& surface);
+    void measure(base::Surface& surface);
+    void note_clutter();
     [[nodiscard]] ShadowPlan plan_shadows();
     void count();
     void widen_bands();
@@ -246,8 +258,9 @@ private:
     RaisedWeights raised_;
     FociPlan foci_;            ///< of the planned frame
     bool draws_foci_ = false;  ///< with what they change of the ground
-    effects::ClutterMap clutter_;
-    Crowding crowding_;  ///< of the planned frame
+    ClutterControl clutter_;
+    Crowding crowding_;       ///< of the planned frame
+    bool is_unseen_ = false;  ///< what is drawn now, for the clutter to be measured
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;

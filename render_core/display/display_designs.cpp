@@ -51,8 +51,8 @@ void Display::follow_foci() {
 
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    if (!is_dimmable || !saliency_.shows(possible.effects.saliency) || stereo_margin_px(possible) != stereo_.margin_px() ||
-        !elements_.can_show(possible))
+    if (!is_dimmable || !saliency_.shows(possible.effects.saliency) || !clutter_.can_show(possible) ||
+        stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible))
         return false;
     const design::DesignSettings weighted = design::weighted(possible);
     for (const design::DesignSettings* const design : {&weighted, &possible})

@@ -21,11 +21,11 @@ void Display::draw(base::Surface& surface) {
         put_symbology();
         plan_effects();
     }
-    const draw::TerrainDrawResult drawn = paint(surface);
+    const draw::TerrainDrawResult drawn = paint_measured(surface);
     note_effects({plan_, decisions_, settings_.design, data_plan_.members, maps_beside_.drawn}, record_);
     note_budget(frame_budget_.report(), record_);
     note_elements(elements_.reports(), record_);
-    note_crowding(crowding_.regions, record_);
+    note_clutter();
     note_weights(settings_.design.priority, weights_, record_);
     note_drawn(drawn, settings_.device.budget, record_);
     note_work(work_, record_);
@@ -34,12 +34,14 @@ void Display::draw(base::Surface& surface) {
 
 draw::TerrainDrawResult Display::paint(base::Surface& surface) {
     const draw::TerrainDrawResult drawn = draw_scene(surface);
-    if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started()) {
+    if (plan_.runs(effects::Effect::cross_fade) && fade_.is_started() && !is_unseen_) {
         const WorkScope work(gl_, work_[effects::Effect::cross_fade]);
         fade_.draw(gl_, fade_share_);
     }
     const bool is_whole = last_layer_ == PictureLayer::symbology;
     if (!free_view_active_ && is_whole) draw_symbology(surface);
+    if (is_whole) measure(surface);
+    if (is_unseen_) return drawn;
     if (is_whole) saliency_.draw(gl_, surface, settings_.design.effects.saliency, work_[effects::Effect::saliency]);
     if (plan_.runs(effects::Effect::panel_lighting) && dimmer_.is_started()) {
         const WorkScope work(gl_, work_[effects::Effect::panel_lighting]);
@@ -69,7 +71,7 @@ void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
 
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
     if (stereo_.is_started()) return draw_eyes(surface);
-    if (turn_ == Turn::keeps) {
+    if (turn_ == Turn::keeps && !is_unseen_) {
         const draw::TerrainDrawResult drawn = draw_kept();
         gl::bind_surface(gl_, surface);
         return drawn;  // what was kept covers the surface

@@ -74,12 +74,19 @@ EffectCall stereo_call(const EffectFacts& facts) {
 bool distracts(Effect effect) {
     return effect == Effect::depth_of_field || effect == Effect::stereo || effect == Effect::cross_fade ||
            effect == Effect::soft_shadows || effect == Effect::volumetric_light || effect == Effect::focus_ground ||
-           effect == Effect::focus_blur || effect == Effect::saliency;
+           effect == Effect::focus_blur || effect == Effect::saliency || effect == Effect::clutter;
 }
 
 bool is_removed(Effect effect, const DisplayDecisions& decisions) {
     if (decisions.unusual_attitude && distracts(effect)) return true;
     return !decisions.show_terrain && effect != Effect::panel_lighting;
+}
+
+EffectCall clutter_call(const EffectFacts& facts) {
+    if (facts.shows_clutter) return {Kind::called, ""};
+    if (facts.is_stereo) return {Kind::no_input, "regions of a picture for each eye are not those of the view"};
+    if (!facts.has_what_gives_way) return {Kind::not_called_for, "nothing is shown that gives way"};
+    return {Kind::called, ""};
 }
 
 EffectCall fade_call(double share) {
@@ -180,6 +187,7 @@ effects::EffectSet asked_effects(const design::DesignSettings& design) noexcept 
     if (asks_for_context(design.foci)) asked.add(Effect::focus_ground);
     if (terrain_of_context(design.foci).blur_px > 0) asked.add(Effect::focus_blur);
     if (design.effects.saliency.view != design::SaliencyView::none) asked.add(Effect::saliency);
+    if (design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none) asked.add(Effect::clutter);
     add_asked_cues(design.data.elements, asked);
     return asked;
 }
@@ -195,6 +203,7 @@ design::DesignSettings with_effect(const design::DesignSettings& design, Effect 
     if (effect == Effect::soft_shadows) with.effects.shadows.on_ground = kTaken;
     if (effect == Effect::volumetric_light) with.effects.shadows.in_air = kTaken;
     if (effect == Effect::saliency) with.effects.saliency.view = design::SaliencyView::heat;
+    if (effect == Effect::clutter) with.effects.clutter = design::ClutterView::regions;
     if (effect == Effect::panel_lighting) with.effects.lighting = design::PanelLighting::night;
     return with;
 }
@@ -240,6 +249,10 @@ design::DesignSettings without_effect(const design::DesignSettings& design, Effe
             for (design::FocusSettings& focus : without.foci) focus.terrain.blur_px = 0;
             break;
         case Effect::saliency: without.effects.saliency = {}; break;
+        case Effect::clutter:
+            without.effects.clutter = design::ClutterView::none;
+            without.priority.clutter_budget = 1;
+            break;
         case Effect::terrain:
         case Effect::fixed_light:
         case Effect::plain_color:
@@ -280,7 +293,7 @@ design::DesignSettings possible_design(const design::DesignSettings& design, con
           Effect::panel_lighting, Effect::vertical_lines, Effect::projections, Effect::curtains, Effect::focus_ground})
         if (device.forbidden.has(effect)) possible = without_effect(possible, effect);
     for (const Effect effect : {Effect::aerial_perspective, Effect::depth_of_field, Effect::antialiasing, Effect::stereo,
-                                Effect::cross_fade, Effect::saliency})
+                                Effect::cross_fade, Effect::saliency, Effect::clutter})
         if (stands_in(effect) != effect) possible = without_effect(possible, effect);
     replace_shadows(design.effects.shadows, {stands_in(Effect::soft_shadows), stands_in(Effect::volumetric_light)}, possible);
     replace_context_blur(stands_in(Effect::focus_blur), possible);
@@ -341,6 +354,7 @@ effects::PlanInput effect_calls(const EffectFacts& facts) noexcept {
     input[Effect::focus_blur] = context_blur_call(facts);
     input[Effect::antialiasing] = {Kind::called, "", 1};
     input[Effect::saliency] = {Kind::called, ""};
+    input[Effect::clutter] = clutter_call(facts);
     for (std::size_t n = 0; n < draw::kCues; ++n) {
         const Effect effect = effect_of(static_cast<draw::Cue>(n));
         input[effect] = cue_call(facts.cues[n], facts.forbidden.has(effect));

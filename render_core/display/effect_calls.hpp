@@ -70,7 +70,10 @@ struct EffectFacts {
     bool has_foci = false;       ///< one of those that change the ground is somewhere
     double context_blur_px = 0;  ///< of the design as it is possible
     bool reads_distances = false;
-    bool is_forced = false;  ///< PlanInput::is_forced
+    bool shows_clutter = false;       ///< as a view; else it is measured for a budget, if at all
+    bool has_what_gives_way = false;  ///< to that budget
+    bool is_stereo = false;           ///< the display has a picture for each eye
+    bool is_forced = false;           ///< PlanInput::is_forced
 };
 
 [[nodiscard]] effects::PlanInput effect_calls(const EffectFacts& facts) noexcept;

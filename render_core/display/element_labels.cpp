@@ -13,15 +13,8 @@ using draw::LabelLevel;
 
 namespace {
 
-/// That it may be shown at: what stands may have to wait until it goes.
-LabelLevel most_of(const Label& label) { return std::max(label.level, label.wanted); }
-
 draw::Rect screen_of(const terrain::View& view) {
     return {0, 0, static_cast<float>(view.width), static_cast<float>(view.height)};
-}
-
-const scene::DetailRegions* regions_of(const LabelFrame& frame, const draw::ElementInput& input) {
-    return frame.crowding == nullptr ? nullptr : frame.crowding->regions_of(input.element, input.layer.entry->role);
 }
 
 /// As it was decided, where it stands now.
@@ -141,8 +134,7 @@ void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
     for (std::uint32_t n = 0; n < groups_.size(); ++n) {
         const draw::ElementInput input = shapes.input(n);
         static_cast<void>(planner_.add_group(draw::label_group(input)));
-        if (is_valid_at(input.layer, frame.time))
-            draw::offer_features(input, n, shapes.view(), settings_, planner_, regions_of(frame, input));
+        if (is_valid_at(input.layer, frame.time)) draw::offer_features(input, n, shapes.view(), settings_, planner_);
     }
     planner_.settle(shapes);
 }
@@ -190,8 +182,13 @@ std::uint32_t ElementLabels::suppressed(const design::DataElement& element, cons
     return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
 }
 
-ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs)
-    : labels_(labels), sheet_(sheet), inputs_(inputs), markers_(screen_of(sheet.view())), left_(screen_of(sheet.view())) {
+ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const Crowding* crowding)
+    : labels_(labels),
+      sheet_(sheet),
+      inputs_(inputs),
+      crowding_(crowding),
+      markers_(screen_of(sheet.view())),
+      left_(screen_of(sheet.view())) {
     for (Group& group : labels.groups_) group.drawn = 0;
 }
 
@@ -212,23 +209,37 @@ bool ElementLabels::Pass::find_left_room(const Label& label, const draw::Billboa
     return false;
 }
 
+/// By the view of the epoch: a label on the border of two regions does not come and go with every frame.
+LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementInput& input) const {
+    const LabelLevel most = std::max(label.level, label.wanted);
+    const scene::DetailRegions* const regions =
+        crowding_ == nullptr ? nullptr : crowding_->regions_of(input.element, input.layer.entry->role);
+    if (regions == nullptr) return most;
+    const draw::SignView view{labels_.view_, sheet_.text_px()};
+    return std::min(most, draw::level_left(input, draw::feature_of(label.key), view, labels_.settings_, *regions));
+}
+
 void ElementLabels::Pass::add(std::size_t n) {
     const Label& label = labels_.planner_.labels()[n];
     Group& group = group_of(label);
     const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
-    if (input != nullptr && most_of(label) != LabelLevel::none) add(n, *input);
+    if (input == nullptr || std::max(label.level, label.wanted) == LabelLevel::none) return;
+    const LabelLevel most = most_of(label, *input);
+    lowered_ += most < label.level ? 1 : 0;
+    if (most != LabelLevel::none) add(n, *input, most);
 }
 
-void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input) {
+/// What stands may show more than at its level: it may have had to wait until others went.
+void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input, LabelLevel most) {
     const Label& label = labels_.planner_.labels()[n];
     const std::uint32_t feature = draw::feature_of(label.key);
     draw::BillboardShape shape;
-    const LabelLevel most = most_of(label);
     if (!draw::billboard_shape(input, feature, sheet_.eye(), most == LabelLevel::name, shape)) return;
     const draw::Rect decided = room_of(label, shape);
     draw::BillboardWish wish{label.side, label.stem, n < protected_ ? &markers_ : nullptr, n};
-    LabelLevel level = label.level;
-    if (!left_.is_empty() && label.wanted == LabelLevel::name && find_left_room(label, shape, input.layer, wish))
+    LabelLevel level = std::min(label.level, most);
+    if (!left_.is_empty() && most == LabelLevel::name && label.wanted == LabelLevel::name &&
+        find_left_room(label, shape, input.layer, wish))
         level = LabelLevel::name;
     if (level == LabelLevel::none && is_left(shape.box.with(draw::SignSide::none))) level = LabelLevel::marker;
     if (level == LabelLevel::none) return;
@@ -270,6 +281,7 @@ void ElementLabels::Pass::add_others() {
 LabelCounts ElementLabels::Pass::count() {
     draw::LabelPlanner& planner = labels_.planner_;
     LabelCounts counts;
+    counts.lowered = lowered_;
     counts.changed = planner.take_gone();
     std::uint32_t expected = 0, shown = 0;
     for (std::uint32_t n = 0; n < labels_.groups_.size(); ++n) expected += planner.suppressed(n);

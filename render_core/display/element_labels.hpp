@@ -6,7 +6,8 @@
 ///
 /// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
 /// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
-/// another side, what terrain hides is not drawn, and both leave their room to others. When another of the display's designs
+/// another side, what terrain hides is not drawn, and both leave their room to others; what gives way in a crowded region leaves
+/// it empty. When another of the display's designs
 /// takes its turn the epoch is decided anew for that one, as seen at its first instant, without a memory, and without foci.
 ///
 /// Of foci, what lies within has marker and name, what lies in the intermediate context its marker, and the rest what the design
@@ -29,6 +30,7 @@ struct LabelCounts {
     std::uint32_t placed = 0;
     std::uint32_t suppressed = 0;  ///< in the picture, but not shown: of too little interest, no room, behind terrain
     std::uint32_t changed = 0;     ///< signs that came, went, or got another look, since the frame before
+    std::uint32_t lowered = 0;     ///< signs that show less than was decided, for the budget of clutter
 };
 
 struct LabelFrame {
@@ -39,7 +41,6 @@ struct LabelFrame {
     base::Time now;           ///< the source's
     double text_px = 16;
     const draw::FrameFoci* foci = nullptr;  ///< null: there are none
-    const Crowding* crowding = nullptr;     ///< null: nothing gives way
 };
 
 /// Whether the technique gives a layer's features icons and names.
@@ -129,8 +130,8 @@ private:
 /// or the symbology covers it, is left to those that gave way.
 class ElementLabels::Pass {
 public:
-    /// All must stay.
-    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs);
+    /// All must stay. `crowding`: null: nothing gives way.
+    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const Crowding* crowding);
     /// What warns, before all other signs; then, in the room that is left, the others.
     void add_protected();
     void add_others();
@@ -147,12 +148,15 @@ private:
     [[nodiscard]] bool find_left_room(const draw::Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
                                       draw::BillboardWish& wish) const;
     [[nodiscard]] draw::Rect marker_room(std::size_t label);
+    [[nodiscard]] draw::LabelLevel most_of(const draw::Label& label, const draw::ElementInput& input) const;
     void add(std::size_t label);
-    void add(std::size_t label, const draw::ElementInput& input);
+    void add(std::size_t label, const draw::ElementInput& input, draw::LabelLevel most);
 
     ElementLabels& labels_;
     draw::BillboardSheet& sheet_;
     Inputs& inputs_;
+    const Crowding* crowding_;
+    std::uint32_t lowered_ = 0;
     std::size_t protected_ = 0;  ///< labels, which come first
     draw::LabelRoom markers_;    ///< of them: their names leave it free
     draw::LabelRoom left_;       ///< decided for labels that do not stand there in this frame

@@ -37,19 +37,19 @@ private:
 };
 
 void DataElements::decide_labels(const ElementFrame& frame, double text_px) {
-    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci, frame.crowding});
+    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci});
 }
 
 void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
-    if (!signs.is_of_one_eye) decide_labels(frame, signs.text_px);
+    if (!signs.is_planned_again) decide_labels(frame, signs.text_px);
     sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
                   static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
     LabelInputs inputs(*this, frame);
-    ElementLabels::Pass labels(labels_, sheet_, inputs);
+    ElementLabels::Pass labels(labels_, sheet_, inputs, frame.crowding);
     labels.add_protected();
     plan_billboards(frame);
     labels.add_others();
-    if (!signs.is_of_one_eye) label_counts_ = labels.count();
+    if (!signs.is_planned_again) label_counts_ = labels.count();
     for (ElementReport& report : reports_) {
         if (report.state != ElementState::shown || !has_labels(*report.element, *report.layer)) continue;
         report.count.drawn = labels_.drawn(*report.element, *report.layer);
@@ -59,6 +59,11 @@ void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs)
     plan_own_winds(frame);
     focus_cues_ = {};
     if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, signs.is_metric);
+}
+
+void DataElements::plan_detail(const ElementFrame& frame) {
+    glyphs_.begin_plan();
+    plan_glyphs(frame, nullptr);
 }
 
 /// Other aircraft and diagrams. Only what is valid now: what is not shown must take no room from what is.

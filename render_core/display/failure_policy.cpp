@@ -297,6 +297,7 @@ private:
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
         if (out_.show_terrain && conditions_.data_are_out_of_date) notice(NoticeLevel::caution, "DATA OUT OF DATE");
+        if (shows_measure()) notice(NoticeLevel::caution, "COLORS SHOW A MEASURE");
         if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC NOT ALL SHOWN");
         if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
         if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
@@ -306,6 +307,9 @@ private:
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");
     }
+
+    /// Nothing lies over the recovery picture.
+    [[nodiscard]] bool shows_measure() const { return conditions_.shows_measure && out_.show_terrain && !out_.unusual_attitude; }
 
     void add_phase_notices() {
         if (conditions_.phase.switch_fault) {

@@ -35,6 +35,7 @@ struct DisplayConditions {
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
     bool is_reduced = false;            ///< for the frame's deadline, and the design asks that this is said
+    bool shows_measure = false;         ///< of the picture, over it: its colours say something else
     bool is_map = false;                ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 

@@ -93,10 +93,6 @@ void note_elements(const ElementReports& reports, FrameRecord& record) {
     }
 }
 
-void note_crowding(const scene::DetailRegions& regions, FrameRecord& record) {
-    for (const float factor : regions.factor) record.crowded_regions += factor < 1 ? 1 : 0;
-}
-
 void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record) {
     AspectRecord* const main[] = {&record.terrain_aspect, &record.data_aspect, &record.uncertainty_aspect};
     for (std::size_t n = 0; n < priority.count(); ++n) {

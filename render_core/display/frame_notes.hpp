@@ -19,7 +19,6 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record);
 /// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.
-void note_crowding(const scene::DetailRegions& regions, FrameRecord& record);
 /// The weight of each aspect, and of which one something has raised it.
 void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
 void note_budget(const effects::BudgetReport& report, FrameRecord& record);

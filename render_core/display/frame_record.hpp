@@ -12,6 +12,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/distortion.hpp"
 #include "render_core/display/terrain_light.hpp"
+#include "render_core/effects/clutter_budget.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
@@ -74,7 +75,7 @@ struct DataRecord {
 
 /// Of icons and names; labels are names.
 struct LabelRecord {
-    std::uint32_t placed = 0, suppressed = 0, changed = 0;  ///< display::LabelCounts
+    std::uint32_t placed = 0, suppressed = 0, changed = 0, lowered = 0;  ///< display::LabelCounts
 };
 
 /// Values of an attribute that lie in a focus of space.
@@ -110,6 +111,14 @@ struct GovernorRecord {
     base::FixedString<63> why;
 };
 
+/// How the budget of clutter was held (display/clutter_control.hpp).
+struct ClutterRecord {
+    double budget = 1;                  ///< 1: none is held
+    effects::ClutterMeasures measured;  ///< that it follows from, the newest
+    scene::DetailRegions left;          ///< what each region keeps
+    std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
+};
+
 struct FrameRecord {
     std::uint64_t frame = 0;
     base::Time time;
@@ -136,7 +145,7 @@ struct FrameRecord {
     double earlier_share = 0;      ///< of the design before it, which fades out
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
     base::FixedVector<WeightRecord, design::kMaxAspects> weights;
-    std::uint32_t crowded_regions = 0;  ///< in which data give way for the clutter budget
+    ClutterRecord clutter;
 };
 static_assert(std::is_trivially_copyable_v<FrameRecord>);
 

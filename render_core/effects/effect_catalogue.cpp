@@ -93,6 +93,10 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
      {Effect::focus_ground, Effect::count_}},
     {Effect::saliency, "saliency", Contribution::content, Need::picture_copy, true, "",
      "a copy of the picture, and some eighty passes at a quarter of its size, an eighth on ES 2; a blended tap"},
+    {Effect::clutter, "clutter", Contribution::content, Need::picture_copy, true, "",
+     "for a budget, twice a second (once on ES 2): edges of the picture, and the scene up to four times; as a view edges of "
+     "every "
+     "picture and a blended tap"},
 }};
 
 constexpr bool is_in_order() {

@@ -40,6 +40,7 @@ enum class Effect : std::uint8_t {
     focus_ground,
     focus_blur,
     saliency,
+    clutter,
     count_
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);

@@ -101,15 +101,16 @@ double GlyphSelection::greatest_degree(const GlyphSummary& summary) const {
     return greatest;
 }
 
-/// By the region of its mean place.
-double GlyphSelection::coarser_where_crowded(const GlyphSummary& summary) const {
-    if (settings_.regions == nullptr) return 1;
+/// Of its detail, 0..1, by the region of its mean place and beside foci.
+double GlyphSelection::given_way(const GlyphSummary& summary) const {
+    if (settings_.regions == nullptr) return 0;
     const glm::dvec3 way = glm::dvec3(summary.place) - eye_;
     const double ahead_m = glm::dot(way, forward_);
-    if (!(ahead_m > 0)) return 1;
+    if (!(ahead_m > 0)) return 0;
     const double kept =
         settings_.regions->at(0.5 + 0.5 * glm::dot(way, right_) / ahead_m, 0.5 + 0.5 * glm::dot(way, down_) / ahead_m);
-    return kept < 1 ? std::pow(settings_.coarsest, settings_.detail * (1 - kept)) : 1;
+    if (settings_.focus == nullptr || kept >= 1) return 1 - kept;
+    return (1 - kept) * (1 - static_cast<double>(step_of(summary)) / GlyphFocus::kSteps);
 }
 
 std::size_t GlyphSelection::step_of(const GlyphSummary& summary) const {
@@ -117,15 +118,16 @@ std::size_t GlyphSelection::step_of(const GlyphSummary& summary) const {
 }
 
 double GlyphSelection::coarser(const GlyphSummary& summary) const {
-    const double crowded = coarser_where_crowded(summary);
+    const double given = given_way(summary);
+    const double crowded = given > 0 ? std::pow(settings_.coarsest, settings_.detail * given) : 1;
     return settings_.focus == nullptr ? crowded : crowded * settings_.focus->coarser[step_of(summary)];
 }
 
 /// By its width in glyphs, however large they are on the screen.
 bool GlyphSelection::stands_for_all(const GlyphSummary& summary) const {
-    if (settings_.focus == nullptr) return false;
+    double across = 1 + (kCrowdedAcross - 1) * given_way(summary);
+    if (settings_.focus != nullptr) across = std::fmax(across, settings_.focus->across[step_of(summary)]);
     const glm::dvec3 sides = 2.0 * glm::dvec3(summary.reach_m) + static_cast<double>(summary.size_m);
-    const double across = settings_.focus->across[step_of(summary)];
     return across > 1 && std::fmax(sides.x, std::fmax(sides.y, sides.z)) <= across * static_cast<double>(summary.size_m);
 }
 

@@ -10,6 +10,9 @@
 /// the view (misplaced ones as well), or in a context that is not shown. What terrain covers is not known here, and counts as
 /// drawn.
 ///
+/// Where regions of the screen keep less of their detail, larger groups are one glyph; so are, however large they are on the
+/// screen, groups of up to kCrowdedAcross of their glyphs across.
+///
 /// The selection depends on nothing but its arguments. Frames  eye and glyphs in ECEF. Memory  from an arena, at start(). Thread
 /// one. Bounded: time grows with the number of glyphs that may be drawn, and with the groups that the view's border cuts.
 #pragma once
@@ -36,6 +39,7 @@ struct GlyphView {
 };
 
 inline constexpr double kCoarsestGlyphs = 8;
+inline constexpr double kCrowdedAcross = 6;  ///< where nothing is kept
 
 /// What foci make of glyphs. Groups that a focus reaches into are shown as without foci; beyond, `coarser` times as large ones
 /// stand for their members, by the greatest degree of any place of the group. Those of a data focus for the glyphs' own values
@@ -60,7 +64,7 @@ struct GlyphSettings {
     double coarsest = kCoarsestGlyphs;
     std::uint32_t most_drawn = 0xFFFFFFFFu;
     const GlyphFocus* focus = nullptr;       ///< null: everything is in the focus
-    const DetailRegions* regions = nullptr;  ///< of the screen, which lower `detail`; null: none does
+    const DetailRegions* regions = nullptr;  ///< of the screen, which lower `detail` beside foci; null: none does
 };
 struct SelectedGlyph {
     GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
@@ -123,7 +127,7 @@ private:
     [[nodiscard]] double greatest_degree(const GlyphSummary& summary) const;
     [[nodiscard]] std::size_t step_of(const GlyphSummary& summary) const;
     [[nodiscard]] double coarser(const GlyphSummary& summary) const;
-    [[nodiscard]] double coarser_where_crowded(const GlyphSummary& summary) const;
+    [[nodiscard]] double given_way(const GlyphSummary& summary) const;
     [[nodiscard]] bool stands_for_all(const GlyphSummary& summary) const;
     [[nodiscard]] std::uint8_t degree_of(const GlyphSummary& summary) const;
 

@@ -21,12 +21,12 @@ private:
 
 /// The first epoch of a view.
 inline void decide_labels(draw::LabelPlanner& planner, const draw::ElementInput& input, const draw::SignView& view,
-                          const design::LabelSettings& settings = {}, const scene::DetailRegions* regions = nullptr) {
+                          const design::LabelSettings& settings = {}) {
     const draw::Rect screen{0, 0, static_cast<float>(view.view.width), static_cast<float>(view.view.height)};
     planner.forget();
     planner.begin({1, screen, view.text_px}, settings);
     EXPECT_TRUE(planner.add_group(draw::label_group(input)));
-    draw::offer_features(input, 0, view, settings, planner, regions);
+    draw::offer_features(input, 0, view, settings, planner);
     LabelShapesOfTest shapes(input, view);
     planner.settle(shapes);
 }

@@ -31,6 +31,11 @@ double down(const glm::dvec3& from_eye, const terrain::View& view) {
     return 0.5 * glm::dot(from_eye, view.down) / (glm::dot(from_eye, view.forward) * view.half_height_tangent());
 }
 
+glm::dvec3 way_to(const scene::ScenePoint& anchor, const terrain::View& view) {
+    const double height_m = std::isnan(anchor.height_m) ? 0 : static_cast<double>(anchor.height_m);
+    return earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {height_m}}) - view.eye;
+}
+
 /// Of a layer that steps back beside the foci.
 bool is_in_focus(const ElementInput& input, std::uint32_t feature) {
     return input.foci != nullptr && input.foci->frame() != nullptr && input.foci->degree(input, feature) >= 1;
@@ -77,7 +82,7 @@ LabelGroup label_group(const ElementInput& input) {
 }
 
 void offer_features(const ElementInput& input, std::uint32_t group, const SignView& view, const design::LabelSettings& settings,
-                    LabelPlanner& planner, const scene::DetailRegions* regions) {
+                    LabelPlanner& planner) {
     const DegreeOfInterest interest(input.layer, settings);
     const double widest = widest_cosine(view.view);
     const Reach reach(view);
@@ -85,8 +90,7 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         scene::ScenePoint anchor;
         if (!anchor_of(input, feature, anchor) || !reach.may_hold(anchor)) continue;
-        const double height_m = std::isnan(anchor.height_m) ? 0 : static_cast<double>(anchor.height_m);
-        const glm::dvec3 from_eye = earth::to_ecef({anchor.latitude_rad, anchor.longitude_rad, {height_m}}) - view.view.eye;
+        const glm::dvec3 from_eye = way_to(anchor, view.view);
         const double length_m = glm::length(from_eye), distance_m = view.seen_distance_m(length_m);
         if (!(distance_m <= kFarthestBillboard_m)) continue;
         if (glm::dot(from_eye, view.view.forward) <= widest * length_m - kBehind_m) continue;
@@ -97,10 +101,22 @@ void offer_features(const ElementInput& input, std::uint32_t group, const SignVi
             degree = settings.marker_above + kBeyond;
         else if (is_in_focus(input, feature))
             degree = std::fmax(degree, settings.name_above + kBeyond);
-        const double left =
-            regions == nullptr || warns ? 1 : regions->at(0.5 + across(from_eye, view.view), 0.5 + down(from_eye, view.view));
-        planner.offer(label_key(group, feature), left * degree, warns ? DegreeOfInterest::nearness(distance_m) : left * degree);
+        planner.offer(label_key(group, feature), degree, warns ? DegreeOfInterest::nearness(distance_m) : degree);
     }
+}
+
+LabelLevel level_left(const ElementInput& input, std::uint32_t feature, const SignView& view,
+                      const design::LabelSettings& settings, const scene::DetailRegions& regions) {
+    scene::ScenePoint anchor;
+    if (is_protected(input.layer) || is_in_focus(input, feature) || !anchor_of(input, feature, anchor)) return LabelLevel::name;
+    const glm::dvec3 from_eye = way_to(anchor, view.view);
+    if (!(glm::dot(from_eye, view.view.forward) > 0)) return LabelLevel::name;
+    const double left = regions.at(0.5 + across(from_eye, view.view), 0.5 + down(from_eye, view.view));
+    if (left >= 1) return LabelLevel::name;
+    const double distance_m = view.seen_distance_m(glm::length(from_eye));
+    const double degree = left * DegreeOfInterest(input.layer, settings).of(feature, distance_m) + LabelPlanner::kHeldBonus;
+    if (degree >= settings.name_above) return LabelLevel::name;
+    return degree >= settings.marker_above && !label_group(input).only_named ? LabelLevel::marker : LabelLevel::none;
 }
 
 LabelShape label_shape(const ElementInput& input, std::uint32_t feature, const SignView& view) {

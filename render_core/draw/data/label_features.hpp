@@ -23,7 +23,11 @@ inline constexpr double kMostPlaces = 24;  ///< of a picture with less than all 
 [[nodiscard]] LabelGroup label_group(const ElementInput& input);
 /// All features of a group that may be in the picture, after its add_group().
 void offer_features(const ElementInput& input, std::uint32_t group, const SignView& view, const design::LabelSettings& settings,
-                    LabelPlanner& planner, const scene::DetailRegions* regions = nullptr);
+                    LabelPlanner& planner);
+/// The most that is left of a label where the view's regions keep less of their detail: names and markers of what keeps too
+/// little interest give way, a little later than they came. What warns, and what is in a focus, keeps all.
+[[nodiscard]] LabelLevel level_left(const ElementInput& input, std::uint32_t feature, const SignView& view,
+                                    const design::LabelSettings& settings, const scene::DetailRegions& regions);
 [[nodiscard]] LabelShape label_shape(const ElementInput& input, std::uint32_t feature, const SignView& view);
 
 }  // namespace tedavis::draw

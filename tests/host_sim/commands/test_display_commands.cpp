@@ -6,8 +6,9 @@ namespace {
 using Displays = test_support::ParsedCommands<add_displays>;
 
 TEST_F(Displays, OptionsReachTheReplay) {
-    parse({"replay", "f.log", "--terrain", "x.tdb", "--size",   "320x240",         "--gl",       "osmesa", "--from", "2.5",
-           "--step", "-1",    "--frames",  "hash",  "--ledger", "--force-effects", "--saliency", "heat",   "-o",     "run"});
+    parse({"replay",     "f.log", "--terrain", "x.tdb", "--size",   "320x240", "--gl",     "osmesa",
+           "--from",     "2.5",   "--step",    "-1",    "--frames", "hash",    "--ledger", "--force-effects",
+           "--saliency", "heat",  "--clutter", "edges", "-o",       "run"});
     EXPECT_EQ(line.replay.log, "f.log");
     EXPECT_EQ(line.replay.picture.terrain, "x.tdb");
     ASSERT_TRUE(line.replay.picture.size.has_value());
@@ -19,6 +20,7 @@ TEST_F(Displays, OptionsReachTheReplay) {
     EXPECT_TRUE(line.replay.ledger);
     EXPECT_TRUE(line.replay.picture.force_effects);
     EXPECT_EQ(line.replay.picture.saliency, design::SaliencyView::heat);
+    EXPECT_EQ(line.replay.picture.clutter, design::ClutterView::edges);
 }
 
 TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {

@@ -37,6 +37,7 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_FALSE(loaded.picture.tau_px);
     EXPECT_FALSE(loaded.picture.force_effects);
     EXPECT_FALSE(loaded.picture.saliency);
+    EXPECT_FALSE(loaded.picture.clutter);
     EXPECT_FALSE(loaded.from_s || loaded.to_s || loaded.step_s || loaded.frames);
 }
 
@@ -58,6 +59,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.tau_px = 0.3;
     options.picture.force_effects = true;
     options.picture.saliency = design::SaliencyView::map;
+    options.picture.clutter = design::ClutterView::regions;
     options.picture.deadline_ms = 16.7;
     options.picture.costs = "/data/costs.toml";
     options.picture.foci = {R"(at = "place", place = "A \"B\"")", "radius_m = 700"};
@@ -82,6 +84,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.tau_px, options.picture.tau_px);
     EXPECT_TRUE(loaded.picture.force_effects);
     EXPECT_EQ(loaded.picture.saliency, design::SaliencyView::map);
+    EXPECT_EQ(loaded.picture.clutter, design::ClutterView::regions);
 }
 
 TEST(ReplayConfig, PathsHoldWhereverTheFileGoes) {

@@ -38,11 +38,14 @@ TEST(PlanLines, DataAndEffectsAreCountedAndNamed) {
         "effects": [{"name": "haze", "state": "run"}, {"name": "data.solid", "state": "run"}, {"name": "haze", "state": "run"},
                     {"name": "soft_shadows", "state": "replaced", "replaced_by": "shade"}, {"name": "fog", "state": "skipped"}],
         "foci": [{"name": "HERE", "shown": true}, {"name": "THERE", "shown": false}],
+        "labels": {"placed": 3, "suppressed": 1, "lowered": 2},
+        "clutter": {"budget": 0.1, "gives_way": ["wind", "place"], "regions": [{"detail": 0.5}, {"detail": 1.0}, {"detail": 0.25}]},
         "own_ship": {"alt_msl_m": 10.2, "heading_deg": 1, "pitch_deg": -0.2, "roll_deg": 0}})");
     const PlanLines lines = plan_lines(record);
     EXPECT_EQ(words_of(lines, "data drawn"), "wind 68 of 400, no go 2");
     EXPECT_EQ(words_of(lines, "effects run"), "haze");
     EXPECT_EQ(words_of(lines, "replaced"), "soft shadows by shade");
+    EXPECT_EQ(words_of(lines, "gives way"), "wind, place in 2 regions; 2 signs");
     EXPECT_EQ(words_of(lines, "foci"), "HERE");
     EXPECT_EQ(words_of(lines, "own ship"), "10 m MSL, heading 1°, pitch 0°, roll 0°") << "no minus before zero";
 }
@@ -50,7 +53,8 @@ TEST(PlanLines, DataAndEffectsAreCountedAndNamed) {
 TEST(PlanLines, WhatIsMissingIsLeftOut) {
     EXPECT_TRUE(plan_lines(nlohmann::ordered_json::object()).empty());
     EXPECT_TRUE(
-        plan_lines(nlohmann::ordered_json::parse(R"({"presentation": 3, "data": [], "effects": {}, "foci": 1})")).empty());
+        plan_lines(nlohmann::ordered_json::parse(R"({"presentation": 3, "data": [], "effects": {}, "foci": 1, "clutter": null})"))
+            .empty());
 }
 
 }  // namespace

@@ -39,10 +39,11 @@ struct Frame {
     double tau_px = 0;
     display::LabelRecord labels{};
     double terrain_weight = 1;
+    bool gives_way = false;  ///< for the budget of clutter
     bool operator==(const Frame& o) const {
-        return terrain_weight == o.terrain_weight && hash == o.hash && pending == o.pending && triangles == o.triangles &&
-               tau_px == o.tau_px && labels.placed == o.labels.placed && labels.suppressed == o.labels.suppressed &&
-               labels.changed == o.labels.changed;
+        return terrain_weight == o.terrain_weight && gives_way == o.gives_way && hash == o.hash && pending == o.pending &&
+               triangles == o.triangles && tau_px == o.tau_px && labels.placed == o.labels.placed &&
+               labels.suppressed == o.labels.suppressed && labels.changed == o.labels.changed;
     }
 };
 
@@ -64,7 +65,8 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
                                   terrain.triangles,
                                   terrain.tau_reached_px,
                                   session.display().record().labels,
-                                  session.display().record().weights[0].weight};
+                                  session.display().record().weights[0].weight,
+                                  !session.display().record().clutter.left.is_whole()};
     }
     return frames;
 }
@@ -312,6 +314,40 @@ TEST(FrameApproach, RaisedWeightsAreTheSameHoweverAFrameIsReached) {
     for (const double frames : {3.0, -1.0})
         EXPECT_EQ(differences(all, run(weighed(0, frames * kStep_s), true)), 0u) << "every " << frames << "th";
     EXPECT_GT(differences(all, run(weighed(90 * kStep_s, kStep_s), false)), 0u) << "control";
+}
+
+/// Names give way where there are many; on the small lane for two epochs of a second, else for four of half a second.
+ReplayOptions budgeted(double from_s, double step_s, const char* device) {
+    const std::string priority = "[priority]\nterrain = 1\ndata = 0.6\nclutter_budget = 0.05\n" + kPlaces;
+    static const std::string kClimb = files().folder.write(
+        "budgeted_climb.toml",
+        "name = \"climb\"\n[effects]\nfade_s = 0.5\n[phases]\ncruise = \"budgeted_cruise.toml\"\n" + priority);
+    static const std::string kCruise = files().folder.write(
+        "budgeted_cruise.toml", "name = \"cruise\"\n[effects]\nfade_s = 0.5\n[labels]\nmost_changes = 20\n" + priority);
+    ReplayOptions o = of_two_designs(from_s, 4, step_s);
+    o.picture.design = kClimb;
+    o.picture.device = device;
+    o.picture.scene = crowded_scene();
+    return o;
+}
+
+TEST(FrameApproach, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
+    for (const char* const device : {"es3-mid", "es2-small"}) {
+        const auto all = run(budgeted(0, kStep_s, device), true);
+        std::size_t giving_way = 0;
+        std::uint32_t lowered = 0;
+        for (const auto& [time, frame] : all) {
+            giving_way += frame.gives_way ? 1 : 0;
+            lowered = std::max(lowered, frame.labels.lowered);
+        }
+        ASSERT_GT(giving_way, all.size() / 2) << device;
+        ASSERT_GT(lowered, 1u) << device;
+        for (const double frames : {1.0, 16.0, 48.0, 49.0, 59.0, 60.0, 61.0, 90.0})
+            EXPECT_EQ(differences(all, run(budgeted(frames * kStep_s, kStep_s, device), true)), 0u) << "from frame " << frames;
+        for (const double frames : {7.0, -15.0})
+            EXPECT_EQ(differences(all, run(budgeted(0, frames * kStep_s, device), true)), 0u) << "every " << frames << "th";
+        EXPECT_GT(differences(all, run(budgeted(100 * kStep_s, kStep_s, device), false)), 0u) << "control";
+    }
 }
 
 }  // namespace

@@ -56,6 +56,17 @@ TEST(ViewEffects, APictureForEachEye) {
     EXPECT_NE(read("[stereo]\nmode = \"quad_buffer\"\n", effects).find("choose side_by_side or anaglyph"), std::string::npos);
 }
 
+TEST(ViewEffects, ClutterHasAView) {
+    ViewEffects effects;
+    EXPECT_EQ(effects.clutter, ClutterView::none);
+    EXPECT_FALSE(shows_measure(effects));
+    EXPECT_EQ(read("[clutter]\n", effects), "");
+    EXPECT_EQ(effects.clutter, ClutterView::edges);
+    EXPECT_TRUE(shows_measure(effects));
+    EXPECT_EQ(read("[clutter]\nview = \"regions\"\n", effects), "");
+    EXPECT_EQ(effects.clutter, ClutterView::regions);
+}
+
 TEST(ViewEffects, TheSaliencyMapHasAViewAndAScale) {
     ViewEffects effects;
     EXPECT_EQ(effects.saliency.view, SaliencyView::none);
@@ -84,7 +95,8 @@ TEST(ViewEffects, WhatHasNoMeaningIsRefused) {
          {"[depth_of_field]\nblur_px = 0\n", "[depth_of_field]\nblur_px = 9\n",
           "[depth_of_field]\nfocus_near_m = 5000\nfocus_far_m = 4000\n", "[depth_of_field]\nlayers = \"symbology\"\n",
           "[depth_of_field]\nfocus_role = \"storm\"\n", "antialiasing = 1\n", "lighting = \"quad\"\n", "[stereo]\nbase_m = 0\n",
-          "[stereo]\nmode = \"vr\"\n", "[saliency]\nview = \"none\"\n", "[saliency]\nscale = 2\n", "bloom = true\n"})
+          "[stereo]\nmode = \"vr\"\n", "[clutter]\nview = \"none\"\n", "[saliency]\n[clutter]\n", "[saliency]\nview = \"none\"\n",
+          "[saliency]\nscale = 2\n", "bloom = true\n"})
         EXPECT_NE(read(text, effects).find("d.toml:"), std::string::npos) << text;
 }
 

@@ -7,18 +7,16 @@ namespace {
 
 using scene::LayerRole;
 
-effects::ClutterMap cluttered(std::size_t region) {
-    effects::ClutterMap map;
-    map.is_known = true;
-    map.measure[region] = 0.9f;
-    return map;
+scene::DetailRegions crowded(std::size_t region) {
+    scene::DetailRegions regions;
+    regions.factor[region] = 0.5f;
+    return regions;
 }
 
 /// Terrain first, then obstacles, then all other data.
 design::PrioritySettings priority_of(double terrain, double data, double obstacles) {
     design::PrioritySettings priority;
     priority.is_stated = true;
-    priority.clutter_budget = 0.3;
     priority.weights.of[design::kTerrainAspect] = terrain;
     priority.weights.of[design::kDataAspect] = data;
     priority.weights.of[design::kUncertaintyAspect] = 0.2;
@@ -36,7 +34,7 @@ bool gives_way(const Crowding& crowding, LayerRole role, design::DataTechnique t
 }
 
 TEST(Crowding, WhatComesFirstNeverGivesWay) {
-    const effects::ClutterMap map = cluttered(9);
+    const scene::DetailRegions map = crowded(9);
     const design::PrioritySettings data = priority_of(0.3, 1, 0.5), terrain = priority_of(1, 0.3, 1);
     const Crowding in_cruise = crowding_of(map, data, data.weights), low = crowding_of(map, terrain, terrain.weights);
     EXPECT_FALSE(gives_way(in_cruise, LayerRole::wind));
@@ -50,13 +48,18 @@ TEST(Crowding, WhatComesFirstNeverGivesWay) {
         << "raised for the moment";
 }
 
-TEST(Crowding, WithinTheBudgetNothingGivesWay) {
+TEST(Crowding, WhereAllRegionsKeepAllNothingGivesWay) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 0.3);
-    EXPECT_FALSE(gives_way(crowding_of({}, priority, priority.weights), LayerRole::wind)) << "nobody measures";
-    design::PrioritySettings without = priority;
-    without.clutter_budget = 1;
-    EXPECT_FALSE(gives_way(crowding_of(cluttered(9), without, without.weights), LayerRole::wind));
-    EXPECT_TRUE(gives_way(crowding_of(cluttered(9), priority, priority.weights), LayerRole::wind)) << "control";
+    EXPECT_FALSE(gives_way(crowding_of({}, priority, priority.weights), LayerRole::wind));
+    EXPECT_TRUE(gives_way(crowding_of(crowded(9), priority, priority.weights), LayerRole::wind)) << "control";
+}
+
+TEST(Crowding, AtMostEverythingButWhatComesFirstKeepsTheLeast) {
+    const design::PrioritySettings priority = priority_of(1, 0.3, 1);
+    const Crowding most = crowding_of(effects::least_detail(), priority, priority.weights);
+    for (const float factor : most.regions.factor) EXPECT_EQ(factor, static_cast<float>(effects::kLeastDetailLeft));
+    EXPECT_TRUE(gives_way(most, LayerRole::wind));
+    EXPECT_FALSE(gives_way(most, LayerRole::obstacle));
 }
 
 }  // namespace

@@ -76,8 +76,9 @@ TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
 
 TEST(WithoutEffect, ADesignAsksForEverythingButThat) {
     design::DesignSettings whole = design_with_everything();
-    for (const Effect effect : {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo,
-                                Effect::cross_fade, Effect::soft_shadows, Effect::volumetric_light, Effect::saliency}) {
+    for (const Effect effect :
+         {Effect::depth_of_field, Effect::antialiasing, Effect::panel_lighting, Effect::stereo, Effect::cross_fade,
+          Effect::soft_shadows, Effect::volumetric_light, Effect::saliency, Effect::clutter}) {
         EXPECT_FALSE(asked_effects(whole).has(effect));
         whole = with_effect(whole, effect);
     }
@@ -115,6 +116,28 @@ TEST_F(EffectCalls, WhatLacksItsInputSaysWhich) {
     EXPECT_EQ(call(Effect::adjacent).why, "there is no room beside the symbology and the legends");
     for (const Effect effect : {Effect::drape, Effect::moving_sun, Effect::ground_data, Effect::adjacent})
         EXPECT_EQ(call(effect).kind, Kind::no_input);
+}
+
+TEST_F(EffectCalls, ClutterIsMeasuredWhereSomethingGivesWay) {
+    facts_.asked.add(Effect::clutter);
+    EXPECT_EQ(call(Effect::clutter).kind, Kind::not_called_for);
+    EXPECT_EQ(call(Effect::clutter).why, "nothing is shown that gives way");
+    facts_.has_what_gives_way = true;
+    EXPECT_EQ(call(Effect::clutter).kind, Kind::called);
+    facts_.is_stereo = true;
+    EXPECT_EQ(call(Effect::clutter).kind, Kind::no_input);
+    facts_.shows_clutter = true;
+    EXPECT_EQ(call(Effect::clutter).kind, Kind::called) << "as a view";
+}
+
+TEST(AskedEffects, ABudgetOfClutterAsksForItsMeasure) {
+    design::DesignSettings design = design_with_everything();
+    EXPECT_FALSE(asked_effects(design).has(Effect::clutter));
+    design.priority.clutter_budget = 0.2;
+    EXPECT_FALSE(asked_effects(design).has(Effect::clutter)) << "nothing comes first";
+    design.priority.is_stated = true;
+    EXPECT_TRUE(asked_effects(design).has(Effect::clutter));
+    EXPECT_EQ(without_effect(design, Effect::clutter).priority.clutter_budget, 1);
 }
 
 TEST_F(EffectCalls, FromFarAwayThereIsNeitherHazeNorSilhouette) {

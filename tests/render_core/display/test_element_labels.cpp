@@ -54,7 +54,7 @@ public:
         room.view = turned.view;
         room.begin();
         decide(now_s, time);
-        ElementLabels::Pass pass(labels, room.sheet, *this);
+        ElementLabels::Pass pass(labels, room.sheet, *this, crowding);
         pass.add_protected();
         pass.add_others();
         return pass.count();
@@ -73,6 +73,7 @@ public:
     BillboardRoom room;
     design::LabelSettings settings;
     bool shows_places = true;
+    const Crowding* crowding = nullptr;
 
 private:
     const draw::ElementInput* input(const design::DataElement& element, const scene::Layer& layer) override {
@@ -108,6 +109,29 @@ TEST(ElementLabels, AllElementsAreCountedAsOne) {
     EXPECT_EQ(without.suppressed, 3u);
     shown.labels.rest();
     EXPECT_EQ(shown.frame(10.8).changed, 2u) << "after a frame without signs they come anew";
+}
+
+/// In the left half of the picture, as the epoch saw it.
+TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
+    Crowding crowding;
+    crowding.roles = 1u << static_cast<unsigned>(LayerRole::place) | 1u << static_cast<unsigned>(LayerRole::obstacle);
+    for (std::size_t n = 0; n < crowding.regions.factor.size(); ++n)
+        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowding.regions.factor[n] = 0.25f;
+    Shown shown(
+        scene_of({layer_of("places", LayerRole::place, {-1000, 1000}), layer_of("masts", LayerRole::obstacle, {-500, 1500})}));
+    EXPECT_EQ(shown.frame(10).lowered, 0u);
+    EXPECT_EQ(shown.drawn(0), 2u);
+    shown.crowding = &crowding;
+    const LabelCounts crowded = shown.frame(10.1);
+    EXPECT_EQ(crowded.lowered, 1u);
+    EXPECT_EQ(crowded.placed, 3u);
+    EXPECT_EQ(crowded.suppressed, 1u);
+    EXPECT_EQ(shown.drawn(0), 1u);
+    EXPECT_EQ(shown.drawn(1), 2u);
+    EXPECT_EQ(shown.frame(10.2, 12).lowered, 1u) << "within an epoch nothing comes and goes with a turn";
+    EXPECT_EQ(shown.frame(10.6, 40).lowered, 2u) << "as seen by the next one both are on the left";
+    crowding.roles = 0;
+    EXPECT_EQ(shown.frame(10.7, 40).lowered, 0u);
 }
 
 /// The mast is listed after the place, of less interest, and at the same spot.

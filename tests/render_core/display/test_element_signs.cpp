@@ -41,7 +41,7 @@ TEST_F(ElementSigns, APictureForEachEyeIsNoFrameOfItsOwn) {
     plan_signs({kText_px});
     const LabelCounts counts = elements_.label_counts();
     SignFrame of_one_eye{kText_px};
-    of_one_eye.is_of_one_eye = true;
+    of_one_eye.is_planned_again = true;
     plan_signs(of_one_eye);
     EXPECT_EQ(elements_.label_counts().changed, counts.changed);
     EXPECT_GT(elements_.reports()[0].count.drawn, 0u);

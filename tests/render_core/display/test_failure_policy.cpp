@@ -290,6 +290,19 @@ TEST(FailurePolicy, AReducedPictureIsSaidWhereAskedFor) {
     EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "PICTURE REDUCED"));
 }
 
+/// Its heat changes the colours of warnings too.
+TEST(FailurePolicy, AMeasureOverThePictureIsSaidWhereItIsShown) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+    conditions.shows_measure = true;
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+    AircraftState steep = everything_valid();
+    steep[Signal::pitch] = {base::radians(40), kPolicyNow};
+    EXPECT_FALSE(has_notice(decide_on(steep, conditions), "COLORS SHOW A MEASURE")) << "the recovery picture";
+    conditions.terrain = TerrainSource::failed;
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+}
+
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {
     DisplayConditions conditions = good_conditions();
     conditions.phase.switch_fault = true;
@@ -319,7 +332,7 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
         conditions.terrain = static_cast<TerrainSource>((random >> 20) % 4);
         conditions.phase.switch_fault = conditions.phase.disagreement = conditions.generated_flight = true;
         conditions.terrain_is_coarse = conditions.image_is_missing = conditions.data_are_out_of_date = conditions.is_reduced =
-            true;
+            conditions.shows_measure = true;
         const DisplayDecisions decisions = decide_on(state, conditions);
         const bool known = state.is_valid(Signal::pitch, kPolicyNow) && state.is_valid(Signal::roll, kPolicyNow) &&
                            state.own_ship.state == SignalState::valid && decisions.view_heading != Signal::count_;

@@ -1,6 +1,7 @@
 // What foci change of the ground in whole frames: when, by which effect, and that nothing changes where none is anywhere.
 #include <gtest/gtest.h>
 
+#include "render_core/display/effect_calls.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::display::test_ground_foci {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace tedavis::effects::test_clutter_budget {
 namespace {
+
+constexpr std::size_t kRegion = scene::DetailRegions::kAcross * 2 + 3;
 
 ClutterMap of(float measure) {
     ClutterMap map;
@@ -14,35 +17,78 @@ ClutterMap of(float measure) {
     return map;
 }
 
+double left(float whole, float least, double budget) {
+    return static_cast<double>(detail_within({of(whole), of(least), {}}, budget).factor[kRegion]);
+}
+
 TEST(ClutterBudget, OnlyRegionsBeyondItLoseDetail) {
-    ClutterMap map = of(0.2f);
-    map.measure[scene::DetailRegions::kAcross * 2 + 3] = 0.8f;
-    const scene::DetailRegions regions = detail_within(map, 0.4);
+    ClutterMeasures measures{of(0.2f), of(0.1f), {}};
+    measures.whole.measure[kRegion] = 0.5f;
+    const scene::DetailRegions regions = detail_within(measures, 0.4);
     for (std::size_t n = 0; n < regions.factor.size(); ++n)
-        EXPECT_FLOAT_EQ(regions.factor[n], n == scene::DetailRegions::kAcross * 2 + 3 ? 0.5f : 1.0f) << n;
-    EXPECT_FLOAT_EQ(static_cast<float>(regions.at(3.5 / 8, 2.5 / 6)), 0.5f);
+        EXPECT_FLOAT_EQ(regions.factor[n], n == kRegion ? 0.8125f : 1.0f) << n << ": a quarter of the way to a quarter of detail";
+    EXPECT_FLOAT_EQ(static_cast<float>(regions.at(3.5 / 8, 2.5 / 6)), 0.8125f);
     EXPECT_EQ(regions.at(2.99 / 8, 2.5 / 6), 1);
     EXPECT_EQ(regions.at(4.01 / 8, 2.5 / 6), 1);
     EXPECT_EQ(regions.at(-3, 9), 1) << "beyond the screen";
     EXPECT_FALSE(regions.is_whole());
 }
 
+/// The model is what it says: a picture whose density changes in proportion comes to lie on the budget.
+TEST(ClutterBudget, InProportionTheBudgetIsHeldExactlyWhereItCanBe) {
+    for (const double budget : {0.1, 0.25, 0.4})
+        for (float whole = 0.05f; whole < 0.9f; whole += 0.07f)
+            for (float least = 0.01f; least < whole - 0.01f; least += 0.05f) {
+                const double lost = (1 - left(whole, least, budget)) / (1 - kLeastDetailLeft);
+                const double reached = static_cast<double>(whole) - lost * static_cast<double>(whole - least);
+                EXPECT_NEAR(reached, std::max(std::min(budget, static_cast<double>(whole)), static_cast<double>(least)), 1e-6);
+            }
+}
+
+TEST(ClutterBudget, WhereWhatWasTriedIsNotEnoughTheLeastIsLeft) {
+    ClutterMeasures measures{of(0.5f), of(0.1f), {}};
+    const float in_proportion = tried_detail(measures, 0.4).factor[kRegion];
+    ASSERT_GT(in_proportion, 0.5f);
+    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], in_proportion) << "nobody tried";
+    measures.tried = of(0.39f);
+    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], in_proportion);
+    measures.tried = of(0.45f);
+    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], static_cast<float>(kLeastDetailLeft));
+    measures.least = of(0.5f);
+    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], 1) << "giving way helps nothing";
+}
+
 TEST(ClutterBudget, MoreClutterOrLessBudgetNeverLeavesMore) {
-    for (float measure = 0; measure < 1; measure += 0.05f)
+    for (float whole = 0.1f; whole < 0.9f; whole += 0.05f)
         for (double budget = 0; budget <= 1; budget += 0.05) {
-            const auto left = [](float clutter, double allowed) { return detail_within(of(clutter), allowed).factor[0]; };
-            EXPECT_GE(left(measure, budget), left(measure + 0.05f, budget));
-            EXPECT_GE(left(measure, budget + 0.05), left(measure, budget));
-            EXPECT_GE(left(measure, budget), static_cast<float>(kLeastDetailLeft));
+            EXPECT_GE(left(whole, 0.05f, budget), left(whole + 0.05f, 0.05f, budget));
+            EXPECT_GE(left(whole, 0.05f, budget + 0.05), left(whole, 0.05f, budget));
+            EXPECT_GE(left(whole, 0.05f, budget), kLeastDetailLeft);
         }
 }
 
+TEST(ClutterBudget, WhereGivingWayHelpsNothingNothingGivesWay) {
+    EXPECT_EQ(left(0.8f, 0.8f, 0.2), 1) << "clutter of the terrain's own";
+    EXPECT_EQ(left(0.8f, 0.9f, 0.2), 1) << "fewer glyphs that are larger have more edges";
+    EXPECT_EQ(left(0.8f, 0.5f, 0.2), kLeastDetailLeft) << "control: it helps, but not enough";
+}
+
 TEST(ClutterBudget, WhatIsNotKnownTakesNothingAway) {
-    ClutterMap unknown = of(1);
-    unknown.is_known = false;
-    EXPECT_TRUE(detail_within(unknown, 0.1).is_whole());
-    EXPECT_TRUE(detail_within(of(std::numeric_limits<float>::quiet_NaN()), 0.1).is_whole());
-    EXPECT_TRUE(detail_within(of(1), 1).is_whole()) << "no budget";
+    ClutterMeasures measures{of(0.8f), of(0.1f), {}};
+    EXPECT_FALSE(detail_within(measures, 0.1).is_whole()) << "control";
+    EXPECT_TRUE(is_beyond(measures.whole, 0.1)) << "control";
+    EXPECT_TRUE(detail_within(measures, 1).is_whole()) << "no budget";
+    EXPECT_FALSE(is_beyond(of(1), 1)) << "no budget";
+    measures.least.is_known = false;
+    EXPECT_TRUE(detail_within(measures, 0.1).is_whole());
+    measures = {of(0.8f), of(0.1f), {}};
+    measures.whole.is_known = false;
+    EXPECT_TRUE(detail_within(measures, 0.1).is_whole());
+    EXPECT_FALSE(is_beyond(measures.whole, 0.1));
+    const ClutterMap no_number = of(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_TRUE(detail_within({no_number, of(0), {}}, 0.1).is_whole());
+    EXPECT_TRUE(detail_within({of(0.8f), no_number, {}}, 0.1).is_whole());
+    EXPECT_FALSE(is_beyond(no_number, 0.1));
 }
 
 }  // namespace

@@ -85,27 +85,59 @@ TEST(LabelFeatures, WhatWarnsIsProtected) {
     EXPECT_EQ(label_group(place.input()).named_share, 0.5);
 }
 
-/// Of equal interest, one on each side of the picture.
-TEST(LabelFeatures, InACrowdedRegionWhatDoesNotWarnIsOfLessInterest) {
+scene::DetailRegions crowded_on_the_left(float factor) {
     scene::DetailRegions crowded;
     for (std::size_t n = 0; n < crowded.factor.size(); ++n)
-        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowded.factor[n] = 0.25f;
+        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowded.factor[n] = factor;
+    return crowded;
+}
+
+/// Of equal interest, one on each side of the picture.
+TEST(LabelFeatures, InACrowdedRegionWhatDoesNotWarnGivesWay) {
+    const scene::DetailRegions crowded = crowded_on_the_left(0.25f);
     for (const scene::LayerRole role : {scene::LayerRole::sample, scene::LayerRole::obstacle}) {
         ElementOfTest test(layer_of({BillboardRoom::point(9000, -2000, 1000), BillboardRoom::point(9000, 2000, 1000)}, role));
         const BillboardRoom room;
-        std::vector<unsigned char> block(1u << 16);
-        base::Arena arena(block.data(), block.size());
-        LabelPlanner planner;
-        ASSERT_TRUE(planner.start(arena));
-        const ElementInput input = test.input();
-        test_support::decide_labels(planner, input, room.sheet.eye(), {}, &crowded);
-        std::set<std::uint32_t> shown;
-        for (const Label& label : planner.labels())
-            if (label.level != LabelLevel::none) shown.insert(feature_of(label.key));
-        const std::set<std::uint32_t> expected =
-            role == scene::LayerRole::sample ? std::set<std::uint32_t>{1} : std::set<std::uint32_t>{0, 1};
-        EXPECT_EQ(shown, expected);
+        const auto left = [&](std::uint32_t feature) {
+            return level_left(test.input(), feature, room.sheet.eye(), design::LabelSettings(), crowded);
+        };
+        EXPECT_EQ(left(0), role == scene::LayerRole::sample ? LabelLevel::none : LabelLevel::name);
+        EXPECT_EQ(left(1), LabelLevel::name);
     }
+}
+
+TEST(LabelFeatures, TheLessARegionKeepsTheMoreOfALabelGivesWay) {
+    ElementOfTest sample(layer_of({BillboardRoom::point(9000, -2000, 1000)}, scene::LayerRole::sample));
+    ElementOfTest place(layer_of({BillboardRoom::point(9000, -2000, 1000)}));
+    const BillboardRoom room;
+    design::LabelSettings settings;
+    settings.name_above = 0.4;
+    settings.marker_above = 0.2;
+    const auto level = [&](ElementOfTest& test, float factor) {
+        return level_left(test.input(), 0, room.sheet.eye(), settings, crowded_on_the_left(factor));
+    };
+    std::set<LabelLevel> levels;
+    for (float factor = 1; factor > 0.04f; factor -= 0.05f) {
+        levels.insert(level(sample, factor));
+        EXPECT_GE(level(sample, factor), level(sample, factor - 0.05f));
+        EXPECT_NE(level(place, factor), LabelLevel::marker) << "places without a name have no marker";
+    }
+    EXPECT_EQ(levels.size(), 3u) << "control: all levels occur";
+}
+
+TEST(LabelFeatures, WhatIsInAFocusKeepsAll) {
+    ElementOfTest test(layer_of({BillboardRoom::point(9000, -2000, 1000)}, scene::LayerRole::sample));
+    const scene::ScenePoint middle = BillboardRoom::point(9000, -2000, 1000);
+    const std::string place = "at = \"position\", position_deg = [" + std::to_string(base::degrees(middle.latitude_rad)) + ", " +
+                              std::to_string(base::degrees(middle.longitude_rad)) + "], radius_m = 1000, ";
+    const test_support::FociOfTest foci({place + "data.context = \"hidden\""});
+    const BillboardRoom room;
+    ElementInput input = test.input();
+    const scene::DetailRegions crowded = crowded_on_the_left(0.25f);
+    EXPECT_EQ(level_left(input, 0, room.sheet.eye(), {}, crowded), LabelLevel::none) << "control";
+    const LayerFoci layer(&foci.frame(), input.layer, 0, false);
+    input.foci = &layer;
+    EXPECT_EQ(level_left(input, 0, room.sheet.eye(), {}, crowded), LabelLevel::name);
 }
 
 /// Beside each other, of too little interest for names.

@@ -1,0 +1,125 @@
+#include "render_core/display/clutter_control.hpp"
+
+#include <algorithm>
+
+#include "render_core/draw/data/label_planner.hpp"
+
+namespace tedavis::display {
+
+gl::GlError ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+                                  std::uint32_t height_px) {
+    constexpr std::int64_t kLabelEpochs[] = {2, 1};
+    epoch_.ns = draw::LabelPlanner::kEpoch.ns * kLabelEpochs[gl.device().lane == effects::Lane::es2 ? 0 : 1];
+    for (const draw::DrawnDesign& drawn : designs) {
+        shows_ = shows_ || drawn.design->effects.clutter != design::ClutterView::none;
+        has_budget_ = has_budget_ || drawn.design->priority.held_clutter() < 1;
+    }
+    if (!shows_ && !has_budget_) return {};
+    return pass_.start(gl, budget, width_px, height_px, shows_);
+}
+
+bool ClutterControl::can_show(const design::DesignSettings& design) const {
+    const bool is_viewed = design.effects.clutter != design::ClutterView::none;
+    return (has_budget_ || design.priority.held_clutter() >= 1) && (shows_ || !is_viewed);
+}
+
+std::int64_t ClutterControl::epoch_of(base::Time now) const {
+    const std::int64_t epoch = now.ns / epoch_.ns;
+    return now.ns % epoch_.ns < 0 ? epoch - 1 : epoch;
+}
+
+ClutterControl::Held& ClutterControl::place_of(std::int64_t epoch) {
+    constexpr auto kPlaces = static_cast<std::int64_t>(kMostHeld + 1);
+    return held_[static_cast<std::size_t>((epoch % kPlaces + kPlaces) % kPlaces)];
+}
+
+void ClutterControl::follow(base::Time now, const terrain::View& view) {
+    if (now == last_now_ && (last_eye_ != view.eye || last_forward_ != view.forward)) forget();
+    last_now_ = now;
+    last_eye_ = view.eye;
+    last_forward_ = view.forward;
+}
+
+void ClutterControl::forget() {
+    for (Held& held : held_) held.is_known = false;
+}
+
+/// Of an epoch before this time's, not too long ago.
+bool ClutterControl::counts(const Held& held, base::Time now, std::size_t design) const {
+    const std::int64_t age = epoch_of(now) - held.epoch;
+    return held.is_known && held.design == design && age >= 1 && age * epoch_.ns <= kHeld.ns;
+}
+
+bool ClutterControl::is_own(const Held& held, base::Time now, std::size_t design) const {
+    return held.is_known && held.design == design && held.epoch == epoch_of(now);
+}
+
+bool ClutterControl::follows(base::Time now, std::size_t design) const {
+    for (const Held& held : held_)
+        if (counts(held, now, design)) return true;
+    return false;
+}
+
+scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design, double budget) const {
+    scene::DetailRegions left;
+    const bool has_before = follows(now, design);
+    for (const Held& held : held_) {
+        if (has_before ? !counts(held, now, design) : !is_own(held, now, design)) continue;
+        const scene::DetailRegions one = effects::detail_within(held.measures, budget);
+        for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], one.factor[n]);
+    }
+    return left;
+}
+
+effects::ClutterMeasures ClutterControl::measured(base::Time now, std::size_t design) const {
+    const bool has_before = follows(now, design);
+    const Held* newest = nullptr;
+    for (const Held& held : held_)
+        if ((has_before ? counts(held, now, design) : is_own(held, now, design)) &&
+            (newest == nullptr || held.epoch > newest->epoch))
+            newest = &held;
+    return newest == nullptr ? effects::ClutterMeasures() : newest->measures;
+}
+
+void ClutterControl::plan(bool runs, base::Time now, std::size_t design, double budget) {
+    now_ = now;
+    design_ = design;
+    budget_ = budget;
+    ask_for(Step::none, {});
+    if (!runs || budget >= 1 || !has_budget_) return;
+    if (!is_own(place_of(epoch_of(now)), now, design)) ask_for(Step::whole, {});
+}
+
+base::Time ClutterControl::needed_since(base::Time time) const {
+    if (!has_budget_) return time;
+    return base::Time{epoch_of(time) * epoch_.ns - kHeld.ns};
+}
+
+void ClutterControl::measure(gl::Gl& gl, const base::Surface& surface) {
+    pass_.measure(gl, surface);
+    Held& held = place_of(epoch_of(now_));
+    const effects::ClutterMap map = pass_.densities(gl, surface);
+    if (step_ == Step::whole) {
+        held = {true, epoch_of(now_), design_, {map, {}, {}}};
+        ask_for(effects::is_beyond(map, budget_) ? Step::least : Step::none, effects::least_detail());
+    } else if (step_ == Step::least) {
+        held.measures.least = map;
+        const scene::DetailRegions tried = effects::tried_detail(held.measures, budget_);
+        ask_for(tried.is_whole() ? Step::none : Step::tried, tried);
+    } else {
+        held.measures.tried = map;
+        ask_for(Step::none, {});
+    }
+}
+
+void ClutterControl::ask_for(Step step, const scene::DetailRegions& regions) {
+    step_ = step;
+    step_regions_ = regions;
+}
+
+void ClutterControl::show(gl::Gl& gl, const base::Surface& surface, design::ClutterView view) {
+    pass_.measure(gl, surface);
+    pass_.show(gl, view == design::ClutterView::edges ? draw::EdgeView::edges : draw::EdgeView::regions);
+}
+
+}  // namespace tedavis::display

@@ -1,0 +1,89 @@
+/// Holds the budget of clutter of a display's own pictures (effects/clutter_budget.hpp): when they are measured, and by which
+/// measures a frame goes.
+///
+/// The first frame of each epoch of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
+/// all detail and, where that is beyond the budget, with the least, and with what may suffice; such pictures are drawn for that,
+/// and never seen. A frame goes by the epochs before its own as far back as kHeld, and in each region by the one that takes away
+/// most: what gives way comes back when it would have had room for so long. With nothing before it, at a flight's beginning and
+/// after a turn of designs, it goes by its own epoch's. No measure depends on what gave way before, so that a frame is the same
+/// however it is reached, where the frames that measure have been drawn. What another of the display's designs measured does not
+/// count.
+///
+///   follow(...), regions(...), plan(...) each frame · then draw: step() says which picture is to be measured, until none is
+///
+/// Memory    draw::EdgePass's, where a design has a budget or shows its edges; else none. Thread  the GL thread; but for start(),
+///           measure() and show() pure. Failure  start(): one sentence.
+#pragma once
+
+#include "render_core/base/time.hpp"
+#include "render_core/display/effect_work.hpp"
+#include "render_core/draw/edge_pass.hpp"
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/effects/clutter_budget.hpp"
+
+namespace tedavis::display {
+
+class ClutterControl {
+public:
+    static constexpr base::Duration kHeld = base::Duration::seconds(2);
+    enum class Step : std::uint8_t { none, whole, least, tried };
+
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+                                    std::uint32_t height_px);
+    /// Whether what start() built does what the design asks for.
+    [[nodiscard]] bool can_show(const design::DesignSettings& design) const;
+
+    /// Before regions(): the same instant seen from elsewhere follows from nothing.
+    void follow(base::Time now, const terrain::View& view);
+    /// By which the frame at `now` goes.
+    [[nodiscard]] scene::DetailRegions regions(base::Time now, std::size_t design, double budget) const;
+    /// Of the newest epoch that they follow from; unknown without one.
+    [[nodiscard]] effects::ClutterMeasures measured(base::Time now, std::size_t design) const;
+
+    /// `runs`: the plan of effects says so; `budget` 1: none is held, and nothing measured for it.
+    void plan(bool runs, base::Time now, std::size_t design, double budget);
+    /// Later frames go by what the planned one measures.
+    [[nodiscard]] bool must_be_drawn() const { return step_ != Step::none; }
+    /// From when on frames must have been drawn for the one at `time` to be what it is.
+    [[nodiscard]] base::Time needed_since(base::Time time) const;
+    /// The next frame does not follow the last one.
+    void forget();
+
+    [[nodiscard]] Step step() const { return step_; }
+    /// What each region keeps in the picture that it asks for.
+    [[nodiscard]] scene::DetailRegions step_regions() const { return step_regions_; }
+    /// Of the picture that is on the surface, which is the one that step() asks for.
+    void measure(gl::Gl& gl, const base::Surface& surface);
+    /// The design's view of what is on the surface, measured for that, over it.
+    void show(gl::Gl& gl, const base::Surface& surface, design::ClutterView view);
+    void destroy(gl::Gl& gl) { pass_.destroy(gl); }
+
+private:
+    static constexpr std::size_t kMostHeld = 4;
+    struct Held {
+        bool is_known = false;
+        std::int64_t epoch = 0;
+        std::size_t design = 0;
+        effects::ClutterMeasures measures;
+    };
+    void ask_for(Step step, const scene::DetailRegions& regions);
+    [[nodiscard]] std::int64_t epoch_of(base::Time now) const;
+    [[nodiscard]] Held& place_of(std::int64_t epoch);
+    [[nodiscard]] bool counts(const Held& held, base::Time now, std::size_t design) const;
+    [[nodiscard]] bool is_own(const Held& held, base::Time now, std::size_t design) const;
+    [[nodiscard]] bool follows(base::Time now, std::size_t design) const;
+
+    draw::EdgePass pass_;
+    bool shows_ = false, has_budget_ = false;  ///< what pass_ was started for
+    base::Duration epoch_{0};
+    std::array<Held, kMostHeld + 1> held_;
+    Step step_ = Step::none;
+    scene::DetailRegions step_regions_;
+    base::Time now_{0};  ///< of the planned frame, with what follows
+    std::size_t design_ = 0;
+    double budget_ = 1;
+    base::Time last_now_{0};
+    glm::dvec3 last_eye_{0}, last_forward_{0};
+};
+
+}  // namespace tedavis::display

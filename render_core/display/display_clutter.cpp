@@ -1,0 +1,94 @@
+// What of the display holds a budget of clutter: what gives way in a frame, and pictures that are drawn to be measured.
+#include "render_core/display/display.hpp"
+#include "render_core/display/terrain_ground.hpp"
+
+namespace tedavis::display {
+namespace {
+
+/// What warns keeps all that it has.
+bool gives_way(const ElementReport& report, const Crowding& crowding) {
+    if (report.state != ElementState::shown || report.layer == nullptr) return false;
+    const bool is_left_names = has_labels(*report.element, *report.layer) && !draw::is_protected(*report.layer);
+    return (is_glyph_technique(report.element->technique) || is_left_names) &&
+           crowding.regions_of(*report.element, report.layer->entry->role) != nullptr;
+}
+
+}  // namespace
+
+void Display::plan_crowding() {
+    clutter_.follow(record_.time, eye_.view);
+    const design::PrioritySettings& priority = settings_.design.priority;
+    crowding_ = crowding_of(clutter_.regions(record_.time, shown_, priority.held_clutter()), priority, weights_);
+}
+
+bool Display::has_what_gives_way() const {
+    const Crowding crowding = crowding_of(effects::least_detail(), settings_.design.priority, weights_);
+    for (const ElementReport& report : elements_.reports())
+        if (gives_way(report, crowding)) return true;
+    return false;
+}
+
+/// Glyphs and signs of the planned frame, as far as crowding_ leaves them.
+void Display::plan_detail_again() {
+    if (!shows_elements()) return;
+    TerrainGround ground(terrain_, seen_);
+    elements_.plan_detail(element_frame(ground, seen_, way_));
+    SignFrame signs;
+    signs.is_planned_again = true;
+    plan_signs(eye_, signs);
+    elements_.prepare(gl_);
+}
+
+/// Where the picture that is shown has all its detail it is the one that is measured.
+draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
+    const bool is_whole = crowding_.regions.is_whole() && turn_ != Turn::keeps && fade_share_ <= 0;
+    if (!is_whole) measure_unseen(surface);
+    const draw::TerrainDrawResult drawn = paint(surface);
+    if (clutter_.step() == ClutterControl::Step::none) return drawn;
+    measure_unseen(surface);
+    return paint(surface);
+}
+
+/// What is on the surface, where it is what is to be measured; else its edges, where the design shows them.
+void Display::measure(base::Surface& surface) {
+    const design::ClutterView view = settings_.design.effects.clutter;
+    EffectWork& work = work_[effects::Effect::clutter];
+    if (clutter_.step() != ClutterControl::Step::none) {
+        const WorkScope scope(gl_, work);
+        clutter_.measure(gl_, surface);
+    }
+    if (is_unseen_ || view == design::ClutterView::none || !plan_.runs(effects::Effect::clutter)) return;
+    const WorkScope scope(gl_, work, 2);
+    clutter_.show(gl_, surface, view);
+}
+
+/// Of the design that is shown alone, whatever fades. The surface is left with a picture that is nobody's.
+void Display::measure_unseen(base::Surface& surface) {
+    const Crowding shown = crowding_;
+    const EffectWorkTable work = work_;
+    EffectWork unseen = work_[effects::Effect::clutter];
+    is_unseen_ = true;
+    while (clutter_.step() != ClutterControl::Step::none) {
+        crowding_ = crowding_of(clutter_.step_regions(), settings_.design.priority, weights_);
+        const WorkScope scope(gl_, unseen, 2);
+        plan_detail_again();
+        static_cast<void>(paint(surface));
+    }
+    is_unseen_ = false;
+    crowding_ = shown;
+    work_ = work;
+    work_[effects::Effect::clutter] = unseen;
+    plan_detail_again();
+}
+
+void Display::note_clutter() {
+    ClutterRecord& record = record_.clutter;
+    record.budget = settings_.design.priority.held_clutter();
+    if (record.budget >= 1) return;
+    record.measured = clutter_.measured(record_.time, shown_);
+    record.left = crowding_.regions;
+    for (const ElementReport& report : elements_.reports())
+        if (gives_way(report, crowding_)) record.roles |= 1u << static_cast<unsigned>(report.layer->entry->role);
+}
+
+}  // namespace tedavis::display
