@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render_core/display/effect_calls.hpp"
 #include "tests/support/held_edges.hpp"
 #include "tests/support/map_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
@@ -102,12 +103,10 @@ struct Shown {
     }
     /// From the upper left; the processor's.
     [[nodiscard]] std::vector<double> densities() const {
-        std::vector<std::uint8_t> rows;
-        for (std::uint32_t y = kHeight; y-- > 0;)
-            rows.insert(rows.end(), rgba.begin() + std::ptrdiff_t{4} * kWidth * y,
-                        rgba.begin() + std::ptrdiff_t{4} * kWidth * (y + 1));
+        constexpr std::ptrdiff_t kRow = std::ptrdiff_t{4} * kWidth;
+        const std::uint8_t* const top = rgba.data() + kRow * (kHeight - 1);
         test_support::HeldEdges held(kWidth, kHeight);
-        const std::vector<std::uint8_t> edges = held.of({rows.data(), kWidth, kHeight, 4});
+        const std::vector<std::uint8_t> edges = held.of({top, kWidth, kHeight, 4, -kRow});
         std::vector<double> found(48);
         EXPECT_TRUE(perception::region_densities({edges, kWidth, kHeight}, {}, found));
         return found;
@@ -195,9 +194,12 @@ TEST(DisplayClutter, WhereItCannotBeMeasuredItSaysSo) {
     design::DesignSettings stereo = design_with(kBudget);
     stereo.effects.stereo.mode = design::StereoMode::side_by_side;
     EXPECT_FALSE(shown(stereo).record.clutter.measured.whole.is_known);
-    const Still safe = shown(design_with(kBudget), "sc2");
-    EXPECT_EQ(safe.record.clutter.budget, 1) << "none is held";
-    EXPECT_EQ(safe.effect().reason.view(), "the device cannot copy what it has drawn");
+    const design::DesignSettings possible = possible_design(design_with(kBudget), test_support::shipped_device("sc2"));
+    EXPECT_EQ(possible.priority.held_clutter(), 1) << "none is held";
+    effects::PlanInput input;
+    input[effects::Effect::clutter].kind = effects::EffectCall::Kind::called;
+    const effects::FramePlan plan = effects::plan_effects(input, test_support::shipped_device("sc2").capability);
+    EXPECT_EQ(plan[effects::Effect::clutter].reason, "the device cannot copy what it has drawn");
 }
 
 }  // namespace
