@@ -27,6 +27,13 @@ std::uint32_t parts_of_region(std::uint32_t width_px) {
     const std::uint32_t widest = width_px / std::uint32_t{ClutterRegions::kAcross} + 1;
     return (widest + kMostCounted - 1) / kMostCounted;
 }
+/// Blocks that a run of so many pixels reaches, wherever it begins.
+std::uint32_t blocks_under(std::uint32_t pixels) { return pixels / kBlockPixels + 2; }
+EdgeLoops edge_loops(std::uint32_t width_px, std::uint32_t height_px, std::uint32_t parts) {
+    const std::uint32_t across = width_px / std::uint32_t{ClutterRegions::kAcross} / parts + 1;
+    const std::uint32_t down = height_px / std::uint32_t{ClutterRegions::kDown} + 1;
+    return {blocks_under(across), blocks_under(down) * parts};
+}
 
 }  // namespace
 
@@ -40,7 +47,7 @@ gl::GlError EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t
     parts_ = parts_of_region(width_px);
     if (gl::GlError error = start_edge_targets(gl, budget); !error.sentence.empty()) return error;
     if (gl::GlError error = start_edge_triangle(gl, budget); !error.sentence.empty()) return error;
-    return programs_.start(gl, shows);
+    return programs_.start(gl, edge_loops(width_px, height_px, parts_), shows);
 }
 
 gl::GlError EdgePass::start_edge_targets(gl::Gl& gl, base::BudgetTable& budget) {

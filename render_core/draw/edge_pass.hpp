@@ -43,7 +43,7 @@ public:
     /// Of the picture that was measured last, the share of edges in each region as perception::region_densities gives it; not
     /// known before. Waits for the GPU, and reads 192 bytes. The surface is bound.
     [[nodiscard]] effects::ClutterMap densities(gl::Gl& gl, const base::Surface& surface) const;
-    /// Of the picture that was measured last, over the surface that is bound.
+    /// Of the picture that was measured last, which there must be, over the surface that is bound.
     void show(gl::Gl& gl, EdgeView view) const;
     void destroy(gl::Gl& gl);
 

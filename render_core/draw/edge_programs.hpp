@@ -28,10 +28,15 @@ enum EdgeUniform : std::size_t {
     kEdgeUniforms
 };
 
+/// How many texels loops read at most: across a part of a region, and of a region's counts. Some devices unroll loops.
+struct EdgeLoops {
+    std::uint32_t blocks = 1, counts = 1;
+};
+
 class EdgePrograms {
 public:
     /// Those that show something where that is asked for.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, bool shows);
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const EdgeLoops& loops, bool shows);
     [[nodiscard]] bool has(EdgeStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
     /// In use from now on, and reads the texture, of a picture of that size.
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::Texture& texture, std::uint32_t width_px,
@@ -39,7 +44,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build(gl::Gl& gl, EdgeStep step);
+    [[nodiscard]] gl::GlError build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loops);
     std::array<gl::Program, kEdgeSteps> programs_;
 };
 

@@ -17,7 +17,7 @@ void main() {
     sides = sides.x + floor((vec2(place.y, place.y + 1.0) * (sides.y - sides.x) + 0.5) / parts);
     float block = floor(sides.x / 4.0);
     vec4 count = vec4(0.0);
-    for (int n = 0; n < 65; ++n) {
+    for (int n = 0; n < MOST; ++n) {
         vec4 x = 4.0 * block + kSteps;
         if (x.x > sides.y - 0.5) break;
         vec4 inside = vec4(greaterThanEqual(x, sides.xxxx)) * vec4(lessThan(x, sides.yyyy));

@@ -8,7 +8,7 @@ void main() {
     vec2 at = floor(gl_FragCoord.xy);
     vec2 sides = 1.0 + floor((vec2(at.y, at.y + 1.0) * max(picture.y - 2.0, 0.0) + 0.5) / 6.0);
     float top = floor(sides.x / 4.0), sum = 0.0;
-    for (int n = 0; n < 2048; ++n) {
+    for (int n = 0; n < MOST; ++n) {
         vec2 place = in_band(float(n), parts);
         vec4 y = 4.0 * (top + place.x) + kSteps;
         if (y.x > sides.y - 0.5) break;
