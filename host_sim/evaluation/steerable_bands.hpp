@@ -1,0 +1,22 @@
+/// A picture taken apart into bands of three sizes and four directions, and what is coarser than they are.
+///
+/// Source: E. P. Simoncelli, W. T. Freeman, "The steerable pyramid", IEEE ICIP (1995); filters in the plane of frequencies as J.
+/// Portilla, E. P. Simoncelli, International Journal of Computer Vision 40 (2000): raised cosines over an octave, cosines cubed
+/// over directions. Together with what is finer than the first band, the squares of all filters add up to 1. The picture is
+/// repeated beside its border. A band's values lie over the middles of its pixels, each 2^size of the picture's: no side is
+/// preferred.
+#pragma once
+
+#include <vector>
+
+#include "host_sim/evaluation/gaussian_window.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr int kBandSizes = 3, kBandDirections = 4;
+
+/// The bands from the finest size on, direction by direction, then what is coarser: kBandSizes x kBandDirections + 1 maps, each
+/// size with half the sides of the one before. Sides are multiples of 2^kBandSizes without prime factors above 5.
+[[nodiscard]] std::vector<ValueMap> steerable_bands(const ValueMap& picture);
+
+}  // namespace tedavis::host_sim
