@@ -59,16 +59,19 @@ std::string pictures_text(const std::string& output, const std::vector<Evaluated
     std::size_t width = 8;
     for (const EvaluatedPicture& one : pictures) width = std::max(width, one.file.size());
     std::string text = output + ": " + std::to_string(pictures.size()) + (pictures.size() == 1 ? " picture" : " pictures");
-    text += "\n  " + padded("picture", width) + "  clutter  busiest region";
+    text += "\n  " + padded("picture", width) + "  clutter  congestion  entropy  busiest region";
     std::vector<const PictureMeasures*> measures;
     for (const EvaluatedPicture& one : pictures) {
         const std::size_t busiest = busiest_region(one.measures.clutter_grid);
         const int column = static_cast<int>(busiest) % grid.columns, row = static_cast<int>(busiest) / grid.columns;
         text += "\n  " + padded(one.file, width) + "  " + padded(clutter_text(one.measures.clutter), 7) + "  " +
+                padded(one.measures.opinions ? decimal(one.measures.opinions->feature_congestion, 2) : "", 10) + "  " +
+                padded(one.measures.opinions ? decimal(one.measures.opinions->subband_entropy, 2) : "", 7) + "  " +
                 clutter_text(one.measures.clutter_grid[busiest]) + " " + region_name(grid, column, row);
         measures.push_back(&one.measures);
     }
-    return text + gaze_text(measures);
+    const std::string agreement = agreement_words(agreement_over_pictures(pictures), "pictures");
+    return text + (agreement.empty() ? agreement : "\n  " + agreement) + gaze_text(measures);
 }
 
 std::string phases_text(const EvaluatedFlight& flight) {
@@ -92,7 +95,10 @@ std::string flight_text(const EvaluatedFlight& flight) {
                        (flight.interrupted ? " (interrupted)" : "") + ", mean clutter " + clutter_text(all.mean) + ", highest " +
                        clutter_text(all.highest) + " at " + seconds_text(flight.run.frames[all.highest_at].time_s) + " (" +
                        flight.run.frames[all.highest_at].phase + ")";
-    for (const FlightMoment& moment : flight.moments) text += "\n  " + moment_words(flight, moment);
+    for (const FlightMoment& moment : flight.moments)
+        text += "\n  " + moment_words(flight, moment) + "; " + opinions_words(moment.opinions);
+    const std::string agreement = agreement_words(agreement_over_moments(flight), "peaks");
+    if (!agreement.empty()) text += "\n  " + agreement;
     std::vector<const PictureMeasures*> measures;
     for (const PictureMeasures& one : flight.measures) measures.push_back(&one);
     return text + phases_text(flight) + gaze_text(measures);
@@ -103,12 +109,12 @@ void add_moment(FlightReport& report, std::size_t n, FlightMoment& moment, std::
     const EvaluatedFlight& own = report.flights[n];
     const std::string title = moment_words(own, moment);
     moment.file = moment.label;
-    to_draw.push_back({&own, moment.index, moment.file, title, &moment.plan, &moment.views});
+    to_draw.push_back({&own, moment.index, moment.file, title, &moment.plan, &moment.views, &moment.opinions});
     if (!report.comparison) return;
     const EvaluatedFlight& other = report.flights[1 - n];
     moment.other = frame_nearest(other, own.run.frames[moment.index].time_s);
-    to_draw.push_back(
-        {&other, moment.other, moment.file + ".other", title + ": the other design", &moment.other_plan, &moment.other_views});
+    to_draw.push_back({&other, moment.other, moment.file + ".other", title + ": the other design", &moment.other_plan,
+                       &moment.other_views, &moment.other_opinions});
 }
 
 FlightReport evaluated_flights(const EvaluateOptions& options, const FixationFile* gaze, const EvaluationWork& work) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "host_sim/evaluation/clutter_opinions.hpp"
 #include "host_sim/evaluation/evaluation_files.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
 #include "host_sim/evaluation/plan_lines.hpp"
@@ -73,8 +74,10 @@ void draw_moments(const std::vector<MomentToDraw>& moments, const std::string& f
         const MomentToDraw& moment = moments[n];
         const FlightFrame& frame = moment.flight->run.frames[moment.index];
         const RgbaPicture picture = read_picture(frame.picture);
-        const PictureMeasures measures = measure_frame(meter, frame, picture, {});
-        const PictureViews views = picture_views(picture, meter, measures, work.settings);
+        PictureMeasures measures = measure_frame(meter, frame, picture, {});
+        const MeasuredOpinions opinions = clutter_opinions(picture);
+        measures.opinions = *moment.opinions = opinions.numbers;
+        const PictureViews views = picture_views(picture, meter, measures, opinions.congestion, work.settings);
         write_views(folder, moment.name, moment.title, picture, views, measures);
         return small_views(picture, views);
     };

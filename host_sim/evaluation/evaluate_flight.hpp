@@ -25,8 +25,9 @@ struct MomentToDraw {
     std::string title;  ///< of its sheet
     PlanLines* plan = nullptr;
     MomentViews* views = nullptr;
+    ClutterOpinions* opinions = nullptr;
 };
-/// Draws all views into the folder, and fills plans and views. Is not stopped: there are a dozen at most.
+/// Draws all views into the folder, and fills plans, views and opinions. Is not stopped: there are a dozen at most.
 void draw_moments(const std::vector<MomentToDraw>& moments, const std::string& folder, const EvaluationWork& work);
 
 }  // namespace tedavis::host_sim

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "host_sim/evaluation/clutter_opinions.hpp"
 #include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
 #include "host_sim/input_file.hpp"
@@ -19,7 +20,7 @@ namespace {
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::vector<std::string> all_of(const ViewFiles& views) {
-    return {views.saliency, views.heat, views.edges, views.regions, views.second_opinion, views.sheet};
+    return {views.saliency, views.heat, views.edges, views.regions, views.congestion, views.second_opinion, views.sheet};
 }
 
 void require_other_outputs(const std::vector<std::string>& files, const std::vector<std::string>& names,
@@ -106,6 +107,17 @@ std::vector<std::vector<const Fixation*>> gaze_of_pictures(const FixationFile& f
     return gaze;
 }
 
+OpinionsAgreement agreement_over_pictures(const std::vector<EvaluatedPicture>& pictures) {
+    std::vector<double> clutter;
+    std::vector<ClutterOpinions> opinions;
+    for (const EvaluatedPicture& one : pictures) {
+        if (!one.measures.opinions) continue;
+        clutter.push_back(one.measures.clutter);
+        opinions.push_back(*one.measures.opinions);
+    }
+    return opinions_agreement(clutter, opinions);
+}
+
 std::vector<EvaluatedPicture> evaluate_pictures(const std::vector<std::string>& files, const std::string& folder,
                                                 const FixationFile* file, const EvaluationWork& work) {
     const std::vector<std::string> names = view_names(files);
@@ -122,7 +134,9 @@ std::vector<EvaluatedPicture> evaluate_pictures(const std::vector<std::string>& 
             file == nullptr ? std::vector<GazePixel>() : gaze_pixels(*file, gaze[n], picture.width, picture.height);
         hits += pixels.size();
         PictureMeasures measures = meter.measure(picture, files[n], mask ? &*mask : nullptr, pixels);
-        const PictureViews views = picture_views(picture, meter, measures, work.settings);
+        const MeasuredOpinions opinions = clutter_opinions(picture);
+        measures.opinions = opinions.numbers;
+        const PictureViews views = picture_views(picture, meter, measures, opinions.congestion, work.settings);
         written.add(n);
         write_views(folder, names[n], file_name(files[n]), picture, views, measures);
         return EvaluatedPicture{files[n], names[n], std::move(measures)};

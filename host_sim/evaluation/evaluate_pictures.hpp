@@ -29,6 +29,9 @@ struct EvaluatedPicture {
 [[nodiscard]] std::vector<std::vector<const Fixation*>> gaze_of_pictures(const FixationFile& file,
                                                                          const std::vector<std::string>& pictures);
 
+/// Of those that have opinions.
+[[nodiscard]] OpinionsAgreement agreement_over_pictures(const std::vector<EvaluatedPicture>& pictures);
+
 /// `gaze` may be null. Writes views into the folder, which is there. Where the work is stopped, returns the pictures so far.
 [[nodiscard]] std::vector<EvaluatedPicture> evaluate_pictures(const std::vector<std::string>& files, const std::string& folder,
                                                               const FixationFile* gaze, const EvaluationWork& work);

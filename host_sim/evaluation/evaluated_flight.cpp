@@ -73,6 +73,16 @@ std::vector<double> clutter_of(const EvaluatedFlight& flight) {
     return values;
 }
 
+OpinionsAgreement agreement_over_moments(const EvaluatedFlight& flight) {
+    std::vector<double> clutter;
+    std::vector<ClutterOpinions> opinions;
+    for (const FlightMoment& moment : flight.moments) {
+        clutter.push_back(flight.measures[moment.index].clutter);
+        opinions.push_back(moment.opinions);
+    }
+    return opinions_agreement(clutter, opinions);
+}
+
 std::vector<double> mean_grid(const EvaluatedFlight& flight) {
     std::vector<double> means;
     for (const PictureMeasures& one : flight.measures) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/evaluation/clutter_opinions.hpp"
 #include "host_sim/evaluation/clutter_peaks.hpp"
 #include "host_sim/evaluation/flight_run.hpp"
 #include "host_sim/evaluation/picture_measures.hpp"
@@ -14,22 +15,24 @@ namespace tedavis::host_sim {
 
 /// Views of one moment as bytes of small PNG files, for the report.
 struct MomentViews {
-    std::string picture, saliency, heat, edges;
+    std::string picture, saliency, heat, edges, congestion;
 };
 
 /// What the plan was showing: a term and its words.
 using PlanLines = std::vector<std::pair<std::string, std::string>>;
 
 struct FlightMoment {
-    std::string label;      ///< "A"
-    std::size_t index = 0;  ///< of the frame in its flight
-    double prominence = 0;  ///< of clutter; 0 for a flight without peaks, whose highest value stands here
-    std::string file;       ///< beginning of the names of the view files in the evaluation's folder
-    PlanLines plan;         ///< of its flight
-    MomentViews views;      ///< of its flight
-    std::size_t other = 0;  ///< index of the same time's frame in the other flight; where there is one
-    PlanLines other_plan;   ///< empty without another flight
+    std::string label;         ///< "A"
+    std::size_t index = 0;     ///< of the frame in its flight
+    double prominence = 0;     ///< of clutter; 0 for a flight without peaks, whose highest value stands here
+    std::string file;          ///< beginning of the names of the view files in the evaluation's folder
+    PlanLines plan;            ///< of its flight
+    MomentViews views;         ///< of its flight
+    ClutterOpinions opinions;  ///< of its flight
+    std::size_t other = 0;     ///< index of the same time's frame in the other flight; where there is one
+    PlanLines other_plan;      ///< empty without another flight
     MomentViews other_views;
+    ClutterOpinions other_opinions;
 };
 
 struct EvaluatedFlight {
@@ -60,6 +63,8 @@ struct SpanSummary {
 
 [[nodiscard]] std::vector<double> times_of(const EvaluatedFlight& flight);
 [[nodiscard]] std::vector<double> clutter_of(const EvaluatedFlight& flight);
+/// Of its moments, those of their own flight.
+[[nodiscard]] OpinionsAgreement agreement_over_moments(const EvaluatedFlight& flight);
 /// Means over the flight, region by region.
 [[nodiscard]] std::vector<double> mean_grid(const EvaluatedFlight& flight);
 

@@ -10,17 +10,17 @@ namespace tedavis::host_sim {
 
 /// Names in the evaluation's folder: NAME.saliency.png ...
 struct ViewFiles {
-    std::string saliency, heat, edges, regions, second_opinion, sheet;
+    std::string saliency, heat, edges, regions, congestion, second_opinion, sheet;
 };
 [[nodiscard]] ViewFiles view_files(const std::string& name);
 
 /// All views in the picture's size.
 struct PictureViews {
-    RgbaPicture saliency, heat, edges, regions, second_opinion;
+    RgbaPicture saliency, heat, edges, regions, congestion, second_opinion;
 };
-/// Of the picture that the meter measured last.
+/// Of the picture that the meter measured last. `congestion` is its map of Feature Congestion (clutter_opinions.hpp).
 [[nodiscard]] PictureViews picture_views(const RgbaPicture& picture, PictureMeter& meter, const PictureMeasures& measures,
-                                         const EvaluationSettings& settings);
+                                         const FloatMap& congestion, const EvaluationSettings& settings);
 /// Picture and views side by side, with labels and numbers.
 [[nodiscard]] RgbaPicture views_sheet(const std::string& title, const RgbaPicture& picture, const PictureViews& views,
                                       const PictureMeasures& measures);

@@ -45,12 +45,22 @@ Json picture_json(const std::string& file, const PictureMeasures& measures, cons
         json["views"] = {{"heat", views.heat},
                          {"edges", views.edges},
                          {"regions", views.regions},
+                         {"congestion", views.congestion},
                          {"second_opinion", views.second_opinion},
                          {"sheet", views.sheet}};
+    }
+    if (measures.opinions) {
+        json["feature_congestion"] = measures.opinions->feature_congestion;
+        json["subband_entropy"] = measures.opinions->subband_entropy;
     }
     if (!measures.layers.empty()) json["layer_shares"] = shares_json(measures.layers);
     if (measures.gaze) json["gaze"] = score_json(measures.gaze);
     return json;
+}
+
+Json agreement_json(const OpinionsAgreement& agreement) {
+    const auto pairs = [](const OrderAgreement& one) { return Json{{"pairs", one.pairs}, {"alike", one.alike}}; };
+    return {{"feature_congestion", pairs(agreement.feature_congestion)}, {"subband_entropy", pairs(agreement.subband_entropy)}};
 }
 
 Json phases_json(const EvaluatedFlight& flight) {
@@ -83,11 +93,14 @@ Json peaks_json(const EvaluatedFlight& flight) {
                          {"time_s", frame.time_s},
                          {"phase", frame.phase},
                          {"clutter", flight.measures[moment.index].clutter},
+                         {"feature_congestion", moment.opinions.feature_congestion},
+                         {"subband_entropy", moment.opinions.subband_entropy},
                          {"prominence", moment.prominence},
                          {"saliency_map", views.saliency},
                          {"heat", views.heat},
                          {"edges", views.edges},
                          {"regions", views.regions},
+                         {"congestion", views.congestion},
                          {"sheet", views.sheet},
                          {"plan", plan}});
     }
@@ -134,6 +147,7 @@ Json flight_json(const EvaluatedFlight& flight, const EvaluationSettings& settin
               {"most", flight.peak_rule.most}}},
             {"phases", phases_json(flight)},
             {"peaks", peaks_json(flight)},
+            {"order_agreement", agreement_json(agreement_over_moments(flight))},
             {"pictures", frames_json(flight, settings)}};
 }
 
@@ -170,6 +184,7 @@ Json pictures_json(const std::vector<EvaluatedPicture>& pictures, const Evaluati
     Json json{{"interrupted", interrupted}, {"gaze", gaze_summary_json(measures)}, {"pictures", Json::array()}};
     for (const EvaluatedPicture& one : pictures)
         json["pictures"].push_back(picture_json(one.file, one.measures, one.name, settings));
+    json["order_agreement"] = agreement_json(agreement_over_pictures(pictures));
     return json;
 }
 

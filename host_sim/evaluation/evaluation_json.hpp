@@ -1,10 +1,12 @@
 /// `evaluation.json`, which is also what `evaluate --json` says.
 ///
 /// Of pictures: `pictures` [{`file`, `size`, `clutter`, `clutter_grid` (rows of regions from the upper left), `saliency_map` (a
-/// PNG in the folder), `views`, `saliency_level`, `canny` {`sigma`, `low`, `high`}, `layer_shares`, `gaze`}], and where they were
-/// held against orderings those (picture_orderings.hpp). Of a flight: `run`, what it is, `clutter` {`mean`, `highest`,
-/// `highest_s`}, `phases`, `peaks`, and `pictures` of all frames, which also have `frame`, `time_s` and `phase`; `saliency_map`
-/// is null but for peaks. Of two flights: `runs`, two such, and `differences`.
+/// PNG in the folder), `views`, `saliency_level`, `canny` {`sigma`, `low`, `high`}, `feature_congestion`, `subband_entropy`,
+/// `layer_shares`, `gaze`}], `order_agreement` {`feature_congestion`, `subband_entropy`: each `pairs` of pictures that differ in
+/// `clutter`, and how many of them are `alike` by that measure}, and where they were held against orderings those
+/// (picture_orderings.hpp). Of a flight: `run`, what it is, `clutter` {`mean`, `highest`, `highest_s`}, `phases`, `peaks` (with
+/// both other measures of clutter), `order_agreement` over them, and `pictures` of all frames, which also have `frame`, `time_s`
+/// and `phase`; `saliency_map` is null but for peaks. Of two flights: `runs`, two such, and `differences`.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -133,7 +133,8 @@ std::string graph(const FlightReport& report) {
 std::string rule_words(const EvaluatedFlight& flight) {
     return "Peaks rise by at least " + clutter_text(flight.peak_rule.least_prominence) +
            " over the valleys on both sides and stand at least " + seconds_text(flight.peak_rule.least_distance_s) +
-           " apart; at most " + std::to_string(flight.peak_rule.most) + " are shown.";
+           " apart; at most " + std::to_string(flight.peak_rule.most) + " are shown. " +
+           agreement_words(agreement_over_moments(flight), "peaks");
 }
 
 std::string moments(const FlightReport& report) {
@@ -312,8 +313,9 @@ std::string method(const EvaluationSettings& settings) {
            decimal(settings.canny.high, 0) +
            " on the length of the gradient of 8-bit channels). Saliency: Itti-CIO2 on CIE-Lab, each map normalised by its own "
            "picture, from "
-           "means of 4 x 4 pixels for the numbers of frames and from every pixel for the pictures of moments. Both predict what "
-           "the eye meets; neither has seen the task.</p><p>TEDAVIS " +
+           "means of 4 x 4 pixels for the numbers of frames and from every pixel for the pictures of moments. Feature Congestion "
+           "and Subband Entropy: Rosenholtz, Li and Nakano 2007. All predict what the eye meets; none has seen the "
+           "task.</p><p>TEDAVIS " +
            escaped_html(version()) + ". A simulation; not certified for use in flight.</p></footer>\n";
 }
 

@@ -1,5 +1,6 @@
 #include "host_sim/evaluation/moment_card.hpp"
 
+#include "host_sim/evaluation/clutter_opinions.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
 #include "host_sim/reports/line_chart.hpp"
 
@@ -22,12 +23,14 @@ std::string layer_words(const std::vector<LayerShare>& layers) {
     return text;
 }
 
-std::string plan_list(const PlanLines& plan, const PictureMeasures& measures, const perception::RegionGrid& grid) {
+std::string plan_list(const PlanLines& plan, const PictureMeasures& measures, const ClutterOpinions& opinions,
+                      const perception::RegionGrid& grid) {
     std::string list;
     const auto add = [&](const std::string& term, const std::string& words) {
         if (!words.empty()) list += "<dt>" + escaped_html(term) + "</dt><dd>" + escaped_html(words) + "</dd>";
     };
     add("busiest region", busiest_words(measures, grid));
+    add("other opinions", opinions_words(opinions));
     add("the eye", layer_words(measures.layers));
     for (const auto& [term, words] : plan) add(term, words);
     return list.empty() ? list : "<dl class='plan'>" + list + "</dl>";
@@ -38,18 +41,26 @@ std::string view_figures(const MomentViews& views, const std::string& whose) {
     return "<div class='views'>" + html_figure(views.picture, "picture", spoken("the picture at this moment")) +
            html_figure(views.saliency, "saliency: bright draws the eye", spoken("its saliency map")) +
            html_figure(views.heat, "saliency over the picture", spoken("its saliency as heat over the picture")) +
-           html_figure(views.edges, "edges", spoken("its edges")) + "</div>";
+           html_figure(views.edges, "edges", spoken("its edges")) +
+           html_figure(views.congestion, "Feature Congestion", spoken("its Feature Congestion, bright is full")) + "</div>";
 }
 
-std::string one_side(const ComparedFlight& side, std::size_t index, const PlanLines& plan, const MomentViews& views,
-                     const EvaluationSettings& settings) {
-    const PictureMeasures& measures = side.flight->measures[index];
+/// What a card shows of one of two flights.
+struct CardSide {
+    std::size_t index;
+    const PlanLines& plan;
+    const MomentViews& views;
+    const ClutterOpinions& opinions;
+};
+
+std::string one_side(const ComparedFlight& side, const CardSide& shown, const EvaluationSettings& settings) {
+    const PictureMeasures& measures = side.flight->measures[shown.index];
     std::string html;
     if (!side.name.empty())
         html += "<p><b>" + escaped_html(side.name) + "</b>: clutter " + clutter_text(measures.clutter) + "</p>";
-    html += view_figures(views, side.name);
-    html += layer_bar(measures.layers, side.flight->run.frames[index].prioritized);
-    return html + plan_list(plan, measures, settings.grid);
+    html += view_figures(shown.views, side.name);
+    html += layer_bar(measures.layers, side.flight->run.frames[shown.index].prioritized);
+    return html + plan_list(shown.plan, measures, shown.opinions, settings.grid);
 }
 
 }  // namespace
@@ -76,8 +87,9 @@ std::string moment_card(const ComparedFlight& own, const FlightMoment& moment, c
                                    : ", the highest value of a flight without peaks";
     std::string html = "<article class='moment' id='" + moment_id(moment) + "'><h3>" +
                        escaped_html(moment_words(*own.flight, moment)) + "</h3><p class='soft'>" + escaped_html(words) + "</p>\n";
-    html += one_side(own, moment.index, moment.plan, moment.views, settings);
-    if (other.flight != nullptr) html += one_side(other, moment.other, moment.other_plan, moment.other_views, settings);
+    html += one_side(own, {moment.index, moment.plan, moment.views, moment.opinions}, settings);
+    if (other.flight != nullptr)
+        html += one_side(other, {moment.other, moment.other_plan, moment.other_views, moment.other_opinions}, settings);
     return html + "</article>\n";
 }
 

@@ -29,6 +29,12 @@ struct LayerShare {
     double area = 0;   ///< 0..1 of all pixels
 };
 
+/// What other measures say of clutter (feature_congestion.hpp, subband_entropy.hpp).
+struct ClutterOpinions {
+    double feature_congestion = 0;
+    double subband_entropy = 0;  ///< bits
+};
+
 struct PictureMeasures {
     std::uint32_t width = 0, height = 0;
     double clutter = 0;                ///< share of pixels that are edges
@@ -36,6 +42,7 @@ struct PictureMeasures {
     double saliency_level = 0;         ///< mean on the fixed scale: to be compared from picture to picture
     std::vector<LayerShare> layers;    ///< empty without a layer mask
     std::optional<GazeScore> gaze;
+    std::optional<ClutterOpinions> opinions;  ///< of single pictures
 };
 
 }  // namespace tedavis::host_sim

@@ -43,7 +43,7 @@ font-size:.9rem;line-height:1.3;font-variant-numeric:tabular-nums;background:#ff
 .moment:target{border-color:#b3261e}
 .js .moment{display:none}
 .js .moment.shown{display:block}
-.views{display:grid;grid-template-columns:repeat(4,1fr);gap:.6rem;margin:.7rem 0}
+.views{display:grid;grid-template-columns:repeat(5,1fr);gap:.6rem;margin:.7rem 0}
 figure{margin:0}
 figure img{display:block;width:100%;height:auto;border:1px solid var(--line)}
 figcaption{font-size:.85rem;margin-top:.15rem}
@@ -88,7 +88,7 @@ h1{font-size:14pt}h2{font-size:11pt;margin:.9rem 0 .3rem}h3{font-size:10pt}
 .fact{padding:.3rem .5rem}.fact b{font-size:12pt}.fact span{font-size:8pt}
 .js .moment{display:block}
 .moment{padding:.5rem;margin:.4rem 0}
-.views{grid-template-columns:repeat(4,1fr);gap:.4rem;margin:.3rem 0}
+.views{grid-template-columns:repeat(5,1fr);gap:.4rem;margin:.3rem 0}
 .plan{grid-template-columns:max-content 1fr;font-size:8pt;gap:0 .6rem}.plan dd{margin:0}
 figcaption,.soft,table{font-size:8pt}
 th,td{padding:.12rem .5rem .12rem 0}

@@ -71,6 +71,16 @@ inline void give_layers(host_sim::EvaluatedFlight& flight) {
         measures.layers = {{"terrain", 0.5, 0.7}, {"data", 0.3, 0.1}, {"symbology", 0.2, 0.2}};
 }
 
+/// Of three moments: clutter and one other measure have the same order, the third one another.
+inline void give_disputed_moments(host_sim::EvaluatedFlight& flight) {
+    const double entropies[] = {3.5, 3.9, 3.6};
+    for (std::size_t n = 0; n < 3; ++n) {
+        const double more = static_cast<double>(n);
+        flight.measures[flight.moments[n].index].clutter += 0.01 * more;
+        flight.moments[n].opinions = {4 + more, entropies[n]};
+    }
+}
+
 /// With pictures of single colours as views.
 inline void give_moments(host_sim::EvaluatedFlight& flight, const std::string& prefix = "") {
     flight.moments = host_sim::moments_of(flight, prefix);
@@ -80,8 +90,9 @@ inline void give_moments(host_sim::EvaluatedFlight& flight, const std::string& p
     };
     for (host_sim::FlightMoment& moment : flight.moments) {
         moment.file = moment.label;
-        moment.views = {png(40), png(90), png(140), png(200)};
+        moment.views = {png(40), png(90), png(140), png(200), png(220)};
         moment.other_views = moment.views;
+        moment.opinions = moment.other_opinions = {4.0, 3.5};
         moment.plan = {{"design", "a <plain> one"}, {"weights", "terrain 1.00"}};
     }
 }

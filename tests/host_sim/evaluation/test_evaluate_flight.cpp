@@ -57,9 +57,13 @@ TEST_F(EvaluateFlight, MomentsGetViewsAndPlan) {
     const EvaluatedFlight flight = measure_flight(run(), nullptr, work.work());
     PlanLines plan;
     MomentViews views;
-    draw_moments({{&flight, 3, "A", "A: title", &plan, &views}}, place_.path(), work.work());
+    ClutterOpinions opinions;
+    draw_moments({{&flight, 3, "A", "A: title", &plan, &views, &opinions}}, place_.path(), work.work());
     EXPECT_FALSE(plan.empty());
-    EXPECT_FALSE(views.picture.empty() || views.saliency.empty() || views.heat.empty() || views.edges.empty());
+    EXPECT_FALSE(views.picture.empty() || views.saliency.empty() || views.heat.empty() || views.edges.empty() ||
+                 views.congestion.empty());
+    EXPECT_GT(opinions.feature_congestion, 0);
+    EXPECT_GT(opinions.subband_entropy, 0);
     EXPECT_TRUE(std::filesystem::exists(view_files(place_.file("A")).sheet));
 }
 

@@ -30,7 +30,11 @@ TEST_F(EvaluatePictures, EachHasMeasuresAndViews) {
     EXPECT_EQ(evaluated[0].measures.clutter, 0) << "a plain picture";
     EXPECT_GT(evaluated[1].measures.clutter, 0.1);
     EXPECT_TRUE(std::filesystem::exists(place_.file("out/b.saliency.png")));
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 12);
+    ASSERT_TRUE(evaluated[0].measures.opinions && evaluated[1].measures.opinions);
+    EXPECT_EQ(evaluated[0].measures.opinions->feature_congestion, 0);
+    EXPECT_GT(evaluated[1].measures.opinions->subband_entropy, 0.5);
+    EXPECT_EQ(agreement_over_pictures(evaluated).feature_congestion.alike, 1u) << "all measures see the stripes";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 14);
 }
 
 TEST_F(EvaluatePictures, NothingStaysWhereOneIsFaulty) {
@@ -45,7 +49,7 @@ TEST_F(EvaluatePictures, WhereItIsStoppedThePicturesSoFarStay) {
     std::filesystem::create_directory(place_.file("out"));
     test_support::TestWork stopped(1, 2);
     EXPECT_EQ(evaluate_pictures(files, place_.file("out"), nullptr, stopped.work()).size(), 2u);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 12);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place_.file("out")), {}), 14);
 }
 
 TEST_F(EvaluatePictures, NamesOfViewsDiffer) {

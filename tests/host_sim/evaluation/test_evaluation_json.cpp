@@ -11,6 +11,7 @@ TEST(EvaluationJson, APictureHasWhatTheContractNames) {
     EvaluatedPicture one{"in/a.png", "a", test_support::made_flight(3).measures[0]};
     one.measures.layers = {{"terrain", 0.75, 0.5}, {"data", 0.25, 0.5}};
     one.measures.gaze = GazeScore{4, 0.8, 1.5};
+    one.measures.opinions = ClutterOpinions{2.5, 3.5};
     const EvaluationSettings settings;
     const auto json = pictures_json({one}, settings, false);
     EXPECT_EQ(json["interrupted"], false);
@@ -27,12 +28,17 @@ TEST(EvaluationJson, APictureHasWhatTheContractNames) {
     EXPECT_EQ(picture["layer_shares"]["terrain"], 0.75);
     EXPECT_EQ(picture["gaze"]["auc"], 0.8);
     EXPECT_EQ(json["gaze"]["nss"], 1.5);
+    EXPECT_EQ(picture["feature_congestion"], 2.5);
+    EXPECT_EQ(picture["subband_entropy"], 3.5);
+    EXPECT_EQ(picture["views"]["congestion"], "a.congestion.png");
+    EXPECT_EQ(json["order_agreement"]["feature_congestion"]["pairs"], 0) << "of one picture";
 }
 
 TEST(EvaluationJson, AFlightHasAllFramesPhasesAndPeaks) {
     FlightReport report;
     report.flights.push_back(test_support::made_flight(90));
     test_support::give_moments(report.flights[0]);
+    test_support::give_disputed_moments(report.flights[0]);
     const auto json = flights_json(report);
     EXPECT_EQ(json["frames"], 90);
     EXPECT_EQ(json["pictures"].size(), 90u);
@@ -43,6 +49,9 @@ TEST(EvaluationJson, AFlightHasAllFramesPhasesAndPeaks) {
     EXPECT_EQ(json["pictures"][45]["saliency_map"], "B.saliency.png") << "a peak";
     EXPECT_TRUE(json["pictures"][0]["saliency_map"].is_null());
     EXPECT_TRUE(json["gaze"].is_null());
+    EXPECT_EQ(json["peaks"][1]["feature_congestion"], 5.0);
+    EXPECT_EQ(json["order_agreement"]["subband_entropy"]["pairs"], 3);
+    EXPECT_EQ(json["order_agreement"]["subband_entropy"]["alike"], 2);
     EXPECT_EQ(json["peaks"][1]["plan"]["weights"], "terrain 1.00");
 }
 

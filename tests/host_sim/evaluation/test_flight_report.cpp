@@ -50,6 +50,15 @@ TEST(FlightReport, TellsTheFlight) {
     EXPECT_EQ(count(page, "<tr class='all'>"), 1u);
 }
 
+TEST(FlightReport, OtherMeasuresAreHeldAgainstTheEdges) {
+    FlightReport report = single();
+    EXPECT_THAT(flight_report_page(report), Not(HasSubstr("pairs of peaks"))) << "all are alike";
+    test_support::give_disputed_moments(report.flights[0]);
+    const std::string page = flight_report_page(report);
+    EXPECT_THAT(page, HasSubstr("Of 3 pairs of peaks Feature Congestion orders 3 as the edges do, Subband Entropy 2."));
+    EXPECT_THAT(page, HasSubstr("Feature Congestion 6.00, Subband Entropy 3.60 bits"));
+}
+
 TEST(FlightReport, ThePrioritizedAspectIsMarked) {
     const std::string page = flight_report_page(single(true));
     EXPECT_THAT(page, HasSubstr("What draws the eye"));
@@ -155,7 +164,7 @@ TEST_F(ReportInABrowser, AClickOnAPeakShowsItsPictures) {
         EXPECT_EQ(verdict["marks"], 3);
         EXPECT_EQ(verdict["first"], nlohmann::json({"moment-A"}));
         EXPECT_EQ(verdict["clicked"], nlohmann::json({"moment-C"}));
-        EXPECT_EQ(verdict["pictures"], 4);
+        EXPECT_EQ(verdict["pictures"], 5);
         EXPECT_LE(verdict["overflow"], 0) << "nothing is wider than the screen";
     }
 }
@@ -165,7 +174,7 @@ TEST_F(ReportInABrowser, TwoDesignsToo) {
     EXPECT_THAT(seen_.console, IsEmpty());
     EXPECT_EQ(verdict["curves"], 2);
     EXPECT_EQ(verdict["clicked"], nlohmann::json({"moment-B3"}));
-    EXPECT_EQ(verdict["pictures"], 8);
+    EXPECT_EQ(verdict["pictures"], 10);
 }
 
 std::string with(std::string page, const std::string& what, const std::string& instead) {
@@ -194,7 +203,7 @@ TEST_F(ReportInABrowser, WorksWithoutScripts) {
     const std::size_t begin = page.rfind("<script>"), end = page.rfind("</script>");
     const nlohmann::json verdict = use(page.substr(0, begin) + page.substr(end + 9));
     EXPECT_EQ(verdict["first"].size(), 3u);
-    EXPECT_EQ(verdict["pictures"], 4);
+    EXPECT_EQ(verdict["pictures"], 5);
 }
 
 }  // namespace

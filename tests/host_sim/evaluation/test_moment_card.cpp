@@ -22,12 +22,12 @@ TEST(MomentCard, ShowsPicturesAndPlan) {
     test_support::give_layers(flight);
     test_support::give_moments(flight);
     const std::string card = moment_card({&flight, ""}, flight.moments[1], {}, {});
-    for (const char* part :
-         {"id='moment-B'", "45.0 s, approach.final, clutter 0.200", "a &lt;plain&gt; one", "(row 2, column 2), 0.400",
-          "terrain 50 % on 70 % of the pixels", "phase by can", "class='first' title='terrain"})
+    for (const char* part : {"id='moment-B'", "45.0 s, approach.final, clutter 0.200", "a &lt;plain&gt; one",
+                             "(row 2, column 2), 0.400", "terrain 50 % on 70 % of the pixels", "phase by can",
+                             "Feature Congestion 4.00, Subband Entropy 3.50 bits", "class='first' title='terrain"})
         EXPECT_THAT(card, HasSubstr(part));
-    EXPECT_EQ(count(card, "<img "), 4u);
-    EXPECT_EQ(count(card, " alt='"), 4u);
+    EXPECT_EQ(count(card, "<img "), 5u);
+    EXPECT_EQ(count(card, " alt='"), 5u);
     EXPECT_THAT(moment_tab(flight, flight.moments[1]), HasSubstr("href='#moment-B'"));
 }
 
@@ -36,7 +36,7 @@ TEST(MomentCard, TwoFlightsStandOneBelowTheOther) {
     test_support::give_moments(flight, "A");
     flight.moments[0].other = flight.moments[0].index;
     const std::string card = moment_card({&flight, "A default"}, flight.moments[0], {&other, "B <cruise>"}, {});
-    EXPECT_EQ(count(card, "<img "), 8u);
+    EXPECT_EQ(count(card, "<img "), 10u);
     EXPECT_THAT(card, HasSubstr("B &lt;cruise&gt;</b>: clutter 0.4"));
 }
 
