@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 
 /// The congestion that views draw white.
-inline constexpr float kFullCongestion = 12;
+inline constexpr float kFullCongestion = 24;
 
 struct FeatureCongestion {
     double mean = 0;  ///< over all pixels
