@@ -19,6 +19,7 @@
 #include "host_sim/commands/shaders.hpp"
 #include "host_sim/commands/sheet.hpp"
 #include "host_sim/commands/shot.hpp"
+#include "host_sim/commands/sweep.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/user_error.hpp"
@@ -38,6 +39,7 @@ struct CommandLine {
     ReplayOptions replay;
     ShotOptions shot;
     SheetOptions sheet;
+    SweepOptions sweep;
     DiffOptions diff;
     CheckOptions check;
     EvaluateOptions evaluate;
@@ -70,7 +72,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 
 /// convert, scenario, scene, terrain: what turns files into what the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
-/// shot, sheet, calibrate, shaders, replay: what starts a display.
+/// shot, sheet, sweep, calibrate, shaders, replay: what starts a display.
 void add_displays(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

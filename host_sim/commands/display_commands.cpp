@@ -120,6 +120,42 @@ void add_sheet(CLI::App& app, CommandLine& line) {
     command->get_option("--size")->description("WIDTHxHEIGHT of a picture; default: the sheet's");
 }
 
+void add_sweep(CLI::App& app, CommandLine& line) {
+    SweepOptions& o = line.sweep;
+    CLI::App* command = add_command(app, line, "sweep", "a place from viewpoints round it: clutter, and what draws the eye",
+                                    [&o](Console& console) { return run_sweep(o, console); });
+    command->add_option_function<std::string>(
+        "--around", [&o](const std::string& text) { o.place = place_from(text); },
+        "lat,lon or lat,lon,alt_m of the place; default: the middle of the terrain, on the ground");
+    command->add_option("--radius", o.radius_m, "metres that the place reaches round that")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    command->add_option("--bearings", o.rings.bearings, "viewpoints of a ring, evenly from north over east")
+        ->check(CLI::Range(std::size_t{1}, SweepRings::kMostBearings))
+        ->capture_default_str();
+    command->add_option_function<std::string>(
+        "--distances",
+        [&o](const std::string& text) {
+            o.rings.distances_m = metres_from("--distances", text, SweepRings::kLeastDistance_m, SweepRings::kMostDistance_m);
+        },
+        "metres from the place to the rings; default: 3000,6000");
+    command->add_option_function<std::string>(
+        "--heights",
+        [&o](const std::string& text) {
+            o.rings.heights_m = metres_from("--heights", text, -SweepRings::kMostHeight_m, SweepRings::kMostHeight_m);
+        },
+        "metres of the rings above the place; default: 500,1500");
+    command->add_option("-o", o.output, "folder to write to: pictures, sweep.json, report.html")->required();
+    add_time(command, o.time);
+    command->add_option_function<std::string>(
+        "--phase", [&o](const std::string& text) { o.phase = phase_from(text); },
+        "flight phase, as if a switch stated it; default: none is stated");
+    command->add_flag("--layers", o.layers, kLayersText);
+    add_picture_options(command, o.picture);
+    command->get_option("--terrain")
+        ->description("terrain database (.tdb); default: the shipped one, with the shipped scenario's data");
+}
+
 /// What --config says, with what may stand beside it on the command line.
 void use_replay_config(CommandLine& line) {
     if (line.replay_config.empty()) return;
@@ -185,6 +221,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
 void add_displays(CLI::App& app, CommandLine& line) {
     add_shot(app, line);
     add_sheet(app, line);
+    add_sweep(app, line);
     add_calibrate(app, line);
     add_shaders(app, line);
     add_replay(app, line);

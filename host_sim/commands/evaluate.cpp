@@ -34,12 +34,6 @@ std::unique_ptr<base::Workers> evaluation_workers(std::uint32_t threads) {
     return std::move(workers.value());
 }
 
-/// A run has a report of its own, which must stay.
-void require_no_run(const std::string& folder) {
-    if (std::filesystem::exists(folder + "/" + kFrameRecordsName))
-        throw UserError("-o " + folder + ": this folder holds a run; name another one for its evaluation");
-}
-
 std::string padded(std::string text, std::size_t width) {
     if (text.size() < width) text.append(width - text.size(), ' ');
     return text;

@@ -1,10 +1,12 @@
 #include "host_sim/commands/option_texts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
 
 #include "host_sim/number_list.hpp"
+#include "host_sim/reports/line_chart.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/utc_time.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -29,6 +31,29 @@ AircraftPose pose_from(const std::string& text) {
                         ": not lat,lon,alt_m,heading,pitch,roll in degrees and metres above sea level; write for "
                         "instance 46.98,10.02,3500,90,0,0");
     return {n[0], n[1], n[2], n[3], n[4], n[5]};
+}
+
+SweptPlace place_from(const std::string& text) {
+    constexpr double kLimits[] = {90, 360, 100'000};
+    const std::vector<double> n = parse_number_list(text, ',');
+    bool sane = n.size() == 2 || n.size() == 3;
+    for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
+    if (!sane)
+        throw UserError("--around " + text +
+                        ": not lat,lon or lat,lon,alt_m in degrees and metres above sea level; write for instance 36.6,-84.25");
+    SweptPlace place{n[0], n[1], {}};
+    if (n.size() == 3) place.altitude_msl_m = n[2];
+    return place;
+}
+
+std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m) {
+    const std::vector<double> n = parse_number_list(text, ',');
+    const bool is_sane = !n.empty() && n.size() <= SweepRings::kMostSteps &&
+                         std::all_of(n.begin(), n.end(), [&](double metres) { return metres >= least_m && metres <= most_m; });
+    if (!is_sane)
+        throw UserError(option + " " + text + ": not 1 to " + std::to_string(SweepRings::kMostSteps) + " numbers of " +
+                        decimal(least_m, 0) + " to " + decimal(most_m, 0) + " m; write for instance 2000,5000");
+    return n;
 }
 
 perception::CannySettings canny_from(const std::string& text) {

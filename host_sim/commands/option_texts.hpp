@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
+#include "host_sim/sweep/draw_sweep.hpp"
 #include "render_core/perception/edge_detector.hpp"
 
 namespace tedavis::host_sim {
@@ -13,6 +15,10 @@ namespace tedavis::host_sim {
 [[nodiscard]] PictureSize size_from(const std::string& text);
 /// "lat,lon,alt_m,heading,pitch,roll" in degrees and metres above mean sea level.
 [[nodiscard]] AircraftPose pose_from(const std::string& text);
+/// "lat,lon" or "lat,lon,alt_m": degrees, and metres above mean sea level.
+[[nodiscard]] SweptPlace place_from(const std::string& text);
+/// "3000,6000": metres from `least` to `most`, at most SweepRings::kMostSteps of them.
+[[nodiscard]] std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m);
 /// The name of a phase, as it is.
 [[nodiscard]] std::string phase_from(const std::string& name);
 /// "sigma,low,high" of Canny's edges.

@@ -19,15 +19,11 @@ namespace {
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-std::vector<std::string> all_of(const ViewFiles& views) {
-    return {views.saliency, views.heat, views.edges, views.regions, views.congestion, views.second_opinion, views.sheet};
-}
-
 void require_other_outputs(const std::vector<std::string>& files, const std::vector<std::string>& names,
                            const std::string& folder) {
     std::set<std::string> outputs;
     for (const std::string& name : names)
-        for (const std::string& view : all_of(view_files(name))) outputs.insert(view);
+        for (const std::string& view : all_view_files(name)) outputs.insert(view);
     for (const std::string& file : files)
         if (outputs.count(file_name(file)) > 0) require_other_file(folder + "/" + file_name(file), {file});
 }
@@ -53,7 +49,7 @@ public:
 private:
     void remove(std::size_t n) const {
         std::error_code ignored;
-        for (const std::string& view : all_of(view_files(folder_ + "/" + names_[n]))) std::filesystem::remove(view, ignored);
+        for (const std::string& view : all_view_files(folder_ + "/" + names_[n])) std::filesystem::remove(view, ignored);
     }
 
     const std::string& folder_;

@@ -17,6 +17,11 @@ ViewFiles view_files(const std::string& name) {
             name + ".congestion.png", name + ".second_opinion.png", name + ".sheet.png"};
 }
 
+std::vector<std::string> all_view_files(const std::string& name) {
+    const ViewFiles views = view_files(name);
+    return {views.saliency, views.heat, views.edges, views.regions, views.congestion, views.second_opinion, views.sheet};
+}
+
 PictureViews picture_views(const RgbaPicture& picture, PictureMeter& meter, const PictureMeasures& measures,
                            const FloatMap& congestion, const EvaluationSettings& settings) {
     const FloatMap saliency = meter.saliency();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host_sim/evaluation/evaluated_flight.hpp"
 #include "host_sim/evaluation/picture_meter.hpp"
@@ -13,6 +14,7 @@ struct ViewFiles {
     std::string saliency, heat, edges, regions, congestion, second_opinion, sheet;
 };
 [[nodiscard]] ViewFiles view_files(const std::string& name);
+[[nodiscard]] std::vector<std::string> all_view_files(const std::string& name);
 
 /// All views in the picture's size.
 struct PictureViews {

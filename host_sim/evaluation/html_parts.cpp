@@ -67,12 +67,13 @@ std::string layer_bar(const std::vector<LayerShare>& layers, const std::string& 
     return bar.empty() ? bar : "<div class='bar'>" + bar + "</div>";
 }
 
-std::string layer_key(const std::vector<LayerShare>& layers) {
+std::string layer_key(const std::vector<LayerShare>& layers, bool with_outline) {
     std::string names;
     for (const LayerShare& layer : layers)
         names += "<span class='entry'><span class='key' style='background:" + layer_color(layer.layer) + "'></span>" +
                  escaped_html(layer.layer) + "</span> ";
-    return "<p class='soft'>" + names + "<span class='entry'><span class='key first'></span>comes first in the design</span></p>";
+    if (with_outline) names += "<span class='entry'><span class='key first'></span>comes first in the design</span>";
+    return "<p class='soft'>" + names + "</p>";
 }
 
 }  // namespace tedavis::host_sim

@@ -30,7 +30,7 @@ namespace tedavis::host_sim {
 
 /// One bar of a span's layers, as wide as its box, the prioritized one outlined; empty without layers.
 [[nodiscard]] std::string layer_bar(const std::vector<LayerShare>& layers, const std::string& prioritized);
-/// Names beside their colours.
-[[nodiscard]] std::string layer_key(const std::vector<LayerShare>& layers);
+/// Names beside their colours; with what the outline means.
+[[nodiscard]] std::string layer_key(const std::vector<LayerShare>& layers, bool with_outline = true);
 
 }  // namespace tedavis::host_sim

@@ -23,6 +23,25 @@ TEST_F(Displays, OptionsReachTheReplay) {
     EXPECT_EQ(line.replay.picture.clutter, design::ClutterView::edges);
 }
 
+TEST_F(Displays, OptionsReachTheSweep) {
+    EXPECT_EQ(line.sweep.rings.bearings, 8u);
+    parse({"sweep",       "--around",  "36.6,-84.2,400", "--radius",    "100",      "--bearings", "12",
+           "--distances", "1000,2500", "--heights",      "-20,300,900", "--design", "cruise",     "--terrain",
+           "x.tdb",       "--phase",   "cruise",         "--layers",    "-o",       "out"});
+    ASSERT_TRUE(line.sweep.place.has_value());
+    EXPECT_EQ(line.sweep.place->altitude_msl_m, 400);
+    EXPECT_EQ(line.sweep.radius_m, 100);
+    EXPECT_EQ(line.sweep.rings.bearings, 12u);
+    EXPECT_EQ(line.sweep.rings.distances_m, (std::vector<double>{1000, 2500}));
+    EXPECT_EQ(line.sweep.rings.heights_m, (std::vector<double>{-20, 300, 900}));
+    EXPECT_EQ(line.sweep.picture.design, "cruise");
+    EXPECT_EQ(line.sweep.phase, "cruise");
+    EXPECT_TRUE(line.sweep.layers);
+    EXPECT_THROW(parse({"sweep", "-o", "out", "--distances", "5"}), UserError);
+    EXPECT_THROW(parse({"sweep", "-o", "out", "--bearings", "0"}), CLI::ParseError);
+    EXPECT_THROW(parse({"sweep"}), CLI::ParseError) << "no folder";
+}
+
 TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {
     EXPECT_EQ(line.shaders.picture.device, "sc2");
     parse({"shaders", "-o", "p", "--design", "cruise"});

@@ -29,6 +29,22 @@ TEST(OptionTexts, PosesAreSixNumbers) {
         expect_user_error([&] { static_cast<void>(pose_from(text)); }, "degrees");
 }
 
+TEST(OptionTexts, PlacesMayHaveAnAltitude) {
+    const SweptPlace ground = place_from("36.6,-84.25"), high = place_from("36.6,-84.25,450");
+    EXPECT_EQ(ground.latitude_deg, 36.6);
+    EXPECT_EQ(ground.longitude_deg, -84.25);
+    EXPECT_FALSE(ground.altitude_msl_m.has_value());
+    EXPECT_EQ(high.altitude_msl_m, 450);
+    for (const char* text : {"36.6", "91,0", "1,2,3,4", "0,0,200000", "Davos"})
+        expect_user_error([&] { static_cast<void>(place_from(text)); }, "--around");
+}
+
+TEST(OptionTexts, MetresAreAList) {
+    EXPECT_EQ(metres_from("--heights", "-50,1500.5", -100, 2000), (std::vector<double>{-50, 1500.5}));
+    for (const char* text : {"", "-101", "5,2001", "5,,6", "far", "1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1"})
+        expect_user_error([&] { static_cast<void>(metres_from("--heights", text, -100, 2000)); }, "--heights");
+}
+
 TEST(OptionTexts, EdgesAreABlurAndTwoThresholds) {
     const perception::CannySettings canny = canny_from("0.5,6,15");
     EXPECT_EQ(canny.sigma, 0.5);

@@ -19,6 +19,11 @@ TEST(HtmlParts, EscapeTheirTexts) {
         EXPECT_THAT(html, Not(HasSubstr("<i>"))) << html;
 }
 
+TEST(HtmlParts, TheKeySaysWhatTheOutlineMeansWhereThereIsOne) {
+    EXPECT_THAT(layer_key({{"data", 1, 1}}), HasSubstr("comes first"));
+    EXPECT_THAT(layer_key({{"data", 1, 1}}, false), Not(HasSubstr("comes first")));
+}
+
 TEST(HtmlParts, NumbersAsTheyAreRead) {
     EXPECT_EQ(seconds_text(312), "312.0 s");
     EXPECT_EQ(clutter_text(0.18749), "0.187");

@@ -1,0 +1,28 @@
+/// `tedavis sweep -o DIR`: a place drawn from viewpoints round it, and what meets the eye in each picture.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/sweep/draw_sweep.hpp"
+
+namespace tedavis::host_sim {
+
+struct SweepOptions {
+    std::optional<SweptPlace> place;  ///< nothing: the middle of the terrain
+    double radius_m = 250;
+    SweepRings rings;
+    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
+    std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
+    PictureOptions picture;          ///< without terrain: the shipped one, and the data of the shipped scenario
+    bool layers = false;
+    std::string output;  ///< folder
+};
+
+/// Leaves the pictures, sweep.json and report.html. Returns the exit code, 2 also for a sweep whose terrain failed,
+/// kInterruptedExitCode with a valid result of the views so far; throws UserError and Interrupted.
+[[nodiscard]] int run_sweep(const SweepOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

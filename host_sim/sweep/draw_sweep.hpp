@@ -1,0 +1,41 @@
+/// Draws a place from viewpoints round it, on one display, and measures each picture.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/console.hpp"
+#include "host_sim/sweep/swept_views.hpp"
+#include "host_sim/sweep/written_files.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::host_sim {
+
+/// As the user writes it.
+struct SweptPlace {
+    double latitude_deg = 0, longitude_deg = 0;
+    std::optional<double> altitude_msl_m;  ///< nothing: the ground's
+};
+
+struct SweepJob {
+    PictureOptions picture;           ///< with terrain
+    std::optional<SweptPlace> place;  ///< nothing: the middle of the terrain
+    double radius_m = 250;            ///< how far the place reaches
+    SweepRings rings;
+    flight::PhaseStatus phase;
+    base::Time time = kPosedTime;
+    bool layers = false;               ///< leaves masks beside the pictures
+    std::string folder;                ///< is there; gets the pictures, and all views of those that stand out
+    std::function<bool()> is_stopped;  ///< asked before each picture
+};
+
+/// Closer to the ground than this nothing is drawn.
+inline constexpr double kLeastClearance_m = 5;
+
+/// `fault`: a sentence where a part of the terrain failed. Stopped, it has the views so far; throws Interrupted where there are
+/// none, and UserError where nothing can be seen from any viewpoint.
+[[nodiscard]] Sweep draw_sweep(const SweepJob& job, WrittenFiles& files, Console& console, std::string& fault);
+
+}  // namespace tedavis::host_sim

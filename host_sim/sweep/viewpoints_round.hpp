@@ -1,0 +1,38 @@
+/// Viewpoints round a place, each looking at it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host_sim/scenario/posed_aircraft.hpp"
+#include "render_core/earth/geodetic.hpp"
+
+namespace tedavis::host_sim {
+
+/// Of a sweep: every distance with every height in every bearing.
+struct SweepRings {
+    static constexpr std::size_t kMostBearings = 72, kMostSteps = 16;
+    static constexpr double kLeastDistance_m = 10, kMostDistance_m = 100'000, kMostHeight_m = 30'000;
+    std::size_t bearings = 8;  ///< evenly round the place, from north over east
+    std::vector<double> distances_m{3000, 6000};
+    std::vector<double> heights_m{500, 1500};  ///< above the place
+};
+
+struct Viewpoint {
+    double bearing_deg = 0;  ///< from the place to it
+    double distance_m = 0;   ///< over the ellipsoid, within a ten-thousandth
+    double height_m = 0;
+    earth::Geodetic position;
+    AircraftPose pose;  ///< wings level, the nose on the place
+    std::string name;   ///< "h1500_d3000_b045": of its files
+};
+
+using GeoidBelowPlace = std::function<earth::GeoidUndulation(double latitude_rad, double longitude_rad)>;
+
+/// Height by height, in it distance by distance, in it bearing by bearing. Heights are differences of altitudes above mean sea
+/// level.
+[[nodiscard]] std::vector<Viewpoint> viewpoints_round(const earth::Geodetic& place, const GeoidBelowPlace& geoid,
+                                                      const SweepRings& rings);
+
+}  // namespace tedavis::host_sim

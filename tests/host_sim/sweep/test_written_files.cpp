@@ -1,0 +1,26 @@
+#include "host_sim/sweep/written_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim::test_written_files {
+namespace {
+
+TEST(WrittenFiles, GoUnlessKept) {
+    const test_support::TemporaryFolder place;
+    const std::string other = place.write("other", "x");
+    for (const bool is_kept : {true, false}) {
+        {
+            WrittenFiles files;
+            files.add(place.file("never written"));
+            files.add(place.file("a"));
+            (void)place.write("a", "x");
+            if (is_kept) files.keep();
+        }
+        EXPECT_EQ(place.entries(), is_kept ? 2u : 1u);
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_written_files
