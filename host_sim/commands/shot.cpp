@@ -49,6 +49,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     pose.time = options.time.value_or(kPosedTime);
     FrameResult result = posed_frame(session, pose, phase);
     result.has_layers = options.layers;
+    if (options.layers) result.obstacles = session.display().obstacles_ahead();
     const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
     if (options.layers) write_drawn_layers(options.output, session);

@@ -66,6 +66,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
     draw_watched(time);
     result_.record = session_.display().record();
     result_.has_layers = options_.layers;
+    if (options_.layers) result_.obstacles = session_.display().obstacles_ahead();
     result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
     return result_;

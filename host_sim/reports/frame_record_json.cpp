@@ -175,6 +175,20 @@ Json distortion_json(const display::DistortionRecords& records) {
     return json;
 }
 
+/// On the way, the soonest first, as they stand in the picture.
+Json obstacles_json(const display::ObstaclePlaces& obstacles) {
+    Json json = Json::array();
+    for (const display::ObstaclePlace& one : obstacles) {
+        const bool has_box = !one.box.empty();
+        json.push_back({{"name", text(one.name.view())},
+                        {"feature", one.feature},
+                        {"state", text(display::kObstacleStateNames[static_cast<std::size_t>(one.state)])},
+                        {"ahead_s", one.ahead_s},
+                        {"box", has_box ? Json{one.box.x, one.box.y, one.box.right(), one.box.bottom()} : Json()}});
+    }
+    return json;
+}
+
 Json flags_json(const display::FrameRecord& record) {
     Json json = Json::array();
     for (const display::Name& flag : record.flags) json.push_back(text(flag.view()));
@@ -215,7 +229,10 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"triangles", record.terrain.triangles},
                        {"chunks", record.terrain.chunks},
                        {"pending", record.terrain.pending}};
-    if (result.has_layers) json["layers"] = display::kPictureLayerNames;
+    if (result.has_layers) {
+        json["layers"] = display::kPictureLayerNames;
+        json["obstacles"] = obstacles_json(result.obstacles);
+    }
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
     json["labels"] = {{"placed", record.labels.placed},

@@ -6,6 +6,7 @@
 
 #include "render_core/base/time.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/obstacle_places.hpp"
 
 namespace tedavis::host_sim {
 
@@ -18,8 +19,9 @@ struct FrameResult {
     display::FrameRecord record;
     std::uint64_t hash = 0;  ///< of the pixels, base::frame_hash
     FrameTiming timing;
-    bool has_layers = false;  ///< beside its picture lies which layer each pixel is of
-    double latency_ms = 0;    ///< from the newest message in the picture to the frame's time, both on the source's clock
+    bool has_layers = false;  ///< beside its picture lies which layer each pixel is of; with it, `obstacles` are known
+    display::ObstaclePlaces obstacles;
+    double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,

@@ -21,6 +21,7 @@
 #include "render_core/display/failure_policy.hpp"
 #include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
+#include "render_core/display/obstacle_places.hpp"
 #include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/raised_weights.hpp"
 #include "render_core/display/saliency_view.hpp"
@@ -152,6 +153,9 @@ public:
     [[nodiscard]] const effects::FrameCounters& counters() const { return counters_; }
 
     [[nodiscard]] const FrameRecord& record() const { return record_; }
+    /// Where the obstacles on the way are in the frame that was drawn last: computed when it is asked for, and only then. None
+    /// where no terrain or no data are shown.
+    [[nodiscard]] ObstaclePlaces obstacles_ahead();
     [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
     [[nodiscard]] gl::Gl& gl() { return gl_; }
     [[nodiscard]] const terrain::View& view() const { return eye_.view; }
@@ -188,6 +192,7 @@ private:
     void show_look();
     class Raises;
     void note_epochs();
+    [[nodiscard]] Way way_of(const flight::OwnShipEstimate& own) const;
     [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
     [[nodiscard]] effects::EffectSet asked() const;
     void decide_labels();

@@ -5,6 +5,7 @@
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/display/hazard_watch.hpp"
+#include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
 
 namespace tedavis::display {
@@ -28,9 +29,7 @@ private:
     }
 
     void raise_hazards(const WeighedInstant& instant, WeightRaises& raises) const {
-        const flight::OwnShipEstimate& own = instant.own_ship;
-        Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
-        if (!own.height_is_geometric) way.from.height.m += display_.undulation_m(own.position);
+        const Way way = display_.way_of(instant.own_ship);
         TerrainGround ground(display_.terrain_, terrain::View());
         HazardWatch watch(priority_, way, ground, instant.time.utc.ns);
         // Where terrain comes first already it needs no focus of its own.
@@ -51,6 +50,12 @@ private:
     Display& display_;
     const design::PrioritySettings& priority_;
 };
+
+Way Display::way_of(const flight::OwnShipEstimate& own) const {
+    Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
+    if (!own.height_is_geometric) way.from.height.m += undulation_m(own.position);
+    return way;
+}
 
 /// Before anything of the frame is planned.
 void Display::weigh(base::Time now) {
@@ -80,6 +85,17 @@ void Display::show_look() {
     const draw::DrawnDesign drawn = drawn_design(settings_.design, draws_foci_);
     passes_.set_design(drawn);
     terrain_.set_design(gl_, drawn);
+}
+
+ObstaclePlaces Display::obstacles_ahead() {
+    if (!shows_elements() || !data_.has_scene() || state_.own_ship.state != base::SignalState::valid) return {};
+    const Way way = way_of(state_.own_ship);
+    TerrainGround ground(terrain_, eye_.view);
+    HazardWatch watch(design_at(shown_).priority, way, ground, record_.flight_time.utc.ns);
+    terrain::DrawnSight sight = terrain_.sight(eye_.view);
+    const draw::SignView eye{eye_.view, static_cast<float>(text_px(context(), settings_.width_px, settings_.height_px))};
+    return obstacle_places({data_.scene(), record_.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},
+                           watch);
 }
 
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.

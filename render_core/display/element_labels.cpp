@@ -80,6 +80,7 @@ void ElementLabels::set(const scene::Scene* scene, const design::DataElementList
     if (design != design_) planner_.rest();
     design_ = design;
     groups_.clear();
+    obstacle_rooms_.clear();
     if (scene == nullptr) return;
     for (const design::DataElement& element : elements)
         for (const scene::Layer& layer : scene->layers())
@@ -178,6 +179,12 @@ std::uint32_t ElementLabels::drawn(const design::DataElement& element, const sce
     return group < groups_.size() ? groups_[group].drawn : 0;
 }
 
+const draw::Rect* ElementLabels::obstacle_room(const scene::Layer& layer, std::uint32_t feature) const {
+    for (const ObstacleRoom& one : obstacle_rooms_)
+        if (one.layer == &layer && one.feature == feature) return &one.room;
+    return nullptr;
+}
+
 std::uint32_t ElementLabels::suppressed(const design::DataElement& element, const scene::Layer& layer) const {
     return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
 }
@@ -190,6 +197,7 @@ ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, In
       markers_(screen_of(sheet.view())),
       left_(screen_of(sheet.view())) {
     for (Group& group : labels.groups_) group.drawn = 0;
+    labels.obstacle_rooms_.clear();
 }
 
 bool ElementLabels::Pass::is_left(const draw::Rect& box) const {
@@ -249,6 +257,8 @@ void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input, La
     if (label.is_seen && (is_covered || answer.fate == BillboardFate::hidden)) left_.take(decided);
     if (answer.fate != BillboardFate::stands) return;
     ++group_of(label).drawn;
+    if (input.layer.entry->role == scene::LayerRole::obstacle)
+        static_cast<void>(labels_.obstacle_rooms_.try_push_back({&input.layer, feature, answer.room}));
     standing_[n] = {answer.look(), level == LabelLevel::name && answer.side != draw::SignSide::none};
 }
 

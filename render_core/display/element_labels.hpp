@@ -97,11 +97,23 @@ public:
     };
     class Pass;
     /// Instead of them in a frame without signs.
-    void rest() { planner_.rest(); }
+    void rest() {
+        planner_.rest();
+        obstacle_rooms_.clear();
+    }
     /// Signs that the last pass added of an element's layer.
     [[nodiscard]] std::uint32_t drawn(const design::DataElement& element, const scene::Layer& layer) const;
+    /// The room that the last pass gave the sign of an obstacle; null where it does not stand, and of more than
+    /// kMostObstacleRooms.
+    [[nodiscard]] const draw::Rect* obstacle_room(const scene::Layer& layer, std::uint32_t feature) const;
+    static constexpr std::size_t kMostObstacleRooms = 64;
 
 private:
+    struct ObstacleRoom {
+        const scene::Layer* layer;
+        std::uint32_t feature;
+        draw::Rect room;
+    };
     struct Group {
         const design::DataElement* element;
         const scene::Layer* layer;
@@ -116,6 +128,7 @@ private:
     draw::LabelPlanner planner_;
     design::LabelSettings settings_;
     base::FixedVector<Group, draw::kMostLabelGroups> groups_;
+    base::FixedVector<ObstacleRoom, kMostObstacleRooms> obstacle_rooms_;  ///< of the last pass
     std::size_t design_ = 0, decided_for_ = 0;
     bool is_anew_ = false;
     terrain::View view_;  ///< of the epoch that was decided last, with what follows

@@ -35,6 +35,8 @@ public:
 
     [[nodiscard]] double terrain_share();
     [[nodiscard]] double layer_share(const scene::Layer& layer);
+    /// Until the way comes within reach of a feature, at its height; infinite where it does not.
+    [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
     /// Of all that was asked for: where on the way the first hazard is met. False where there was none.
     [[nodiscard]] bool first_met(earth::Geodetic& place) const;
 
@@ -52,7 +54,6 @@ private:
     [[nodiscard]] double share_of(double seconds) const;
     double note(double seconds);
     [[nodiscard]] bool is_at_terrain(double seconds);
-    [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
     [[nodiscard]] bool is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const;
     [[nodiscard]] bool is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds);
     [[nodiscard]] double over_ellipsoid_m(double height_m, scene::HeightDatum datum, const earth::Geodetic& at);

@@ -171,6 +171,25 @@ TEST(FrameRecordJson, TellsTheFoci) {
     EXPECT_FALSE(foci[1].contains("latitude_deg")) << "it is nowhere";
 }
 
+TEST(FrameRecordJson, TellsObstaclesWithTheLayersOnly) {
+    FrameResult result = test_support::frame_result(1, 0);
+    display::ObstaclePlace seen, hidden;
+    seen.name = base::FixedString<31>("Mast 1");
+    seen.state = display::ObstacleState::drawn;
+    seen.ahead_s = 12;
+    seen.box = {10, 20, 30, 40};
+    hidden.state = display::ObstacleState::hidden;
+    EXPECT_TRUE(result.obstacles.try_push_back(seen) && result.obstacles.try_push_back(hidden));
+    EXPECT_FALSE(nlohmann::json::parse(frame_record_json(result, base::Time{})).contains("obstacles"));
+    result.has_layers = true;
+    const auto obstacles = nlohmann::json::parse(frame_record_json(result, base::Time{})).at("obstacles");
+    ASSERT_EQ(obstacles.size(), 2u);
+    EXPECT_EQ(obstacles[0], nlohmann::json::parse(
+                                R"({"name":"Mast 1","feature":0,"state":"drawn","ahead_s":12.0,"box":[10.0,20.0,40.0,60.0]})"));
+    EXPECT_EQ(obstacles[1].at("state"), "hidden");
+    EXPECT_TRUE(obstacles[1].at("box").is_null());
+}
+
 TEST(FrameRecordJson, WhatIsNotKnownIsNull) {
     FrameResult result = test_support::frame_result(0, 3);
     result.record.own_ship.height_is_geometric = false;
