@@ -8,6 +8,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/evaluation/evaluate_flight.hpp"
 #include "host_sim/evaluation/evaluation_json.hpp"
+#include "host_sim/evaluation/evaluation_start.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
 #include "host_sim/evaluation/moment_card.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"
@@ -20,19 +21,12 @@
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
-#include "platform/threads/thread_workers.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 constexpr char kEvaluationName[] = "evaluation.json";
 constexpr std::size_t kPhasesInText = 24;
-
-std::unique_ptr<base::Workers> evaluation_workers(std::uint32_t threads) {
-    auto workers = platform::make_thread_workers({threads == 0 ? platform::usable_processors() : threads, nullptr});
-    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
-    return std::move(workers.value());
-}
 
 std::string padded(std::string text, std::size_t width) {
     if (text.size() < width) text.append(width - text.size(), ' ');

@@ -33,6 +33,26 @@ std::string prioritized_aspect(const Json& record) {
     return best;
 }
 
+double number_of(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0.0;
+}
+
+FrameObstacle frame_obstacle(const Json& json) {
+    FrameObstacle obstacle{text_of(json, "name"), text_of(json, "state"), number_of(json, "ahead_s"), {}};
+    const Json box = json.value("box", Json::array());
+    for (std::size_t n = 0; n < obstacle.box.size() && n < box.size(); ++n)
+        obstacle.box[n] = box[n].is_number() ? box[n].get<double>() : 0.0;
+    return obstacle;
+}
+
+std::optional<std::vector<FrameObstacle>> frame_obstacles(const Json& record) {
+    if (!record.contains("obstacles") || !record["obstacles"].is_array()) return std::nullopt;
+    std::vector<FrameObstacle> all;
+    for (const Json& one : record["obstacles"])
+        if (one.is_object()) all.push_back(frame_obstacle(one));
+    return all;
+}
+
 FlightFrame flight_frame(const Json& record, const RunRecords& records, const std::string& folder) {
     if (!record.contains("time_s") || !record["time_s"].is_number())
         throw UserError(records.path() + ":" + std::to_string(records.line()) +
@@ -45,6 +65,10 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     frame.phase_source = text_of(record, "phase_source");
     frame.prioritized = prioritized_aspect(record);
     frame.layers = layer_names(record);
+    if (record.contains("presentation") && record["presentation"].is_object())
+        frame.design = text_of(record["presentation"], "design");
+    frame.has_scene = number_of(record, "scene_revision") > 0;
+    frame.obstacles = frame_obstacles(record);
     frame.picture = frame_picture_path(folder, frame.frame);
     if (!std::filesystem::exists(frame.picture))
         throw UserError(frame.picture + ": the run has no picture of this frame; replay it again with --frames png");

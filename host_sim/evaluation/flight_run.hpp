@@ -1,6 +1,7 @@
 /// A run that `replay` left, as far as its evaluation needs it: when each picture was shown, in which phase, and what came first.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,6 +9,14 @@
 #include <vector>
 
 namespace tedavis::host_sim {
+
+/// An obstacle on the way, as the display recorded it.
+struct FrameObstacle {
+    std::string name;             ///< as the scene has it, or its layer and number
+    std::string state;            ///< "drawn", "hidden" by terrain, "left_out", "out_of_view"
+    double ahead_s = 0;           ///< of flight, until it is met
+    std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; of "drawn"
+};
 
 struct FlightFrame {
     std::uint64_t frame = 0;
@@ -18,6 +27,10 @@ struct FlightFrame {
     std::string prioritized;
     std::vector<std::string> layers;  ///< names by the values of the layer mask beside the picture; empty: there is none
     std::string picture;              ///< path
+    std::string design;               ///< by which it was drawn, as the design calls itself
+    bool has_scene = false;           ///< spatial data that it could show
+    /// On the way; nothing where the run did not record them.
+    std::optional<std::vector<FrameObstacle>> obstacles;
 };
 
 struct FlightRun {

@@ -80,7 +80,7 @@ void PictureMeter::measure_saliency(const perception::PictureView& view, const L
 }
 
 FloatMap PictureMeter::saliency() {
-    const perception::SaliencyMap map = model_.map(perception::SaliencyScale::per_picture);
+    const perception::SaliencyMap map = saliency_map();
     const auto cell = static_cast<float>(1 << map.level);
     const FloatMap cells{static_cast<std::uint32_t>(map.width),
                          static_cast<std::uint32_t>(map.height),

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] const std::vector<std::uint8_t>& edges() const { return edges_; }
     /// Likewise, with a value a pixel, normalised by the picture itself.
     [[nodiscard]] FloatMap saliency();
+    /// The same as the model has it, until the next picture.
+    [[nodiscard]] perception::SaliencyMap saliency_map() { return model_.map(perception::SaliencyScale::per_picture); }
     /// What another model says of a picture: spectral residual (perception/spectral_residual.hpp), in the same form.
     [[nodiscard]] FloatMap second_opinion(const RgbaPicture& picture);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host_sim/evaluation/read_canny.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
@@ -17,15 +18,6 @@ constexpr const char* kStateNames[] = {"holds", "differs", "missing"};
 
 std::string measure_name(const PictureOrdering& ordering) {
     return ordering.layer.empty() ? "clutter" : std::string(kShareOf) + ordering.layer;
-}
-
-perception::CannySettings read_canny(base::ConfigSection& section) {
-    perception::CannySettings canny;
-    canny.sigma = section.number("sigma", 0, perception::kMostSigma);
-    canny.low = section.number("low", 0, 32767);
-    canny.high = section.number("high", 0, 32767);
-    if (canny.low > canny.high) section.fault("low", "'low' must not be above 'high'");
-    return canny;
 }
 
 /// Empty for the clutter.
@@ -84,7 +76,7 @@ PictureOrderings read_orderings(const std::string& path) {
     base::ConfigSection root = reader.root();
     PictureOrderings orderings;
     orderings.title = root.text("title", "");
-    if (base::ConfigSection canny = root.section("canny"); canny.present()) orderings.canny = read_canny(canny);
+    orderings.canny = read_canny(root);
     const std::size_t count = root.table_count("ordering");
     for (std::size_t n = 0; n < count; ++n) orderings.orderings.push_back(read_ordering(root.table_at("ordering", n)));
     if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));

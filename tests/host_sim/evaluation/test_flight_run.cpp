@@ -52,6 +52,37 @@ TEST(FlightRun, SaysHowPicturesAreMade) {
     test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); }, "frames.jsonl:1: a record without time_s");
 }
 
+TEST(FlightRun, ObstaclesAreKnownWhereTheRunRecordedThem) {
+    const test_support::TemporaryFolder place;
+    const auto read = [&](bool recorded) {
+        test_support::write_run(
+            place, "run",
+            [&](FrameResult& result) {
+                result.has_layers = recorded;
+                result.record.design = base::FixedString<47>("cruise");
+                display::ObstaclePlace mast;
+                mast.name = base::FixedString<31>("Mast 1");
+                mast.state = display::ObstacleState::left_out;
+                mast.ahead_s = 12;
+                mast.box = {10, 20, 30, 40};
+                static_cast<void>(result.obstacles.try_push_back(mast));
+            },
+            1);
+        test_support::write_picture(place, "run", 0, test_support::striped_picture(4, 4, 2));
+        return read_flight_run(place.file("run")).frames[0];
+    };
+    const FlightFrame frame = read(true);
+    EXPECT_EQ(frame.design, "cruise");
+    ASSERT_TRUE(frame.obstacles.has_value());
+    ASSERT_EQ(frame.obstacles->size(), 1u);
+    const FrameObstacle& mast = frame.obstacles->at(0);
+    EXPECT_EQ(mast.name, "Mast 1");
+    EXPECT_EQ(mast.state, "left_out");
+    EXPECT_EQ(mast.ahead_s, 12);
+    EXPECT_EQ(mast.box, (std::array<double, 4>{10, 20, 40, 60}));
+    EXPECT_FALSE(read(false).obstacles.has_value());
+}
+
 TEST(FlightRun, PhasesAreContiguous) {
     std::vector<FlightFrame> frames(5);
     for (std::size_t n = 0; n < 5; ++n) frames[n].phase = n == 2 ? "b" : "a";

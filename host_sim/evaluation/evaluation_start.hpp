@@ -1,0 +1,14 @@
+/// What commands that measure the pictures of a run begin with.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "render_core/base/ports/workers.hpp"
+
+namespace tedavis::host_sim {
+
+/// 0: as many threads as there are processors. Throws UserError.
+[[nodiscard]] std::unique_ptr<base::Workers> evaluation_workers(std::uint32_t threads);
+
+}  // namespace tedavis::host_sim

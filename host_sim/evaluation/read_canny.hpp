@@ -1,0 +1,23 @@
+/// The section [canny] of the files that state by which edges clutter is measured: sigma, low, high.
+#pragma once
+
+#include <optional>
+
+#include "render_core/base/config_reader.hpp"
+#include "render_core/perception/edge_detector.hpp"
+
+namespace tedavis::host_sim {
+
+/// Nothing where the file has no such section; what is wrong in it is a fault of its reader.
+[[nodiscard]] inline std::optional<perception::CannySettings> read_canny(base::ConfigSection& root) {
+    base::ConfigSection section = root.section("canny");
+    if (!section.present()) return std::nullopt;
+    perception::CannySettings canny;
+    canny.sigma = section.number("sigma", 0, perception::kMostSigma);
+    canny.low = section.number("low", 0, 32767);
+    canny.high = section.number("high", 0, 32767);
+    if (canny.low > canny.high) section.fault("low", "'low' must not be above 'high'");
+    return canny;
+}
+
+}  // namespace tedavis::host_sim
