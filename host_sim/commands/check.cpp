@@ -13,6 +13,7 @@
 #include "bus/switches/switch_log_source.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
+#include "host_sim/contract/contract.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
@@ -199,6 +200,11 @@ std::string check_orderings(const std::string& path) {
     return std::to_string(read_orderings(path).orderings.size()) + " orderings of pictures";
 }
 
+std::string check_contract(const std::string& path) {
+    const std::size_t count = read_contract(path).conditions.size();
+    return "a contract of " + std::to_string(count) + (count == 1 ? " condition" : " conditions");
+}
+
 /// Read to its last post, as the terrain builder does.
 std::string check_raster(const std::string& path) {
     constexpr std::uint32_t kRowsAtOnce = 64;
@@ -223,7 +229,7 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 13> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 14> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
@@ -234,6 +240,7 @@ constexpr std::array<FolderKind, 13> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"scenes", "[[layer]]", check_scene},
                                                       {"sheets", "[[group.picture]]", check_sheet},
                                                       {"orderings", "[[ordering]]", check_orderings},
+                                                      {"contracts", "[[condition]]", check_contract},
                                                       {"costs", "[cost.terrain]", check_costs},
                                                       {"replays", "[picture]", check_replay_config}}};
 
@@ -254,7 +261,7 @@ FileChecker config_checker(const std::string& path) {
     throw UserError(
         path +
         ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches, "
-        "scenarios, scenes, sheets or orderings");
+        "scenarios, scenes, sheets, orderings or contracts");
 }
 
 std::string check_file(const std::string& path) {

@@ -10,6 +10,7 @@
 
 #include "host_sim/commands/calibrate.hpp"
 #include "host_sim/commands/check.hpp"
+#include "host_sim/commands/contract.hpp"
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
 #include "host_sim/commands/evaluate.hpp"
@@ -43,6 +44,7 @@ struct CommandLine {
     DiffOptions diff;
     CheckOptions check;
     EvaluateOptions evaluate;
+    ContractOptions contract;
     CalibrateOptions calibrate;
     ShadersOptions shaders;
     std::string replay_config;

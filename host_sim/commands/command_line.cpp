@@ -54,6 +54,14 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     evaluate->add_option("--fixations", e.fixations,
                          "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
                          "scores the saliency maps by AUC and NSS");
+    ContractOptions& k = line.contract;
+    CLI::App* contract = add_command(app, line, "contract", "whether the pictures of a run keep a perceptual contract",
+                                     [&k](Console& console) { return run_contract(k, console); });
+    contract->add_option("RUN", k.run, "folder that replay wrote, with its pictures; best with --layers")->required();
+    contract->add_option("CONTRACT", k.contract, "file or shipped name, such as default")->required();
+    contract->add_option("-o", k.output, "folder to write to: contract.json, views of the worst moment of what does not hold");
+    contract->add_option("--threads", k.threads, "that measure; default: as many as there are processors")
+        ->check(CLI::Range(1, 256));
 }
 
 /// Messages may span lines and quote what a broken file holds; the contract is one line that a terminal can show.

@@ -46,7 +46,8 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
                                         {"switches/one_hot.toml", "a switch panel"},
                                         {"scenarios/default.toml", "a scenario of 14 legs"},
                                         {"sheets/terrain-styles.toml", "a contact sheet of "},
-                                        {"orderings/thesis.toml", "9 orderings of pictures"}}) {
+                                        {"orderings/thesis.toml", "9 orderings of pictures"},
+                                        {"contracts/default.toml", "a contract of 13 conditions"}}) {
         const std::string path = place.write("x.toml", read_file(kConfigs + shipped));
         EXPECT_THAT(check({path}).results, HasSubstr(kind)) << shipped;
     }

@@ -1,0 +1,37 @@
+/// Colours that a design's pictures have, in groups that must be told apart.
+///
+/// | group | colours |
+/// |---|---|
+/// | ground | of the palette, its stops and eight steps between two; of a plain texture the plain colour |
+/// | sea, unknown | as the design states them |
+/// | warnings | the warning bands as they are displayed: each with its strength over every colour of the ground; none where
+/// warning colours are off | | a role, such as obstacle | of the elements of this role that have one plain colour |
+///
+/// Every colour of one group is compared with every colour of the other; bands also with each other, but only where their hue
+/// differs: two densities of one hue say more or less of the same. Differences are CIEDE2000 (design/color_difference.hpp), in
+/// normal vision and without each of the three kinds of cones (measure/color_vision.hpp). What is lit less is compared so:
+/// encoded values times light, as the terrain is drawn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render_core/design/design_settings.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr std::string_view kWarningsGroup = "warnings";
+
+[[nodiscard]] bool is_color_group(std::string_view name);
+
+struct ColorGap {
+    double difference = 0;  ///< the least one
+    std::string words;      ///< which colours, and in which vision
+};
+/// Nothing where fewer than two groups have colours in the design, and no bands differ. `light` 0..1.
+[[nodiscard]] std::optional<ColorGap> least_color_gap(const design::DesignSettings& design,
+                                                      const std::vector<std::string>& groups, double light);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,87 @@
+/// The perceptual contract of a display: conditions that the pictures of a run must keep.
+///
+///     title = "Approach under the default design"
+///     [canny]                            by which edges clutter is measured; absent: 1, 70, 170
+///     sigma = 1
+///     low = 70
+///     high = 170
+///
+///     [[condition]]
+///     name = "instruments stay readable" how reports call it; absent: what it measures
+///     phases = ["approach"]              "approach" has its sub-phases; absent: all
+///     for_s = 2                          so long a time beyond the limit breaks it; absent: a single picture does
+///     optional = true                    a flight without its phases, or its obstacles, may pass; absent: it may not
+///     measure = "clutter"                and the keys of the measure; the limit is `most` or `least`
+///
+/// | measure | keys, with what absent ones are | value |
+/// |---|---|---|
+/// | clutter | most; region = "picture", "every", a third ("upper left" .. "lower right"), or [column, row] of grid = [8, 6] from
+/// 1, 1 at the upper left | share of edge pixels; of `every` region the busiest | | saliency_share | least; layer = "prioritized"
+/// or a layer; without = [] layers that do not count | the layer's share of the saliency | | saliency_over_area | the same | that
+/// share over the layer's share of the pixels: above 1 it draws the eye more than its size | | obstacle_rank | most; without;
+/// focus = 1/6 of the smaller side | the worst rank among the most salient places of an obstacle that is on the way and in the
+/// picture | | luminance_contrast | least; layer; least_px = 24 | WCAG's ratio of the layer's faintest sign
+/// (measure/sign_colors.hpp) | | color_difference | least; between = [groups] (contract/color_groups.hpp); light = 1 | the least
+/// CIEDE2000 between colours of two groups, in normal vision and the three deficiencies |
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render_core/perception/condition_watch.hpp"
+#include "render_core/perception/edge_density.hpp"
+#include "render_core/perception/edge_detector.hpp"
+#include "render_core/perception/salient_places.hpp"
+
+namespace tedavis::host_sim {
+
+enum class ContractMeasure : std::uint8_t {
+    clutter,
+    saliency_share,
+    saliency_over_area,
+    obstacle_rank,
+    luminance_contrast,
+    color_difference
+};
+inline constexpr std::string_view kContractMeasureNames[] = {"clutter",       "saliency_share",     "saliency_over_area",
+                                                             "obstacle_rank", "luminance_contrast", "color_difference"};
+
+enum class ClutterRegion : std::uint8_t { picture, every, cell };
+
+struct ContractCondition {
+    std::string name;
+    ContractMeasure measure = ContractMeasure::clutter;
+    perception::ConditionLimit limit;
+    std::vector<std::string> phases;  ///< empty: all
+    bool is_optional = false;
+
+    ClutterRegion region = ClutterRegion::picture;
+    perception::RegionGrid grid;
+    int column = 0, row = 0;           ///< of `cell`
+    std::string layer;                 ///< empty: that of the prioritized aspect
+    std::vector<std::string> without;  ///< layers
+    double focus_share = perception::kFocusShare;
+    int least_px = 24;
+    std::vector<std::string> between;  ///< groups of colours
+    double light = 1;
+};
+
+struct Contract {
+    std::string path, title;
+    std::optional<perception::CannySettings> canny;
+    std::vector<ContractCondition> conditions;  ///< at least one
+};
+
+/// Whether the condition is to hold in a phase such as "approach.final".
+[[nodiscard]] bool applies_in(const ContractCondition& condition, std::string_view phase);
+
+/// Whether it is measured by which layer each pixel is of.
+[[nodiscard]] bool needs_layers(const ContractCondition& condition);
+
+/// Throws UserError with file and line.
+[[nodiscard]] Contract read_contract(const std::string& path);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,21 @@
+/// A judged contract as JSON that scripts rely on, and as text.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host_sim/contract/judge_contract.hpp"
+
+namespace tedavis::host_sim {
+
+/// `holds`, `failures` [{`condition`, `time_s`, `value`, `limit`, `region`, ...}], `conditions` with all of them and their
+/// `values` at `times_s`, null where one was not measured. In a failure
+/// time, value and region are those of the first break, under `worst` those of the worst one; null where nothing was measured,
+/// with the reason under `why`. An infinite rank is null.
+[[nodiscard]] nlohmann::ordered_json contract_json(const JudgedContract& judged);
+/// Without a line end.
+[[nodiscard]] std::string contract_text(const JudgedContract& judged);
+/// Why a condition is not shown to hold, or is passed over; empty where it was measured.
+[[nodiscard]] std::string condition_gap(const JudgedCondition& judged);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,52 @@
+/// Whether a run keeps a contract: readings of its pictures, judged over its time.
+///
+/// A picture stands until the next one; the last as long as the one before it. A condition that was not measured is not shown to
+/// hold, and then the contract is not: except an optional one of which the flight had nothing to measure. Where a run lacks what
+/// a measure needs in any picture that it should be taken of, it is not shown either, optional or not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/contract/contract.hpp"
+#include "host_sim/contract/contract_reading.hpp"
+#include "host_sim/evaluation/flight_run.hpp"
+
+namespace tedavis::host_sim {
+
+enum class ConditionState : std::uint8_t {
+    holds,
+    broken,
+    missing,  ///< the run lacks what it is measured by: not shown to hold
+    absent,   ///< nothing to measure in this flight, and not optional: not shown to hold
+    passed    ///< the same, but optional
+};
+inline constexpr const char* kConditionStateNames[] = {"holds", "broken", "not measured", "nothing to measure", "passed over"};
+
+struct JudgedCondition {
+    ContractCondition condition;
+    ConditionState state = ConditionState::absent;
+    perception::ConditionVerdict verdict;    ///< places are indices of frames
+    ContractReading first, worst, tightest;  ///< of the verdict's moments; `first` is also that of the first missing one
+    std::vector<double> values;              ///< of each frame; not a number where it was not measured
+    std::size_t missing = 0;                 ///< frames that lack what is needed
+    std::size_t first_missing = 0;           ///< index of a frame
+
+    [[nodiscard]] bool is_kept() const { return state == ConditionState::holds || state == ConditionState::passed; }
+};
+
+struct JudgedContract {
+    std::string path, title, run;
+    std::vector<double> times_s;  ///< of the frames that were measured
+    bool interrupted = false;     ///< judged by the frames so far
+    std::vector<JudgedCondition> conditions;
+
+    /// A contract over a part of the flight is not shown to hold.
+    [[nodiscard]] bool holds() const;
+};
+
+/// `readings` of the run's first frames, at least one, each with one a condition.
+[[nodiscard]] JudgedContract judge_contract(const Contract& contract, const FlightRun& run,
+                                            const std::vector<std::vector<ContractReading>>& readings);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,18 @@
+/// All that is known of a picture when it is judged.
+#pragma once
+
+#include "host_sim/evaluation/flight_run.hpp"
+#include "host_sim/evaluation/picture_meter.hpp"
+
+namespace tedavis::host_sim {
+
+/// Lives for one picture.
+struct MeasuredFrame {
+    const FlightFrame& frame;
+    const RgbaPicture& picture;
+    const LayerMask* mask;  ///< null: the run has none
+    const PictureMeasures& measures;
+    PictureMeter& meter;  ///< has measured this picture last
+};
+
+}  // namespace tedavis::host_sim

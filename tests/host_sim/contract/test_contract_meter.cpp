@@ -1,0 +1,92 @@
+#include "host_sim/contract/contract_meter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/contract_runs.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_contract_meter {
+namespace {
+
+using test_support::PaintedFrame;
+using ::testing::HasSubstr;
+
+class ContractMeterOfARun : public ::testing::Test {
+protected:
+    std::vector<ContractReading> readings(const std::string& conditions, const PaintedFrame& painted = {}) {
+        test_support::write_painted_run(place_, "run", 1, [&](std::uint64_t) { return painted; });
+        contract_ = read_contract(place_.write("c.toml", conditions));
+        const FlightRun run = read_flight_run(place_.file("run"));
+        PictureMeter meter({});
+        return ContractMeter(contract_, run).readings(meter, run.frames[0]);
+    }
+    test_support::TemporaryFolder place_;
+    Contract contract_;
+};
+
+const char* const kAll =
+    "[[condition]]\nmeasure = \"clutter\"\nmost = 0.5\n"
+    "[[condition]]\nmeasure = \"saliency_share\"\nleast = 0.1\n"
+    "[[condition]]\nmeasure = \"saliency_over_area\"\nleast = 0.1\n"
+    "[[condition]]\nmeasure = \"obstacle_rank\"\nmost = 5\n"
+    "[[condition]]\nmeasure = \"luminance_contrast\"\nlayer = \"labels\"\nleast = 3\n"
+    "[[condition]]\nmeasure = \"color_difference\"\nbetween = [\"ground\", \"sea\"]\nleast = 3\n";
+
+TEST_F(ContractMeterOfARun, EveryMeasureHasAReading) {
+    const auto all = readings(kAll);
+    ASSERT_EQ(all.size(), 6u);
+    for (const ContractReading& one : all) {
+        EXPECT_EQ(one.state, ReadingState::measured);
+        EXPECT_GT(one.value, 0);
+    }
+    EXPECT_EQ(all[1].words, "of data");
+    EXPECT_EQ(all[5].region, "design default");
+}
+
+TEST_F(ContractMeterOfARun, OtherPhasesAreNotMeasured) {
+    const auto readings_of = [&](const std::string& phase) {
+        return readings("[[condition]]\nmeasure = \"clutter\"\nmost = 0.5\nphases = [\"" + phase + "\"]\n")[0].state;
+    };
+    EXPECT_EQ(readings_of("cruise"), ReadingState::measured);
+    EXPECT_EQ(readings_of("approach"), ReadingState::absent);
+}
+
+TEST_F(ContractMeterOfARun, WithoutMasksItSaysHowTheyAreMade) {
+    PaintedFrame painted;
+    painted.has_layers = false;
+    const auto all = readings(kAll, painted);
+    EXPECT_EQ(all[0].state, ReadingState::measured) << "clutter needs none";
+    for (const std::size_t n : {1, 2, 3, 4}) {
+        EXPECT_EQ(all[n].state, ReadingState::missing) << n;
+        EXPECT_THAT(all[n].words, HasSubstr("replay the run again with --layers"));
+    }
+    EXPECT_EQ(all[5].state, ReadingState::measured) << "neither do colours of the design";
+}
+
+TEST_F(ContractMeterOfARun, ColoursAreThoseOfTheFramesDesign) {
+    const std::string keys = "[[condition]]\nmeasure = \"color_difference\"\nbetween = [\"warnings\"]\nleast = 3\n";
+    PaintedFrame painted;
+    const double by_default = readings(keys, painted)[0].value;
+    painted.design = "approach";
+    EXPECT_NE(readings(keys, painted)[0].value, by_default) << "it has another profile of bands";
+    painted.design = "cruise";
+    EXPECT_EQ(readings(keys, painted)[0].state, ReadingState::absent) << "it has no warning colours";
+    painted.design = "another";
+    const ContractReading unknown = readings(keys, painted)[0];
+    EXPECT_EQ(unknown.state, ReadingState::missing);
+    EXPECT_THAT(unknown.words, HasSubstr("'another'"));
+}
+
+TEST_F(ContractMeterOfARun, ARunWithoutItsDesignIsRefused) {
+    test_support::write_painted_run(place_, "run", 1, [](std::uint64_t) { return PaintedFrame(); });
+    contract_ = read_contract(place_.write("c.toml", kAll));
+    FlightRun run = read_flight_run(place_.file("run"));
+    run.design.clear();
+    test_support::expect_user_error([&] { const ContractMeter meter(contract_, run); }, "names no design");
+    run.design = "no_such_design";
+    test_support::expect_user_error([&] { const ContractMeter meter(contract_, run); }, "no_such_design");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_contract_meter
