@@ -36,7 +36,7 @@ void read_phases(base::ConfigSection& section, ContractCondition& condition) {
             section.fault("phases", "'phases' names phases such as takeoff, cruise or approach.final");
 }
 
-void read_limit(base::ConfigSection& section, bool is_most, double low, double high, ContractCondition& condition) {
+void read_condition_limit(base::ConfigSection& section, bool is_most, double low, double high, ContractCondition& condition) {
     condition.limit.is_most = is_most;
     condition.limit.limit = section.number(is_most ? "most" : "least", low, high);
 }
@@ -66,7 +66,7 @@ void read_cell(base::ConfigSection& section, ContractCondition& condition) {
         section.fault("cell", "'cell' is no column and row of the grid; count both from 1 at the upper left");
 }
 
-void read_region(base::ConfigSection& section, ContractCondition& condition) {
+void read_clutter_region(base::ConfigSection& section, ContractCondition& condition) {
     std::array<double, 2> grid{8, 6};
     section.numbers("grid", 1, perception::RegionGrid::kMost, {grid.data(), 2});
     condition.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
@@ -81,7 +81,7 @@ void read_region(base::ConfigSection& section, ContractCondition& condition) {
     }
 }
 
-void read_layer(base::ConfigSection& section, ContractCondition& condition, bool may_be_prioritized) {
+void read_condition_layer(base::ConfigSection& section, ContractCondition& condition, bool may_be_prioritized) {
     const std::string_view layer = may_be_prioritized ? section.text("layer", "prioritized") : section.text("layer");
     if (may_be_prioritized && layer == "prioritized") return;
     condition.layer = layer;
@@ -90,14 +90,14 @@ void read_layer(base::ConfigSection& section, ContractCondition& condition, bool
                                                   : "'layer' must be terrain, data, uncertainty, labels or symbology");
 }
 
-void read_without(base::ConfigSection& section, ContractCondition& condition) {
+void read_left_out_layers(base::ConfigSection& section, ContractCondition& condition) {
     condition.without = read_words(section, "without");
     for (const std::string& layer : condition.without)
         if (!is_layer_name(layer) || layer == condition.layer)
             section.fault("without", "'without' names other layers: terrain, data, uncertainty, labels, symbology");
 }
 
-void read_groups(base::ConfigSection& section, ContractCondition& condition) {
+void read_color_groups(base::ConfigSection& section, ContractCondition& condition) {
     condition.between = read_words(section, "between");
     if (condition.between.empty()) section.fault("between", "'between' must name groups of colours, such as warnings and ground");
     for (const std::string& group : condition.between)
@@ -110,23 +110,25 @@ void read_groups(base::ConfigSection& section, ContractCondition& condition) {
 
 void read_measure_keys(base::ConfigSection& section, ContractCondition& condition) {
     switch (condition.measure) {
-        case ContractMeasure::clutter: read_limit(section, true, 0, 1, condition); return read_region(section, condition);
+        case ContractMeasure::clutter:
+            read_condition_limit(section, true, 0, 1, condition);
+            return read_clutter_region(section, condition);
         case ContractMeasure::saliency_share:
         case ContractMeasure::saliency_over_area:
-            read_limit(section, false, 0, condition.measure == ContractMeasure::saliency_share ? 1 : 1000, condition);
-            read_layer(section, condition, true);
-            return read_without(section, condition);
+            read_condition_limit(section, false, 0, condition.measure == ContractMeasure::saliency_share ? 1 : 1000, condition);
+            read_condition_layer(section, condition, true);
+            return read_left_out_layers(section, condition);
         case ContractMeasure::obstacle_rank:
-            read_limit(section, true, 1, static_cast<double>(perception::kMostSalientPlaces), condition);
+            read_condition_limit(section, true, 1, static_cast<double>(perception::kMostSalientPlaces), condition);
             condition.focus_share = section.number("focus", 0.01, 0.5, perception::kFocusShare);
-            return read_without(section, condition);
+            return read_left_out_layers(section, condition);
         case ContractMeasure::luminance_contrast:
-            read_limit(section, false, 1, 21, condition);
+            read_condition_limit(section, false, 1, 21, condition);
             condition.least_px = static_cast<int>(section.integer("least_px", 1, 100000, condition.least_px));
-            return read_layer(section, condition, false);
+            return read_condition_layer(section, condition, false);
         case ContractMeasure::color_difference:
-            read_limit(section, false, 0, 100, condition);
-            return read_groups(section, condition);
+            read_condition_limit(section, false, 0, 100, condition);
+            return read_color_groups(section, condition);
     }
 }
 

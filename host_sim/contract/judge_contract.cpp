@@ -11,13 +11,13 @@ using Readings = std::vector<std::vector<ContractReading>>;
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// When the last of the frames that were measured is over.
-double end_of(const FlightRun& run, std::size_t measured) {
+double end_of_readings(const FlightRun& run, std::size_t measured) {
     if (measured < run.frames.size()) return run.frames[measured].time_s;
     const double last_s = run.frames[measured - 1].time_s;
     return measured < 2 ? last_s + 1 : 2 * last_s - run.frames[measured - 2].time_s;
 }
 
-ConditionState state_of(const JudgedCondition& judged) {
+ConditionState state_of_condition(const JudgedCondition& judged) {
     if (judged.verdict.is_broken) return ConditionState::broken;
     if (judged.missing > 0) return ConditionState::missing;
     if (judged.verdict.measured > 0) return ConditionState::holds;
@@ -39,9 +39,9 @@ JudgedCondition judge_condition(const ContractCondition& condition, std::size_t 
         else
             watch.skip(time_s);
     }
-    watch.end(end_of(run, readings.size()));
+    watch.end(end_of_readings(run, readings.size()));
     judged.verdict = watch.verdict();
-    judged.state = state_of(judged);
+    judged.state = state_of_condition(judged);
     const auto reading_at = [&](std::size_t frame) { return readings[frame][place]; };
     judged.worst = reading_at(judged.verdict.worst.place);
     judged.tightest = reading_at(judged.verdict.tightest.place);

@@ -33,12 +33,12 @@ std::string prioritized_aspect(const Json& record) {
     return best;
 }
 
-double number_of(const Json& json, const char* key) {
+double record_number(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0.0;
 }
 
 FrameObstacle frame_obstacle(const Json& json) {
-    FrameObstacle obstacle{text_of(json, "name"), text_of(json, "state"), number_of(json, "ahead_s"), {}};
+    FrameObstacle obstacle{text_of(json, "name"), text_of(json, "state"), record_number(json, "ahead_s"), {}};
     const Json box = json.value("box", Json::array());
     for (std::size_t n = 0; n < obstacle.box.size() && n < box.size(); ++n)
         obstacle.box[n] = box[n].is_number() ? box[n].get<double>() : 0.0;
@@ -67,7 +67,7 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     frame.layers = layer_names(record);
     if (record.contains("presentation") && record["presentation"].is_object())
         frame.design = text_of(record["presentation"], "design");
-    frame.has_scene = number_of(record, "scene_revision") > 0;
+    frame.has_scene = record_number(record, "scene_revision") > 0;
     frame.obstacles = frame_obstacles(record);
     frame.picture = frame_picture_path(folder, frame.frame);
     if (!std::filesystem::exists(frame.picture))
