@@ -8,10 +8,11 @@
 #include "host_sim/contract/contract_meter.hpp"
 #include "host_sim/contract/contract_report.hpp"
 #include "host_sim/evaluation/evaluate_flight.hpp"
-#include "host_sim/evaluation/evaluation_start.hpp"
+#include "host_sim/evaluation/evaluation_workers.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/reports/run_folder.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 

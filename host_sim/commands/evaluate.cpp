@@ -8,7 +8,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/evaluation/evaluate_flight.hpp"
 #include "host_sim/evaluation/evaluation_json.hpp"
-#include "host_sim/evaluation/evaluation_start.hpp"
+#include "host_sim/evaluation/evaluation_workers.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
 #include "host_sim/evaluation/moment_card.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"

@@ -43,7 +43,7 @@ gl::GlError EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t
                               " pixels each way; take a smaller size");
     width_px_ = width_px;
     height_px_ = height_px;
-    strip_rows_ = gl.device().lane == effects::Lane::es2 ? 32 : 64;
+    strip_rows_ = gl.device().lane == effects::Lane::es2 ? 16 : 64;
     parts_ = parts_of_region(width_px);
     if (gl::GlError error = start_edge_targets(gl, budget); !error.sentence.empty()) return error;
     if (gl::GlError error = start_edge_triangle(gl, budget); !error.sentence.empty()) return error;

@@ -1,4 +1,4 @@
-#include "host_sim/evaluation/evaluation_start.hpp"
+#include "host_sim/evaluation/evaluation_workers.hpp"
 
 #include "host_sim/user_error.hpp"
 #include "platform/threads/thread_workers.hpp"

@@ -1,4 +1,4 @@
-/// What commands that measure the pictures of a run begin with.
+/// The threads of commands that measure pictures.
 #pragma once
 
 #include <cstdint>
