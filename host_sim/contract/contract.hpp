@@ -1,28 +1,33 @@
 /// The perceptual contract of a display: conditions that the pictures of a run must keep.
 ///
 ///     title = "Approach under the default design"
-///     [canny]                            by which edges clutter is measured; absent: 1, 70, 170
+///     [canny]              by which edges clutter is measured; absent: 1, 70, 170
 ///     sigma = 1
 ///     low = 70
 ///     high = 170
 ///
 ///     [[condition]]
-///     name = "instruments stay readable" how reports call it; absent: what it measures
-///     phases = ["approach"]              "approach" has its sub-phases; absent: all
-///     for_s = 2                          so long a time beyond the limit breaks it; absent: a single picture does
-///     optional = true                    a flight without its phases, or its obstacles, may pass; absent: it may not
-///     measure = "clutter"                and the keys of the measure; the limit is `most` or `least`
+///     name = "..."         how reports call it; absent: what it measures
+///     phases = [...]       "approach" has its sub-phases; absent: all
+///     for_s = 2            so long a time beyond the limit breaks it; absent: a single picture does
+///     optional = true      a flight without its phases, or its obstacles, may pass; absent: it may not
+///     measure = "clutter"  and the keys of the measure; the limit is `most` or `least`
 ///
-/// | measure | keys, with what absent ones are | value |
-/// |---|---|---|
-/// | clutter | most; region = "picture", "every", a third ("upper left" .. "lower right"), or [column, row] of grid = [8, 6] from
-/// 1, 1 at the upper left | share of edge pixels; of `every` region the busiest | | saliency_share | least; layer = "prioritized"
-/// or a layer; without = [] layers that do not count | the layer's share of the saliency | | saliency_over_area | the same | that
-/// share over the layer's share of the pixels: above 1 it draws the eye more than its size | | obstacle_rank | most; without;
-/// focus = 1/6 of the smaller side | the worst rank among the most salient places of an obstacle that is on the way and in the
-/// picture | | luminance_contrast | least; layer; least_px = 24 | WCAG's ratio of the layer's faintest sign
-/// (measure/sign_colors.hpp) | | color_difference | least; between = [groups] (contract/color_groups.hpp); light = 1 | the least
-/// CIEDE2000 between colours of two groups, in normal vision and the three deficiencies |
+/// Measures, with their keys and what absent ones are:
+///
+///     clutter             most; region = "picture", "every", a third such as "upper left", or [column, row] of
+///                         grid = [8, 6], from 1, 1 at the upper left
+///                           share of edge pixels; of `every` region the busiest
+///     saliency_share      least; layer = "prioritized" or a layer; without = [], layers that do not count
+///                           the layer's share of the saliency
+///     saliency_over_area  the same keys
+///                           that share over the layer's share of the pixels: above 1 it draws the eye more than its size
+///     obstacle_rank       most; without; focus = 1/6, radius of a salient place, of the picture's smaller side
+///                           the worst rank among the salient places of an obstacle that is on the way and in the picture
+///     luminance_contrast  least; layer; least_px = 24
+///                           WCAG's ratio of the layer's faintest sign (measure/sign_contrast.hpp)
+///     color_difference    least; between = [groups] (contract/color_groups.hpp); light = 1
+///                           the least CIEDE2000 between colours of two groups, in normal vision and the three deficiencies
 #pragma once
 
 #include <cstdint>
