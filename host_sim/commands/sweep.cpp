@@ -30,6 +30,13 @@ SweepJob sweep_job(const SweepOptions& options) {
     return job;
 }
 
+/// Before what is missing is built in a folder whose name nobody needs.
+void name_ground(SweepJob& job) {
+    const bool is_shipped = job.picture.terrain.empty();
+    job.terrain_name = is_shipped ? "the shipped terrain" : job.picture.terrain;
+    job.scene_name = is_shipped && job.picture.scene.empty() ? "that of the shipped scenario" : job.picture.scene;
+}
+
 std::string sweep_summary(const Sweep& sweep, const std::string& output) {
     const auto count = [](std::size_t n, const char* thing) { return std::to_string(n) + " " + thing + (n == 1 ? "" : "s"); };
     return output + ": " + count(sweep.views.size(), "viewpoint") + (sweep.interrupted ? " (interrupted)" : "") +
@@ -47,18 +54,14 @@ int run_sweep(const SweepOptions& options, Console& console) {
     require_no_run(options.output);
     const TemporaryFolder temporary;
     SweepJob job = sweep_job(options);
-    const bool is_own_ground = job.picture.terrain.empty();
+    name_ground(job);
     use_own_ground(job.picture, temporary.path(), console);
     const InterruptGuard interrupt;
     job.is_stopped = [&] { return interrupt.requested(); };
     NewFolder folder(options.output);
     WrittenFiles files;
     std::string fault;
-    Sweep sweep = draw_sweep(job, files, console, fault);
-    if (is_own_ground) {
-        sweep.terrain = "the shipped one";
-        if (options.picture.scene.empty()) sweep.scene = "the shipped scenario's";
-    }
+    const Sweep sweep = draw_sweep(job, files, console, fault);
     const nlohmann::ordered_json json = sweep_json(sweep);
     write_file_atomically(options.output + "/" + kSweepName, json_text(json) + "\n");
     write_file_atomically(options.output + "/" + kReportName, sweep_report_page(sweep));

@@ -40,18 +40,23 @@ void place_sweep(const SweepJob& job, SweptGround& ground, Sweep& sweep) {
     const terrain::HeightAnswer below = ground.at(sweep.place.latitude_rad, sweep.place.longitude_rad);
     const bool has_altitude = job.place && job.place->altitude_msl_m;
     if (!has_altitude && !has_ground(below))
-        throw UserError("--around: no ground height is known there in " + job.picture.terrain +
+        throw UserError("--around: no ground height is known there in " + job.terrain_name +
                         "; name a place on it ('tedavis terrain info' says what it covers), or its altitude as a third number");
     sweep.place_msl_m = has_altitude ? *job.place->altitude_msl_m : below.height.m;
     sweep.place.height = earth::to_ellipsoid({sweep.place_msl_m}, below.undulation);
 }
 
-void require_names(const std::vector<Viewpoint>& viewpoints) {
+std::vector<Viewpoint> viewpoints_of(const Sweep& sweep, SweptGround& ground) {
+    const auto geoid = [&](double latitude_rad, double longitude_rad) {
+        return ground.at(latitude_rad, longitude_rad).undulation;
+    };
+    std::vector<Viewpoint> viewpoints = viewpoints_round(sweep.place, geoid, sweep.rings);
     std::set<std::string> names;
     for (const Viewpoint& viewpoint : viewpoints)
         if (!names.insert(viewpoint.name).second)
             throw UserError("--distances, --heights: two of them are the same to a metre (" + viewpoint.name +
                             "); leave one out");
+    return viewpoints;
 }
 
 /// One display, one meter, and what they look at.
@@ -121,6 +126,21 @@ private:
     PictureMeter meter_;
 };
 
+void draw_views(SweepDrawer& drawer, const std::vector<Viewpoint>& viewpoints, SweptGround& ground, const SweepJob& job,
+                Console& console, Sweep& sweep) {
+    for (std::size_t n = 0; n < viewpoints.size(); ++n) {
+        sweep.interrupted = job.is_stopped();
+        if (sweep.interrupted) break;
+        const std::string reason = reason_against(viewpoints[n], ground);
+        if (!reason.empty())
+            sweep.skipped.push_back({viewpoints[n], reason});
+        else
+            sweep.views.push_back(drawer.draw(viewpoints[n], sweep));
+        console.progress("viewpoints", n + 1, viewpoints.size());
+    }
+    console.progress_done();
+}
+
 /// What is said of views; of one view all at once.
 void add_standing_out(SweepDrawer& drawer, Sweep& sweep) {
     std::map<std::size_t, std::string> words;
@@ -137,8 +157,7 @@ void require_some_view(const SweepJob& job, const Sweep& sweep) {
     if (!sweep.views.empty()) return;
     if (sweep.interrupted) throw Interrupted("interrupted; nothing was written");
     throw UserError("--around: none of " + std::to_string(sweep.skipped.size()) + " viewpoints lies above the ground of " +
-                    job.picture.terrain + " (the first: " + sweep.skipped.front().reason +
-                    "); name other --distances or --heights");
+                    job.terrain_name + " (the first: " + sweep.skipped.front().reason + "); name other --distances or --heights");
 }
 
 }  // namespace
@@ -147,36 +166,17 @@ Sweep draw_sweep(const SweepJob& job, WrittenFiles& files, Console& console, std
     DisplaySession session(job.picture, false);
     TEDAVIS_CHECK(session.display().terrain_database() != nullptr);
     SweptGround ground(*session.display().terrain_database());
-    Sweep sweep{job.picture.terrain,
-                job.picture.scene,
-                job.picture.design,
-                job.picture.device,
-                session.gl_description(),
-                {},
-                0,
-                job.radius_m,
-                job.rings,
-                {},
-                {},
-                {}};
+    Sweep sweep;
+    sweep.terrain = job.terrain_name;
+    sweep.scene = job.scene_name;
+    sweep.design = job.picture.design;
+    sweep.device = job.picture.device;
+    sweep.gl = session.gl_description();
+    sweep.radius_m = job.radius_m;
+    sweep.rings = job.rings;
     place_sweep(job, ground, sweep);
-    const auto geoid = [&](double latitude_rad, double longitude_rad) {
-        return ground.at(latitude_rad, longitude_rad).undulation;
-    };
-    const std::vector<Viewpoint> viewpoints = viewpoints_round(sweep.place, geoid, job.rings);
-    require_names(viewpoints);
     SweepDrawer drawer(job, files, session, ground);
-    for (std::size_t n = 0; n < viewpoints.size() && !sweep.interrupted; ++n) {
-        const std::string reason = reason_against(viewpoints[n], ground);
-        sweep.interrupted = job.is_stopped();
-        if (sweep.interrupted) break;
-        if (!reason.empty())
-            sweep.skipped.push_back({viewpoints[n], reason});
-        else
-            sweep.views.push_back(drawer.draw(viewpoints[n], sweep));
-        console.progress("viewpoints", n + 1, viewpoints.size());
-    }
-    console.progress_done();
+    draw_views(drawer, viewpoints_of(sweep, ground), ground, job, console, sweep);
     require_some_view(job, sweep);
     add_standing_out(drawer, sweep);
     fault = session.terrain_fault();

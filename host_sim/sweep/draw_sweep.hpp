@@ -20,9 +20,10 @@ struct SweptPlace {
 };
 
 struct SweepJob {
-    PictureOptions picture;           ///< with terrain
-    std::optional<SweptPlace> place;  ///< nothing: the middle of the terrain
-    double radius_m = 250;            ///< how far the place reaches
+    PictureOptions picture;                ///< with terrain
+    std::string terrain_name, scene_name;  ///< how messages and results call them
+    std::optional<SweptPlace> place;       ///< nothing: the middle of the terrain
+    double radius_m = 250;                 ///< how far the place reaches
     SweepRings rings;
     flight::PhaseStatus phase;
     base::Time time = kPosedTime;

@@ -121,9 +121,9 @@ std::string header_of(const Sweep& sweep) {
     return "<header><h1>Viewpoints round " + decimal(base::degrees(sweep.place.latitude_rad), 4) + ", " +
            decimal(base::degrees(sweep.place.longitude_rad), 4) + "</h1><p>" +
            escaped_html("At " + metre_text(sweep.place_msl_m) + " above sea level, " + metre_text(sweep.radius_m) +
-                        " round it. Terrain " + sweep.terrain + (sweep.scene.empty() ? std::string() : ", scene " + sweep.scene) +
-                        ", design " + sweep.design + ", device " + sweep.device +
-                        (sweep.interrupted ? "; interrupted, the rest is missing" : "")) +
+                        " round it. Terrain: " + sweep.terrain +
+                        (sweep.scene.empty() ? std::string() : ", scene: " + sweep.scene) + ", design: " + sweep.design +
+                        ", device: " + sweep.device + (sweep.interrupted ? "; interrupted, the rest is missing" : "")) +
            ".</p></header>\n";
 }
 

@@ -56,6 +56,22 @@ TEST(SweepCommand, EqualSweepsGiveEqualResults) {
     EXPECT_NE(run(other, true).json()["views"], run(one, true).json()["views"]) << "another design";
 }
 
+TEST(SweepCommand, HasGroundOfItsOwn) {
+    SweepOptions o;
+    o.rings = {1, {3000}, {900}};
+    o.picture.size = PictureSize{160, 120};
+    o.output = swept_files().folder.file("own");
+    const auto json = run(o, true).json();
+    EXPECT_EQ(json["terrain"], "the shipped terrain");
+    EXPECT_EQ(json["scene"], "that of the shipped scenario");
+    ASSERT_EQ(json["views"].size(), 1u);
+    EXPECT_GT(json["views"][0]["clutter"], 0);
+    o.place = SweptPlace{10, 10, {}};
+    o.output = swept_files().folder.file("nowhere");
+    test_support::expect_user_error([&] { (void)run(o); }, "known there in the shipped terrain");
+    EXPECT_FALSE(std::filesystem::exists(o.output));
+}
+
 TEST(SweepCommand, TellsPeople) {
     const std::string text = run(sweep_options("text")).results;
     EXPECT_THAT(text, HasSubstr("text: "));

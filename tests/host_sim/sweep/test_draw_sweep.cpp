@@ -24,6 +24,7 @@ class DrawSweep : public ::testing::Test {
 protected:
     DrawSweep() {
         job_.picture = flown().options("unused").picture;
+        job_.terrain_name = "my.tdb";
         job_.picture.size = PictureSize{160, 120};
         job_.place = SweptPlace{47.03, 9.68, {}};
         job_.rings = {2, {2000}, {600, 1500}};
@@ -127,7 +128,7 @@ TEST_F(DrawSweep, ViewpointsWithoutAViewAreSkipped) {
 
 TEST_F(DrawSweep, WhereNoneIsLeftItIsAnError) {
     job_.rings = {2, {60'000}, {800}};
-    test_support::expect_user_error([&] { (void)drawn(); }, "none of 2 viewpoints lies above the ground");
+    test_support::expect_user_error([&] { (void)drawn(); }, "none of 2 viewpoints lies above the ground of my.tdb");
     job_.place = SweptPlace{10, 10, {}};
     test_support::expect_user_error([&] { (void)drawn(); }, "no ground height is known there");
     job_.place = SweptPlace{47.03, 9.68, {}};
