@@ -131,9 +131,10 @@ TEST(DisplayClutter, EveryRegionIsWithinTheBudgetOrAsCalmAsItCanBe) {
         int beyond = 0, lowered = 0;
         for (std::size_t n = 0; n < without.densities.size(); ++n) {
             const double free = without.densities[n], least = static_cast<double>(clutter.measured.least.measure[n]);
-            EXPECT_NEAR(static_cast<double>(clutter.measured.whole.measure[n]), free, 0.01) << "as without a budget";
-            EXPECT_LE(with.densities[n], std::max(kBudget, least) + 0.012) << device << " region " << n;
-            beyond += free > kBudget + 0.012 ? 1 : 0;
+            EXPECT_NEAR(static_cast<double>(clutter.measured.whole.measure[n]), free, 0.03)
+                << "as without a budget, but for long faint edges";
+            EXPECT_LE(with.densities[n], std::max(kBudget, least) + 0.03) << device << " region " << n;
+            beyond += free > kBudget + 0.03 ? 1 : 0;
             lowered += clutter.left.factor[n] < 1 ? 1 : 0;
         }
         EXPECT_GT(beyond, 3) << "control: without a budget there is more";
