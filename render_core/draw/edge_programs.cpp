@@ -10,10 +10,10 @@ constexpr gl::AttributeBinding kEdgeAttributes[] = {{"position", 0}};
 constexpr const char* kEdgeUniformNames[kEdgeUniforms] = {"first", "first_size", "picture",    "band",
                                                           "rows",  "bell",       "thresholds", "parts"};
 
-/// FOLLOWED: how far edges are followed within a block, whose longest path has so many pixels more; FULL_TINT: the density that
-/// has the last colour, as in the evaluation's views.
+/// FOLLOWED: steps within a block of 4 x 4 pixels, through which no shortest way has more than two of each 2 x 2. FULL_TINT: the
+/// density that has the last colour, as in the evaluation's views.
 constexpr std::string_view kEdgeConstants =
-    "#define FOLLOWED 10.0\n"
+    "#define FOLLOWED 8.0\n"
     "#define FULL_TINT 0.25\n";
 
 struct EdgeStepText {
