@@ -61,7 +61,8 @@ double mean_entropy(const perception::Plane& plane) {
     const std::vector<ValueMap> bands = steerable_bands(with_whole_sides(plane));
     double sum = 0;
     for (std::size_t n = 0; n < bands.size(); ++n) {
-        const double pixels = std::exp2(static_cast<double>(n / kBandDirections));
+        const std::size_t size = n / kBandDirections;
+        const double pixels = std::exp2(static_cast<double>(size));
         sum += entropy_of(values_inside(bands[n], plane.width / pixels, plane.height / pixels));
     }
     return sum / static_cast<double>(bands.size());
