@@ -64,7 +64,7 @@ GroupColors colors_of_group(const design::DesignSettings& design, std::string_vi
     return colors;
 }
 
-/// Where a band meets another one or the bare ground, the same ground lies below both.
+/// Bands of another hue; and where a band meets another one or the bare ground, the same ground lies below both.
 bool are_compared(const GroupColor& first, const GroupColor& second) {
     if (first.band != nullptr && second.band != nullptr && first.band->color == second.band->color) return false;
     const bool has_band = first.band != nullptr || second.band != nullptr;
@@ -122,11 +122,10 @@ std::optional<ColorGap> least_color_gap(const design::DesignSettings& design, co
     GapSearch search(light);
     std::vector<GroupColors> colors;
     for (const std::string& group : groups) colors.push_back(colors_of_group(design, group));
-    for (std::size_t n = 0; n < groups.size(); ++n) {
-        if (groups[n] == kWarningsGroup) search.compare(colors[n], groups[n], colors[n], groups[n]);
+    if (groups.size() == 1) search.compare(colors[0], groups[0], colors[0], groups[0]);
+    for (std::size_t n = 0; n < groups.size(); ++n)
         for (std::size_t other = n + 1; other < groups.size(); ++other)
             search.compare(colors[n], groups[n], colors[other], groups[other]);
-    }
     return search.least();
 }
 

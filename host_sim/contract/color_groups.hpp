@@ -6,8 +6,9 @@
 ///                   where warning colours are off
 ///     a role        such as obstacle: of the elements of this role that have one plain colour
 ///
-/// Every colour of one group is compared with every colour of the other; bands also with each other, but only where their hue
-/// differs: two densities of one hue say more or less of the same. Differences are CIEDE2000 (design/color_difference.hpp), in
+/// Every colour of one group is compared with every colour of the other, a band over a ground only with what lies over the same
+/// one. Warnings alone are compared with each other, but only where their hue differs: two densities of one hue say more or less
+/// of the same. Differences are CIEDE2000 (design/color_difference.hpp), in
 /// normal vision and without each of the three kinds of cones (measure/color_vision.hpp). What is lit less is compared so:
 /// encoded values times light, as the terrain is drawn.
 #pragma once
@@ -29,7 +30,7 @@ struct ColorGap {
     double difference = 0;  ///< the least one
     std::string words;      ///< which colours, and in which vision
 };
-/// Nothing where fewer than two groups have colours in the design, and no bands differ. `light` 0..1.
+/// Nothing where no two colours of the design are compared. `groups`: two or more, or warnings alone. `light` 0..1.
 [[nodiscard]] std::optional<ColorGap> least_color_gap(const design::DesignSettings& design,
                                                       const std::vector<std::string>& groups, double light);
 

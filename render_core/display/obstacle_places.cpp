@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -80,9 +81,15 @@ private:
         const terrain::View& view = frame_.eye.view;
         const draw::Rect screen{0, 0, static_cast<float>(view.width), static_cast<float>(view.height)};
         if (!top.is_known || !spot.is_ahead || !screen.contains(spot.at)) return ObstacleState::out_of_view;
-        if (frame_.sight != nullptr && frame_.sight->is_hidden(top.place)) return ObstacleState::hidden;
+        if (is_hidden(top.place, spot.distance_m)) return ObstacleState::hidden;
         box = box_below(spot.at, anchor);
         return has_solids(frame_.reports, layer) ? ObstacleState::drawn : ObstacleState::left_out;
+    }
+
+    /// As signs are judged: by a place as high over it as their stem (billboard_sheet.hpp).
+    [[nodiscard]] bool is_hidden(const glm::dvec3& top, double distance_m) const {
+        const double stem_m = static_cast<double>(draw::kSignStem * frame_.eye.text_px) * distance_m / frame_.eye.view.focal_px;
+        return frame_.sight != nullptr && frame_.sight->is_hidden(top + glm::normalize(top) * stem_m);
     }
 
     [[nodiscard]] draw::Rect box_below(draw::Point top, const scene::ScenePoint& anchor) const {

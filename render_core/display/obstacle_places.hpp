@@ -5,8 +5,8 @@
 ///
 /// `drawn`: its sign stands in the picture, and the box is the sign's; else, where the design shows the layer as solids and no
 /// terrain stands before its top, the box goes from its top down to the ground, at least as wide as the display's text is high.
-/// `left_out`: it would be seen in the picture, and nothing is shown of it. `hidden`: terrain stands before it. `out_of_view`:
-/// its top is beside the picture or behind the eye.
+/// `left_out`: it would be seen in the picture, and nothing is shown of it. `hidden`: terrain stands before it, as signs are
+/// judged. `out_of_view`: its top is beside the picture or behind the eye.
 ///
 /// Bounded by the points of the layers. Nothing is computed unless it is asked for. Thread  the display's.
 #pragma once

@@ -53,9 +53,10 @@ TEST(ColorGroups, BandsLieOverTheGroundWithTheirStrength) {
     for (const ColorVision vision : kColorVisions)
         for (const Color band : {kRed, kBlue})
             least = std::min(least, difference(design::blended(kGrey, band, 0.2), kGrey, vision));
-    for (const ColorVision vision : kColorVisions)
-        least = std::min(least, difference(design::blended(kGrey, kRed, 0.2), design::blended(kGrey, kBlue, 0.2), vision));
     EXPECT_NEAR(weak, least, 1e-9);
+    design.warning_bands[1].color = {215, 50, 47};
+    EXPECT_LT(least_color_gap(design, {"warnings"}, 1)->difference, 1);
+    EXPECT_GT(least_color_gap(design, {"warnings", "ground"}, 1)->difference, 1) << "there they are not compared with each other";
 }
 
 TEST(ColorGroups, TwoDensitiesOfOneHueAreNotComparedNorIsWhatLiesOverOtherGround) {
