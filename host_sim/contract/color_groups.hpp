@@ -1,16 +1,15 @@
 /// Colours that a design's pictures have, in groups that must be told apart.
 ///
-///     ground        of the palette, its stops and eight steps between two; of a plain texture the plain colour
-///     sea, unknown  as the design states them
-///     warnings      the warning bands as they are displayed: each with its strength over every colour of the ground; none
-///                   where warning colours are off
-///     a role        such as obstacle: of the elements of this role that have one plain colour
+///   ground        of the palette: its stops and eight steps between two; of a plain texture the plain colour
+///   sea, unknown  as the design states them
+///   warnings      the warning bands as they are displayed: each with its strength over every colour of the ground; none where
+///                 warning colours are off
+///   a role        such as obstacle: of the elements of this role that have one plain colour
 ///
 /// Every colour of one group is compared with every colour of the other, a band over a ground only with what lies over the same
 /// one. Warnings alone are compared with each other, but only where their hue differs: two densities of one hue say more or less
-/// of the same. Differences are CIEDE2000 (design/color_difference.hpp), in
-/// normal vision and without each of the three kinds of cones (measure/color_vision.hpp). What is lit less is compared so:
-/// encoded values times light, as the terrain is drawn.
+/// of the same. Differences are CIEDE2000 (design/color_difference.hpp), in normal vision and without each of the three kinds of
+/// cones (measure/color_vision.hpp). What is lit less is compared so: encoded values times light, as the terrain is drawn.
 #pragma once
 
 #include <optional>

@@ -1,33 +1,32 @@
 /// The perceptual contract of a display: conditions that the pictures of a run must keep.
 ///
 ///     title = "Approach under the default design"
-///     [canny]              by which edges clutter is measured; absent: 1, 70, 170
+///     [canny]                            by which edges clutter is measured; absent: 1, 70, 170
 ///     sigma = 1
 ///     low = 70
 ///     high = 170
 ///
 ///     [[condition]]
-///     name = "..."         how reports call it; absent: what it measures
-///     phases = [...]       "approach" has its sub-phases; absent: all
-///     for_s = 2            so long a time beyond the limit breaks it; absent: a single picture does
-///     optional = true      a flight without its phases, or its obstacles, may pass; absent: it may not
-///     measure = "clutter"  and the keys of the measure; the limit is `most` or `least`
+///     name = "instruments stay readable" how reports call it; absent: what it measures
+///     phases = ["approach"]              "approach" has its sub-phases; absent: all
+///     for_s = 2                          so long a time beyond the limit breaks it; absent: a single picture does
+///     optional = true                    a flight without its phases, or its obstacles, may pass; absent: it may not
+///     measure = "clutter"                and the keys of the measure; the limit is `most` or `least`
 ///
-/// Measures, with their keys and what absent ones are:
+/// Measures, their limits and keys:
 ///
-///     clutter             most; region = "picture", "every", a third such as "upper left", or [column, row] of
-///                         grid = [8, 6], from 1, 1 at the upper left
-///                           share of edge pixels; of `every` region the busiest
-///     saliency_share      least; layer = "prioritized" or a layer; without = [], layers that do not count
-///                           the layer's share of the saliency
-///     saliency_over_area  the same keys
-///                           that share over the layer's share of the pixels: above 1 it draws the eye more than its size
-///     obstacle_rank       most; without; focus = 1/6, radius of a salient place, of the picture's smaller side
-///                           the worst rank among the salient places of an obstacle that is on the way and in the picture
-///     luminance_contrast  least; layer; least_px = 24
-///                           WCAG's ratio of the layer's faintest sign (measure/sign_contrast.hpp)
-///     color_difference    least; between = [groups] (contract/color_groups.hpp); light = 1
-///                           the least CIEDE2000 between colours of two groups, in normal vision and the three deficiencies
+///   clutter             most: the share of edge pixels. region = "picture" (where absent), "every" of grid = [8, 6], of which
+///                       the busiest counts, or a third such as "upper left" or "middle centre"; or cell = [column, row] of the
+///                       grid, from [1, 1] at the upper left
+///   saliency_share      least: a layer's share of the saliency. layer = "prioritized" (where absent) or a layer;
+///                       without = [layers that do not count]
+///   saliency_over_area  least: that share over the layer's share of the pixels. The same keys
+///   obstacle_rank       most: the worst rank among the most salient places of an obstacle that is on the way and in the picture.
+///                       focus = 1/6 of the smaller side, the radius in which the eye sees; without
+///   luminance_contrast  least: WCAG's ratio of the faintest sign (measure/sign_contrast.hpp) of a layer. layer; least_px = 24,
+///                       pixels that a sign has at least
+///   color_difference    least: CIEDE2000 between colours of different groups (contract/color_groups.hpp), in normal vision and
+///                       the three deficiencies. between = [groups]; light = 1, of the full light
 #pragma once
 
 #include <cstdint>
