@@ -1,9 +1,10 @@
+#include "host_sim/contract/contract.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "host_sim/contract/color_groups.hpp"
-#include "host_sim/contract/contract.hpp"
 #include "host_sim/evaluation/evaluated_flight.hpp"
 #include "host_sim/evaluation/read_canny.hpp"
 #include "host_sim/input_file.hpp"
