@@ -144,7 +144,7 @@ void add_sweep(CLI::App& app, CommandLine& line) {
         [&o](const std::string& text) {
             o.rings.heights_m = metres_from("--heights", text, -SweepRings::kMostHeight_m, SweepRings::kMostHeight_m);
         },
-        "metres of the rings above the place; default: 500,1500");
+        "metres of the rings above the place; default: 300,1000");
     command->add_option("-o", o.output, "folder to write to: pictures, sweep.json, report.html")->required();
     add_time(command, o.time);
     command->add_option_function<std::string>(

@@ -1,6 +1,8 @@
 #include "host_sim/sweep/draw_sweep.hpp"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "host_sim/evaluation/clutter_opinions.hpp"
@@ -29,6 +31,11 @@ std::string reason_against(const Viewpoint& viewpoint, SweptGround& ground) {
     if (below.status == terrain::HeightStatus::outside) return "outside the terrain";
     if (!has_ground(below)) return "no ground height is known below";
     return viewpoint.pose.altitude_msl_m < below.height.m + kLeastClearance_m ? "below the ground" : "";
+}
+
+bool is_recovery_picture(const display::FrameRecord& record) {
+    const auto is_it = [](const display::Name& flag) { return flag.view() == display::kUnusualAttitudeFlag; };
+    return std::any_of(record.flags.begin(), record.flags.end(), is_it);
 }
 
 void place_sweep(const SweepJob& job, SweptGround& ground, Sweep& sweep) {
@@ -65,13 +72,16 @@ public:
     SweepDrawer(const SweepJob& job, WrittenFiles& files, DisplaySession& session, SweptGround& ground)
         : job_(job), files_(files), session_(session), ground_(ground), meter_(EvaluationSettings()) {}
 
-    [[nodiscard]] SweptView draw(const Viewpoint& viewpoint, const Sweep& sweep) {
+    /// Nothing from where the display shows its recovery picture.
+    [[nodiscard]] std::optional<SweptView> draw(const Viewpoint& viewpoint, const Sweep& sweep) {
+        AircraftPose pose = viewpoint.pose;
+        pose.time = job_.time;
+        const FrameResult frame = posed_frame(session_, pose, job_.phase);
+        if (is_recovery_picture(frame.record)) return std::nullopt;
         SweptView view;
         view.viewpoint = viewpoint;
         view.file = viewpoint.name + ".png";
-        AircraftPose pose = viewpoint.pose;
-        pose.time = job_.time;
-        view.hash = posed_frame(session_, pose, job_.phase).hash;
+        view.hash = frame.hash;
         const RgbaPicture picture = upright(session_.pixels());
         write(view.file, picture);
         const LayerMask mask = layers_of(view.file);
@@ -131,11 +141,14 @@ void draw_views(SweepDrawer& drawer, const std::vector<Viewpoint>& viewpoints, S
     for (std::size_t n = 0; n < viewpoints.size(); ++n) {
         sweep.interrupted = job.is_stopped();
         if (sweep.interrupted) break;
-        const std::string reason = reason_against(viewpoints[n], ground);
-        if (!reason.empty())
-            sweep.skipped.push_back({viewpoints[n], reason});
-        else
-            sweep.views.push_back(drawer.draw(viewpoints[n], sweep));
+        std::string reason = reason_against(viewpoints[n], ground);
+        if (reason.empty()) {
+            if (std::optional<SweptView> view = drawer.draw(viewpoints[n], sweep))
+                sweep.views.push_back(std::move(*view));
+            else
+                reason = "so steep that the display shows its recovery picture";
+        }
+        if (!reason.empty()) sweep.skipped.push_back({viewpoints[n], reason});
         console.progress("viewpoints", n + 1, viewpoints.size());
     }
     console.progress_done();
@@ -156,7 +169,7 @@ void add_standing_out(SweepDrawer& drawer, Sweep& sweep) {
 void require_some_view(const SweepJob& job, const Sweep& sweep) {
     if (!sweep.views.empty()) return;
     if (sweep.interrupted) throw Interrupted("interrupted; nothing was written");
-    throw UserError("--around: none of " + std::to_string(sweep.skipped.size()) + " viewpoints lies above the ground of " +
+    throw UserError("--around: none of " + std::to_string(sweep.skipped.size()) + " viewpoints can be drawn over " +
                     job.terrain_name + " (the first: " + sweep.skipped.front().reason + "); name other --distances or --heights");
 }
 

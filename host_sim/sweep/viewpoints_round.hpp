@@ -16,7 +16,7 @@ struct SweepRings {
     static constexpr double kLeastDistance_m = 10, kMostDistance_m = 100'000, kMostHeight_m = 30'000;
     std::size_t bearings = 8;  ///< evenly round the place, from north over east
     std::vector<double> distances_m{3000, 6000};
-    std::vector<double> heights_m{500, 1500};  ///< above the place
+    std::vector<double> heights_m{300, 1000};  ///< above the place
 };
 
 struct Viewpoint {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "render_core/base/fixed_string.hpp"
@@ -49,12 +50,14 @@ struct Notice {
     base::FixedString<31> text;  ///< upper case ASCII
 };
 
+inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< of the recovery picture
+
 struct DisplayDecisions {
     bool show_terrain = false;
     bool show_warning_colors = false;
     bool terrain_degraded = false;  ///< shown, but its position or height is not to be trusted
     bool plain_horizon = false;     ///< blue over brown by attitude, without terrain; never on the map
-    bool unusual_attitude = false;  ///< recovery picture: chevrons, decluttered
+    bool unusual_attitude = false;  ///< recovery picture: chevrons, decluttered; flagged
     /// Signal that turns the view: true_heading, magnetic_heading (plus variation), true_track or count_ (none: the view
     /// faces north and no terrain is drawn).
     flight::Signal view_heading = flight::Signal::count_;

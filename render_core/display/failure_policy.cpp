@@ -189,6 +189,7 @@ private:
         // The recovery picture is of the attitude, which the map does not show.
         out_.unusual_attitude = !conditions_.is_map && (pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad ||
                                                         std::fabs(roll_rad) > limits.roll_rad);
+        if (out_.unusual_attitude) flag("attitude", "unusual");
     }
 
     /// As good as the worse of its two signals: a speed without a direction is no wind.

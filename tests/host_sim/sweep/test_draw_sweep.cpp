@@ -27,7 +27,7 @@ protected:
         job_.terrain_name = "my.tdb";
         job_.picture.size = PictureSize{160, 120};
         job_.place = SweptPlace{47.03, 9.68, {}};
-        job_.rings = {2, {2000}, {600, 1500}};
+        job_.rings = {2, {4000}, {600, 1200}};
         job_.folder = place_.path();
         job_.is_stopped = [] { return false; };
     }
@@ -111,14 +111,14 @@ TEST_F(DrawSweep, MasksAreLeftWhereAskedFor) {
 
 TEST_F(DrawSweep, TheMiddleOfTheTerrainIsThePlaceOfAll) {
     job_.place.reset();
-    job_.rings = {1, {1000}, {900}};
+    job_.rings = {1, {3000}, {900}};
     const Sweep sweep = drawn();
     EXPECT_NEAR(sweep.place.latitude_rad * 57.29578, 47.1 - 96.0 / 1200, 1e-3);
     EXPECT_EQ(sweep.standing_out.size(), 1u) << "the only one";
 }
 
 TEST_F(DrawSweep, ViewpointsWithoutAViewAreSkipped) {
-    job_.rings = {2, {2000, 60'000}, {-1500, 800}};
+    job_.rings = {2, {3000, 60'000}, {-1500, 800}};
     const Sweep sweep = drawn();
     EXPECT_EQ(sweep.views.size(), 2u);
     ASSERT_EQ(sweep.skipped.size(), 6u);
@@ -126,9 +126,19 @@ TEST_F(DrawSweep, ViewpointsWithoutAViewAreSkipped) {
     EXPECT_EQ(sweep.skipped[2].reason, "outside the terrain");
 }
 
+TEST_F(DrawSweep, WhereTheDisplayWouldShowItsRecoveryPictureNothingIsMeasured) {
+    job_.rings = {1, {1000, 4000}, {900}};
+    const Sweep sweep = drawn();
+    ASSERT_EQ(sweep.views.size(), 1u);
+    EXPECT_EQ(sweep.views[0].viewpoint.distance_m, 4000);
+    ASSERT_EQ(sweep.skipped.size(), 1u);
+    EXPECT_EQ(sweep.skipped[0].reason, "so steep that the display shows its recovery picture");
+    EXPECT_EQ(place_.entries(), 1u + 7) << "nothing is left of it";
+}
+
 TEST_F(DrawSweep, WhereNoneIsLeftItIsAnError) {
     job_.rings = {2, {60'000}, {800}};
-    test_support::expect_user_error([&] { (void)drawn(); }, "none of 2 viewpoints lies above the ground of my.tdb");
+    test_support::expect_user_error([&] { (void)drawn(); }, "none of 2 viewpoints can be drawn over my.tdb");
     job_.place = SweptPlace{10, 10, {}};
     test_support::expect_user_error([&] { (void)drawn(); }, "no ground height is known there");
     job_.place = SweptPlace{47.03, 9.68, {}};

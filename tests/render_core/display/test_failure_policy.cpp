@@ -236,6 +236,7 @@ TEST(FailurePolicy, UnusualAttitudesDeclutter) {
         state[Signal::pitch] = {base::radians(pitch_deg), kPolicyNow};
         state[Signal::roll] = {base::radians(roll_deg), kPolicyNow};
         EXPECT_TRUE(decide_on(state).unusual_attitude);
+        EXPECT_TRUE(has_flag(decide_on(state), "attitude.unusual"));
         EXPECT_FALSE(decide_on(state).show_warning_colors);
         EXPECT_EQ(decide_on(state)[Element::flight_path].show, ElementShow::absent);
     }
@@ -243,6 +244,7 @@ TEST(FailurePolicy, UnusualAttitudesDeclutter) {
     steep[Signal::pitch] = {base::radians(29), kPolicyNow};
     steep[Signal::roll] = {base::radians(-59), kPolicyNow};
     EXPECT_FALSE(decide_on(steep).unusual_attitude);
+    EXPECT_FALSE(has_flag(decide_on(steep), "attitude.unusual"));
 }
 
 TEST(FailurePolicy, WhatIsNoPilotsViewIsSaid) {
