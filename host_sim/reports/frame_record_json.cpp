@@ -88,7 +88,7 @@ Json crowded_json(const display::ClutterRecord& clutter) {
         if (whole <= clutter.budget && clutter.left.factor[n] >= 1) continue;
         Json region{{"column", n % DetailRegions::kAcross}, {"row", n / DetailRegions::kAcross}, {"clutter", whole}};
         region["least"] = clutter.measured.least.is_known ? Json(clutter.measured.least.measure[n]) : Json();
-        region["tried"] = clutter.measured.tried.is_known ? Json(clutter.measured.tried.measure[n]) : Json();
+        region["reached"] = clutter.reached.is_known ? Json(clutter.reached.measure[n]) : Json();
         region["detail"] = clutter.left.factor[n];
         json.push_back(std::move(region));
     }

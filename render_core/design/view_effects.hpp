@@ -102,11 +102,6 @@ struct ViewEffects {
     ShadowSettings shadows;
 };
 
-/// Over the picture, or in its place.
-[[nodiscard]] inline bool shows_measure(const ViewEffects& effects) {
-    return effects.saliency.view != SaliencyView::none || effects.clutter != ClutterView::none;
-}
-
 void read_view_effects(base::ConfigSection section, ViewEffects& effects);
 
 }  // namespace tedavis::design

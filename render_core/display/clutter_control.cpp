@@ -60,25 +60,24 @@ bool ClutterControl::follows(base::Time now, std::size_t design) const {
     return false;
 }
 
-scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design, double budget) const {
+scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design) const {
     scene::DetailRegions left;
     const bool has_before = follows(now, design);
     for (const Held& held : held_) {
         if (has_before ? !counts(held, now, design) : !is_own(held, now, design)) continue;
-        const scene::DetailRegions one = effects::detail_within(held.measures, budget);
-        for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], one.factor[n]);
+        for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], held.left.factor[n]);
     }
     return left;
 }
 
-effects::ClutterMeasures ClutterControl::measured(base::Time now, std::size_t design) const {
+ClutterControl::Measured ClutterControl::measured(base::Time now, std::size_t design) const {
     const bool has_before = follows(now, design);
     const Held* newest = nullptr;
     for (const Held& held : held_)
         if ((has_before ? counts(held, now, design) : is_own(held, now, design)) &&
             (newest == nullptr || held.epoch > newest->epoch))
             newest = &held;
-    return newest == nullptr ? effects::ClutterMeasures() : newest->measures;
+    return newest == nullptr ? Measured() : newest->measured;
 }
 
 void ClutterControl::plan(bool runs, base::Time now, std::size_t design, double budget) {
@@ -100,16 +99,33 @@ void ClutterControl::measure(gl::Gl& gl, const base::Surface& surface) {
     Held& held = place_of(epoch_of(now_));
     const effects::ClutterMap map = pass_.densities(gl, surface);
     if (step_ == Step::whole) {
-        held = {true, epoch_of(now_), design_, {map, {}, {}}};
+        held = Held();
+        held.is_known = true;
+        held.epoch = epoch_of(now_);
+        held.design = design_;
+        held.measured.clutter.whole = map;
         ask_for(effects::is_beyond(map, budget_) ? Step::least : Step::none, effects::least_detail());
     } else if (step_ == Step::least) {
-        held.measures.least = map;
-        const scene::DetailRegions tried = effects::tried_detail(held.measures, budget_);
+        held.measured.clutter.least = map;
+        tries_ = 0;
+        const scene::DetailRegions tried = effects::detail_within(held.measured.clutter, budget_);
         ask_for(tried.is_whole() ? Step::none : Step::tried, tried);
     } else {
-        held.measures.tried = map;
-        ask_for(Step::none, {});
+        take_try(held, map);
     }
+}
+
+/// The best so far stays; of equals the first, which leaves more.
+void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
+    const effects::ClutterMeasures& clutter = held.measured.clutter;
+    const double excess = effects::excess(reached, clutter, budget_);
+    if (tries_ == 0 || excess < effects::excess(held.measured.reached, clutter, budget_)) {
+        held.measured.reached = reached;
+        held.left = step_regions_;
+    }
+    const scene::DetailRegions less = effects::less_detail(step_regions_, reached, clutter, budget_);
+    const bool is_over = ++tries_ == kMostTries || excess <= 0 || less.factor == step_regions_.factor;
+    ask_for(is_over ? Step::none : Step::tried, less);
 }
 
 void ClutterControl::ask_for(Step step, const scene::DetailRegions& regions) {

@@ -2,12 +2,12 @@
 /// measures a frame goes.
 ///
 /// The first frame of each epoch of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
-/// all detail and, where that is beyond the budget, with the least, and with what may suffice; such pictures are drawn for that,
-/// and never seen. A frame goes by the epochs before its own as far back as kHeld, and in each region by the one that takes away
-/// most: what gives way comes back when it would have had room for so long. With nothing before it, at a flight's beginning and
-/// after a turn of designs, it goes by its own epoch's. No measure depends on what gave way before, so that a frame is the same
-/// however it is reached, where the frames that measure have been drawn. What another of the display's designs measured does not
-/// count.
+/// all detail and, where that is beyond the budget, with the least, and up to kMostTries times with what may suffice; such
+/// pictures are drawn for that, and never seen. A frame goes by the epochs before its own as far back as kHeld, and in each
+/// region by the one that takes away most: what gives way comes back when it would have had room for so long. With nothing before
+/// it, at a flight's beginning and after a turn of designs, it goes by its own epoch's. No measure depends on what gave way
+/// before, so that a frame is the same however it is reached, where the frames that measure have been drawn. What another of the
+/// display's designs measured does not count.
 ///
 ///   follow(...), regions(...), plan(...) each frame · then draw: step() says which picture is to be measured, until none is
 ///
@@ -26,6 +26,7 @@ namespace tedavis::display {
 class ClutterControl {
 public:
     static constexpr base::Duration kHeld = base::Duration::seconds(2);
+    static constexpr int kMostTries = 3;
     enum class Step : std::uint8_t { none, whole, least, tried };
 
     [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
@@ -36,9 +37,13 @@ public:
     /// Before regions(): the same instant seen from elsewhere follows from nothing.
     void follow(base::Time now, const terrain::View& view);
     /// By which the frame at `now` goes.
-    [[nodiscard]] scene::DetailRegions regions(base::Time now, std::size_t design, double budget) const;
+    [[nodiscard]] scene::DetailRegions regions(base::Time now, std::size_t design) const;
+    struct Measured {
+        effects::ClutterMeasures clutter;
+        effects::ClutterMap reached;  ///< with what the epoch would leave; where nothing gives way unknown
+    };
     /// Of the newest epoch that they follow from; unknown without one.
-    [[nodiscard]] effects::ClutterMeasures measured(base::Time now, std::size_t design) const;
+    [[nodiscard]] Measured measured(base::Time now, std::size_t design) const;
 
     /// `runs`: the plan of effects says so; `budget` 1: none is held, and nothing measured for it.
     void plan(bool runs, base::Time now, std::size_t design, double budget);
@@ -64,8 +69,10 @@ private:
         bool is_known = false;
         std::int64_t epoch = 0;
         std::size_t design = 0;
-        effects::ClutterMeasures measures;
+        Measured measured;
+        scene::DetailRegions left;
     };
+    void take_try(Held& held, const effects::ClutterMap& reached);
     void ask_for(Step step, const scene::DetailRegions& regions);
     [[nodiscard]] std::int64_t epoch_of(base::Time now) const;
     [[nodiscard]] Held& place_of(std::int64_t epoch);
@@ -79,6 +86,7 @@ private:
     std::array<Held, kMostHeld + 1> held_;
     Step step_ = Step::none;
     scene::DetailRegions step_regions_;
+    int tries_ = 0;
     base::Time now_{0};  ///< of the planned frame, with what follows
     std::size_t design_ = 0;
     double budget_ = 1;

@@ -174,7 +174,7 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
         conditions_.terrain = TerrainSource::above_own_ship;
-    conditions_.shows_measure = shows_measure(settings_.design.effects);
+    conditions_.shows_measure = shows_measure();
     conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
     weigh(now);
     transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);

@@ -211,6 +211,7 @@ private:
     void plan_data();
     void plan_elements(const flight::FlownWay* way);
     void plan_effects();
+    [[nodiscard]] bool shows_measure() const;
     void plan_crowding();
     [[nodiscard]] bool has_what_gives_way() const;
     void plan_detail_again();

@@ -15,10 +15,18 @@ bool gives_way(const ElementReport& report, const Crowding& crowding) {
 
 }  // namespace
 
+/// By the rung of the frame before: the notice comes and goes with the view, a frame late at most.
+bool Display::shows_measure() const {
+    using effects::Effect;
+    const design::ViewEffects& asked = settings_.design.effects;
+    return (asked.saliency.view != design::SaliencyView::none && !frame_budget_.gives_up(Effect::saliency)) ||
+           (asked.clutter != design::ClutterView::none && !frame_budget_.gives_up(Effect::clutter));
+}
+
 void Display::plan_crowding() {
     clutter_.follow(record_.time, eye_.view);
     const design::PrioritySettings& priority = settings_.design.priority;
-    crowding_ = crowding_of(clutter_.regions(record_.time, shown_, priority.held_clutter()), priority, weights_);
+    crowding_ = crowding_of(clutter_.regions(record_.time, shown_), priority, weights_);
 }
 
 bool Display::has_what_gives_way() const {
@@ -85,7 +93,9 @@ void Display::note_clutter() {
     ClutterRecord& record = record_.clutter;
     record.budget = settings_.design.priority.held_clutter();
     if (record.budget >= 1) return;
-    record.measured = clutter_.measured(record_.time, shown_);
+    const ClutterControl::Measured measured = clutter_.measured(record_.time, shown_);
+    record.measured = measured.clutter;
+    record.reached = measured.reached;
     record.left = crowding_.regions;
     for (const ElementReport& report : elements_.reports())
         if (gives_way(report, crowding_)) record.roles |= 1u << static_cast<unsigned>(report.layer->entry->role);

@@ -1,9 +1,10 @@
 /// Holds a budget of clutter region by region: where a picture with all its detail is beyond it, data there keep so much less
 /// that the picture is within it, as far as their giving way helps at all.
 ///
-/// How much it helps is known from a second measure, of the same picture with the least detail left. In between density is first
-/// taken to change in proportion; a third measure, of the picture that this leaves, tells where that was not enough. A function
-/// of pictures that nobody has lowered before: it cannot swing.
+/// How much it helps is known from a second measure, of the same picture with the least detail left. In between density is taken
+/// to change in proportion; the picture that this leaves is measured, and what is not enough gives way further, for regions are
+/// not independent: things reach over their borders, and fewer of them stand elsewhere. Of the pictures that were measured the
+/// one with the least excess is shown. A function of pictures that nobody has lowered before: it cannot swing.
 ///
 /// The measures are an input, of whoever looks at the pictures; pure. Any thread.
 #pragma once
@@ -20,8 +21,7 @@ struct ClutterMap {
 
 struct ClutterMeasures {
     ClutterMap whole;  ///< with all detail
-    ClutterMap least;  ///< with kLeastDetailLeft of what gives way, everywhere; of no use where the other is within the budget
-    ClutterMap tried;  ///< with tried_detail() left
+    ClutterMap least;  ///< with least_detail(); of no use where the other is within the budget
 };
 
 inline constexpr double kLeastDetailLeft = 0.25;
@@ -32,10 +32,13 @@ inline constexpr double kLeastUse = 0.002;  ///< of giving way, in the measure: 
 /// Whether some region is beyond the budget, 0..1; 1 is none. What is not a number, or not known, is not.
 [[nodiscard]] bool is_beyond(const ClutterMap& clutter, double budget) noexcept;
 
-/// In proportion, from the first two measures. Where it is not known what giving way would help, or it helps nothing, nothing is
-/// taken away.
-[[nodiscard]] scene::DetailRegions tried_detail(const ClutterMeasures& clutter, double budget) noexcept;
-/// What keeps the budget: that, and the least where it was tried and was not enough.
+/// What would suffice in proportion. Where it is not known what giving way would help, or it helps nothing, nothing is taken
+/// away.
 [[nodiscard]] scene::DetailRegions detail_within(const ClutterMeasures& clutter, double budget) noexcept;
+/// What would, after a picture with `left` had `reached`: less where that is beyond what can be.
+[[nodiscard]] scene::DetailRegions less_detail(const scene::DetailRegions& left, const ClutterMap& reached,
+                                               const ClutterMeasures& clutter, double budget) noexcept;
+/// By how much a picture is beyond the budget where it could be within it, or nearer: all regions together.
+[[nodiscard]] double excess(const ClutterMap& reached, const ClutterMeasures& clutter, double budget) noexcept;
 
 }  // namespace tedavis::effects

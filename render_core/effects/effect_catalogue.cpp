@@ -94,7 +94,7 @@ constexpr std::array<EffectEntry, kEffectCount> kCatalogue{{
     {Effect::saliency, "saliency", Contribution::content, Need::picture_copy, true, "",
      "a copy of the picture, and some eighty passes at a quarter of its size, an eighth on ES 2; a blended tap"},
     {Effect::clutter, "clutter", Contribution::content, Need::picture_copy, true, "",
-     "for a budget, twice a second (once on ES 2): edges of the picture, and the scene up to four times; as a view edges of "
+     "for a budget, twice a second (once on ES 2): edges of the picture, and the scene up to six times; as a view edges of "
      "every "
      "picture and a blended tap"},
 }};

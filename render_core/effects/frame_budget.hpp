@@ -35,6 +35,10 @@ public:
     [[nodiscard]] double tau_factor(const TerrainTolerance& tolerance) const;
     [[nodiscard]] double detail_factor() const { return kLadder[governor_.rung()].detail_factor; }
     [[nodiscard]] bool is_reduced() const { return governor_.rung() > 0; }
+    /// As the frame that was planned last has it.
+    [[nodiscard]] bool gives_up(Effect effect) const {
+        return given_up_.has(effect) || given_up_on(governor_.rung()).has(effect);
+    }
 
     /// `counters`: of this frame, whose terrain was chosen with tau_factor() and its glyphs with detail_factor().
     [[nodiscard]] FramePlan plan(PlanInput input, const DeviceCapability& device, const FrameCounters& counters,

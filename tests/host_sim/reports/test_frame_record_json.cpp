@@ -99,7 +99,7 @@ TEST(FrameRecordJson, TellsWhatGivesWayForTheBudgetOfClutter) {
     EXPECT_EQ(json["gives_way"], Json({"wind"}));
     ASSERT_EQ(json["regions"].size(), 2u);
     EXPECT_EQ(json["regions"][0],
-              Json({{"column", 1}, {"row", 1}, {"clutter", 0.5}, {"least", 0.375}, {"tried", nullptr}, {"detail", 0.25}}));
+              Json({{"column", 1}, {"row", 1}, {"clutter", 0.5}, {"least", 0.375}, {"reached", nullptr}, {"detail", 0.25}}));
     EXPECT_EQ(json["regions"][1]["row"], 5);
 }
 

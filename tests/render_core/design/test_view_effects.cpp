@@ -59,10 +59,8 @@ TEST(ViewEffects, APictureForEachEye) {
 TEST(ViewEffects, ClutterHasAView) {
     ViewEffects effects;
     EXPECT_EQ(effects.clutter, ClutterView::none);
-    EXPECT_FALSE(shows_measure(effects));
     EXPECT_EQ(read("[clutter]\n", effects), "");
     EXPECT_EQ(effects.clutter, ClutterView::edges);
-    EXPECT_TRUE(shows_measure(effects));
     EXPECT_EQ(read("[clutter]\nview = \"regions\"\n", effects), "");
     EXPECT_EQ(effects.clutter, ClutterView::regions);
 }

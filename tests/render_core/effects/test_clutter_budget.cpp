@@ -18,11 +18,11 @@ ClutterMap of(float measure) {
 }
 
 double left(float whole, float least, double budget) {
-    return static_cast<double>(detail_within({of(whole), of(least), {}}, budget).factor[kRegion]);
+    return static_cast<double>(detail_within({of(whole), of(least)}, budget).factor[kRegion]);
 }
 
 TEST(ClutterBudget, OnlyRegionsBeyondItLoseDetail) {
-    ClutterMeasures measures{of(0.2f), of(0.1f), {}};
+    ClutterMeasures measures{of(0.2f), of(0.1f)};
     measures.whole.measure[kRegion] = 0.5f;
     const scene::DetailRegions regions = detail_within(measures, 0.4);
     for (std::size_t n = 0; n < regions.factor.size(); ++n)
@@ -45,17 +45,28 @@ TEST(ClutterBudget, InProportionTheBudgetIsHeldExactlyWhereItCanBe) {
             }
 }
 
-TEST(ClutterBudget, WhereWhatWasTriedIsNotEnoughTheLeastIsLeft) {
-    ClutterMeasures measures{of(0.5f), of(0.1f), {}};
-    const float in_proportion = tried_detail(measures, 0.4).factor[kRegion];
-    ASSERT_GT(in_proportion, 0.5f);
-    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], in_proportion) << "nobody tried";
-    measures.tried = of(0.39f);
-    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], in_proportion);
-    measures.tried = of(0.45f);
-    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], static_cast<float>(kLeastDetailLeft));
-    measures.least = of(0.5f);
-    EXPECT_EQ(detail_within(measures, 0.4).factor[kRegion], 1) << "giving way helps nothing";
+TEST(ClutterBudget, WhatIsNotEnoughGivesWayFurther) {
+    const ClutterMeasures measures{of(0.5f), of(0.1f)};
+    const scene::DetailRegions first = detail_within(measures, 0.3);
+    ASSERT_NEAR(static_cast<double>(first.factor[kRegion]), 0.625, 1e-6);
+    EXPECT_EQ(less_detail(first, of(0.29f), measures, 0.3).factor, first.factor) << "it is";
+    const scene::DetailRegions second = less_detail(first, of(0.4f), measures, 0.3);
+    EXPECT_NEAR(static_cast<double>(second.factor[kRegion]), 0.5, 1e-6) << "a third of the way that is left";
+    EXPECT_EQ(less_detail(second, of(0.1f), measures, 0.05).factor, second.factor) << "calmer it cannot be";
+    scene::DetailRegions left = first;
+    for (int n = 0; n < 50; ++n) left = less_detail(left, of(0.45f), measures, 0.3);
+    EXPECT_NEAR(static_cast<double>(left.factor[kRegion]), kLeastDetailLeft, 1e-3) << "but never less than the least";
+}
+
+TEST(ClutterBudget, ExcessIsWhatCouldBeWithinTheBudgetAndIsNot) {
+    ClutterMeasures measures{of(0.5f), of(0.1f)};
+    EXPECT_EQ(excess(of(0.3f), measures, 0.3000001), 0);
+    EXPECT_NEAR(excess(of(0.35f), measures, 0.3), 48 * 0.05, 1e-4);
+    measures.least.measure[kRegion] = 0.5f;
+    EXPECT_NEAR(excess(of(0.35f), measures, 0.3), 47 * 0.05, 1e-4) << "there nothing helps";
+    ClutterMap unknown = of(0.9f);
+    unknown.is_known = false;
+    EXPECT_EQ(excess(unknown, measures, 0.3), 0);
 }
 
 TEST(ClutterBudget, MoreClutterOrLessBudgetNeverLeavesMore) {
@@ -74,20 +85,20 @@ TEST(ClutterBudget, WhereGivingWayHelpsNothingNothingGivesWay) {
 }
 
 TEST(ClutterBudget, WhatIsNotKnownTakesNothingAway) {
-    ClutterMeasures measures{of(0.8f), of(0.1f), {}};
+    ClutterMeasures measures{of(0.8f), of(0.1f)};
     EXPECT_FALSE(detail_within(measures, 0.1).is_whole()) << "control";
     EXPECT_TRUE(is_beyond(measures.whole, 0.1)) << "control";
     EXPECT_TRUE(detail_within(measures, 1).is_whole()) << "no budget";
     EXPECT_FALSE(is_beyond(of(1), 1)) << "no budget";
     measures.least.is_known = false;
     EXPECT_TRUE(detail_within(measures, 0.1).is_whole());
-    measures = {of(0.8f), of(0.1f), {}};
+    measures = {of(0.8f), of(0.1f)};
     measures.whole.is_known = false;
     EXPECT_TRUE(detail_within(measures, 0.1).is_whole());
     EXPECT_FALSE(is_beyond(measures.whole, 0.1));
     const ClutterMap no_number = of(std::numeric_limits<float>::quiet_NaN());
-    EXPECT_TRUE(detail_within({no_number, of(0), {}}, 0.1).is_whole());
-    EXPECT_TRUE(detail_within({of(0.8f), no_number, {}}, 0.1).is_whole());
+    EXPECT_TRUE(detail_within({no_number, of(0)}, 0.1).is_whole());
+    EXPECT_TRUE(detail_within({of(0.8f), no_number}, 0.1).is_whole());
     EXPECT_FALSE(is_beyond(no_number, 0.1));
 }
 
