@@ -89,7 +89,7 @@ std::string findings_text(const JudgedCondition& one) {
         return first + "worst " + number_text(verdict.worst.value, is_rank) + " at " + time_text(verdict.worst.time_s) + " (" +
                place_text(one.worst) + "), broken for " + time_text(verdict.broken_s);
     }
-    if (const std::string gap = condition_gap(one); !gap.empty()) return gap;
+    if (std::string gap = condition_gap(one); !gap.empty()) return gap;
     return "at its tightest " + number_text(verdict.tightest.value, is_rank) + " at " + time_text(verdict.tightest.time_s) +
            " (" + place_text(one.tightest) + "), " +
            (verdict.beyond > 0 ? "beyond it for " + time_text(verdict.longest_s) + " at most, " : std::string()) +

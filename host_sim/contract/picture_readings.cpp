@@ -108,7 +108,8 @@ ContractReading clutter_reading(const ContractCondition& condition, const Measur
     const int busiest = static_cast<int>(busiest_region(densities));
     const bool is_every = condition.region == ClutterRegion::every;
     const int column = is_every ? busiest % columns : condition.column, row = is_every ? busiest / columns : condition.row;
-    return region_reading(densities[static_cast<std::size_t>(row * columns + column)], condition.grid, column, row, frame);
+    const auto place = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    return region_reading(densities[place], condition.grid, column, row, frame);
 }
 
 ContractReading saliency_reading(const ContractCondition& condition, const MeasuredFrame& frame) {

@@ -113,7 +113,8 @@ TEST(ShippedContracts, HoldOverTheDefaultFlight) {
     for (const auto& entry : std::filesystem::directory_iterator(root() + "/configs/contracts")) {
         const CommandRun judged = contract(default_run(), entry.path().string());
         EXPECT_EQ(judged.code, 0) << judged.results;
-        for (const auto& condition : judged.json()["conditions"])
+        const auto json = judged.json();
+        for (const auto& condition : json["conditions"])
             EXPECT_EQ(condition["state"], "holds")
                 << entry.path() << ": nothing is passed over in this flight: " << condition["condition"];
         ++count;

@@ -51,7 +51,8 @@ TEST(FlownContracts, TheDefaultDesignsHoldsOverAFlightOverDavos) {
         true);
     EXPECT_EQ(judged.code, 0) << judged.results;
     std::size_t held = 0;
-    for (const auto& condition : judged.json()["conditions"]) held += condition["state"] == "holds" ? 1 : 0;
+    const auto json = judged.json();
+    for (const auto& condition : json["conditions"]) held += condition["state"] == "holds" ? 1 : 0;
     EXPECT_GE(held, 7u) << "clutter, instruments and colours are measured";
 }
 
