@@ -32,7 +32,7 @@ float exactly(double value) {
     return single;
 }
 
-float rounded_up(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()); }
+float stored_above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()); }
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void ChunkAssembly::place_box() {
     for (int a = 0; a < 3; ++a) {
         entry.centre_m[a] = std::round(centre[a]);
         const double shift = std::sqrt(3.0);  // rounding moves the centre by less, along whatever axis
-        entry.half_extent_m[a] = rounded_up((0.5 * (most[a] - least[a]) + shift) * (1 + 1e-6));
+        entry.half_extent_m[a] = stored_above((0.5 * (most[a] - least[a]) + shift) * (1 + 1e-6));
     }
 }
 
@@ -122,7 +122,7 @@ ChunkDraft ChunkAssembly::finish() {
 }
 
 void grow_box(ChunkEntry& entry, double margin_m) {
-    for (float& half : entry.half_extent_m) half = rounded_up(half + margin_m);
+    for (float& half : entry.half_extent_m) half = stored_above(half + margin_m);
 }
 
 }  // namespace tedavis::host_sim
