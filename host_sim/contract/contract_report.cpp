@@ -128,9 +128,13 @@ nlohmann::ordered_json contract_json(const JudgedContract& judged) {
 std::string contract_text(const JudgedContract& judged) {
     const auto kept = std::count_if(judged.conditions.begin(), judged.conditions.end(),
                                     [](const JudgedCondition& one) { return one.is_kept(); });
-    std::string text = judged.run + ": " + (judged.holds() ? "holds " : "does not hold ") + judged.path + " (" +
-                       std::to_string(kept) + " of " + std::to_string(judged.conditions.size()) + " conditions, " +
-                       std::to_string(judged.times_s.size()) + (judged.interrupted ? " frames, interrupted)" : " frames)");
+    std::string text = judged.run + ": " +
+                       (judged.holds()       ? "holds "
+                        : judged.interrupted ? "is not shown to hold "
+                                             : "does not hold ") +
+                       judged.path + " (" + std::to_string(kept) + " of " + std::to_string(judged.conditions.size()) +
+                       " conditions, " + std::to_string(judged.times_s.size()) +
+                       (judged.interrupted ? " frames, interrupted)" : " frames)");
     for (const JudgedCondition& one : judged.conditions) {
         const bool is_rank = one.condition.measure == ContractMeasure::obstacle_rank;
         char state[32];

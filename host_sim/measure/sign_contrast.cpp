@@ -1,6 +1,7 @@
 #include "host_sim/measure/sign_contrast.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "render_core/design/color.hpp"
 #include "render_core/perception/contrast_ratio.hpp"
@@ -13,14 +14,18 @@ using perception::contrast_ratio;
 constexpr std::size_t kOwnParts = 20, kAroundParts = 10;
 constexpr std::size_t kMostOfPart = 48;  // pixels: a stroke on a large panel is less than a twentieth of it
 
-/// The values that the lowest and the highest of so many equal parts reach, and the middle one. Sorts them.
+/// The values that the lowest and the highest of so many equal parts reach, and the middle one. Puts them in another order.
 struct Quantiles {
     double low, middle, high;
 };
 Quantiles quantiles(std::vector<double>& values, std::size_t parts) {
-    std::sort(values.begin(), values.end());
     const std::size_t last = values.size() - 1, part = std::min(last / parts, kMostOfPart);
-    return {values[part], values[last / 2], values[last - part]};
+    const auto ranked = [&values](std::size_t rank) {
+        const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+        std::nth_element(values.begin(), at, values.end());
+        return *at;
+    };
+    return {ranked(part), ranked(last / 2), ranked(last - part)};
 }
 
 class PatchReader {
@@ -32,7 +37,14 @@ public:
           width_(static_cast<int>(mask.width)),
           height_(static_cast<int>(mask.height)),
           taken_(mask.layers.size(), 0),
-          seen_(mask.layers.size(), 0) {}
+          seen_(mask.layers.size(), 0) {
+        for (std::size_t level = 0; level < red_.size(); ++level) {
+            const auto channel = static_cast<std::uint8_t>(level);
+            red_[level] = design::relative_luminance({channel, 0, 0});
+            green_[level] = design::relative_luminance({0, channel, 0});
+            blue_[level] = design::relative_luminance({0, 0, channel});
+        }
+    }
 
     [[nodiscard]] std::vector<SignContrast> read(std::uint32_t least_px) {
         std::vector<SignContrast> signs;
@@ -52,7 +64,7 @@ private:
     }
     [[nodiscard]] double luminance(std::size_t at) const {
         const std::uint8_t* pixel = &picture_.pixels[4 * at];
-        return design::relative_luminance({pixel[0], pixel[1], pixel[2]});
+        return red_[pixel[0]] + green_[pixel[1]] + blue_[pixel[2]];
     }
     template <class Visit>
     void visit_near(std::size_t at, int reach, Visit visit) const {
@@ -61,6 +73,12 @@ private:
         for (int row = std::max(y - reach, 0); row <= std::min(y + reach, height_ - 1); ++row)
             for (int column = std::max(x - reach, 0); column <= std::min(x + reach, width_ - 1); ++column)
                 visit(index(column, row));
+    }
+
+    [[nodiscard]] bool is_at_border(std::size_t pixel) const {
+        bool is_one = false;
+        visit_near(pixel, 1, [&](std::size_t at) { is_one = is_one || mask_.layers[at] != layer_; });
+        return is_one;
     }
 
     void take_patch(int x, int y) {
@@ -91,6 +109,7 @@ private:
         std::size_t in_front = 0;
         for (const std::size_t pixel : patch_) {
             own.push_back(luminance(pixel));
+            if (!is_at_border(pixel)) continue;  // what lies near it lies near one that is
             visit_near(pixel, kSurroundings_px, [&](std::size_t at) {
                 if (mask_.layers[at] == layer_ || seen_[at] == patches_) return;
                 seen_[at] = patches_;
@@ -116,6 +135,7 @@ private:
     const LayerMask& mask_;
     std::uint8_t layer_;
     int width_, height_;
+    std::array<double, 256> red_{}, green_{}, blue_{};  ///< shares of the luminance, by a channel's level
     std::vector<std::uint8_t> taken_;
     std::vector<std::uint32_t> seen_;  ///< for which patch, counted from 1, a pixel was counted to the surroundings last
     std::uint32_t patches_ = 0;
