@@ -59,6 +59,7 @@ void draw_worst(const JudgedContract& judged, const FlightRun& run, const std::s
     std::vector<MomentToDraw> moments;
     PlanLines plan;
     MomentViews views;
+    std::vector<ClutterOpinions> opinions(judged.conditions.size());
     std::size_t failure = 0;
     for (std::size_t n = 0; n < judged.conditions.size(); ++n) {
         const JudgedCondition& one = judged.conditions[n];
@@ -68,7 +69,7 @@ void draw_worst(const JudgedContract& judged, const FlightRun& run, const std::s
         if (one.state != ConditionState::broken) continue;
         const std::string stem = file_stem(n + 1, one.condition.name);
         told["sheet"] = stem + ".sheet.png";
-        moments.push_back({&flight, one.verdict.worst.place, stem, moment_title(one), &plan, &views});
+        moments.push_back({&flight, one.verdict.worst.place, stem, moment_title(one), &plan, &views, &opinions[n]});
     }
     draw_moments(moments, folder, work);
 }

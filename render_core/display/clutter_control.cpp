@@ -6,6 +6,13 @@
 
 namespace tedavis::display {
 
+namespace {
+
+constexpr double kHaste = 2;   // most of what gives way does so near the least detail
+constexpr double kSpared = 1;  // budgets of excess, of all regions together, for which detail elsewhere is not given up
+
+}  // namespace
+
 gl::GlError ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                   std::uint32_t height_px) {
     constexpr std::int64_t kLabelEpochs[] = {2, 1};
@@ -115,7 +122,7 @@ void ClutterControl::measure(gl::Gl& gl, const base::Surface& surface) {
     }
 }
 
-/// The best so far stays; of equals the first, which leaves more.
+/// The best so far stays; of equals the first, which leaves more. Where none of them is good enough all keep the least.
 void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
     const effects::ClutterMeasures& clutter = held.measured.clutter;
     const double excess = effects::excess(reached, clutter, budget_);
@@ -123,8 +130,14 @@ void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
         held.measured.reached = reached;
         held.left = step_regions_;
     }
-    const scene::DetailRegions less = effects::less_detail(step_regions_, reached, clutter, budget_);
-    const bool is_over = ++tries_ == kMostTries || excess <= 0 || less.factor == step_regions_.factor;
+    const bool is_over = ++tries_ == kMostTries || excess <= 0;
+    if (is_over && effects::excess(held.measured.reached, clutter, budget_) > kSpared * budget_) {
+        held.measured.reached = clutter.least;
+        held.left = effects::least_detail();
+    }
+    const bool is_last = tries_ + 1 == kMostTries;
+    const scene::DetailRegions less = is_last ? effects::least_round(step_regions_, reached, clutter, budget_)
+                                              : effects::less_detail(step_regions_, reached, clutter, budget_, kHaste);
     ask_for(is_over ? Step::none : Step::tried, less);
 }
 

@@ -5,6 +5,8 @@
 namespace tedavis::effects {
 namespace {
 
+using scene::DetailRegions;
+
 /// False for what is no number.
 bool exceeds(const ClutterMap& clutter, std::size_t region, double limit) {
     return clutter.is_known && static_cast<double>(clutter.measure[region]) > limit;
@@ -15,17 +17,23 @@ double limit_of(const ClutterMeasures& clutter, std::size_t region, double budge
     return std::max(budget, static_cast<double>(clutter.least.measure[region]) + kLeastUse);
 }
 
-/// Of what is kept when a density falls from `from` to the budget, with all that can give way to `least`.
-double kept(double from, double least, double budget, double detail) {
+/// Of the way to the least detail, what brings a density from `from` to the budget where all of the way leads to `least`.
+double share_of_way(double from, double least, double budget) {
     const double use = from - least;
-    if (!(use >= kLeastUse)) return detail;
-    return detail - (detail - kLeastDetailLeft) * std::clamp((from - budget) / use, 0.0, 1.0);
+    return use >= kLeastUse ? std::max(from - budget, 0.0) / use : 0;
+}
+
+void take_round(DetailRegions& regions, std::size_t column, std::size_t row) {
+    const std::size_t first = column > 0 ? column - 1 : 0, last = std::min(column + 1, DetailRegions::kAcross - 1);
+    for (std::size_t y = row > 0 ? row - 1 : 0; y <= std::min(row + 1, DetailRegions::kDown - 1); ++y)
+        for (std::size_t x = first; x <= last; ++x)
+            regions.factor[y * DetailRegions::kAcross + x] = static_cast<float>(kLeastDetailLeft);
 }
 
 }  // namespace
 
-scene::DetailRegions least_detail() noexcept {
-    scene::DetailRegions least;
+DetailRegions least_detail() noexcept {
+    DetailRegions least;
     least.factor.fill(static_cast<float>(kLeastDetailLeft));
     return least;
 }
@@ -36,19 +44,29 @@ bool is_beyond(const ClutterMap& clutter, double budget) noexcept {
     return false;
 }
 
-scene::DetailRegions detail_within(const ClutterMeasures& clutter, double budget) noexcept {
-    return budget < 1 ? less_detail(scene::DetailRegions(), clutter.whole, clutter, budget) : scene::DetailRegions();
+DetailRegions detail_within(const ClutterMeasures& clutter, double budget) noexcept {
+    return budget < 1 ? less_detail(DetailRegions(), clutter.whole, clutter, budget, 1) : DetailRegions();
 }
 
-scene::DetailRegions less_detail(const scene::DetailRegions& left, const ClutterMap& reached, const ClutterMeasures& clutter,
-                                 double budget) noexcept {
-    scene::DetailRegions less = left;
+DetailRegions less_detail(const DetailRegions& left, const ClutterMap& reached, const ClutterMeasures& clutter, double budget,
+                          double haste) noexcept {
+    DetailRegions less = left;
     if (!clutter.least.is_known) return less;
     for (std::size_t n = 0; n < less.factor.size(); ++n) {
         if (!exceeds(reached, n, limit_of(clutter, n, budget))) continue;
         const auto from = static_cast<double>(reached.measure[n]), least = static_cast<double>(clutter.least.measure[n]);
-        less.factor[n] = static_cast<float>(kept(from, least, budget, static_cast<double>(left.factor[n])));
+        const double detail = static_cast<double>(left.factor[n]), share = haste * share_of_way(from, least, budget);
+        less.factor[n] = static_cast<float>(detail - (detail - kLeastDetailLeft) * std::min(share, 1.0));
     }
+    return less;
+}
+
+DetailRegions least_round(const DetailRegions& left, const ClutterMap& reached, const ClutterMeasures& clutter,
+                          double budget) noexcept {
+    DetailRegions less = left;
+    for (std::size_t n = 0; n < less.factor.size(); ++n)
+        if (exceeds(reached, n, limit_of(clutter, n, budget)))
+            take_round(less, n % DetailRegions::kAcross, n / DetailRegions::kAcross);
     return less;
 }
 

@@ -35,8 +35,12 @@ inline constexpr double kLeastUse = 0.002;  ///< of giving way, in the measure: 
 /// What would suffice in proportion. Where it is not known what giving way would help, or it helps nothing, nothing is taken
 /// away.
 [[nodiscard]] scene::DetailRegions detail_within(const ClutterMeasures& clutter, double budget) noexcept;
-/// What would, after a picture with `left` had `reached`: less where that is beyond what can be.
+/// What would, after a picture with `left` had `reached`: less where that is beyond what can be. `haste` times as much is taken
+/// away as would do in proportion, 1 or more.
 [[nodiscard]] scene::DetailRegions less_detail(const scene::DetailRegions& left, const ClutterMap& reached,
+                                               const ClutterMeasures& clutter, double budget, double haste) noexcept;
+/// The last resort: the least where that is beyond what can be, and in the regions round it, since things reach over borders.
+[[nodiscard]] scene::DetailRegions least_round(const scene::DetailRegions& left, const ClutterMap& reached,
                                                const ClutterMeasures& clutter, double budget) noexcept;
 /// By how much a picture is beyond the budget where it could be within it, or nearer: all regions together.
 [[nodiscard]] double excess(const ClutterMap& reached, const ClutterMeasures& clutter, double budget) noexcept;

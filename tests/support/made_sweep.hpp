@@ -16,7 +16,7 @@ inline host_sim::Sweep made_sweep() {
     sweep.place = {base::radians(36.6), base::radians(-84.25), {300}};
     sweep.place_msl_m = 330;
     sweep.radius_m = 250;
-    sweep.rings.bearings = 4;
+    sweep.rings = {4, {3000, 6000}, {500, 1500}};
     const auto geoid = [](double, double) { return earth::GeoidUndulation{-30}; };
     for (const host_sim::Viewpoint& viewpoint : host_sim::viewpoints_round(sweep.place, geoid, sweep.rings)) {
         const std::size_t n = sweep.views.size() + sweep.skipped.size();

@@ -49,13 +49,27 @@ TEST(ClutterBudget, WhatIsNotEnoughGivesWayFurther) {
     const ClutterMeasures measures{of(0.5f), of(0.1f)};
     const scene::DetailRegions first = detail_within(measures, 0.3);
     ASSERT_NEAR(static_cast<double>(first.factor[kRegion]), 0.625, 1e-6);
-    EXPECT_EQ(less_detail(first, of(0.29f), measures, 0.3).factor, first.factor) << "it is";
-    const scene::DetailRegions second = less_detail(first, of(0.4f), measures, 0.3);
+    EXPECT_EQ(less_detail(first, of(0.29f), measures, 0.3, 1).factor, first.factor) << "it is";
+    const scene::DetailRegions second = less_detail(first, of(0.4f), measures, 0.3, 1);
     EXPECT_NEAR(static_cast<double>(second.factor[kRegion]), 0.5, 1e-6) << "a third of the way that is left";
-    EXPECT_EQ(less_detail(second, of(0.1f), measures, 0.05).factor, second.factor) << "calmer it cannot be";
+    EXPECT_EQ(less_detail(second, of(0.1f), measures, 0.05, 1).factor, second.factor) << "calmer it cannot be";
+    EXPECT_NEAR(static_cast<double>(less_detail(first, of(0.4f), measures, 0.3, 2).factor[kRegion]), 0.375, 1e-6);
+    EXPECT_EQ(less_detail(first, of(0.4f), measures, 0.3, 100).factor[kRegion], static_cast<float>(kLeastDetailLeft));
     scene::DetailRegions left = first;
-    for (int n = 0; n < 50; ++n) left = less_detail(left, of(0.45f), measures, 0.3);
+    for (int n = 0; n < 50; ++n) left = less_detail(left, of(0.45f), measures, 0.3, 1);
     EXPECT_NEAR(static_cast<double>(left.factor[kRegion]), kLeastDetailLeft, 1e-3) << "but never less than the least";
+}
+
+TEST(ClutterBudget, TheLastResortTakesTheRegionsRoundItToo) {
+    const ClutterMeasures measures{of(0.5f), of(0.1f)};
+    ClutterMap reached = of(0.2f);
+    reached.measure[0] = reached.measure[kRegion] = 0.5f;
+    const scene::DetailRegions left = least_round(scene::DetailRegions(), reached, measures, 0.3);
+    for (std::size_t n = 0; n < left.factor.size(); ++n) {
+        const std::size_t column = n % scene::DetailRegions::kAcross, row = n / scene::DetailRegions::kAcross;
+        const bool is_round = (column >= 2 && column <= 4 && row >= 1 && row <= 3) || (column <= 1 && row <= 1);
+        EXPECT_EQ(left.factor[n], is_round ? static_cast<float>(kLeastDetailLeft) : 1) << n;
+    }
 }
 
 TEST(ClutterBudget, ExcessIsWhatCouldBeWithinTheBudgetAndIsNot) {
