@@ -113,7 +113,8 @@ std::string sweep_facts(const Sweep& sweep) {
            html_fact(clutter_text(least.measures.clutter), "least clutter, " + viewpoint_words(least.viewpoint)) +
            html_fact(std::to_string(seen) + " of " + std::to_string(sweep.views.size()),
                      "viewpoints from which the place is seen") +
-           html_fact(std::to_string(sweep.skipped.size()), "viewpoints skipped: below the ground, outside the terrain, or too steep") +
+           html_fact(std::to_string(sweep.skipped.size()),
+                     "viewpoints skipped: below the ground, outside the terrain, or too steep") +
            "</div>\n";
 }
 
