@@ -25,7 +25,7 @@ struct ClutterMeasures {
 };
 
 inline constexpr double kLeastDetailLeft = 0.25;
-inline constexpr double kLeastUse = 0.002;  ///< of giving way, in the measure: for less than this nothing is taken away
+inline constexpr double kLeastUse = 0.01;  ///< of giving way, in the measure: for less than this nothing is taken away
 
 /// Everywhere.
 [[nodiscard]] scene::DetailRegions least_detail() noexcept;
