@@ -173,7 +173,7 @@ private:
     display::LabelCounts place(base::Time now) {
         labels_.decide({ground_, room_.view, {}, {}, now, 16});
         room_.begin();
-        display::ElementLabels::Pass pass(labels_, room_.sheet, *this);
+        display::ElementLabels::Pass pass(labels_, room_.sheet, *this, nullptr);
         pass.add_protected();
         pass.add_others();
         return pass.count();

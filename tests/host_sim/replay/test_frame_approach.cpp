@@ -342,9 +342,9 @@ TEST(FrameApproach, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
         }
         ASSERT_GT(giving_way, all.size() / 3) << device;
         ASSERT_GT(lowered, 1u) << device;
-        for (const double frames : {1.0, 16.0, 48.0, 49.0, 59.0, 60.0, 61.0, 90.0})
+        for (const double frames : {16.0, 49.0, 60.0, 90.0})
             EXPECT_EQ(differences(all, run(budgeted(frames * kStep_s, kStep_s, device), true)), 0u) << "from frame " << frames;
-        for (const double frames : {7.0, -15.0})
+        for (const double frames : {-15.0})
             EXPECT_EQ(differences(all, run(budgeted(0, frames * kStep_s, device), true)), 0u) << "every " << frames << "th";
         EXPECT_GT(differences(all, run(budgeted(100 * kStep_s, kStep_s, device), false)), 0u) << "control";
     }
