@@ -128,7 +128,7 @@ void add_sweep(CLI::App& app, CommandLine& line) {
         "--around", [&o](const std::string& text) { o.place = place_from(text); },
         "lat,lon or lat,lon,alt_m of the place; default: the middle of the terrain, on the ground");
     command->add_option("--radius", o.radius_m, "metres that the place reaches round that")
-        ->check(CLI::Range(1, 100'000))
+        ->check(CLI::Range(1.0, 100'000.0))
         ->capture_default_str();
     command->add_option("--bearings", o.rings.bearings, "viewpoints of a ring, evenly from north over east")
         ->check(CLI::Range(std::size_t{1}, SweepRings::kMostBearings))

@@ -52,6 +52,8 @@ void note_skipped(const Sweep& sweep, Console& console) {
 
 int run_sweep(const SweepOptions& options, Console& console) {
     require_no_run(options.output);
+    if (options.picture.saliency || options.picture.clutter)
+        throw UserError("--saliency, --clutter: would lie over the pictures that are measured; leave them out");
     const TemporaryFolder temporary;
     SweepJob job = sweep_job(options);
     name_ground(job);

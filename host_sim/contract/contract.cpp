@@ -70,6 +70,8 @@ void read_cell(base::ConfigSection& section, ContractCondition& condition) {
 void read_clutter_region(base::ConfigSection& section, ContractCondition& condition) {
     std::array<double, 2> grid{8, 6};
     section.numbers("grid", 1, perception::RegionGrid::kMost, {grid.data(), 2});
+    if (grid[0] != std::floor(grid[0]) || grid[1] != std::floor(grid[1]))
+        section.fault("grid", "'grid' counts columns and rows: whole numbers");
     condition.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
     if (section.has("cell")) return read_cell(section, condition);
     const std::string_view region = section.text("region", "picture");

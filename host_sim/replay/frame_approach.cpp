@@ -47,7 +47,7 @@ void FrameApproach::approach_frame(base::Time time) {
 /// The frame itself, or the one that measured what it shows, or the last one before the phase's design began to take its place.
 std::int64_t FrameApproach::first_needed(std::int64_t frame, base::Time time) {
     const auto frames_since = [&](base::Time since) {
-        return static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_));
+        return static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_ + 1e-6));
     };
     const std::int64_t measured = frame - frames_since(display_.needed_since(time));
     const base::Time since = player_.at(time).phase.presented_since;

@@ -19,7 +19,6 @@ FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const
     for (const AircraftPose& before : poses_before(pose)) way->step(posed_aircraft(before, session.display()), before.time);
     const flight::AircraftState state = posed_aircraft(pose, session.display());
     session.display().settle(state, phase, pose.time);
-    if (session.display().must_be_drawn()) session.draw();  // it goes by what it measures
     session.display().update(state, phase, pose.time, pose.flown.seconds > 0 ? way.get() : nullptr);
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();

@@ -170,7 +170,8 @@ void require_some_view(const SweepJob& job, const Sweep& sweep) {
     if (!sweep.views.empty()) return;
     if (sweep.interrupted) throw Interrupted("interrupted; nothing was written");
     throw UserError("--around: none of " + std::to_string(sweep.skipped.size()) + " viewpoints can be drawn over " +
-                    job.terrain_name + " (the first: " + sweep.skipped.front().reason + "); name other --distances or --heights");
+                    job.terrain_name + " (the first: " + sweep.skipped.front().reason +
+                    "); name another place, or other --distances or --heights");
 }
 
 }  // namespace

@@ -2,10 +2,11 @@
 
 namespace tedavis::display {
 
-const scene::DetailRegions* Crowding::regions_of(const design::DataElement& element, scene::LayerRole role) const noexcept {
+const scene::DetailRegions* Crowding::regions_of(const design::DataElement& element, scene::LayerRole role,
+                                                 bool warns) const noexcept {
     const bool says_uncertainty = element.technique == design::DataTechnique::uncertainty_only;
     const bool gives_way = says_uncertainty ? lowers_uncertainty : (roles >> static_cast<unsigned>(role) & 1u) != 0;
-    return gives_way ? &regions : nullptr;
+    return gives_way && !warns ? &regions : nullptr;
 }
 
 Crowding crowding_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,

@@ -14,9 +14,9 @@ struct Crowding {
     std::uint32_t roles = 0;          ///< of layers that give way; a bit for each scene::LayerRole
     bool lowers_uncertainty = false;  ///< glyphs that say nothing else
 
-    /// What an element of the layer keeps where; null: all.
-    [[nodiscard]] const scene::DetailRegions* regions_of(const design::DataElement& element,
-                                                         scene::LayerRole role) const noexcept;
+    /// What an element of a layer keeps where; null: all. `warns`: draw::is_protected() of the layer, which never gives way.
+    [[nodiscard]] const scene::DetailRegions* regions_of(const design::DataElement& element, scene::LayerRole role,
+                                                         bool warns) const noexcept;
 };
 
 /// `regions`: what each keeps of its detail; where all keep all of it, nothing gives way.

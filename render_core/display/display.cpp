@@ -126,6 +126,7 @@ bool Display::take_scene(const scene::Scene& scene) {
     keep_scene();
     if (!data_.take(scene)) return false;
     note_epochs();
+    clutter_.forget();
     if (!elements_.is_started()) return true;
     set_elements();
     elements_.labels().forget();
@@ -223,7 +224,9 @@ void Display::plan_effects() {
     count();
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
     saliency_.plan(plan_.runs(effects::Effect::saliency), record_.time);
-    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_, settings_.design.priority.held_clutter());
+    const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
+    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_,
+                  may_hold ? settings_.design.priority.held_clutter() : 1);
 }
 
 ShadowPlan Display::plan_shadows() {

@@ -214,7 +214,9 @@ private:
     [[nodiscard]] bool shows_measure() const;
     void plan_crowding();
     [[nodiscard]] bool has_what_gives_way() const;
-    void plan_detail_again();
+    void plan_detail_again(bool is_shown);
+    void show_measured();
+    void note_labels();
     draw::TerrainDrawResult paint_measured(base::Surface& surface);
     void measure_unseen(base::Surface& surface);
     void measure(base::Surface& surface);

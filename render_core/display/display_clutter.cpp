@@ -5,12 +5,12 @@
 namespace tedavis::display {
 namespace {
 
-/// What warns keeps all that it has.
+/// Glyphs of fields and points, not those of the air round the own ship; and names.
 bool gives_way(const ElementReport& report, const Crowding& crowding) {
     if (report.state != ElementState::shown || report.layer == nullptr) return false;
-    const bool is_left_names = has_labels(*report.element, *report.layer) && !draw::is_protected(*report.layer);
-    return (is_glyph_technique(report.element->technique) || is_left_names) &&
-           crowding.regions_of(*report.element, report.layer->entry->role) != nullptr;
+    const bool has_glyphs = is_glyph_technique(report.element->technique) && report.slot < GlyphElements::kSlots;
+    return (has_glyphs || has_labels(*report.element, *report.layer)) &&
+           crowding.regions_of(*report.element, report.layer->entry->role, draw::is_protected(*report.layer)) != nullptr;
 }
 
 }  // namespace
@@ -37,24 +37,43 @@ bool Display::has_what_gives_way() const {
 }
 
 /// Glyphs and signs of the planned frame, as far as crowding_ leaves them.
-void Display::plan_detail_again() {
+void Display::plan_detail_again(bool is_shown) {
     if (!shows_elements()) return;
     TerrainGround ground(terrain_, seen_);
     elements_.plan_detail(element_frame(ground, seen_, way_));
     SignFrame signs;
-    signs.is_planned_again = true;
+    signs.is_planned_again = !is_shown;
     plan_signs(eye_, signs);
     elements_.prepare(gl_);
+    if (!is_shown) return;
+    const std::uint32_t changed = record_.labels.changed;
+    note_labels();
+    record_.labels.changed += changed;
 }
 
 /// Where the picture that is shown has all its detail it is the one that is measured.
 draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
+    using effects::Effect;
+    if (clutter_.step() == ClutterControl::Step::none) return paint(surface);
     const bool is_whole = crowding_.regions.is_whole() && turn_ != Turn::keeps && fade_share_ <= 0;
-    if (!is_whole) measure_unseen(surface);
-    const draw::TerrainDrawResult drawn = paint(surface);
-    if (clutter_.step() == ClutterControl::Step::none) return drawn;
+    if (is_whole) {
+        const EffectWorkTable work = work_;
+        const draw::TerrainDrawResult drawn = paint(surface);
+        if (clutter_.step() == ClutterControl::Step::none) return drawn;
+        const EffectWork measured = work_[Effect::clutter];
+        work_ = work;
+        work_[Effect::clutter] = measured;
+    }
     measure_unseen(surface);
+    show_measured();
     return paint(surface);
+}
+
+/// With nothing before it the frame goes by what it has just measured.
+void Display::show_measured() {
+    const Crowding planned = crowding_;
+    plan_crowding();
+    plan_detail_again(planned.regions.factor != crowding_.regions.factor);
 }
 
 /// What is on the surface, where it is what is to be measured; else its edges, where the design shows them.
@@ -79,14 +98,13 @@ void Display::measure_unseen(base::Surface& surface) {
     while (clutter_.step() != ClutterControl::Step::none) {
         crowding_ = crowding_of(clutter_.step_regions(), settings_.design.priority, weights_);
         const WorkScope scope(gl_, unseen, 2);
-        plan_detail_again();
+        plan_detail_again(false);
         static_cast<void>(paint(surface));
     }
     is_unseen_ = false;
     crowding_ = shown;
     work_ = work;
     work_[effects::Effect::clutter] = unseen;
-    plan_detail_again();
 }
 
 void Display::note_clutter() {

@@ -102,6 +102,7 @@ bool Display::set_foci(const design::FocusList& chosen) {
         asked_of_[place].add(asked_effects(kept));
     }
     chosen_foci_ = chosen.size();
+    clutter_.forget();
     show_design(shown_);
     return true;
 }

@@ -58,9 +58,13 @@ void Display::plan_elements(const flight::FlownWay* way) {
     way_ = way;
     // Of a picture for each eye they are planned once more with the eye.
     if (shows_elements()) plan_signs(eye_, {});
+    note_labels();
+    if (!foci_.foci.regions.empty()) note_foci(foci_, elements_, element_frame(ground, seen_, way), record_);
+}
+
+void Display::note_labels() {
     const LabelCounts& labels = elements_.label_counts();
     record_.labels = {labels.placed, labels.suppressed, labels.changed, labels.lowered};
-    if (!foci_.foci.regions.empty()) note_foci(foci_, elements_, element_frame(ground, seen_, way), record_);
 }
 
 void Display::plan_signs(const Eye& eye, SignFrame signs) {

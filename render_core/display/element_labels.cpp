@@ -221,7 +221,8 @@ bool ElementLabels::Pass::find_left_room(const Label& label, const draw::Billboa
 LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementInput& input) const {
     const LabelLevel most = std::max(label.level, label.wanted);
     const scene::DetailRegions* const regions =
-        crowding_ == nullptr ? nullptr : crowding_->regions_of(input.element, input.layer.entry->role);
+        crowding_ == nullptr ? nullptr
+                             : crowding_->regions_of(input.element, input.layer.entry->role, draw::is_protected(input.layer));
     if (regions == nullptr) return most;
     const draw::SignView view{labels_.view_, sheet_.text_px()};
     return std::min(most, draw::level_left(input, draw::feature_of(label.key), view, labels_.settings_, *regions));

@@ -115,7 +115,7 @@ struct GovernorRecord {
 struct ClutterRecord {
     double budget = 1;                  ///< 1: none is held
     effects::ClutterMeasures measured;  ///< that it follows from, the newest
-    effects::ClutterMap reached;        ///< with what that leaves; unknown where nothing gives way
+    effects::ClutterMap reached;        ///< with what that epoch chose; unknown where nothing gives way
     scene::DetailRegions left;          ///< what each region keeps
     std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
 };

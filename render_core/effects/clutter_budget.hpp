@@ -4,7 +4,8 @@
 /// How much it helps is known from a second measure, of the same picture with the least detail left. In between density is taken
 /// to change in proportion; the picture that this leaves is measured, and what is not enough gives way further, for regions are
 /// not independent: things reach over their borders, and fewer of them stand elsewhere. Of the pictures that were measured the
-/// one with the least excess is shown. A function of pictures that nobody has lowered before: it cannot swing.
+/// one with the least excess is chosen, or the one with the least detail where all have too much. A function of pictures that
+/// nobody has lowered before: it cannot swing.
 ///
 /// The measures are an input, of whoever looks at the pictures; pure. Any thread.
 #pragma once

@@ -30,7 +30,8 @@ design::PrioritySettings priority_of(double terrain, double data, double obstacl
 bool gives_way(const Crowding& crowding, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
     design::DataElement element;
     element.technique = technique;
-    return crowding.regions_of(element, role) != nullptr;
+    EXPECT_EQ(crowding.regions_of(element, role, true), nullptr) << "what warns";
+    return crowding.regions_of(element, role, false) != nullptr;
 }
 
 TEST(Crowding, WhatComesFirstNeverGivesWay) {

@@ -97,7 +97,6 @@ struct Shown {
     }
     void show() {
         display.display().settle(state, {}, test_support::kHillsNow);
-        if (display.display().must_be_drawn()) display.display().draw(display.surface());
         display.display().update(state, {}, test_support::kHillsNow);
         rgba = test_support::drawn_pixels(display);
     }
