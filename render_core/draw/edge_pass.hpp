@@ -9,7 +9,7 @@
 /// but what show() lays over the picture. Needs copies of the surface (not `sc2`), and floats of 32 bits in fragment shaders.
 ///
 /// Memory    the line render_targets: 1.5 bytes a pixel of the picture and 10 a pixel of a strip with its neighbours (64 rows on
-///           es3, 16 on es2, and 10): 1,928,720 bytes at 1024 x 768 on es3, 621,584 at 640 x 480 on es2. A triangle from
+///           es3, 16 on es2, and 10): 1,928,720 bytes at 1024 x 768 on es3, 620,816 at 640 x 480 on es2. A triangle from
 ///           symbology_vertices.
 /// Thread    the GL thread. Failure  start(): one sentence.
 #pragma once
