@@ -5,7 +5,6 @@
 #include "render_core/draw/data/label_planner.hpp"
 
 namespace tedavis::display {
-
 namespace {
 
 constexpr double kHaste = 2;   // most of what gives way does so near the least detail
@@ -67,23 +66,25 @@ bool ClutterControl::follows(base::Time now, std::size_t design) const {
     return false;
 }
 
+ClutterControl::Deciding ClutterControl::deciding(base::Time now, std::size_t design) const {
+    Deciding all;
+    const bool has_before = follows(now, design);
+    for (const Held& held : held_)
+        if (has_before ? counts(held, now, design) : is_own(held, now, design)) (void)all.try_push_back(&held);
+    return all;
+}
+
 scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design) const {
     scene::DetailRegions left;
-    const bool has_before = follows(now, design);
-    for (const Held& held : held_) {
-        if (has_before ? !counts(held, now, design) : !is_own(held, now, design)) continue;
-        for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], held.left.factor[n]);
-    }
+    for (const Held* held : deciding(now, design))
+        for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], held->left.factor[n]);
     return left;
 }
 
 ClutterControl::Measured ClutterControl::measured(base::Time now, std::size_t design) const {
-    const bool has_before = follows(now, design);
     const Held* newest = nullptr;
-    for (const Held& held : held_)
-        if ((has_before ? counts(held, now, design) : is_own(held, now, design)) &&
-            (newest == nullptr || held.epoch > newest->epoch))
-            newest = &held;
+    for (const Held* held : deciding(now, design))
+        if (newest == nullptr || held->epoch > newest->epoch) newest = held;
     return newest == nullptr ? Measured() : newest->measured;
 }
 

@@ -15,6 +15,7 @@
 ///           measure() and show() pure. Failure  start(): one sentence.
 #pragma once
 
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/display/effect_work.hpp"
 #include "render_core/draw/edge_pass.hpp"
@@ -79,6 +80,9 @@ private:
     [[nodiscard]] bool counts(const Held& held, base::Time now, std::size_t design) const;
     [[nodiscard]] bool is_own(const Held& held, base::Time now, std::size_t design) const;
     [[nodiscard]] bool follows(base::Time now, std::size_t design) const;
+    using Deciding = base::FixedVector<const Held*, kMostHeld + 1>;
+    /// What a frame goes by: earlier epochs, or, where none is known, its own.
+    [[nodiscard]] Deciding deciding(base::Time now, std::size_t design) const;
 
     draw::EdgePass pass_;
     bool shows_ = false, has_budget_ = false;  ///< what pass_ was started for

@@ -213,7 +213,8 @@ void Display::plan_effects() {
     facts.context_blur_px = terrain_of_context(settings_.design.foci).blur_px;
     facts.reads_distances = reads_distances(settings_.design);
     facts.shows_clutter = settings_.design.effects.clutter != design::ClutterView::none;
-    facts.has_what_gives_way = has_what_gives_way();
+    const double held_clutter = settings_.design.priority.held_clutter();
+    facts.has_what_gives_way = held_clutter < 1 && has_what_gives_way();
     facts.is_stereo = stereo_.is_started();
     facts.is_forced = effects_are_forced_;
     fade_share_ = next_fade_share();
@@ -225,8 +226,7 @@ void Display::plan_effects() {
     plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
     saliency_.plan(plan_.runs(effects::Effect::saliency), record_.time);
     const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
-    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_,
-                  may_hold ? settings_.design.priority.held_clutter() : 1);
+    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_, may_hold ? held_clutter : 1);
 }
 
 ShadowPlan Display::plan_shadows() {

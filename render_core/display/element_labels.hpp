@@ -7,8 +7,8 @@
 /// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
 /// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
 /// another side, what terrain hides is not drawn, and both leave their room to others; what gives way in a crowded region leaves
-/// it empty. When another of the display's designs
-/// takes its turn the epoch is decided anew for that one, as seen at its first instant, without a memory, and without foci.
+/// it empty. When another of the display's designs takes its turn the epoch is decided anew for that one, as seen at its first
+/// instant, without a memory, and without foci.
 ///
 /// Of foci, what lies within has marker and name, what lies in the intermediate context its marker, and the rest what the design
 /// leaves of it; what warns has what it has without them.

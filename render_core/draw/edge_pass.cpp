@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render_core/base/check.hpp"
+#include "render_core/draw/pass_targets.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/readback.hpp"
 #include "render_core/perception/edge_density.hpp"
@@ -46,51 +47,25 @@ gl::GlError EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t
     strip_rows_ = gl.device().lane == effects::Lane::es2 ? 16 : 64;
     parts_ = parts_of_region(width_px);
     if (gl::GlError error = start_edge_targets(gl, budget); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_edge_triangle(gl, budget); !error.sentence.empty()) return error;
+    if (gl::GlError error = triangle_.start(gl, budget); !error.sentence.empty()) return error;
     return programs_.start(gl, edge_loops(width_px, height_px, parts_), shows);
 }
 
 gl::GlError EdgePass::start_edge_targets(gl::Gl& gl, base::BudgetTable& budget) {
     base::BudgetLine& line = *budget.find(effects::kRenderTargets);
-    gl::GlError first_error;
-    const auto make = [&](gl::RenderTarget& to, std::uint32_t width_px, std::uint32_t height_px) {
-        if (!first_error.sentence.empty()) return;
-        auto made = gl::make_render_target(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_px, height_px},
-                                           gl::TargetDepth::none);
-        if (made.ok())
-            to = static_cast<gl::RenderTarget&&>(made.value());
-        else
-            first_error = made.error();
-    };
+    PassTargets targets(gl, line);
     const std::uint32_t planes = perception::kColors * plane_columns(width_px_);
     const std::uint32_t strip_rows = strip_rows_ + 2 * kReadRows;
     auto strip = gl::make_texture(gl, line, {gl::TextureFormat::rgb8, gl::TextureFilter::nearest, width_px_, strip_rows});
     if (!strip.ok()) return strip.error();
     strip_ = static_cast<gl::Texture&&>(strip.value());
-    make(planes_, planes, strip_rows);
-    make(levels_, planes, strip_rows_ + 2 * kLevelRows);
-    for (gl::RenderTarget& edges : edges_) make(edges, perception::kColors * edge_blocks(width_px_), edge_blocks(height_px_));
-    make(regions_, ClutterRegions::kAcross, ClutterRegions::kDown);
-    make(counts_, ClutterRegions::kAcross * parts_, edge_blocks(height_px_));
-    return first_error;
-}
-
-gl::GlError EdgePass::start_edge_triangle(gl::Gl& gl, base::BudgetTable& budget) {
-    constexpr float kCorners[] = {-1, -1, 3, -1, -1, 3};
-    auto made = gl::make_buffer(gl, *budget.find(effects::kSymbologyVertices), gl::BufferKind::vertices, gl::BufferUse::fixed,
-                                sizeof kCorners);
-    if (!made.ok()) return made.error();
-    triangle_ = static_cast<gl::Buffer&&>(made.value());
-    if (!triangle_.upload(gl, 0, kCorners, sizeof kCorners)) return gl::make_error("a triangle cannot be uploaded");
-    return {};
-}
-
-void EdgePass::draw(gl::Gl& gl) const {
-    triangle_.bind(gl);
-    gl->EnableVertexAttribArray(0);
-    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl->DisableVertexAttribArray(0);
+    targets.make(planes_, planes, strip_rows);
+    targets.make(levels_, planes, strip_rows_ + 2 * kLevelRows);
+    for (gl::RenderTarget& edges : edges_)
+        targets.make(edges, perception::kColors * edge_blocks(width_px_), edge_blocks(height_px_));
+    targets.make(regions_, ClutterRegions::kAcross, ClutterRegions::kDown);
+    targets.make(counts_, ClutterRegions::kAcross * parts_, edge_blocks(height_px_));
+    return targets.error();
 }
 
 const gl::Program& EdgePass::use(gl::Gl& gl, EdgeStep step, const gl::RenderTarget& of) const {
@@ -124,7 +99,7 @@ void EdgePass::copy_planes(gl::Gl& gl, const base::Surface& surface, const Rows&
     gl->Uniform1f(planes.uniform(kEdgeBand), static_cast<float>(plane_columns(width_px_)));
     planes_.bind(gl);
     gl->Viewport(0, 0, static_cast<GLsizei>(planes_.color().settings().width_px), static_cast<GLsizei>(rows.count()));
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 void EdgePass::find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, const Rows& rows) {
@@ -138,7 +113,7 @@ void EdgePass::find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, co
     gl->Uniform4f(blur.uniform(kEdgeBell), weights.at[0], weights.at[1], weights.at[2], weights.at[3]);
     levels_.bind(gl);
     gl->Viewport(0, 0, static_cast<GLsizei>(levels_.color().settings().width_px), static_cast<GLsizei>(blurred.count()));
-    draw(gl);
+    triangle_.draw(gl);
     const gl::Program& crests = use(gl, EdgeStep::crests, levels_);
     gl->Uniform1f(crests.uniform(kEdgeBand), band);
     gl->Uniform2f(crests.uniform(kEdgeRows), static_cast<float>(blurred.first), 0);
@@ -147,7 +122,7 @@ void EdgePass::find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, co
     edges_[0].bind(gl);
     gl->Viewport(0, static_cast<GLint>(rows.first / kBlockPixels), static_cast<GLsizei>(edges_[0].color().settings().width_px),
                  static_cast<GLsizei>(edge_blocks(rows.count())));
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 void EdgePass::follow(gl::Gl& gl) {
@@ -156,7 +131,7 @@ void EdgePass::follow(gl::Gl& gl) {
         const gl::Program& follow = use(gl, EdgeStep::follow, edges_[turn % 2]);
         gl->Uniform1f(follow.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
         edges_[(turn + 1) % 2].bind(gl);
-        draw(gl);
+        triangle_.draw(gl);
     }
 }
 
@@ -165,11 +140,11 @@ void EdgePass::count(gl::Gl& gl) {
     gl->Uniform1f(count.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
     gl->Uniform1f(count.uniform(kEdgeParts), static_cast<float>(parts_));
     counts_.bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
     const gl::Program& regions = use(gl, EdgeStep::regions, counts_);
     gl->Uniform1f(regions.uniform(kEdgeParts), static_cast<float>(parts_));
     regions_.bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 effects::ClutterMap EdgePass::densities(gl::Gl& gl, const base::Surface& surface) const {
@@ -203,7 +178,7 @@ void EdgePass::show(gl::Gl& gl, EdgeView view) const {
     }
     const gl::Program& program = is_tint ? use(gl, EdgeStep::show_regions, regions_) : use(gl, EdgeStep::show_edges, edges_[0]);
     gl->Uniform1f(program.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
-    draw(gl);
+    triangle_.draw(gl);
     gl->Disable(GL_BLEND);
 }
 

@@ -18,8 +18,8 @@
 
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/draw/edge_programs.hpp"
+#include "render_core/draw/screen_triangle.hpp"
 #include "render_core/effects/clutter_budget.hpp"
-#include "render_core/gl/buffer.hpp"
 #include "render_core/gl/render_target.hpp"
 
 namespace tedavis::draw {
@@ -55,17 +55,15 @@ private:
     };
 
     [[nodiscard]] gl::GlError start_edge_targets(gl::Gl& gl, base::BudgetTable& budget);
-    [[nodiscard]] gl::GlError start_edge_triangle(gl::Gl& gl, base::BudgetTable& budget);
     [[nodiscard]] Rows around(const Rows& rows, std::uint32_t more) const;
     void copy_planes(gl::Gl& gl, const base::Surface& surface, const Rows& rows);
     void find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, const Rows& rows);
     void follow(gl::Gl& gl);
     void count(gl::Gl& gl);
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::RenderTarget& of) const;
-    void draw(gl::Gl& gl) const;
 
     EdgePrograms programs_;
-    gl::Buffer triangle_;
+    ScreenTriangle triangle_;
     gl::Texture strip_;
     gl::RenderTarget planes_, levels_;
     std::array<gl::RenderTarget, 2> edges_;  ///< weak and strong ones, a texel for 4 x 4 pixels of a colour

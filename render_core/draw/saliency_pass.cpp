@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render_core/base/check.hpp"
+#include "render_core/draw/pass_targets.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/perception/entropy.hpp"
 #include "render_core/perception/saliency_model.hpp"
@@ -33,67 +34,39 @@ gl::GlError SaliencyPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint
     level_ = saliency_map_level(gl.device().lane, width_px, height_px);
     taps_ = perception::gabor_taps();
     if (gl::GlError error = start_targets(gl, budget); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_triangle(gl, budget); !error.sentence.empty()) return error;
+    if (gl::GlError error = triangle_.start(gl, budget); !error.sentence.empty()) return error;
     return programs_.start(gl, level_, shows_map, shows_heat);
 }
 
 gl::GlError SaliencyPass::start_targets(gl::Gl& gl, base::BudgetTable& budget) {
     base::BudgetLine& line = *budget.find(effects::kRenderTargets);
-    gl::GlError first_error;
-    const auto make = [&](gl::RenderTarget& to, std::uint32_t width_px, std::uint32_t height_px,
-                          gl::TextureFilter filter = gl::TextureFilter::nearest) {
-        if (!first_error.sentence.empty()) return;
-        auto made =
-            gl::make_render_target(gl, line, {gl::TextureFormat::rgba8, filter, width_px, height_px}, gl::TargetDepth::none);
-        if (made.ok())
-            to = static_cast<gl::RenderTarget&&>(made.value());
-        else
-            first_error = made.error();
-    };
+    PassTargets targets(gl, line);
     const std::uint32_t width = level_side(width_px_, level_), height = level_side(height_px_, level_);
     auto strip = gl::make_texture(gl, line, {gl::TextureFormat::rgb8, gl::TextureFilter::nearest, width_px_, kStripRows});
     if (!strip.ok()) return strip.error();
     strip_ = static_cast<gl::Texture&&>(strip.value());
     for (std::size_t n = 0; n < kLevels; ++n)
         for (auto* of : {&colors_, &straight_, &slanted_, &directions_})
-            make((*of)[n], level_side(width, static_cast<int>(n)), level_side(height, static_cast<int>(n)));
+            targets.make((*of)[n], level_side(width, static_cast<int>(n)), level_side(height, static_cast<int>(n)));
     for (auto& group : contrasts_)
         for (std::size_t n = 0; n < kCenters; ++n)
-            make(group[n], level_side(width, static_cast<int>(n)), level_side(height, static_cast<int>(n)));
-    make(conspicuity_, width, height);
-    make(total_, width, height);
-    make(map_, width, height, gl::TextureFilter::linear);
+            targets.make(group[n], level_side(width, static_cast<int>(n)), level_side(height, static_cast<int>(n)));
+    targets.make(conspicuity_, width, height);
+    targets.make(total_, width, height);
+    targets.make(map_, width, height, gl::TextureFilter::linear);
     std::uint32_t across = width, down = height;
     for (std::size_t n = 0; n < kScratch && (n == 0 || across > kBlockTexels || down > kBlockTexels); ++n) {
         across = extent_side(across);
         down = extent_side(down);
-        make(scratch_[n], across, down);
+        targets.make(scratch_[n], across, down);
     }
-    make(figures_, kFigureColumns, kFigureRows);
-    return first_error;
-}
-
-gl::GlError SaliencyPass::start_triangle(gl::Gl& gl, base::BudgetTable& budget) {
-    constexpr float kCorners[] = {-1, -1, 3, -1, -1, 3};
-    auto made = gl::make_buffer(gl, *budget.find(effects::kSymbologyVertices), gl::BufferKind::vertices, gl::BufferUse::fixed,
-                                sizeof kCorners);
-    if (!made.ok()) return made.error();
-    triangle_ = static_cast<gl::Buffer&&>(made.value());
-    if (!triangle_.upload(gl, 0, kCorners, sizeof kCorners)) return gl::make_error("a triangle cannot be uploaded");
-    return {};
+    targets.make(figures_, kFigureColumns, kFigureRows);
+    return targets.error();
 }
 
 bool SaliencyPass::can_show(design::SaliencyView view) const {
     return view == design::SaliencyView::none ||
            programs_.has(view == design::SaliencyView::map ? SaliencyStep::show_map : SaliencyStep::show_heat);
-}
-
-void SaliencyPass::draw(gl::Gl& gl) const {
-    triangle_.bind(gl);
-    gl->EnableVertexAttribArray(0);
-    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl->DisableVertexAttribArray(0);
 }
 
 /// Means of blocks are narrower than levels of a pyramid (perception/pyramid.hpp), by so much.
@@ -103,7 +76,7 @@ void SaliencyPass::soften(gl::Gl& gl) {
     read_texture(gl, soften, kSaliencyFirst, total_.color());
     gl->Uniform1f(soften.uniform(kSaliencyShare), kShares[level_]);
     colors_[0].bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 /// Into one texel of the target.
@@ -111,7 +84,7 @@ void SaliencyPass::run(gl::Gl& gl, const gl::Program& program, const gl::RenderT
     target.bind(gl);
     gl->Viewport(column, row, 1, 1);
     gl->Uniform2f(program.uniform(kSaliencyOrigin), static_cast<float>(column), static_cast<float>(row));
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 /// Numbers are packed in bytes: nothing may be blended, and no driver may dither them.
@@ -124,7 +97,7 @@ void SaliencyPass::measure(gl::Gl& gl, const base::Surface& surface, design::Sal
     for (std::size_t n = 1; n < kLevels; ++n) {
         read_texture(gl, reduce, kSaliencyFirst, colors_[n - 1].color());
         colors_[n].bind(gl);
-        draw(gl);
+        triangle_.draw(gl);
     }
     measure_directions(gl);
     const Feature features[kGroups] = {{SaliencyStep::colors_contrast, colors_},
@@ -153,7 +126,7 @@ void SaliencyPass::copy_colors(gl::Gl& gl, const base::Surface& surface) {
         gl->Viewport(0, static_cast<GLint>(map_row), static_cast<GLsizei>(width), static_cast<GLsizei>(map_rows));
         gl->Uniform3f(lab.uniform(kSaliencyStrip), static_cast<float>(map_row), static_cast<float>(width_px_),
                       static_cast<float>(rows));
-        draw(gl);
+        triangle_.draw(gl);
     }
 }
 
@@ -171,7 +144,7 @@ void SaliencyPass::measure_directions(gl::Gl& gl) {
         for (std::size_t n = 0; n < kLevels; ++n) {
             read_texture(gl, rows, kSaliencyFirst, colors_[n].color());
             (slanted ? slanted_ : straight_)[n].bind(gl);
-            draw(gl);
+            triangle_.draw(gl);
         }
     }
     const gl::Program& energy = programs_.use(gl, SaliencyStep::energy);
@@ -185,7 +158,7 @@ void SaliencyPass::measure_directions(gl::Gl& gl) {
         read_texture(gl, energy, kSaliencyFirst, straight_[n].color());
         read_texture(gl, energy, kSaliencySecond, slanted_[n].color());
         directions_[n].bind(gl);
-        draw(gl);
+        triangle_.draw(gl);
     }
 }
 
@@ -202,7 +175,7 @@ void SaliencyPass::compare(gl::Gl& gl, const Feature& feature, std::size_t group
                      has_coarser ? contrasts_[group][center + 1].color() : feature.levels[near].color());
         gl->Uniform1f(contrast.uniform(kSaliencyHasCoarser), has_coarser ? 1 : 0);
         contrasts_[group][center].bind(gl);
-        draw(gl);
+        triangle_.draw(gl);
     }
 }
 
@@ -215,7 +188,7 @@ void SaliencyPass::gather(gl::Gl& gl, SaliencyStep step, int column, int row) {
         if (is_last) return run(gl, program, figures_, column, row);
         gl->Uniform2f(program.uniform(kSaliencyOrigin), 0, 0);
         scratch_[n + 1].bind(gl);
-        draw(gl);
+        triangle_.draw(gl);
     }
 }
 
@@ -224,7 +197,7 @@ void SaliencyPass::find_most(gl::Gl& gl, SaliencyStep step, const gl::RenderTarg
     read_texture(gl, most, kSaliencyFirst, of.color());
     gl->Uniform2f(most.uniform(kSaliencyOrigin), 0, 0);
     scratch_[0].bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
     gather(gl, step, column, kMost);
 }
 
@@ -235,7 +208,7 @@ void SaliencyPass::count(gl::Gl& gl, const gl::RenderTarget& of, int column) {
     gl->Uniform2f(above.uniform(kSaliencyOrigin), 0, 0);
     gl->Uniform1f(above.uniform(kSaliencyColumn), static_cast<float>(column));
     scratch_[0].bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
     gather(gl, SaliencyStep::sum_counts, column, kCount);
 }
 
@@ -254,20 +227,20 @@ void SaliencyPass::mix(gl::Gl& gl) {
     read_texture(gl, conspicuity, kSaliencyThird, contrasts_[2][0].color());
     read_figures(gl, conspicuity);
     conspicuity_.bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
     find_most(gl, SaliencyStep::most, conspicuity_, kConspicuity);
     if (!is_fixed_) count(gl, conspicuity_, kConspicuity);
     const gl::Program& total = programs_.use(gl, SaliencyStep::total);
     read_texture(gl, total, kSaliencyFirst, conspicuity_.color());
     read_figures(gl, total);
     total_.bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
     if (!is_fixed_) find_most(gl, SaliencyStep::most_total, total_, kTotal);
     const gl::Program& map = programs_.use(gl, SaliencyStep::map);
     read_texture(gl, map, kSaliencyFirst, total_.color());
     read_figures(gl, map);
     map_.bind(gl);
-    draw(gl);
+    triangle_.draw(gl);
 }
 
 void SaliencyPass::show(gl::Gl& gl, design::SaliencyView view) {
@@ -279,7 +252,7 @@ void SaliencyPass::show(gl::Gl& gl, design::SaliencyView view) {
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     const gl::Program& program = programs_.use(gl, is_map ? SaliencyStep::show_map : SaliencyStep::show_heat);
     read_texture(gl, program, kSaliencyFirst, map_.color());
-    draw(gl);
+    triangle_.draw(gl);
     gl->Disable(GL_BLEND);
 }
 

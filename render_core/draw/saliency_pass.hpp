@@ -15,7 +15,7 @@
 #include "render_core/base/time.hpp"
 #include "render_core/design/view_effects.hpp"
 #include "render_core/draw/saliency_programs.hpp"
-#include "render_core/gl/buffer.hpp"
+#include "render_core/draw/screen_triangle.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "render_core/perception/center_surround.hpp"
 #include "render_core/perception/oriented_energy.hpp"
@@ -52,7 +52,6 @@ private:
     };
 
     [[nodiscard]] gl::GlError start_targets(gl::Gl& gl, base::BudgetTable& budget);
-    [[nodiscard]] gl::GlError start_triangle(gl::Gl& gl, base::BudgetTable& budget);
     void copy_colors(gl::Gl& gl, const base::Surface& surface);
     void soften(gl::Gl& gl);
     void measure_directions(gl::Gl& gl);
@@ -64,10 +63,9 @@ private:
     void run(gl::Gl& gl, const gl::Program& program, const gl::RenderTarget& target, int column, int row);
     void set_taps(gl::Gl& gl, const gl::Program& program, SaliencyUniform at, const perception::GaborTaps::Taps& taps) const;
     void read_figures(gl::Gl& gl, const gl::Program& program) const;
-    void draw(gl::Gl& gl) const;
 
     SaliencyPrograms programs_;
-    gl::Buffer triangle_;
+    ScreenTriangle triangle_;
     gl::Texture strip_;
     std::array<gl::RenderTarget, kLevels> colors_, straight_, slanted_, directions_;
     std::array<std::array<gl::RenderTarget, kCenters>, kGroups> contrasts_;

@@ -1,0 +1,32 @@
+/// Makes the many targets of a pass, and remembers the first that could not be made.
+#pragma once
+
+#include "render_core/gl/render_target.hpp"
+
+namespace tedavis::draw {
+
+class PassTargets {
+public:
+    PassTargets(gl::Gl& gl, base::BudgetLine& line) : gl_(gl), line_(line) {}
+
+    /// Four bytes a texel, without depth. Does nothing once one could not be made.
+    void make(gl::RenderTarget& to, std::uint32_t width_px, std::uint32_t height_px,
+              gl::TextureFilter filter = gl::TextureFilter::nearest) {
+        if (!error_.sentence.empty()) return;
+        auto made =
+            gl::make_render_target(gl_, line_, {gl::TextureFormat::rgba8, filter, width_px, height_px}, gl::TargetDepth::none);
+        if (made.ok())
+            to = static_cast<gl::RenderTarget&&>(made.value());
+        else
+            error_ = made.error();
+    }
+    /// An empty sentence if all were made.
+    [[nodiscard]] const gl::GlError& error() const { return error_; }
+
+private:
+    gl::Gl& gl_;
+    base::BudgetLine& line_;
+    gl::GlError error_;
+};
+
+}  // namespace tedavis::draw
