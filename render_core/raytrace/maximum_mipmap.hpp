@@ -1,0 +1,55 @@
+/// The highest, or lowest, height of every cell of a grid, and of blocks of 2^k x 2^k cells (maximum mipmap: Tevs et al. 2008).
+///
+/// Level 0 has a node a cell, each further level one for 2 x 2 nodes, those at the right and lower border for fewer: no size loses
+/// a row (NUMERICS: halving with rounding down does). A cell lies between four posts, so neighbours share posts and bounds hold for
+/// everything between them. A cell without a surface bounds nothing; it counts as lower (for the minimum: higher) than all.
+///
+/// Memory  from an arena: Height times 4/3 of the cells and a little. Thread  build() and update() use the workers; reading any.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/raytrace/height_grid.hpp"
+
+namespace tedavis::raytrace {
+
+enum class HeightBound : std::uint8_t { maximum, minimum };
+
+template <class Height>
+struct MipmapLevel {
+    const Height* nodes = nullptr;  ///< row by row; one more may be read behind the last
+    std::uint32_t columns = 0, rows = 0;
+    [[nodiscard]] Height at(std::uint32_t column, std::uint32_t row) const { return nodes[std::size_t{row} * columns + column]; }
+};
+
+template <class Height>
+class HeightMipmap {
+public:
+    static constexpr std::uint32_t kMostLevels = 16;  ///< of the largest grid the last one has 2 x 2 nodes
+
+    explicit HeightMipmap(HeightBound bound = HeightBound::maximum) : bound_(bound) {}
+
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
+    /// False where the arena has no room. The grid is borrowed and must stay.
+    [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena);
+    /// Of all posts.
+    void build(base::Workers& workers);
+    /// After posts of a region have changed; gives what build() would.
+    void update(const PostRegion& changed);
+
+    [[nodiscard]] const HeightGrid<Height>& grid() const { return grid_; }
+    [[nodiscard]] HeightBound bound() const { return bound_; }
+    [[nodiscard]] std::uint32_t levels() const { return levels_; }
+    [[nodiscard]] MipmapLevel<Height> level(std::uint32_t n) const;
+
+private:
+    HeightGrid<Height> grid_;
+    HeightBound bound_;
+    std::uint32_t levels_ = 0;
+    base::Span<Height> nodes_;
+    std::uint64_t first_[kMostLevels] = {};
+    std::uint32_t columns_[kMostLevels] = {}, rows_[kMostLevels] = {};
+};
+
+}  // namespace tedavis::raytrace
