@@ -1,10 +1,11 @@
 /// Heights on a regular grid of posts, as the tracer reads them. Borrowed, never owned.
 ///
-/// Grid space: x counts columns from the first post, y rows from the first row, z height steps; a height step is whatever one unit
-/// of a stored height means. A cell (column, row) lies between four posts; there are (columns - 1) x (rows - 1). Where a post has
-/// no height, the cells round it have no surface, and rays pass.
+/// Grid space: x counts columns from the first post, y rows from the first row, z height steps; a height step is whatever one
+/// unit of a stored height means. A cell (column, row) lies between four posts; there are (columns - 1) x (rows - 1). Where a
+/// post has no height, the cells round it have no surface, and rays pass.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -15,7 +16,8 @@ template <class Height>
 struct HeightGrid {
     /// The height of a post without one. NaN is none: it must be turned into this before.
     static constexpr Height kVoid = std::numeric_limits<Height>::lowest();
-    static constexpr std::uint32_t kMostPosts = 65537;  ///< each way
+    static constexpr std::uint32_t kMostPosts = 65537;          ///< each way
+    static constexpr std::uint64_t kMostInAll = 1'600'000'000;  ///< their number and a third more is one of 31 bits
 
     const Height* posts = nullptr;  ///< row by row
     std::uint32_t columns = 0;      ///< 2..kMostPosts
@@ -25,7 +27,8 @@ struct HeightGrid {
     [[nodiscard]] const Height* row(std::uint32_t n) const { return posts + std::size_t{n} * stride; }
     [[nodiscard]] Height at(std::uint32_t column, std::uint32_t line) const { return row(line)[column]; }
     [[nodiscard]] bool is_valid() const {
-        return posts != nullptr && columns >= 2 && rows >= 2 && columns <= kMostPosts && rows <= kMostPosts && stride >= columns;
+        return posts != nullptr && columns >= 2 && rows >= 2 && columns <= kMostPosts && rows <= kMostPosts &&
+               stride >= columns && std::uint64_t{stride} * rows <= kMostInAll;
     }
 };
 

@@ -11,7 +11,7 @@
 /// Pure; any thread. Bounded by the cells that a line crosses, times the levels.
 #pragma once
 
-#include "render_core/raytrace/maximum_mipmap.hpp"
+#include "render_core/raytrace/height_mipmap.hpp"
 #include "render_core/raytrace/ray.hpp"
 
 namespace tedavis::raytrace {

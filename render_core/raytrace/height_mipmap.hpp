@@ -1,8 +1,8 @@
 /// The highest, or lowest, height of every cell of a grid, and of blocks of 2^k x 2^k cells (maximum mipmap: Tevs et al. 2008).
 ///
-/// Level 0 has a node a cell, each further level one for 2 x 2 nodes, those at the right and lower border for fewer: no size loses
-/// a row (NUMERICS: halving with rounding down does). A cell lies between four posts, so neighbours share posts and bounds hold for
-/// everything between them. A cell without a surface bounds nothing; it counts as lower (for the minimum: higher) than all.
+/// Level 0 has a node a cell, each further level one for 2 x 2 nodes, those at the right and lower border for fewer: no size
+/// loses a row, as halving with rounding down would. A cell lies between four posts, so neighbours share posts and bounds hold
+/// for everything between them. A cell without a surface bounds nothing; it counts as lower (for the minimum: higher) than all.
 ///
 /// Memory  from an arena: Height times 4/3 of the cells and a little. Thread  build() and update() use the workers; reading any.
 #pragma once
@@ -23,11 +23,17 @@ struct MipmapLevel {
     [[nodiscard]] Height at(std::uint32_t column, std::uint32_t row) const { return nodes[std::size_t{row} * columns + column]; }
 };
 
+/// Where the nodes of each level lie.
+struct MipmapLayout {
+    static constexpr int kMostLevels = 16;
+    std::int32_t top = 0;                  ///< the last level
+    std::int32_t first[kMostLevels] = {};  ///< node
+    std::int32_t columns[kMostLevels] = {}, rows[kMostLevels] = {};
+};
+
 template <class Height>
 class HeightMipmap {
 public:
-    static constexpr std::uint32_t kMostLevels = 16;  ///< of the largest grid the last one has 2 x 2 nodes
-
     explicit HeightMipmap(HeightBound bound = HeightBound::maximum) : bound_(bound) {}
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
@@ -40,16 +46,21 @@ public:
 
     [[nodiscard]] const HeightGrid<Height>& grid() const { return grid_; }
     [[nodiscard]] HeightBound bound() const { return bound_; }
-    [[nodiscard]] std::uint32_t levels() const { return levels_; }
+    [[nodiscard]] const MipmapLayout& layout() const { return layout_; }
+    [[nodiscard]] std::uint32_t levels() const { return static_cast<std::uint32_t>(layout_.top) + 1; }
     [[nodiscard]] MipmapLevel<Height> level(std::uint32_t n) const;
 
 private:
+    [[nodiscard]] std::uint32_t across(int level) const { return static_cast<std::uint32_t>(layout_.columns[level]); }
+    [[nodiscard]] std::uint32_t down(int level) const { return static_cast<std::uint32_t>(layout_.rows[level]); }
+    [[nodiscard]] Height* row_of(int level, std::uint32_t row) const;
+    void bound_row(int level, std::uint32_t row, std::uint32_t first, std::uint32_t end);
+    void build_band(std::uint32_t band);
+
     HeightGrid<Height> grid_;
     HeightBound bound_;
-    std::uint32_t levels_ = 0;
+    MipmapLayout layout_;
     base::Span<Height> nodes_;
-    std::uint64_t first_[kMostLevels] = {};
-    std::uint32_t columns_[kMostLevels] = {}, rows_[kMostLevels] = {};
 };
 
 }  // namespace tedavis::raytrace

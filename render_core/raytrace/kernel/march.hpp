@@ -1,0 +1,171 @@
+/// The way of rays in lanes to the cells that they meet: from cell to cell, or through the nodes of a mipmap.
+///
+/// Both ways pass the same cells, but for those whose bounds say that nothing is met there, and end with the same bits.
+#pragma once
+
+#include "render_core/raytrace/kernel/cell_crossing.hpp"
+#include "render_core/raytrace/trace_ray.hpp"
+
+namespace tedavis::raytrace {
+
+/// Where rays are, and what they have met.
+template <class V>
+struct March {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    using Mask = typename V::Mask;
+
+    Mask runs;  ///< neither met nor left
+    Float t;
+    Float leaves;     ///< when they leave the grid, or end
+    Int column, row;  ///< mirrored: of the cell at t
+    Int level;
+    Mask is_met, is_beyond;
+    Float met_t;
+    Int met_column, met_row;  ///< in the grid
+
+    Mask asks;    ///< stand before a cell that they may meet
+    Mask passes;  ///< have met nothing in theirs
+};
+
+/// When rays enter the grid and leave it. Those that never do, or only in infinite time, do not run.
+template <class V, class Height>
+TEDAVIS_LANES_INLINE March<V> enter(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
+                                    typename V::Mask asked, typename V::Int level) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    using Axis = RayAxis<V>;
+    constexpr float kNever = 1e29f;
+    const Int none(0), columns(field.columns), rows(field.rows);
+    const Int first_x = V::select(ray.x.sign < none, none - columns, none);
+    const Int first_y = V::select(ray.y.sign < none, none - rows, none);
+    const Float in = V::max(from, V::max(Axis::crossing(ray.x, first_x), Axis::crossing(ray.y, first_y)));
+    March<V> m;
+    m.leaves = V::min(ray.to, V::min(Axis::crossing(ray.x, first_x + columns), Axis::crossing(ray.y, first_y + rows)));
+    m.runs = asked & (in < m.leaves) & (in < Float(kNever));
+    m.t = V::select(m.runs, in, Float(0));
+    m.column = V::min(V::max(Axis::cell_at(ray.x, m.t), first_x), first_x + columns - Int(1));
+    m.row = V::min(V::max(Axis::cell_at(ray.y, m.t), first_y), first_y + rows - Int(1));
+    m.level = level;
+    m.is_met = m.is_beyond = m.asks = m.passes = V::mask(0);
+    m.met_t = Float(0);
+    m.met_column = m.met_row = none;
+    return m;
+}
+
+/// Whether rays stay on their side of all that a node bounds, until they leave it.
+template <class V, class Height, HitSide side>
+TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& field, const RayLanes<V>& ray, const March<V>& m,
+                                                  typename V::Float t_out, typename V::Int node, typename V::Mask asked) {
+    using Float = typename V::Float;
+    const auto falls = ray.climb < Float(0);
+    constexpr bool is_from_below = side == HitSide::below;
+    const Float nearest =
+        RayLanes<V>::height_at(ray, is_from_below ? V::select(falls, m.t, t_out) : V::select(falls, t_out, m.t));
+    Float bound;
+    if constexpr (sizeof(Height) == 2)
+        bound = V::to_float(V::gather(field.nodes, node, asked) - ray.z);
+    else
+        bound = V::gather(field.nodes, node, asked) - V::to_float(ray.z);
+    return is_from_below ? nearest < bound : nearest > bound;
+}
+
+/// Takes those that ask to the surfaces of their cells.
+template <class V, class Height, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+    using Int = typename V::Int;
+    using Float = typename V::Float;
+    using Axis = RayAxis<V>;
+    const Int one(1), column = m.column ^ ray.x.sign, row = m.row ^ ray.y.sign;
+    const auto posts = CellPosts<V, Height>::gather(field, ray, column, row, m.asks);
+    const Float t_in = V::max(V::max(Axis::crossing(ray.x, m.column), Axis::crossing(ray.y, m.row)), ray.from);
+    const Float t_out = V::min(V::min(Axis::crossing(ray.x, m.column + one), Axis::crossing(ray.y, m.row + one)), ray.to);
+    const CellMeeting<V> meeting = surface == CellSurface::two_triangles
+                                       ? meet_triangles<V, Height, side>(ray, posts, t_in, t_out)
+                                       : meet_patch<V, Height, side>(ray, posts, t_in, t_out);
+    const auto met = m.asks & meeting.is_met;
+    m.is_met = m.is_met | met;
+    m.is_beyond = m.is_beyond | (met & meeting.is_beyond);
+    m.met_t = V::select(met, meeting.t, m.met_t);
+    m.met_column = V::select(met, column, m.met_column);
+    m.met_row = V::select(met, row, m.met_row);
+    m.runs = V::without(m.runs, met);
+    m.passes = V::without(m.asks, met);
+    m.asks = V::mask(0);
+}
+
+/// From cell to cell, for rays that are near to what they meet. Ends after so many cells.
+template <class V, class Height, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m, int most) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    using Mask = typename V::Mask;
+    using Axis = RayAxis<V>;
+    const Int none(0), one(1), across(field.columns);
+    m.level = none;
+    const Int step_x = ray.x.sign | one, step_y = V::select(ray.y.sign < none, none - across, across);
+    Int node = (m.row ^ ray.y.sign) * across + (m.column ^ ray.x.sign);
+    Float t_x = Axis::crossing(ray.x, m.column + one), t_y = Axis::crossing(ray.y, m.row + one);
+    while (true) {
+        const Mask steps = V::without(m.runs, m.asks);
+        if (!V::any(steps) || most-- <= 0) {
+            if (!V::any(m.asks)) return;
+            meet_cells<V, Height, surface, side>(field, ray, m);
+            continue;
+        }
+        const Float t_out = V::min(t_x, t_y);
+        const Mask skips = steps & (stays_clear<V, Height, side>(field, ray, m, t_out, node, steps) | m.passes);
+        m.asks = m.asks | V::without(steps, skips);
+        m.passes = V::without(m.passes, skips);
+        const Mask by_x = skips & (t_x <= t_y), by_y = skips & (t_y <= t_x);
+        m.column = V::select(by_x, m.column + one, m.column);
+        m.row = V::select(by_y, m.row + one, m.row);
+        node = V::select(by_x, node + step_x, node);
+        node = V::select(by_y, node + step_y, node);
+        m.t = V::select(skips, t_out, m.t);
+        m.runs = m.runs & (m.t < m.leaves);
+        t_x = Axis::crossing(ray.x, m.column + one);
+        t_y = Axis::crossing(ray.y, m.row + one);
+    }
+}
+
+/// From node to node, to the end.
+template <class V, class Height, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    using Mask = typename V::Mask;
+    using Axis = RayAxis<V>;
+    const Int none(0), one(1), top(field.layout->top);
+    while (true) {
+        const Mask steps = V::without(m.runs, m.asks);
+        if (!V::any(steps)) {
+            if (!V::any(m.asks)) return;
+            meet_cells<V, Height, surface, side>(field, ray, m);
+            continue;
+        }
+        const Int inside = (one << m.level) - one;
+        const Int line_x = (m.column | inside) + one, line_y = (m.row | inside) + one;
+        const Float t_x = Axis::crossing(ray.x, line_x), t_y = Axis::crossing(ray.y, line_y);
+        const Float t_out = V::min(t_x, t_y);
+        const Int node = V::look_up(field.layout->first, m.level) +
+                         ((m.row >> m.level) ^ ray.y.sign) * V::look_up(field.layout->columns, m.level) +
+                         ((m.column >> m.level) ^ ray.x.sign);
+        const Mask skips = steps & (stays_clear<V, Height, side>(field, ray, m, t_out, node, steps) | m.passes);
+        const Mask halts = V::without(steps, skips), is_cell = m.level == none;
+        m.asks = m.asks | (halts & is_cell);
+        m.passes = V::without(m.passes, skips);
+
+        const Mask by_x = t_x <= t_y;
+        const Int other = Axis::cell_at(Axis::select(by_x, ray.y, ray.x), t_out);
+        m.column = V::select(skips, V::select(by_x, line_x, other), m.column);
+        m.row = V::select(skips, V::select(by_x, other, line_y), m.row);
+        m.t = V::select(skips, t_out, m.t);
+        m.runs = m.runs & (m.t < m.leaves);
+        const Int crossed = V::select(by_x, line_x, line_y) >> m.level;
+        const Mask rises = skips & ((crossed & one) == none) & (m.level < top);
+        m.level = V::select(rises, m.level + one, V::select(V::without(halts, is_cell), m.level - one, m.level));
+    }
+}
+
+}  // namespace tedavis::raytrace

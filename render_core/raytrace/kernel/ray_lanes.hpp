@@ -1,0 +1,75 @@
+/// Rays in lanes: as they cross the lines of the grid.
+///
+/// On each axis a ray is mirrored so that it runs towards greater numbers: cell n of the mirrored axis is cell n of the grid, or
+/// cell -1 - n where the ray runs back. A line is crossed at one time, whichever cell asks; the cell of a time is the last one
+/// whose first line has been crossed. So which cells a ray visits does not depend on the way they were found.
+#pragma once
+
+#include "render_core/raytrace/lanes/scalar_lanes.hpp"
+
+namespace tedavis::raytrace {
+
+template <class V>
+struct RayAxis {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+
+    Int sign;        ///< 0, or -1 where it is mirrored: `cell ^ sign` turns one number into the other
+    Int cell;        ///< of the origin, mirrored
+    Float fraction;  ///< of the origin in its cell, mirrored: -1..1
+    Float speed;     ///< cells a unit of t, more than 0
+    Float inverse;   ///< 1 / speed
+    Int own_cell;    ///< as it is in the grid, with the fraction and the speed
+    Float own_fraction, own_speed;
+
+    /// When the first line of a mirrored cell is crossed.
+    TEDAVIS_LANES_INLINE Float crossing(const RayAxis& a, Int line) {
+        return (V::to_float(line - a.cell) - a.fraction) * a.inverse;
+    }
+    /// The mirrored cell at a time. A guess is off by one at most.
+    TEDAVIS_LANES_INLINE Int cell_at(const RayAxis& a, Float t) {
+        Int n = V::floor_to_int(a.fraction + t * a.speed) + a.cell;
+        n = V::select(crossing(a, n + Int(1)) <= t, n + Int(1), n);
+        return V::select(crossing(a, n) > t, n - Int(1), n);
+    }
+    TEDAVIS_LANES_INLINE RayAxis select(typename V::Mask m, const RayAxis& a, const RayAxis& b) {
+        RayAxis s;
+        s.cell = V::select(m, a.cell, b.cell);
+        s.fraction = V::select(m, a.fraction, b.fraction);
+        s.speed = V::select(m, a.speed, b.speed);
+        s.inverse = V::select(m, a.inverse, b.inverse);
+        return s;
+    }
+    /// Of an origin's cell (column or row) and fraction, and of speeds that may be 0.
+    TEDAVIS_LANES_INLINE RayAxis make(Int cell, Float fraction, Float direction) {
+        constexpr float kLeastSpeed = 1e-30f;
+        const auto is_back = direction < Float(0);
+        RayAxis a;
+        a.sign = V::select(is_back, Int(-1), Int(0));
+        a.own_cell = cell;
+        a.own_fraction = fraction;
+        a.cell = (cell ^ a.sign) - a.sign;
+        a.fraction = V::select(is_back, Float(0) - fraction, fraction);
+        a.speed = V::max(V::select(is_back, Float(0) - direction, direction), Float(kLeastSpeed));
+        a.own_speed = V::select(is_back, Float(0) - a.speed, a.speed);
+        a.inverse = Float(1) / a.speed;
+        return a;
+    }
+};
+
+template <class V>
+struct RayLanes {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+
+    RayAxis<V> x, y;
+    Int z;  ///< of the origin: whole height steps
+    Float z_fraction;
+    Float climb;  ///< height steps a unit of t
+    Float from, to;
+
+    /// Above the origin's whole height steps. Monotone in t, rounding included.
+    TEDAVIS_LANES_INLINE Float height_at(const RayLanes& r, Float t) { return r.z_fraction + t * r.climb; }
+};
+
+}  // namespace tedavis::raytrace
