@@ -1,0 +1,10 @@
+#include "render_core/raytrace/kernel/view_band.hpp"
+#include "render_core/raytrace/kernel/view_kernel_list.hpp"
+#include "render_core/raytrace/lanes/scalar_lanes.hpp"
+
+namespace tedavis::raytrace {
+
+void trace_band_scalar(const ViewJob<std::int16_t>& job, std::uint32_t band) { trace_band<ScalarLanes>(job, band); }
+void trace_band_scalar(const ViewJob<float>& job, std::uint32_t band) { trace_band<ScalarLanes>(job, band); }
+
+}  // namespace tedavis::raytrace

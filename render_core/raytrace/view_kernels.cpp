@@ -1,0 +1,51 @@
+#include "render_core/raytrace/view_kernels.hpp"
+
+#include "render_core/raytrace/kernel/view_kernel_list.hpp"
+
+namespace tedavis::raytrace {
+namespace {
+
+#ifdef __x86_64__
+constexpr const char* kVector4 = "sse2";
+bool has_avx2() { return __builtin_cpu_supports("avx2") != 0; }
+bool has_avx512() {
+    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+           __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+}
+#else
+constexpr const char* kVector4 = "neon";
+#endif
+
+}  // namespace
+
+template <class Height>
+base::Span<const ViewKernel<Height>> view_kernels() {
+#ifdef __x86_64__
+    static constexpr ViewKernel<Height> kKernels[] = {{"avx512", 32, trace_band_vector16},
+                                                      {"avx2", 8, trace_band_vector8},
+                                                      {kVector4, 4, trace_band_vector4},
+                                                      {"scalar", 1, trace_band_scalar}};
+    const std::size_t first = has_avx512() ? 0 : has_avx2() ? 1 : 2;
+#else
+    static constexpr ViewKernel<Height> kKernels[] = {{kVector4, 4, trace_band_vector4}, {"scalar", 1, trace_band_scalar}};
+    const std::size_t first = 0;
+#endif
+    return base::Span<const ViewKernel<Height>>(kKernels).subspan(first, std::size(kKernels) - first);
+}
+
+template <class Height>
+void trace_pixel(const ViewJob<Height>& job, std::uint32_t x, std::uint32_t y) {
+    const Hit hit = trace_ray(*job.field, job.camera->ray(x, y));
+    const std::size_t to = std::size_t{y} * job.width + x;
+    job.t[to] = hit.t;
+    job.side[to] = hit.side;
+    const std::uint32_t columns = job.field->grid().columns - 1;
+    job.cell[to] = hit.side == HitSide::none ? -1 : static_cast<std::int32_t>(hit.row * columns + hit.column);
+}
+
+template base::Span<const ViewKernel<std::int16_t>> view_kernels();
+template base::Span<const ViewKernel<float>> view_kernels();
+template void trace_pixel(const ViewJob<std::int16_t>&, std::uint32_t, std::uint32_t);
+template void trace_pixel(const ViewJob<float>&, std::uint32_t, std::uint32_t);
+
+}  // namespace tedavis::raytrace
