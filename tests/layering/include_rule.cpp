@@ -65,7 +65,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"assimp/", "gdal", "cpl_", "ogr_", "ogrsf_", "nlohmann/", "CLI/", "png.h", "zlib.h"}, {"host_sim/"}},
         {{"stb/"}, {"toolchains/"}},
         {{"csetjmp", "execinfo.h"}, {"host_sim/"}},
-        {{"gtest/", "gmock/", "benchmark/", "GeographicLib/", "opencv2/"}, {"tests/"}},
+        {{"gtest/", "gmock/", "benchmark/", "GeographicLib/", "opencv2/", "embree3/"}, {"tests/"}},
         {{"linux/", "sys/", "net/", "unistd.h", "fcntl.h", "poll.h", "time.h", "signal.h", "errno.h"},
          {"bus/socketcan/", "bus/switches/gpiod_", "platform/", "target/", "host_sim/"}},
         {{"dlfcn.h", "pthread.h", "sched.h", "semaphore.h", "dirent.h"}, {"platform/", "target/", "host_sim/"}},
