@@ -22,6 +22,7 @@ struct HeightField {
 
     [[nodiscard]] raytrace::HeightGrid<Height> grid() const { return {posts.data(), columns, rows, stride}; }
     Height& at(std::uint32_t column, std::uint32_t row) { return posts[std::size_t{row} * stride + column]; }
+    Height at(std::uint32_t column, std::uint32_t row) const { return posts[std::size_t{row} * stride + column]; }
 };
 
 /// Of `number`, well mixed (the finalizer of MurmurHash3 by Appleby).

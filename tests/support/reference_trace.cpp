@@ -15,7 +15,7 @@ using Real = long double;
 constexpr Real kNever = std::numeric_limits<Real>::infinity();
 constexpr Real kFarOff = 64;  ///< height steps above or below all posts
 
-Real component(float value) { return std::abs(value) < 1e-30f ? std::copysign(Real{1e-30L}, Real{value}) : Real{value}; }
+Real component(float value) { return value < 0 ? std::min(Real{value}, -1e-30L) : std::max(Real{value}, 1e-30L); }
 
 struct Straight {
     Real x, y, z, dx, dy, dz;
@@ -81,13 +81,16 @@ struct Cell {
 /// What is known of the height over the surface up to now.
 class Profile {
 public:
-    Profile(const Straight& line, bool from_below) : line_(line), from_below_(from_below) { hit.clearance = hit.margin = kNever; }
+    Profile(const Straight& line, FromBelow from_below) : line_(line), from_below_(from_below) {
+        hit.clearance = hit.margin = kNever;
+    }
 
     void begin(Real t, Real over, const Cell& cell) {
         is_above_ = over > 0;
         trend_ = 0;
         is_open_ = true;
         note(t, over, cell.range());
+        is_complete_ = !is_above_ && from_below_ == FromBelow::ends;
     }
     void end(Real t, Real over) {
         if (is_open_) note(t, over, last_range_);
@@ -95,16 +98,18 @@ public:
     }
     /// A piece on which the function rises, or falls, or neither. `root` gives where it is zero.
     template <class Root>
-    void add(Real t, Real over_begin, Real over_end, const Cell& cell, const Root& root) {
+    void add(Real t, Real over_begin, Real t_end, Real over_end, const Cell& cell, const Root& root) {
         const int trend = (over_end > over_begin) - (over_end < over_begin);
         if (trend * trend_ < 0) note(t, over_begin, std::max(cell.range(), last_range_));
         if (trend != 0) trend_ = trend;
+        const Real range = std::max(cell.range(), last_range_);
         last_range_ = cell.range();
         if (hit.side != HitSide::none || is_above_ == (over_end > 0)) return;
         is_above_ = !is_above_;
-        if (is_above_ && !from_below_) return;
+        if (is_above_ && from_below_ == FromBelow::passes) return;
         hit.side = is_above_ ? HitSide::below : HitSide::above;
         hit.t = root();
+        hit.t_scale = scale_at(hit.t, range) * (t_end - t) / std::abs(over_end - over_begin);
         hit.column = static_cast<std::uint32_t>(cell.column);
         hit.row = static_cast<std::uint32_t>(cell.row);
     }
@@ -114,16 +119,19 @@ public:
     ReferenceHit hit;
 
 private:
+    /// The size of the numbers from which a height over the surface is made.
+    [[nodiscard]] Real scale_at(Real t, Real range) const {
+        const Real way = 1 + std::abs(t) * (std::abs(line_.dx) + std::abs(line_.dy));
+        return 1 + std::abs(t * line_.dz) + way * range;
+    }
     void note(Real t, Real over, Real range) {
-        const Real scale =
-            std::abs(line_.z) + std::abs(t * line_.dz) + (1 + std::abs(t) * (std::abs(line_.dx) + std::abs(line_.dy))) * range;
         hit.clearance = std::min(hit.clearance, std::abs(over));
-        hit.margin = std::min(hit.margin, scale > 0 ? std::abs(over) / scale : kNever);
+        hit.margin = std::min(hit.margin, std::abs(over) / scale_at(t, range));
         is_complete_ = hit.side != HitSide::none;  // only now: how deep a ray goes tells whether it could as well have missed
     }
 
     const Straight& line_;
-    bool from_below_;
+    FromBelow from_below_;
     bool is_above_ = false, is_open_ = false, is_complete_ = false;
     int trend_ = 0;
     Real last_range_ = 0;
@@ -132,7 +140,7 @@ private:
 template <class Height>
 class Walk {
 public:
-    Walk(const HeightGrid<Height>& grid, CellSurface surface, const Straight& line, const Span& span, bool from_below)
+    Walk(const HeightGrid<Height>& grid, CellSurface surface, const Straight& line, const Span& span, FromBelow from_below)
         : grid_(grid),
           surface_(surface),
           line_(line),
@@ -159,7 +167,7 @@ public:
                 diagonals_.advance();
             }
         }
-        profile_.end(t, last_over_);
+        if (!profile_.is_complete()) profile_.end(t, last_over_);
         return profile_.hit;
     }
 
@@ -191,8 +199,9 @@ private:
         }
         const Real over_begin = over(begin, cell), over_end = over(end, cell);
         if (!profile_.is_open()) profile_.begin(begin, over_begin, cell);
+        if (profile_.is_complete()) return;
         if (surface_ == CellSurface::two_triangles) {
-            profile_.add(begin, over_begin, over_end, cell,
+            profile_.add(begin, over_begin, end, over_end, cell,
                          [&] { return begin + (end - begin) * over_begin / (over_begin - over_end); });
         } else {
             pass_patch(begin, over_begin, end, over_end, cell);
@@ -212,7 +221,7 @@ private:
         if (!profile_.is_complete()) add_bent(middle, over_turn, end, over_end, cell);
     }
     void add_bent(Real begin, Real over_begin, Real end, Real over_end, const Cell& cell) {
-        profile_.add(begin, over_begin, over_end, cell, [&] { return bisected(begin, over_begin > 0, end, cell); });
+        profile_.add(begin, over_begin, end, over_end, cell, [&] { return bisected(begin, over_begin > 0, end, cell); });
     }
     [[nodiscard]] Real bisected(Real low, bool is_above, Real high, const Cell& cell) const {
         for (int n = 0; n < 80; ++n) {
@@ -247,7 +256,7 @@ ReferenceTracer<Height>::ReferenceTracer(const HeightGrid<Height>& grid, CellSur
 }
 
 template <class Height>
-ReferenceHit ReferenceTracer<Height>::trace(const Ray& ray, bool from_below) const {
+ReferenceHit ReferenceTracer<Height>::trace(const Ray& ray, FromBelow from_below) const {
     const Straight line(ray);
     Span span{ray.from, ray.to};
     span.clip(line.x, line.dx, 0, Real(grid_.columns - 1));

@@ -11,6 +11,14 @@
 
 namespace tedavis::test_support {
 
+/// What becomes of a ray that is below the surface without having met it: it began there, or came through the border of the grid
+/// or a cell without heights.
+enum class FromBelow : std::uint8_t {
+    ends,    ///< it meets nothing more
+    passes,  ///< it may come out and meet the surface from above
+    meets,   ///< where it comes out it meets the surface
+};
+
 struct ReferenceHit {
     raytrace::HitSide side = raytrace::HitSide::none;
     long double t = 0;                  ///< only where something is met
@@ -18,9 +26,12 @@ struct ReferenceHit {
     /// The smallest height over or under the surface at which the ray turns, comes or goes: a ray moved up or down by less has
     /// the same answer, and a t that differs by little. Height steps; infinite where the ray never comes near.
     long double clearance = 0;
-    /// The smallest quotient of such a height and the numbers from which it is made: heights, way, and steepness of the cell. A
-    /// tracer that rounds each of a few operations by e may differ where this is a few e, and nowhere else.
+    /// The smallest quotient of such a height and the numbers from which it is made: a step, the ray's way up or down, and its
+    /// way across times the steepness of the cell. A tracer that counts from the ray's origin and rounds each of a few operations
+    /// by e may differ where this is a few e, and nowhere else.
     long double margin = 0;
+    /// By how much t changes where the height over the surface changes by as much as those numbers. Only where something is met.
+    long double t_scale = 0;
 };
 
 template <class Height>
@@ -29,8 +40,7 @@ public:
     /// The grid is borrowed.
     ReferenceTracer(const raytrace::HeightGrid<Height>& grid, raytrace::CellSurface surface);
 
-    /// `from_below`: where the ray comes out of the ground counts as well.
-    [[nodiscard]] ReferenceHit trace(const raytrace::Ray& ray, bool from_below = false) const;
+    [[nodiscard]] ReferenceHit trace(const raytrace::Ray& ray, FromBelow from_below = FromBelow::ends) const;
 
 private:
     raytrace::HeightGrid<Height> grid_;

@@ -12,6 +12,7 @@
 namespace tedavis::raytrace::test_reference_trace {
 namespace {
 
+using test_support::FromBelow;
 using test_support::HeightField;
 using test_support::ReferenceHit;
 using test_support::ReferenceTracer;
@@ -98,14 +99,14 @@ TEST(ReferenceTrace, AgreesWithAllCellsOneByOne) {
             double first = INFINITY;
             for (std::uint32_t r = 0; r < 8; ++r)
                 for (std::uint32_t c = 0; c < 12; ++c) first = std::min(first, first_in_cell(field, c, r, ray, surface));
-            const ReferenceHit hit = tracer.trace(ray);
+            // Whoever comes in below the border leaves through the surface from below, and may come back from above.
+            const ReferenceHit hit = tracer.trace(ray, FromBelow::passes);
             hits += hit.side == HitSide::above;
             // The bent cells are sampled only.
             if (hit.clearance < (is_bent ? 1e-2 : 1e-9)) {
                 ++unclear;
                 continue;
             }
-            // Whoever comes in below the border leaves through the surface from below, and may come back from above.
             ASSERT_EQ(hit.side == HitSide::above, first < INFINITY) << n;
             if (hit.side == HitSide::none) continue;
             ASSERT_NEAR(static_cast<double>(hit.t), first, is_bent ? 0.01 : 1e-9 * (1 + first)) << n;
@@ -120,13 +121,21 @@ TEST(ReferenceTrace, TellsBelowFromAboveAndPassesVoids) {
     const Ray rising{{2.2, 2.3, 4}, {0.1F, 0, 1}};
     const ReferenceTracer<std::int16_t> flat(field.grid(), CellSurface::two_triangles);
     EXPECT_EQ(flat.trace(rising).side, HitSide::none);
-    const ReferenceHit out = flat.trace(rising, true);
+    const ReferenceHit out = flat.trace(rising, FromBelow::meets);
     EXPECT_EQ(out.side, HitSide::below);
     EXPECT_NEAR(static_cast<double>(out.t), 6, 1e-6);
     const Ray falling{{2.2, 2.3, 14}, {0.1F, 0, -1}};
     EXPECT_EQ(flat.trace(falling).side, HitSide::above);
     EXPECT_EQ(flat.trace({falling.origin, falling.direction, 0, 3.9F}).side, HitSide::none);
     EXPECT_EQ(flat.trace({falling.origin, falling.direction, 4.1F}).side, HitSide::none);
+    // In through the border below the height, out, and down again from above.
+    HeightField<std::int16_t> dip(12, 6, 10);
+    for (std::uint32_t row = 0; row < 6; ++row) dip.at(5, row) = dip.at(6, row) = 2;
+    const ReferenceTracer<std::int16_t> valley(dip.grid(), CellSurface::bilinear);
+    const Ray level{{-1, 2.5, 6}, {1, 0, 0}};
+    EXPECT_EQ(valley.trace(level, FromBelow::ends).side, HitSide::none);
+    EXPECT_NEAR(static_cast<double>(valley.trace(level, FromBelow::meets).t), 5.5, 1e-9);
+    EXPECT_NEAR(static_cast<double>(valley.trace(level, FromBelow::passes).t), 7.5, 1e-9);
     field.at(3, 3) = HeightGrid<std::int16_t>::kVoid;
     EXPECT_EQ(flat.trace(falling).side, HitSide::none);
     EXPECT_EQ(flat.trace({{1.2, 1.3, 14}, {0.1F, 0, -1}}).side, HitSide::above);

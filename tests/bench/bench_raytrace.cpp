@@ -1,0 +1,253 @@
+/// Primary rays over generated terrain at 1920 x 1080, on two threads: our tracer beside the fastest that Embree has for the same
+/// heights (grid or triangles; 1, 8 or 16 rays at a time, coherent), generation of the rays included on both sides. Five cameras
+/// (trace_cameras.hpp) over 512 x 512 and 4096 x 4096 posts, and over needles. Then what the structures cost, and how far the
+/// pictures agree with each other and with our reference in long double. `--json` prints the lines as a list; `--quick` measures
+/// only 512 x 512, three times each; `--reference N` compares N million rays with the reference (0.4 without).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "platform/clock/monotonic_clock.hpp"
+#include "platform/threads/thread_workers.hpp"
+#include "tests/bench/bench_result.hpp"
+#include "tests/bench/embree_picture.hpp"
+#include "tests/bench/own_picture.hpp"
+#include "tests/support/fractal_heights.hpp"
+#include "tests/support/trace_agreement.hpp"
+#include "tests/support/trace_cameras.hpp"
+
+namespace {
+
+using namespace tedavis;
+using bench::BenchResult;
+using test_support::EmbreeGrid;
+using test_support::EmbreeMesh;
+using test_support::TraceAgreement;
+using test_support::TraceCamera;
+
+constexpr std::uint32_t kWidth = 1920, kHeight = 1080, kThreads = 2;
+constexpr int kLaneCounts[] = {1, 8, 16};
+
+struct Options {
+    bool json = false, quick = false;
+    double reference_millions = 0.4;
+    [[nodiscard]] int runs() const { return quick ? 3 : 9; }
+};
+
+struct Targets {
+    double any_attitude, vertical_plane;
+};
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+template <class Work>
+double spent_ms(const Work& work) {
+    const base::Time start = platform::monotonic_now();
+    work();
+    return (platform::monotonic_now() - start).to_seconds() * 1000;
+}
+
+/// One terrain, for all tracers.
+class Terrain {
+public:
+    Terrain(std::string name, std::uint32_t side, bool has_needles, base::Workers& workers, const Options& options)
+        : name_(std::move(name)),
+          field_(test_support::fractal_heights(side)),
+          workers_(workers),
+          options_(options),
+          steps_(test_support::steps_a_cell(side)) {
+        if (has_needles) test_support::add_needles(field_);
+        own_ = std::make_unique<bench::OwnTracer>(field_.grid());
+    }
+
+    /// Ours and Embree's structures.
+    void measure_build(std::vector<BenchResult>& lines) {
+        std::vector<double> ms;
+        for (int run = 0; run < options_.runs(); ++run) ms.push_back(spent_ms([&] { own_->build(workers_); }));
+        make_embree();
+        const double samples = static_cast<double>(field_.posts.size());
+        const double ns = median(ms) * 1e6 / samples, bytes = static_cast<double>(own_->bytes()) / samples;
+        const EmbreeGrid& grid = *embree_[0].grid;
+        const double other_ns = grid.build_ms() * 1e6 / samples, other_bytes = static_cast<double>(grid.bytes()) / samples;
+        lines.push_back({name_ + ": build (Embree's grid)", ns, "ns/sample", 0.3, ns <= 0.3, other_ns});
+        lines.push_back({name_ + ": heights and bounds (Embree's grid)", bytes, "B/sample", 5, bytes <= 5, other_bytes});
+    }
+
+    /// Medians of alternating runs; the baseline is Embree's, in ms.
+    void measure_pictures(const Targets& targets, std::vector<BenchResult>& lines) {
+        for (const TraceCamera& camera : test_support::trace_cameras(field_.columns, kWidth, kHeight)) {
+            std::vector<float> ours(std::size_t{kWidth} * kHeight), theirs(ours.size());
+            const Embree best = fastest(camera, theirs);
+            bench::OwnPicture own(*own_, camera.in_steps(steps_), ours);
+            bench::EmbreePicture other(*best.grid, camera, theirs);
+            std::vector<double> own_ms, other_ms;
+            for (int run = 0; run < options_.runs(); ++run) {
+                other_ms.push_back(spent_ms([&] { other.draw(best.lanes, workers_); }));
+                own_ms.push_back(spent_ms([&] { own.draw(workers_); }));
+            }
+            const double ms = median(own_ms), embree_ms = median(other_ms), ratio = embree_ms / ms;
+            const double target = camera.is_vertical ? targets.vertical_plane : targets.any_attitude;
+            const std::string what = name_ + ", " + camera.name;
+            lines.push_back({what + ": ms", ms, "ms", embree_ms / target, ratio >= target, embree_ms});
+            lines.push_back({what + ": times " + best.name, ratio, "x", target, ratio >= target, 1});
+            compare(what, ours, theirs, lines);
+        }
+    }
+
+    /// `rays` of all cameras' pixels, spread evenly, against the reference.
+    void compare_with_reference(double rays, TraceAgreement& ours, TraceAgreement& embree) {
+        const double pixels = 5.0 * kWidth * kHeight;
+        const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(pixels / rays)));
+        for (const TraceCamera& camera : test_support::trace_cameras(field_.columns, kWidth, kHeight)) {
+            std::vector<float> own_t(std::size_t{kWidth} * kHeight), other_t(own_t.size());
+            bench::OwnPicture(*own_, camera.in_steps(steps_), own_t).draw(workers_);
+            bench::EmbreePicture(*embree_[0].grid, camera, other_t).draw(16, workers_);
+            Comparison work{this, camera.in_steps(steps_), own_t, other_t, every, {}};
+            work.rows.resize(kHeight);
+            workers_.parallel_for(kHeight, Comparison::compare_row, &work);
+            for (const auto& row : work.rows) {
+                ours.add(row.first);
+                embree.add(row.second);
+            }
+        }
+    }
+
+private:
+    struct Embree {
+        std::string name;
+        const EmbreeGrid* grid;
+        int lanes = 16;
+    };
+    struct Comparison {
+        Terrain* terrain;
+        TraceCamera camera;
+        const std::vector<float>&ours, &embree;
+        std::uint32_t every;
+        std::vector<std::pair<TraceAgreement, TraceAgreement>> rows;
+
+        static void compare_row(void* context, std::uint32_t y) {
+            auto& work = *static_cast<Comparison*>(context);
+            const std::uint32_t first = (work.every - y * kWidth % work.every) % work.every;
+            for (std::uint32_t x = first; x < kWidth; x += work.every) {
+                const std::size_t pixel = std::size_t{y} * kWidth + x;
+                const test_support::ReferenceHit hit = work.terrain->reference_.trace(work.camera.ray(x, y));
+                work.rows[y].first.add(hit, work.ours[pixel] < INFINITY, work.ours[pixel]);
+                work.rows[y].second.add(hit, work.embree[pixel] < INFINITY, work.embree[pixel]);
+            }
+        }
+    };
+
+    void make_embree() {
+        const auto cell = static_cast<float>(1 / steps_);
+        for (const EmbreeMesh mesh : {EmbreeMesh::grid, EmbreeMesh::triangles}) {
+            meshes_.push_back(std::make_unique<EmbreeGrid>(field_.grid(), cell, mesh, kThreads));
+            embree_.push_back({mesh == EmbreeMesh::grid ? "Embree grid" : "Embree triangles", meshes_.back().get()});
+        }
+    }
+    /// Of three runs each, by the shortest.
+    Embree fastest(const TraceCamera& camera, std::vector<float>& t) {
+        Embree best;
+        double best_ms = INFINITY;
+        for (Embree tried : embree_) {
+            for (const int lanes : kLaneCounts) {
+                bench::EmbreePicture picture(*tried.grid, camera, t);
+                double ms = INFINITY;
+                for (int run = 0; run < 3; ++run) ms = std::min(ms, spent_ms([&] { picture.draw(lanes, workers_); }));
+                if (ms >= best_ms) continue;
+                best_ms = ms;
+                best = {tried.name + " " + std::to_string(lanes), tried.grid, lanes};
+            }
+        }
+        return best;
+    }
+    static void compare(const std::string& what, const std::vector<float>& ours, const std::vector<float>& theirs,
+                        std::vector<BenchResult>& lines) {
+        std::size_t hits = 0, different = 0;
+        for (std::size_t n = 0; n < ours.size(); ++n) {
+            hits += ours[n] < INFINITY;
+            different += (ours[n] < INFINITY) != (theirs[n] < INFINITY);
+        }
+        const double rays = static_cast<double>(ours.size()), share = static_cast<double>(hits) / rays;
+        const double per_million = static_cast<double>(different) * 1e6 / rays;
+        lines.push_back({what + ": differ from Embree per million", per_million, "rays", 10, per_million <= 10, share});
+    }
+
+    std::string name_;
+    test_support::HeightField<std::int16_t> field_;
+    base::Workers& workers_;
+    const Options& options_;
+    double steps_;
+    std::unique_ptr<bench::OwnTracer> own_;
+    std::vector<std::unique_ptr<EmbreeGrid>> meshes_;
+    std::vector<Embree> embree_;
+    test_support::ReferenceTracer<std::int16_t> reference_{field_.grid(), raytrace::CellSurface::two_triangles};
+};
+
+void report_agreement(const std::string& name, TraceAgreement& ours, TraceAgreement& embree, std::vector<BenchResult>& lines) {
+    const std::string what = name + ", " + std::to_string(ours.rays) + " rays: ";
+    const double far = ours.quantile(0.999), embree_far = embree.quantile(0.999), rays = static_cast<double>(ours.rays);
+    const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
+    lines.push_back({what + "unexplained against the reference", count(ours.unexplained), "rays", 0, ours.unexplained == 0,
+                     count(embree.unexplained)});
+    lines.push_back({what + "differ, explained or not", count(ours.different), "rays", count(ours.close),
+                     ours.different <= ours.close, count(embree.different)});
+    lines.push_back({what + "p99.9 of relative depth", far, "of t", 1e-6, far <= 1e-6, embree_far});
+    lines.push_back({what + "Embree differs, per million", count(embree.different) * 1e6 / rays, "rays", 11, true, 11});
+}
+
+void measure(const Options& options, std::vector<BenchResult>& lines) {
+    auto workers = platform::make_thread_workers({kThreads, bench::flush_denormals});
+    if (!workers.ok()) std::exit(2);
+    bench::flush_denormals();
+    struct Case {
+        const char* name;
+        std::uint32_t side;
+        bool has_needles;
+        Targets targets;
+        double share;  ///< of the rays that go to the reference: over large fields it is slow
+    };
+    const std::vector<Case> all = {{"512", 512, false, {2, 8}, 0.7},
+                                   {"4096", 4096, false, {2.5, 5}, 0.1},
+                                   {"512 needles", 512, true, {1.75, 1.75}, 0.15},
+                                   {"4096 needles", 4096, true, {1.75, 1.75}, 0.05}};
+    for (const Case& one : all) {
+        if (options.quick && one.side > 512) continue;
+        Terrain terrain(one.name, one.side, one.has_needles, *workers.value(), options);
+        terrain.measure_build(lines);
+        terrain.measure_pictures(one.targets, lines);
+        TraceAgreement ours, embree;
+        terrain.compare_with_reference(options.reference_millions * 1e6 * one.share, ours, embree);
+        report_agreement(one.name, ours, embree, lines);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    for (int n = 1; n < argc; ++n) {
+        const std::string word = argv[n];
+        if (word == "--json") {
+            options.json = true;
+        } else if (word == "--quick") {
+            options.quick = true;
+        } else if (word == "--reference" && n + 1 < argc && std::atof(argv[n + 1]) > 0) {
+            options.reference_millions = std::atof(argv[++n]);
+        } else {
+            std::fprintf(stderr, "bench_raytrace: cannot use '%s'; known are --json, --quick and --reference MILLIONS\n",
+                         argv[n]);
+            return 2;
+        }
+    }
+    std::vector<BenchResult> lines;
+    measure(options, lines);
+    return bench::report(lines, options.json);
+}
