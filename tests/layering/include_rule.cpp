@@ -62,6 +62,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"gbm.h", "xf86drm", "drm"}, {"platform/"}},
         {{"toml++/"}, {"render_core/base/config_reader.cpp"}},
         {{"glm/"}, {}},
+        {{"immintrin.h"}, {"render_core/raytrace/lanes/"}},
         {{"assimp/", "gdal", "cpl_", "ogr_", "ogrsf_", "nlohmann/", "CLI/", "png.h", "zlib.h"}, {"host_sim/"}},
         {{"stb/"}, {"toolchains/"}},
         {{"csetjmp", "execinfo.h"}, {"host_sim/"}},
