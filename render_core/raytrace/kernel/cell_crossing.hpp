@@ -142,12 +142,15 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
     Gap::over_patch(in, p);
     Gap::over_patch(out, p);
     const Float twist = side == HitSide::below ? p.nw - p.ne - p.sw + p.se : p.ne - p.nw + p.sw - p.se;
-    const Float bend = twist * (out.u - in.u) * (out.v - in.v);
-    const Float fall = in.gap - out.gap + bend;  // of the gap, as it enters
-    const Float root = fall * fall - Float(4) * bend * in.gap;
+    const Float whole_bend = twist * (out.u - in.u) * (out.v - in.v);
+    const Float whole_fall = in.gap - out.gap + whole_bend;  // of the gap, as it enters
+    // Over the larger of both, so that no square is too large for a float where a ray stands upright.
+    const Float scale = Float(1) / V::max(V::max(whole_fall, Float(0) - whole_fall), V::max(whole_bend, Float(0) - whole_bend));
+    const Float bend = whole_bend * scale, fall = whole_fall * scale, gap = in.gap * scale;
+    const Float root = fall * fall - Float(4) * bend * gap;
     const Float width = V::sqrt(V::max(root, Float(0)));
     const auto falls = fall > Float(0);  // whichever form of the first root takes nothing away from its like
-    const Float share = V::select(falls, in.gap + in.gap, fall - width) / V::select(falls, fall + width, bend + bend);
+    const Float share = V::select(falls, gap + gap, fall - width) / V::select(falls, fall + width, bend + bend);
     const Float between = t_in + (t_out - t_in) * share;
     const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & (RayLanes<V>::height_at(ray, between) <= p.highest);
 
