@@ -51,6 +51,16 @@ void ViewTracer<Height>::trace(const TracedField<Height>& field, const GridCamer
         const ViewKernel<Height>* kernel;
     };
     Work work{{&field, &camera, width_, height_, beams_, picture.t.data(), picture.cell.data(), picture.side.data()}, &kernel};
+    if (camera.has_upright_columns()) {
+        const auto lanes = static_cast<std::uint32_t>(kernel.lanes);
+        workers.parallel_for((width_ + lanes - 1) / lanes,
+                             [](void* context, std::uint32_t group) {
+                                 const Work& all = *static_cast<const Work*>(context);
+                                 all.kernel->trace_columns(all.job, group);
+                             },
+                             &work);
+        return;
+    }
     workers.parallel_for((height_ + kBandRows - 1) / kBandRows,
                          [](void* context, std::uint32_t band) {
                              const Work& all = *static_cast<const Work*>(context);

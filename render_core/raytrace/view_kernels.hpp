@@ -17,6 +17,8 @@ struct GridCamera {
     glm::vec3 corner{0}, right{0}, down{0};
 
     [[nodiscard]] Ray ray(std::uint32_t x, std::uint32_t y) const;
+    /// All rays of a column lie in one vertical plane, and no two are the same.
+    [[nodiscard]] bool has_upright_columns() const { return down.x == 0 && down.y == 0 && down.z != 0; }
 };
 
 /// Sides of beams, in pixels: kBeamSide[0] is found first, each further one starts where the one round it ended.
@@ -48,6 +50,8 @@ struct ViewKernel {
     int lanes = 1;
     /// Rows [kBandRows * band, kBandRows * (band + 1)) of the picture.
     void (*trace_band)(const ViewJob<Height>& job, std::uint32_t band) = nullptr;
+    /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns().
+    void (*trace_columns)(const ViewJob<Height>& job, std::uint32_t group) = nullptr;
 };
 
 /// One pixel as trace_ray() finds it: for rays that leave a kernel's way.

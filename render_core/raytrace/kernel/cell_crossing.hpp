@@ -47,11 +47,33 @@ struct CellPosts {
             p.sw = p.sw - z;
             p.se = p.se - z;
         }
+        finish(p, ray, column, row);
+        return p;
+    }
+    /// Of one cell for all rays.
+    TEDAVIS_LANES_INLINE CellPosts of(const TracedNodes<Height>& field, const RayLanes<V>& ray, std::int32_t column,
+                                      std::int32_t row) {
+        const Height* const upper = field.posts + row * field.stride + column;
+        const Height* const lower = upper + field.stride;
+        CellPosts p;
+        p.nw = above_origin(upper[0], ray);
+        p.ne = above_origin(upper[1], ray);
+        p.sw = above_origin(lower[0], ray);
+        p.se = above_origin(lower[1], ray);
+        finish(p, ray, Int(column), Int(row));
+        return p;
+    }
+    TEDAVIS_LANES_INLINE Float above_origin(Height height, const RayLanes<V>& ray) {
+        if constexpr (sizeof(Height) == 2)
+            return V::to_float(Int(std::int32_t{height}) - ray.z);
+        else
+            return Float(height) - V::to_float(ray.z);
+    }
+    TEDAVIS_LANES_INLINE void finish(CellPosts& p, const RayLanes<V>& ray, Int column, Int row) {
         p.highest = V::max(V::max(p.nw, p.ne), V::max(p.sw, p.se));
         p.lowest = V::min(V::min(p.nw, p.ne), V::min(p.sw, p.se));
         p.column = ray.x.own_fraction - V::to_float(column - ray.x.own_cell);
         p.row = ray.y.own_fraction - V::to_float(row - ray.y.own_cell);
-        return p;
     }
     TEDAVIS_LANES_INLINE Float within(Float place) { return V::min(V::max(place, Float(0)), Float(1)); }
 };

@@ -70,6 +70,24 @@ TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& fie
     return is_from_below ? nearest < bound : nearest > bound;
 }
 
+/// Those of the rays asked that meet the surface of their cell.
+template <class V, class Height, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
+                                           typename V::Int row, typename V::Float t_in, typename V::Float t_out,
+                                           typename V::Mask asked, March<V>& m) {
+    const CellMeeting<V> meeting = surface == CellSurface::two_triangles
+                                       ? meet_triangles<V, Height, side>(ray, posts, t_in, t_out)
+                                       : meet_patch<V, Height, side>(ray, posts, t_in, t_out);
+    const auto met = asked & meeting.is_met;
+    m.is_met = m.is_met | met;
+    m.is_beyond = m.is_beyond | (met & meeting.is_beyond);
+    m.met_t = V::select(met, meeting.t, m.met_t);
+    m.met_column = V::select(met, column, m.met_column);
+    m.met_row = V::select(met, row, m.met_row);
+    m.runs = V::without(m.runs, met);
+    return met;
+}
+
 /// Takes those that ask to the surfaces of their cells.
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
@@ -80,16 +98,7 @@ TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const Ray
     const auto posts = CellPosts<V, Height>::gather(field, ray, column, row, m.asks);
     const Float t_in = V::max(V::max(Axis::crossing(ray.x, m.column), Axis::crossing(ray.y, m.row)), ray.from);
     const Float t_out = V::min(V::min(Axis::crossing(ray.x, m.column + one), Axis::crossing(ray.y, m.row + one)), ray.to);
-    const CellMeeting<V> meeting = surface == CellSurface::two_triangles
-                                       ? meet_triangles<V, Height, side>(ray, posts, t_in, t_out)
-                                       : meet_patch<V, Height, side>(ray, posts, t_in, t_out);
-    const auto met = m.asks & meeting.is_met;
-    m.is_met = m.is_met | met;
-    m.is_beyond = m.is_beyond | (met & meeting.is_beyond);
-    m.met_t = V::select(met, meeting.t, m.met_t);
-    m.met_column = V::select(met, column, m.met_column);
-    m.met_row = V::select(met, row, m.met_row);
-    m.runs = V::without(m.runs, met);
+    const auto met = meet<V, Height, surface, side>(ray, posts, column, row, t_in, t_out, m.asks, m);
     m.passes = V::without(m.asks, met);
     m.asks = V::mask(0);
 }
@@ -129,42 +138,49 @@ TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const Ra
     }
 }
 
-/// From node to node, to the end.
-template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+/// One node on, or one level down.
+template <class V, class Height, HitSide side>
+TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m,
+                                    typename V::Mask steps) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Mask = typename V::Mask;
     using Axis = RayAxis<V>;
     const Int none(0), one(1), top(field.layout->top);
+    const Int inside = (one << m.level) - one;
+    const Int line_x = (m.column | inside) + one, line_y = (m.row | inside) + one;
+    const Float t_x = Axis::crossing(ray.x, line_x), t_y = Axis::crossing(ray.y, line_y);
+    const Float t_out = V::min(t_x, t_y);
+    const Int node = V::look_up(field.layout->first, m.level) +
+                     ((m.row >> m.level) ^ ray.y.sign) * V::look_up(field.layout->columns, m.level) +
+                     ((m.column >> m.level) ^ ray.x.sign);
+    const Mask skips = steps & (stays_clear<V, Height, side>(field, ray, m, t_out, node, steps) | m.passes);
+    const Mask halts = V::without(steps, skips), is_cell = m.level == none;
+    m.asks = m.asks | (halts & is_cell);
+    m.passes = V::without(m.passes, skips);
+
+    const Mask by_x = t_x <= t_y;
+    const Int other = Axis::cell_at(Axis::select(by_x, ray.y, ray.x), t_out);
+    m.column = V::select(skips, V::select(by_x, line_x, other), m.column);
+    m.row = V::select(skips, V::select(by_x, other, line_y), m.row);
+    m.t = V::select(skips, t_out, m.t);
+    m.runs = m.runs & (m.t < m.leaves);
+    const Int crossed = V::select(by_x, line_x, line_y) >> m.level;
+    const Mask rises = skips & ((crossed & one) == none) & (m.level < top);
+    m.level = V::select(rises, m.level + one, V::select(V::without(halts, is_cell), m.level - one, m.level));
+}
+
+/// From node to node, to the end.
+template <class V, class Height, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
     while (true) {
-        const Mask steps = V::without(m.runs, m.asks);
-        if (!V::any(steps)) {
+        const auto steps = V::without(m.runs, m.asks);
+        if (V::any(steps)) {
+            step_node<V, Height, side>(field, ray, m, steps);
+        } else {
             if (!V::any(m.asks)) return;
             meet_cells<V, Height, surface, side>(field, ray, m);
-            continue;
         }
-        const Int inside = (one << m.level) - one;
-        const Int line_x = (m.column | inside) + one, line_y = (m.row | inside) + one;
-        const Float t_x = Axis::crossing(ray.x, line_x), t_y = Axis::crossing(ray.y, line_y);
-        const Float t_out = V::min(t_x, t_y);
-        const Int node = V::look_up(field.layout->first, m.level) +
-                         ((m.row >> m.level) ^ ray.y.sign) * V::look_up(field.layout->columns, m.level) +
-                         ((m.column >> m.level) ^ ray.x.sign);
-        const Mask skips = steps & (stays_clear<V, Height, side>(field, ray, m, t_out, node, steps) | m.passes);
-        const Mask halts = V::without(steps, skips), is_cell = m.level == none;
-        m.asks = m.asks | (halts & is_cell);
-        m.passes = V::without(m.passes, skips);
-
-        const Mask by_x = t_x <= t_y;
-        const Int other = Axis::cell_at(Axis::select(by_x, ray.y, ray.x), t_out);
-        m.column = V::select(skips, V::select(by_x, line_x, other), m.column);
-        m.row = V::select(skips, V::select(by_x, other, line_y), m.row);
-        m.t = V::select(skips, t_out, m.t);
-        m.runs = m.runs & (m.t < m.leaves);
-        const Int crossed = V::select(by_x, line_x, line_y) >> m.level;
-        const Mask rises = skips & ((crossed & one) == none) & (m.level < top);
-        m.level = V::select(rises, m.level + one, V::select(V::without(halts, is_cell), m.level - one, m.level));
     }
 }
 

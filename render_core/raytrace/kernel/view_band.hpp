@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render_core/raytrace/kernel/beam_march.hpp"
-#include "render_core/raytrace/kernel/march.hpp"
-#include "render_core/raytrace/view_kernels.hpp"
+#include "render_core/raytrace/kernel/column_sweep.hpp"
+#include "render_core/raytrace/kernel/march_together.hpp"
 
 namespace tedavis::raytrace {
 
@@ -11,48 +11,6 @@ namespace tedavis::raytrace {
 inline constexpr int kMostBeamSteps[kBeamSizes] = {100, 100, 20, 12};
 inline constexpr int kMostCells = 16;   ///< that rays pass one by one before they look at larger nodes
 inline constexpr int kFinerLevels = 2;  ///< at which rays begin, than where their beam ended
-
-/// The origin of all rays of a picture, in whole cells and steps and what is left.
-struct ViewOrigin {
-    std::int32_t column, row, z;
-    float column_fraction, row_fraction, z_fraction;
-
-    TEDAVIS_LANES_INLINE std::int32_t whole(double place) {
-        const auto n = static_cast<std::int32_t>(place);
-        return n - (static_cast<double>(n) > place ? 1 : 0);
-    }
-    TEDAVIS_LANES_INLINE ViewOrigin of(const glm::dvec3& place) {
-        ViewOrigin o;
-        o.column = whole(place.x);
-        o.row = whole(place.y);
-        o.z = whole(place.z);
-        o.column_fraction = static_cast<float>(place.x - o.column);
-        o.row_fraction = static_cast<float>(place.y - o.row);
-        o.z_fraction = static_cast<float>(place.z - o.z);
-        return o;
-    }
-};
-
-/// A component of directions, over the picture.
-struct DirectionSlope {
-    float corner, right, down;
-
-    template <class V>
-    TEDAVIS_LANES_INLINE typename V::Float at(const DirectionSlope& d, typename V::Float x, typename V::Float y) {
-        using Float = typename V::Float;
-        return Float(d.corner) + x * Float(d.right) + y * Float(d.down);
-    }
-    /// By how much it differs from the middle of a square.
-    TEDAVIS_LANES_INLINE float reach(const DirectionSlope& d, float half_side) {
-        return (__builtin_fabsf(d.right) + __builtin_fabsf(d.down)) * half_side;
-    }
-};
-
-struct ViewSlopes {
-    DirectionSlope x, y, z;
-    explicit ViewSlopes(const GridCamera& c)
-        : x{c.corner.x, c.right.x, c.down.x}, y{c.corner.y, c.right.y, c.down.y}, z{c.corner.z, c.right.z, c.down.z} {}
-};
 
 /// A row of beams of one size; `around` are those of the size before, null for the first.
 template <class V, class Height>
@@ -106,6 +64,28 @@ struct PacketShape {
     static constexpr std::uint32_t row(std::uint32_t lane) { return lane % 16 / 4; }
 };
 
+/// As far as the rays keep together.
+template <class V, class Height, CellSurface surface>
+TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const RayLanes<V>& ray, const ViewOrigin& origin,
+                                     March<V>& m) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    if (!NarrowAxis::is_one_way<V>(ray.x) || !NarrowAxis::is_one_way<V>(ray.y)) return;
+    const NarrowAxis x = NarrowAxis::make(V::any(ray.x.sign < Int(0)), origin.column, origin.column_fraction, nodes.columns);
+    const NarrowAxis y = NarrowAxis::make(V::any(ray.y.sign < Int(0)), origin.row, origin.row_fraction, nodes.rows);
+    const bool is_x_fast = V::most(ray.x.speed) > V::most(ray.y.speed);
+    const Float begin = V::select(m.runs, m.t, Float(__builtin_inff())) * (is_x_fast ? ray.x.speed : ray.y.speed);
+    const std::int32_t slab = NarrowAxis::cell_at(is_x_fast ? x : y, V::least(begin) * (1 - 1e-6f));
+    const std::int32_t next = is_x_fast ? march_slabs<V, Height, surface, true>(nodes, ray, x, y, slab, m)
+                                        : march_slabs<V, Height, surface, false>(nodes, ray, y, x, slab, m);
+    if (next == slab || !V::any(m.runs)) return;
+    const Float since = is_x_fast ? RayAxis<V>::crossing(ray.x, Int(next)) : RayAxis<V>::crossing(ray.y, Int(next));
+    m.t = V::select(m.runs, V::max(m.t, since), m.t);
+    m.runs = m.runs & (m.t < m.leaves);
+    m.column = V::select(m.runs, RayAxis<V>::cell_at(ray.x, m.t), m.column);
+    m.row = V::select(m.runs, RayAxis<V>::cell_at(ray.y, m.t), m.row);
+}
+
 template <class V, class Height, CellSurface surface>
 void trace_packet(const ViewJob<Height>& job, const TracedNodes<Height>& nodes, const ViewOrigin& origin,
                   const ViewSlopes& slopes, std::uint32_t left, std::uint32_t top) {
@@ -127,16 +107,13 @@ void trace_packet(const ViewJob<Height>& job, const TracedNodes<Height>& nodes, 
         level[n] = beams.level.data()[beam];
     }
     const Float at_x = V::load(x), at_y = V::load(y);
-    RayLanes<V> ray;
+    RayLanes<V> ray = rays_from<V>(origin);
     ray.x = RayAxis<V>::make(Int(origin.column), Float(origin.column_fraction), DirectionSlope::at<V>(slopes.x, at_x, at_y));
     ray.y = RayAxis<V>::make(Int(origin.row), Float(origin.row_fraction), DirectionSlope::at<V>(slopes.y, at_x, at_y));
-    ray.z = Int(origin.z);
-    ray.z_fraction = Float(origin.z_fraction);
     ray.climb = DirectionSlope::at<V>(slopes.z, at_x, at_y);
-    ray.from = Float(0.0f);
-    ray.to = Float(__builtin_inff());
     March<V> m = enter<V, Height>(nodes, ray, V::load(start), V::mask(inside), V::load(level));
-    march_cells<V, Height, surface, HitSide::above>(nodes, ray, m, kMostCells);
+    if (V::any(m.runs)) march_near<V, Height, surface>(nodes, ray, origin, m);
+    if (V::any(m.runs)) march_cells<V, Height, surface, HitSide::above>(nodes, ray, m, kMostCells);
     if (V::any(m.runs)) march_nodes<V, Height, surface, HitSide::above>(nodes, ray, m);
 
     float t[V::kCount];
@@ -173,6 +150,16 @@ void trace_band(const ViewJob<Height>& job, std::uint32_t band) {
                 trace_packet<V, Height, CellSurface::bilinear>(job, nodes, origin, slopes, left, top);
             else
                 trace_packet<V, Height, CellSurface::two_triangles>(job, nodes, origin, slopes, left, top);
+}
+
+/// Columns that lie in vertical planes (is_swept()), V::kCount at a time.
+template <class V, class Height>
+void trace_columns(const ViewJob<Height>& job, std::uint32_t group) {
+    const TracedNodes<Height> nodes(*job.field->maxima);
+    if (job.field->surface == CellSurface::bilinear)
+        sweep_columns<V, Height, CellSurface::bilinear>(job, nodes, group * V::kCount);
+    else
+        sweep_columns<V, Height, CellSurface::two_triangles>(job, nodes, group * V::kCount);
 }
 
 }  // namespace tedavis::raytrace

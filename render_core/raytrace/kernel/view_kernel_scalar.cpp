@@ -6,5 +6,7 @@ namespace tedavis::raytrace {
 
 void trace_band_scalar(const ViewJob<std::int16_t>& job, std::uint32_t band) { trace_band<ScalarLanes>(job, band); }
 void trace_band_scalar(const ViewJob<float>& job, std::uint32_t band) { trace_band<ScalarLanes>(job, band); }
+void trace_columns_scalar(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<ScalarLanes>(job, group); }
+void trace_columns_scalar(const ViewJob<float>& job, std::uint32_t group) { trace_columns<ScalarLanes>(job, group); }
 
 }  // namespace tedavis::raytrace

@@ -10,6 +10,12 @@ void trace_band_vector16(const ViewJob<std::int16_t>& job, std::uint32_t band) {
     trace_band<PairedLanes<Avx512Lanes>>(job, band);
 }
 void trace_band_vector16(const ViewJob<float>& job, std::uint32_t band) { trace_band<PairedLanes<Avx512Lanes>>(job, band); }
+void trace_columns_vector16(const ViewJob<std::int16_t>& job, std::uint32_t group) {
+    trace_columns<PairedLanes<Avx512Lanes>>(job, group);
+}
+void trace_columns_vector16(const ViewJob<float>& job, std::uint32_t group) {
+    trace_columns<PairedLanes<Avx512Lanes>>(job, group);
+}
 
 }  // namespace tedavis::raytrace
 #endif

@@ -6,5 +6,7 @@ namespace tedavis::raytrace {
 
 void trace_band_vector4(const ViewJob<std::int16_t>& job, std::uint32_t band) { trace_band<VectorLanes<4>>(job, band); }
 void trace_band_vector4(const ViewJob<float>& job, std::uint32_t band) { trace_band<VectorLanes<4>>(job, band); }
+void trace_columns_vector4(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<VectorLanes<4>>(job, group); }
+void trace_columns_vector4(const ViewJob<float>& job, std::uint32_t group) { trace_columns<VectorLanes<4>>(job, group); }
 
 }  // namespace tedavis::raytrace

@@ -7,6 +7,8 @@ namespace tedavis::raytrace {
 
 void trace_band_vector8(const ViewJob<std::int16_t>& job, std::uint32_t band) { trace_band<VectorLanes<8>>(job, band); }
 void trace_band_vector8(const ViewJob<float>& job, std::uint32_t band) { trace_band<VectorLanes<8>>(job, band); }
+void trace_columns_vector8(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
+void trace_columns_vector8(const ViewJob<float>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
 
 }  // namespace tedavis::raytrace
 #endif

@@ -76,6 +76,8 @@ struct Avx512Lanes {
     TEDAVIS_LANES_INLINE Float max(Float a, Float b) { return _mm512_max_ps(a.v, b.v); }
     TEDAVIS_LANES_INLINE Int min(Int a, Int b) { return _mm512_min_epi32(a.v, b.v); }
     TEDAVIS_LANES_INLINE Int max(Int a, Int b) { return _mm512_max_epi32(a.v, b.v); }
+    TEDAVIS_LANES_INLINE float least(Float a) { return _mm512_reduce_min_ps(a.v); }
+    TEDAVIS_LANES_INLINE float most(Float a) { return _mm512_reduce_max_ps(a.v); }
     TEDAVIS_LANES_INLINE Float sqrt(Float a) { return _mm512_sqrt_ps(a.v); }
     TEDAVIS_LANES_INLINE Float to_float(Int a) { return _mm512_cvtepi32_ps(a.v); }
     TEDAVIS_LANES_INLINE Int floor_to_int(Float a) {

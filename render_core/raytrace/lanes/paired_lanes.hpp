@@ -75,6 +75,8 @@ struct PairedLanes {
     TEDAVIS_LANES_INLINE Float max(Float a, Float b) { return {V::max(a.low, b.low), V::max(a.high, b.high)}; }
     TEDAVIS_LANES_INLINE Int min(Int a, Int b) { return {V::min(a.low, b.low), V::min(a.high, b.high)}; }
     TEDAVIS_LANES_INLINE Int max(Int a, Int b) { return {V::max(a.low, b.low), V::max(a.high, b.high)}; }
+    TEDAVIS_LANES_INLINE float least(Float a) { return V::least(V::min(a.low, a.high)); }
+    TEDAVIS_LANES_INLINE float most(Float a) { return V::most(V::max(a.low, a.high)); }
     TEDAVIS_LANES_INLINE Float sqrt(Float a) { return {V::sqrt(a.low), V::sqrt(a.high)}; }
     TEDAVIS_LANES_INLINE Float to_float(Int a) { return {V::to_float(a.low), V::to_float(a.high)}; }
     TEDAVIS_LANES_INLINE Int floor_to_int(Float a) { return {V::floor_to_int(a.low), V::floor_to_int(a.high)}; }

@@ -32,6 +32,8 @@ struct ScalarLanes {
     TEDAVIS_LANES_INLINE Float max(Float a, Float b) { return a > b ? a : b; }
     TEDAVIS_LANES_INLINE Int min(Int a, Int b) { return a < b ? a : b; }
     TEDAVIS_LANES_INLINE Int max(Int a, Int b) { return a > b ? a : b; }
+    TEDAVIS_LANES_INLINE float least(Float a) { return a; }
+    TEDAVIS_LANES_INLINE float most(Float a) { return a; }
     TEDAVIS_LANES_INLINE Float sqrt(Float a) { return __builtin_sqrtf(a); }
     TEDAVIS_LANES_INLINE Float to_float(Int a) { return static_cast<float>(a); }
     /// Of values between -2^31 and 2^31.

@@ -102,6 +102,16 @@ struct VectorLanes {
     TEDAVIS_LANES_INLINE Float max(Float a, Float b) { return Float(a.v > b.v ? a.v : b.v); }
     TEDAVIS_LANES_INLINE Int min(Int a, Int b) { return Int(a.v < b.v ? a.v : b.v); }
     TEDAVIS_LANES_INLINE Int max(Int a, Int b) { return Int(a.v > b.v ? a.v : b.v); }
+    TEDAVIS_LANES_INLINE float least(Float a) {
+        float all = a.v[0];
+        for (int n = 1; n < N; ++n) all = a.v[n] < all ? a.v[n] : all;
+        return all;
+    }
+    TEDAVIS_LANES_INLINE float most(Float a) {
+        float all = a.v[0];
+        for (int n = 1; n < N; ++n) all = a.v[n] > all ? a.v[n] : all;
+        return all;
+    }
     TEDAVIS_LANES_INLINE Float sqrt(Float a) {
         for (int n = 0; n < N; ++n) a.v[n] = __builtin_sqrtf(a.v[n]);
         return a;
