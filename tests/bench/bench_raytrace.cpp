@@ -31,7 +31,7 @@ using test_support::TraceAgreement;
 using test_support::TraceCamera;
 
 constexpr std::uint32_t kWidth = 1920, kHeight = 1080, kThreads = 2;
-constexpr int kLaneCounts[] = {1, 8, 16};
+constexpr double kMostDifferent = 25;  // pixels of a million; Embree itself is wrong in some
 
 struct Options {
     bool json = false, quick = false;
@@ -55,6 +55,38 @@ double spent_ms(const Work& work) {
     return (platform::monotonic_now() - start).to_seconds() * 1000;
 }
 
+/// Embree over the same heights, by grid and by triangles.
+struct EmbreeScenes {
+    struct Way {
+        std::string name;
+        const EmbreeGrid* grid;
+        int lanes = 16;
+    };
+    std::vector<std::unique_ptr<EmbreeGrid>> grids;
+
+    EmbreeScenes(const raytrace::HeightGrid<std::int16_t>& posts, double steps, const char* instruction_set = nullptr) {
+        for (const EmbreeMesh mesh : {EmbreeMesh::grid, EmbreeMesh::triangles})
+            grids.push_back(std::make_unique<EmbreeGrid>(posts, static_cast<float>(1 / steps), mesh, kThreads, instruction_set));
+    }
+    /// Of three runs each, by the shortest.
+    [[nodiscard]] Way fastest(const TraceCamera& camera, std::vector<float>& t, base::Workers& workers) const {
+        Way best;
+        double best_ms = INFINITY;
+        for (const auto& grid : grids) {
+            for (const int lanes : {1, 4, 8, 16}) {
+                bench::EmbreePicture picture(*grid, camera, t);
+                double ms = INFINITY;
+                for (int run = 0; run < 3; ++run) ms = std::min(ms, spent_ms([&] { picture.draw(lanes, workers); }));
+                if (ms >= best_ms) continue;
+                best_ms = ms;
+                best = {(&grid == grids.data() ? "Embree grid " : "Embree triangles ") + std::to_string(lanes), grid.get(),
+                        lanes};
+            }
+        }
+        return best;
+    }
+};
+
 /// One terrain, for all tracers.
 class Terrain {
 public:
@@ -65,41 +97,36 @@ public:
           options_(options),
           steps_(test_support::steps_a_cell(side)) {
         if (has_needles) test_support::add_needles(field_);
-        own_ = std::make_unique<bench::OwnTracer>(field_.grid());
+        bounds_ = std::make_unique<bench::OwnBounds>(field_.grid());
+        embree_ = std::make_unique<EmbreeScenes>(field_.grid(), steps_);
     }
 
-    /// Ours and Embree's structures.
+    /// Ours and Embree's structures; Embree is built once.
     void measure_build(std::vector<BenchResult>& lines) {
         std::vector<double> ms;
-        for (int run = 0; run < options_.runs(); ++run) ms.push_back(spent_ms([&] { own_->build(workers_); }));
-        make_embree();
-        const double samples = static_cast<double>(field_.posts.size());
-        const double ns = median(ms) * 1e6 / samples, bytes = static_cast<double>(own_->bytes()) / samples;
-        const EmbreeGrid& grid = *embree_[0].grid;
+        for (int run = 0; run < options_.runs(); ++run) ms.push_back(spent_ms([&] { bounds_->build(workers_); }));
+        const auto samples = static_cast<double>(field_.posts.size());
+        const double ns = median(ms) * 1e6 / samples, bytes = static_cast<double>(bounds_->bytes()) / samples + 2;
+        const EmbreeGrid& grid = *embree_->grids[0];
         const double other_ns = grid.build_ms() * 1e6 / samples, other_bytes = static_cast<double>(grid.bytes()) / samples;
-        lines.push_back({name_ + ": build (Embree's grid)", ns, "ns/sample", 0.3, ns <= 0.3, other_ns});
-        lines.push_back({name_ + ": heights and bounds (Embree's grid)", bytes, "B/sample", 5, bytes <= 5, other_bytes});
+        lines.push_back({name_ + ": build", ns, "ns/sample", 0.3, ns <= 0.3, other_ns});
+        lines.push_back({name_ + ": heights and bounds", bytes, "B/sample", 5, bytes <= 5, other_bytes});
     }
 
-    /// Medians of alternating runs; the baseline is Embree's, in ms.
+    /// By the widest lanes that there are.
     void measure_pictures(const Targets& targets, std::vector<BenchResult>& lines) {
-        for (const TraceCamera& camera : test_support::trace_cameras(field_.columns, kWidth, kHeight)) {
-            std::vector<float> ours(std::size_t{kWidth} * kHeight), theirs(ours.size());
-            const Embree best = fastest(camera, theirs);
-            bench::OwnPicture own(*own_, camera.in_steps(steps_), ours);
-            bench::EmbreePicture other(*best.grid, camera, theirs);
-            std::vector<double> own_ms, other_ms;
-            for (int run = 0; run < options_.runs(); ++run) {
-                other_ms.push_back(spent_ms([&] { other.draw(best.lanes, workers_); }));
-                own_ms.push_back(spent_ms([&] { own.draw(workers_); }));
-            }
-            const double ms = median(own_ms), embree_ms = median(other_ms), ratio = embree_ms / ms;
-            const double target = camera.is_vertical ? targets.vertical_plane : targets.any_attitude;
-            const std::string what = name_ + ", " + camera.name;
-            lines.push_back({what + ": ms", ms, "ms", embree_ms / target, ratio >= target, embree_ms});
-            lines.push_back({what + ": times " + best.name, ratio, "x", target, ratio >= target, 1});
-            compare(what, ours, theirs, lines);
-        }
+        for (const TraceCamera& camera : test_support::trace_cameras(field_.columns, kWidth, kHeight))
+            measure(camera, raytrace::view_kernels<std::int16_t>()[0], *embree_,
+                    camera.is_vertical ? targets.vertical_plane : targets.any_attitude, "", lines);
+    }
+    /// One ray after the other, beside Embree as it is without wide vectors; and every other width.
+    void measure_widths(std::vector<BenchResult>& lines) {
+        const TraceCamera camera = test_support::trace_cameras(field_.columns, kWidth, kHeight)[4];
+        const auto kernels = raytrace::view_kernels<std::int16_t>();
+        for (std::size_t n = 1; n + 1 < kernels.size(); ++n)
+            measure(camera, kernels[n], *embree_, 1, std::string(", ") + kernels[n].name, lines);
+        const EmbreeScenes narrow(field_.grid(), steps_, "sse2");
+        measure(camera, kernels[kernels.size() - 1], narrow, 1, ", scalar beside SSE2", lines);
     }
 
     /// `rays` of all cameras' pixels, spread evenly, against the reference.
@@ -107,10 +134,10 @@ public:
         const double pixels = 5.0 * kWidth * kHeight;
         const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(pixels / rays)));
         for (const TraceCamera& camera : test_support::trace_cameras(field_.columns, kWidth, kHeight)) {
-            std::vector<float> own_t(std::size_t{kWidth} * kHeight), other_t(own_t.size());
-            bench::OwnPicture(*own_, camera.in_steps(steps_), own_t).draw(workers_);
-            bench::EmbreePicture(*embree_[0].grid, camera, other_t).draw(16, workers_);
-            Comparison work{this, camera.in_steps(steps_), own_t, other_t, every, {}};
+            std::vector<float> other_t(std::size_t{kWidth} * kHeight);
+            own_.draw(bounds_->field(kSurface), camera.in_steps(steps_), raytrace::view_kernels<std::int16_t>()[0], workers_);
+            bench::EmbreePicture(*embree_->grids[0], camera, other_t).draw(16, workers_);
+            Comparison work{this, camera.in_steps(steps_), own_.t, other_t, every, {}};
             work.rows.resize(kHeight);
             workers_.parallel_for(kHeight, Comparison::compare_row, &work);
             for (const auto& row : work.rows) {
@@ -121,11 +148,8 @@ public:
     }
 
 private:
-    struct Embree {
-        std::string name;
-        const EmbreeGrid* grid;
-        int lanes = 16;
-    };
+    static constexpr raytrace::CellSurface kSurface = raytrace::CellSurface::two_triangles;
+
     struct Comparison {
         Terrain* terrain;
         TraceCamera camera;
@@ -145,39 +169,32 @@ private:
         }
     };
 
-    void make_embree() {
-        const auto cell = static_cast<float>(1 / steps_);
-        for (const EmbreeMesh mesh : {EmbreeMesh::grid, EmbreeMesh::triangles}) {
-            meshes_.push_back(std::make_unique<EmbreeGrid>(field_.grid(), cell, mesh, kThreads));
-            embree_.push_back({mesh == EmbreeMesh::grid ? "Embree grid" : "Embree triangles", meshes_.back().get()});
+    /// Medians of alternating runs; the baseline of times is Embree's.
+    void measure(const TraceCamera& camera, const bench::OwnKernel& kernel, const EmbreeScenes& embree, double target,
+                 const std::string& how, std::vector<BenchResult>& lines) {
+        std::vector<float> theirs(own_.t.size());
+        const EmbreeScenes::Way best = embree.fastest(camera, theirs, workers_);
+        bench::EmbreePicture other(*best.grid, camera, theirs);
+        const auto field = bounds_->field(kSurface);
+        const TraceCamera own_camera = camera.in_steps(steps_);
+        std::vector<double> own_ms, other_ms;
+        for (int run = 0; run < options_.runs(); ++run) {
+            other_ms.push_back(spent_ms([&] { other.draw(best.lanes, workers_); }));
+            own_ms.push_back(spent_ms([&] { own_.draw(field, own_camera, kernel, workers_); }));
         }
-    }
-    /// Of three runs each, by the shortest.
-    Embree fastest(const TraceCamera& camera, std::vector<float>& t) {
-        Embree best;
-        double best_ms = INFINITY;
-        for (Embree tried : embree_) {
-            for (const int lanes : kLaneCounts) {
-                bench::EmbreePicture picture(*tried.grid, camera, t);
-                double ms = INFINITY;
-                for (int run = 0; run < 3; ++run) ms = std::min(ms, spent_ms([&] { picture.draw(lanes, workers_); }));
-                if (ms >= best_ms) continue;
-                best_ms = ms;
-                best = {tried.name + " " + std::to_string(lanes), tried.grid, lanes};
-            }
-        }
-        return best;
-    }
-    static void compare(const std::string& what, const std::vector<float>& ours, const std::vector<float>& theirs,
-                        std::vector<BenchResult>& lines) {
+        const double ms = median(own_ms), embree_ms = median(other_ms), ratio = embree_ms / ms;
+        const std::string what = name_ + ", " + camera.name + how;
+        lines.push_back({what + ": picture", ms, "ms", embree_ms / target, ratio >= target, embree_ms});
+        lines.push_back({what + ": " + best.name, ratio, "times", target, ratio >= target, 1});
         std::size_t hits = 0, different = 0;
-        for (std::size_t n = 0; n < ours.size(); ++n) {
-            hits += ours[n] < INFINITY;
-            different += (ours[n] < INFINITY) != (theirs[n] < INFINITY);
+        for (std::size_t n = 0; n < theirs.size(); ++n) {
+            hits += own_.t[n] < INFINITY;
+            different += (own_.t[n] < INFINITY) != (theirs[n] < INFINITY);
         }
-        const double rays = static_cast<double>(ours.size()), share = static_cast<double>(hits) / rays;
+        const auto rays = static_cast<double>(theirs.size());
         const double per_million = static_cast<double>(different) * 1e6 / rays;
-        lines.push_back({what + ": differ from Embree per million", per_million, "rays", 10, per_million <= 10, share});
+        lines.push_back({what + ": differ from Embree", per_million, "per 1e6", kMostDifferent, per_million <= kMostDifferent,
+                         static_cast<double>(hits) / rays});
     }
 
     std::string name_;
@@ -185,10 +202,10 @@ private:
     base::Workers& workers_;
     const Options& options_;
     double steps_;
-    std::unique_ptr<bench::OwnTracer> own_;
-    std::vector<std::unique_ptr<EmbreeGrid>> meshes_;
-    std::vector<Embree> embree_;
-    test_support::ReferenceTracer<std::int16_t> reference_{field_.grid(), raytrace::CellSurface::two_triangles};
+    std::unique_ptr<bench::OwnBounds> bounds_;
+    std::unique_ptr<EmbreeScenes> embree_;
+    bench::OwnPicture own_{kWidth, kHeight};
+    test_support::ReferenceTracer<std::int16_t> reference_{field_.grid(), kSurface};
 };
 
 void report_agreement(const std::string& name, TraceAgreement& ours, TraceAgreement& embree, std::vector<BenchResult>& lines) {
@@ -223,6 +240,7 @@ void measure(const Options& options, std::vector<BenchResult>& lines) {
         Terrain terrain(one.name, one.side, one.has_needles, *workers.value(), options);
         terrain.measure_build(lines);
         terrain.measure_pictures(one.targets, lines);
+        if (one.side == 512 && !one.has_needles) terrain.measure_widths(lines);
         TraceAgreement ours, embree;
         terrain.compare_with_reference(options.reference_millions * 1e6 * one.share, ours, embree);
         report_agreement(one.name, ours, embree, lines);

@@ -33,6 +33,14 @@ inline void flush_denormals() {
 template <int width>
 struct EmbreePacket;
 template <>
+struct EmbreePacket<4> {
+    static constexpr std::uint32_t kAcross = 2, kDown = 2;
+    using Rays = RTCRayHit4;
+    static void trace(const int* valid, RTCScene scene, RTCIntersectContext* context, Rays* rays) {
+        rtcIntersect4(valid, scene, context, rays);
+    }
+};
+template <>
 struct EmbreePacket<8> {
     static constexpr std::uint32_t kAcross = 4, kDown = 2;
     using Rays = RTCRayHit8;
@@ -62,10 +70,10 @@ struct PacketCamera {
     }
 };
 
-/// One coordinate of the directions of `count` pixels with their middles at x and y.
+/// One coordinate of the directions, as GridCamera::ray() makes them, of `count` pixels with their middles at x and y.
 TEDAVIS_BENCH_CLONES inline void make_directions(float corner, float right, float down, const float* __restrict x,
                                                  const float* __restrict y, int count, float* __restrict direction) {
-    for (int n = 0; n < count; ++n) direction[n] = corner + (right * x[n] + down * y[n]);
+    for (int n = 0; n < count; ++n) direction[n] = (corner + right * x[n]) + down * y[n];
 }
 
 class EmbreePicture {
@@ -73,7 +81,7 @@ public:
     EmbreePicture(const test_support::EmbreeGrid& grid, const test_support::TraceCamera& camera, std::vector<float>& t)
         : scene_(grid.scene()), camera_(camera), packet_camera_(camera), t_(t) {}
 
-    /// 1, 8 or 16 rays at a time, all marked as coherent.
+    /// 1, 4, 8 or 16 rays at a time, all marked as coherent.
     void draw(int lanes, base::Workers& workers) {
         lanes_ = lanes;
         workers.parallel_for(
@@ -87,6 +95,7 @@ private:
     void draw_band(std::uint32_t first) {
         flush_denormals();
         if (lanes_ == 1) return draw_single(first);
+        if (lanes_ == 4) return draw_packets<4>(first);
         lanes_ == 8 ? draw_packets<8>(first) : draw_packets<16>(first);
     }
     static RTCIntersectContext coherent() {
@@ -100,7 +109,7 @@ private:
         RTCRayHit ray{};
         for (std::uint32_t y = first; y < first + kBand; ++y) {
             for (std::uint32_t x = 0; x < camera_.width; ++x) {
-                const glm::vec3 direction = camera_.direction(x, y);
+                const glm::vec3 direction = camera_.ray(x, y).direction;
                 ray.ray.org_x = packet_camera_.eye[0];
                 ray.ray.org_y = packet_camera_.eye[1];
                 ray.ray.org_z = packet_camera_.eye[2];

@@ -4,53 +4,56 @@
 #include <cstdint>
 #include <vector>
 
-#include "render_core/base/memory_budget.hpp"
-#include "render_core/raytrace/trace_ray.hpp"
+#include "render_core/base/check.hpp"
+#include "render_core/raytrace/trace_view.hpp"
 #include "tests/support/trace_cameras.hpp"
 
 namespace tedavis::bench {
 
-/// The tracer over a grid, with its memory.
-class OwnTracer {
+using OwnKernel = raytrace::ViewKernel<std::int16_t>;
+
+/// The bounds of a grid, with their memory.
+class OwnBounds {
 public:
-    explicit OwnTracer(const raytrace::HeightGrid<std::int16_t>& grid)
-        : memory_(raytrace::HeightMipmap<std::int16_t>::bytes_needed(grid.columns, grid.rows)),
-          posts_bytes_(std::size_t{grid.stride} * grid.rows * sizeof(std::int16_t)) {
-        base::Arena arena(memory_.data(), memory_.size());
-        is_started_ = maxima_.start(grid, arena);
+    explicit OwnBounds(const raytrace::HeightGrid<std::int16_t>& grid)
+        : bytes_(raytrace::HeightMipmap<std::int16_t>::bytes_needed(grid.columns, grid.rows)), memory_(bytes_ / 8 + 1) {
+        base::Arena arena(memory_.data(), memory_.size() * 8);
+        TEDAVIS_CHECK(maxima_.start(grid, arena));
     }
-    void build(base::Workers& workers) {
-        if (is_started_) maxima_.build(workers);
+    void build(base::Workers& workers) { maxima_.build(workers); }
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    [[nodiscard]] raytrace::TracedField<std::int16_t> field(raytrace::CellSurface surface) const {
+        return {&maxima_, nullptr, surface};
     }
-    [[nodiscard]] std::size_t bytes() const { return memory_.size() + posts_bytes_; }
-    [[nodiscard]] raytrace::TracedField<std::int16_t> field() const { return {&maxima_}; }
 
 private:
-    std::vector<unsigned char> memory_;
-    std::size_t posts_bytes_;
+    std::uint64_t bytes_;
+    std::vector<std::uint64_t> memory_;
     raytrace::HeightMipmap<std::int16_t> maxima_;
-    bool is_started_ = false;
 };
 
 class OwnPicture {
 public:
-    OwnPicture(const OwnTracer& tracer, const test_support::TraceCamera& camera, std::vector<float>& t)
-        : field_(tracer.field()), camera_(camera), t_(t) {}
-
-    void draw(base::Workers& workers) {
-        workers.parallel_for(
-            camera_.height, [](void* self, std::uint32_t row) { static_cast<OwnPicture*>(self)->draw_row(row); }, this);
+    OwnPicture(std::uint32_t width, std::uint32_t height)
+        : t(std::size_t{width} * height),
+          memory_(raytrace::ViewTracer<std::int16_t>::bytes_needed(width, height) / 8 + 1),
+          cell_(t.size()),
+          side_(t.size()) {
+        base::Arena arena(memory_.data(), memory_.size() * 8);
+        TEDAVIS_CHECK(tracer_.start(width, height, arena));
     }
+    void draw(const raytrace::TracedField<std::int16_t>& field, const test_support::TraceCamera& camera, const OwnKernel& kernel,
+              base::Workers& workers) {
+        tracer_.trace(field, camera.view(), kernel, workers, {t, cell_, side_});
+    }
+
+    std::vector<float> t;
 
 private:
-    void draw_row(std::uint32_t y) {
-        for (std::uint32_t x = 0; x < camera_.width; ++x)
-            t_[std::size_t{y} * camera_.width + x] = raytrace::trace_ray(field_, camera_.ray(x, y)).t;
-    }
-
-    raytrace::TracedField<std::int16_t> field_;
-    test_support::TraceCamera camera_;
-    std::vector<float>& t_;
+    std::vector<std::uint64_t> memory_;
+    std::vector<std::int32_t> cell_;
+    std::vector<raytrace::HitSide> side_;
+    raytrace::ViewTracer<std::int16_t> tracer_;
 };
 
 }  // namespace tedavis::bench

@@ -48,8 +48,11 @@ void set_triangles(RTCGeometry geometry, const HeightGrid<std::int16_t>& posts) 
 
 }  // namespace
 
-EmbreeGrid::EmbreeGrid(const HeightGrid<std::int16_t>& posts, float cell_per_step, EmbreeMesh mesh, unsigned threads) {
-    device_ = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
+EmbreeGrid::EmbreeGrid(const HeightGrid<std::int16_t>& posts, float cell_per_step, EmbreeMesh mesh, unsigned threads,
+                       const char* instruction_set) {
+    std::string settings = "threads=" + std::to_string(threads);
+    if (instruction_set != nullptr) settings += std::string(",isa=") + instruction_set;
+    device_ = rtcNewDevice(settings.c_str());
     rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
     scene_ = rtcNewScene(device_);
     RTCGeometry geometry =

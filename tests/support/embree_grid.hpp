@@ -17,8 +17,10 @@ enum class EmbreeMesh : std::uint8_t { grid, triangles };
 
 class EmbreeGrid {
 public:
-    /// The posts are copied. All must have heights. At most 32767 posts each way.
-    EmbreeGrid(const raytrace::HeightGrid<std::int16_t>& posts, float cell_per_step, EmbreeMesh mesh, unsigned threads);
+    /// The posts are copied. All must have heights. At most 32767 posts each way. `instruction_set` as in Embree's device
+    /// settings; without one it takes what suits the machine best.
+    EmbreeGrid(const raytrace::HeightGrid<std::int16_t>& posts, float cell_per_step, EmbreeMesh mesh, unsigned threads,
+               const char* instruction_set = nullptr);
     ~EmbreeGrid();
     EmbreeGrid(const EmbreeGrid&) = delete;
     EmbreeGrid& operator=(const EmbreeGrid&) = delete;

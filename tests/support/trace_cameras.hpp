@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "render_core/raytrace/ray.hpp"
+#include "render_core/raytrace/view_kernels.hpp"
 
 namespace tedavis::test_support {
 
@@ -24,12 +24,8 @@ struct TraceCamera {
         const glm::dvec3 scale(1, 1, steps);
         return {name, is_vertical, eye * scale, corner * scale, right * scale, down * scale, width, height};
     }
-    /// In 32 bits, in one order of operations: every tracer gets the same numbers.
-    [[nodiscard]] glm::vec3 direction(std::uint32_t x, std::uint32_t y) const {
-        const float across = static_cast<float>(x) + 0.5F, along = static_cast<float>(y) + 0.5F;
-        return glm::vec3(corner) + (glm::vec3(right) * across + glm::vec3(down) * along);
-    }
-    [[nodiscard]] raytrace::Ray ray(std::uint32_t x, std::uint32_t y) const { return {eye, direction(x, y)}; }
+    [[nodiscard]] raytrace::GridCamera view() const { return {eye, corner, right, down}; }
+    [[nodiscard]] raytrace::Ray ray(std::uint32_t x, std::uint32_t y) const { return view().ray(x, y); }
 };
 
 /// 60 degrees wide, over the middle of a field of `side` posts whose hills are 0.15 side high. In cells.

@@ -36,7 +36,7 @@ TraceAgreement agreement_of(const TracedGround<std::int16_t>& ground, double ste
                 const Hit hit = ground.trace(ray, surface);
                 ours.add(expected, hit.side == HitSide::above, hit.t);
                 if (embree == nullptr) continue;
-                const glm::vec3 direction = camera.direction(x, y);
+                const glm::vec3 direction = camera.ray(x, y).direction;
                 const float t = other.trace(eye, {direction.x, direction.y, direction.z});
                 embree->add(expected, t < INFINITY, t);
             }
