@@ -92,11 +92,10 @@ class Terrain {
 public:
     Terrain(std::string name, std::uint32_t side, bool has_needles, base::Workers& workers, const Options& options)
         : name_(std::move(name)),
-          field_(test_support::fractal_heights(side)),
+          field_(heights(side, has_needles)),
           workers_(workers),
           options_(options),
           steps_(test_support::steps_a_cell(side)) {
-        if (has_needles) test_support::add_needles(field_);
         bounds_ = std::make_unique<bench::OwnBounds>(field_.grid());
         embree_ = std::make_unique<EmbreeScenes>(field_.grid(), steps_);
     }
@@ -150,6 +149,11 @@ public:
 private:
     static constexpr raytrace::CellSurface kSurface = raytrace::CellSurface::two_triangles;
 
+    static test_support::HeightField<std::int16_t> heights(std::uint32_t side, bool has_needles) {
+        auto field = test_support::fractal_heights(side);
+        if (has_needles) test_support::add_needles(field);
+        return field;
+    }
     struct Comparison {
         Terrain* terrain;
         TraceCamera camera;
@@ -216,6 +220,8 @@ void report_agreement(const std::string& name, TraceAgreement& ours, TraceAgreem
                      count(embree.unexplained)});
     lines.push_back({what + "differ, explained or not", count(ours.different), "rays", count(ours.close),
                      ours.different <= ours.close, count(embree.different)});
+    lines.push_back(
+        {what + "further in t than floats err", count(ours.misplaced), "rays", 0, ours.misplaced == 0, count(embree.misplaced)});
     lines.push_back({what + "p99.9 of relative depth", far, "of t", 1e-6, far <= 1e-6, embree_far});
     lines.push_back({what + "Embree differs, per million", count(embree.different) * 1e6 / rays, "rays", 11, true, 11});
 }
