@@ -7,8 +7,8 @@
 
 namespace tedavis::raytrace {
 
-/// Points origin + t * direction, for t from `from` to `to`. The direction needs no length, but must not be zero; a component
-/// below 1e-30 counts as that much of its sign.
+/// Points origin + t * direction, for t from `from` to `to`. The direction needs no length, but must not be zero. Of x and y,
+/// what is nearer to zero than 1e-30 counts as 1e-30, whatever its sign: a machine that flushes denormals finds the same.
 struct Ray {
     glm::dvec3 origin{0};
     glm::vec3 direction{0};

@@ -15,7 +15,7 @@ using Real = long double;
 constexpr Real kNever = std::numeric_limits<Real>::infinity();
 constexpr Real kFarOff = 64;  ///< height steps above or below all posts
 
-Real component(float value) { return value < 0 ? std::min(Real{value}, -1e-30L) : std::max(Real{value}, 1e-30L); }
+Real component(float value) { return std::abs(value) < 1e-30F ? 1e-30L : Real{value}; }
 
 struct Straight {
     Real x, y, z, dx, dy, dz;

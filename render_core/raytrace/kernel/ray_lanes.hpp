@@ -40,10 +40,11 @@ struct RayAxis {
         s.inverse = V::select(m, a.inverse, b.inverse);
         return s;
     }
-    /// Of an origin's cell (column or row) and fraction, and of speeds that may be 0.
+    /// Of an origin's cell (column or row) and fraction, and of speeds that may be 0. Those next to it have no sign: where
+    /// denormals are flushed they lose it.
     TEDAVIS_LANES_INLINE RayAxis make(Int cell, Float fraction, Float direction) {
         constexpr float kLeastSpeed = 1e-30f;
-        const auto is_back = direction < Float(0);
+        const auto is_back = direction < Float(-kLeastSpeed);
         RayAxis a;
         a.sign = V::select(is_back, Int(-1), Int(0));
         a.own_cell = cell;
