@@ -1,8 +1,9 @@
 /// Primary rays over generated terrain at 1920 x 1080, on two threads: our tracer beside the fastest that Embree has for the same
-/// heights (grid or triangles; 1, 8 or 16 rays at a time, coherent), generation of the rays included on both sides. Five cameras
-/// (trace_cameras.hpp) over 512 x 512 and 4096 x 4096 posts, and over needles. Then what the structures cost, and how far the
-/// pictures agree with each other and with our reference in long double. `--json` prints the lines as a list; `--quick` measures
-/// only 512 x 512, three times each; `--reference N` compares N million rays with the reference (0.4 without).
+/// heights (grid or triangles; 1, 4, 8 or 16 rays at a time, coherent), generation of the rays included on both sides. Five
+/// cameras (trace_cameras.hpp) over 512 x 512 and 4096 x 4096 posts, and over needles. Then what the structures cost, and how far
+/// the pictures agree with each other and with our reference in long double. `--json` prints the lines as a list; `--quick`
+/// measures only 512 x 512, three times each; `--reference N` measures no times and compares N million rays with the reference
+/// instead of 0.4.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,7 +35,7 @@ constexpr std::uint32_t kWidth = 1920, kHeight = 1080, kThreads = 2;
 constexpr double kMostDifferent = 25;  // pixels of a million; Embree itself is wrong in some
 
 struct Options {
-    bool json = false, quick = false;
+    bool json = false, quick = false, times = true;
     double reference_millions = 0.4;
     [[nodiscard]] int runs() const { return quick ? 3 : 9; }
 };
@@ -64,9 +65,13 @@ struct EmbreeScenes {
     };
     std::vector<std::unique_ptr<EmbreeGrid>> grids;
 
-    EmbreeScenes(const raytrace::HeightGrid<std::int16_t>& posts, double steps, const char* instruction_set = nullptr) {
+    /// Triangles take the most memory, and time to build.
+    EmbreeScenes(const raytrace::HeightGrid<std::int16_t>& posts, double steps, bool has_triangles,
+                 const char* instruction_set = nullptr) {
         for (const EmbreeMesh mesh : {EmbreeMesh::grid, EmbreeMesh::triangles})
-            grids.push_back(std::make_unique<EmbreeGrid>(posts, static_cast<float>(1 / steps), mesh, kThreads, instruction_set));
+            if (mesh == EmbreeMesh::grid || has_triangles)
+                grids.push_back(
+                    std::make_unique<EmbreeGrid>(posts, static_cast<float>(1 / steps), mesh, kThreads, instruction_set));
     }
     /// Of three runs each, by the shortest.
     [[nodiscard]] Way fastest(const TraceCamera& camera, std::vector<float>& t, base::Workers& workers) const {
@@ -97,7 +102,7 @@ public:
           options_(options),
           steps_(test_support::steps_a_cell(side)) {
         bounds_ = std::make_unique<bench::OwnBounds>(field_.grid());
-        embree_ = std::make_unique<EmbreeScenes>(field_.grid(), steps_);
+        embree_ = std::make_unique<EmbreeScenes>(field_.grid(), steps_, options.times);
     }
 
     /// Ours and Embree's structures; Embree is built once.
@@ -124,7 +129,7 @@ public:
         const auto kernels = raytrace::view_kernels<std::int16_t>();
         for (std::size_t n = 1; n + 1 < kernels.size(); ++n)
             measure(camera, kernels[n], *embree_, 1, std::string(", ") + kernels[n].name, lines);
-        const EmbreeScenes narrow(field_.grid(), steps_, "sse2");
+        const EmbreeScenes narrow(field_.grid(), steps_, true, "sse2");
         measure(camera, kernels[kernels.size() - 1], narrow, 1, ", scalar beside SSE2", lines);
     }
 
@@ -245,8 +250,8 @@ void measure(const Options& options, std::vector<BenchResult>& lines) {
         if (options.quick && one.side > 512) continue;
         Terrain terrain(one.name, one.side, one.has_needles, *workers.value(), options);
         terrain.measure_build(lines);
-        terrain.measure_pictures(one.targets, lines);
-        if (one.side == 512 && !one.has_needles) terrain.measure_widths(lines);
+        if (options.times) terrain.measure_pictures(one.targets, lines);
+        if (options.times && one.side == 512 && !one.has_needles) terrain.measure_widths(lines);
         TraceAgreement ours, embree;
         terrain.compare_with_reference(options.reference_millions * 1e6 * one.share, ours, embree);
         report_agreement(one.name, ours, embree, lines);
@@ -265,6 +270,7 @@ int main(int argc, char** argv) {
             options.quick = true;
         } else if (word == "--reference" && n + 1 < argc && std::atof(argv[n + 1]) > 0) {
             options.reference_millions = std::atof(argv[++n]);
+            options.times = false;
         } else {
             std::fprintf(stderr, "bench_raytrace: cannot use '%s'; known are --json, --quick and --reference MILLIONS\n",
                          argv[n]);
