@@ -268,8 +268,8 @@ int main(int argc, char** argv) {
             options.json = true;
         } else if (word == "--quick") {
             options.quick = true;
-        } else if (word == "--reference" && n + 1 < argc && std::atof(argv[n + 1]) > 0) {
-            options.reference_millions = std::atof(argv[++n]);
+        } else if (word == "--reference" && n + 1 < argc && std::strtod(argv[n + 1], nullptr) > 0) {
+            options.reference_millions = std::strtod(argv[++n], nullptr);
             options.times = false;
         } else {
             std::fprintf(stderr, "bench_raytrace: cannot use '%s'; known are --json, --quick and --reference MILLIONS\n",
