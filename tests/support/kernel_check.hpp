@@ -27,9 +27,10 @@ bool expect_bits_of_single_rays(int lanes, raytrace::CellSurface surface) {
     for (const bool has_holes : {false, true}) {
         const ViewedHills<Height> hills(271, 190, has_holes);
         const auto field = hills.field(surface);
-        for (int round = 0; round < 12; ++round) {
-            const std::uint32_t width = 33 + 11 * static_cast<std::uint32_t>(round), height = 71;
-            const raytrace::GridCamera camera = any_camera(random, 271, 190, width);
+        for (int round = 0; round < 24; ++round) {
+            const std::uint32_t width = 33 + 6 * static_cast<std::uint32_t>(round), height = 71;
+            const raytrace::GridCamera camera =
+                round % 2 == 0 ? any_camera(random, 271, 190, width) : upright_camera(random, 271, 190, width, round % 4 == 1);
             const TracedPicture singly = traced_singly(field, camera, width, height);
             EXPECT_EQ(traced_by(*kernel, field, camera, width, height, workers).differences(singly), 0u)
                 << kernel->name << ", camera " << round;

@@ -67,6 +67,16 @@ inline raytrace::GridCamera any_camera(std::mt19937& random, double columns, dou
     return camera;
 }
 
+/// Its columns lie in vertical planes; `is_flipped`: its first row is the lowest.
+inline raytrace::GridCamera upright_camera(std::mt19937& random, double columns, double rows, std::uint32_t width,
+                                           bool is_flipped) {
+    raytrace::GridCamera camera = any_camera(random, columns, rows, width);
+    camera.right.z *= 0.1f;
+    camera.down = {0, 0, is_flipped ? 0.7f : -0.7f};
+    camera.corner.z = is_flipped ? -60.0f : 15.0f;
+    return camera;
+}
+
 struct TracedPicture {
     TracedPicture(std::uint32_t w, std::uint32_t h) : width(w), height(h), t(w * h), cell(w * h), side(w * h) {}
     [[nodiscard]] raytrace::HitPicture picture() { return {t, cell, side}; }

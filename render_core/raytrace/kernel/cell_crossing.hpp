@@ -2,12 +2,13 @@
 ///
 /// The surface is compared with the ray where it enters and leaves the cell and, of two triangles, where it crosses from one to
 /// the other: signs decide whether it is met, and only then where. A ray below the surface as it enters has met it there.
-/// Heights of the surface are held below the cell's highest post, so that a node that lies below a ray holds no meeting.
+/// Heights of the surface are held between the cell's lowest and highest post, so that a node whose bound is clear of a ray holds
+/// no meeting.
 #pragma once
 
 #include "render_core/raytrace/kernel/ray_lanes.hpp"
 #include "render_core/raytrace/kernel/traced_nodes.hpp"
-#include "render_core/raytrace/ray.hpp"
+#include "render_core/raytrace/trace_ray.hpp"
 
 namespace tedavis::raytrace {
 
@@ -78,110 +79,132 @@ struct CellPosts {
     TEDAVIS_LANES_INLINE Float within(Float place) { return V::min(V::max(place, Float(0)), Float(1)); }
 };
 
-/// How far the ray is from the surface, on the side that it came along.
-template <class V, class Height, HitSide side>
-struct RayGap {
+/// What rays that cross a cell at one pair of times find of its surface, whatever their climb: heights where they enter and
+/// leave, and what lies between. Rays of one column share it (column_sweep.hpp).
+template <class V>
+struct CellProfile {
     using Float = typename V::Float;
-    Float t, u, v, height, gap;
-
-    TEDAVIS_LANES_INLINE RayGap at(const RayLanes<V>& ray, const CellPosts<V, Height>& p, Float t) {
-        using Posts = CellPosts<V, Height>;
-        RayGap g;
-        g.t = t;
-        g.u = Posts::within(p.column + t * ray.x.own_speed);
-        g.v = Posts::within(p.row + t * ray.y.own_speed);
-        g.height = RayLanes<V>::height_at(ray, t);
-        return g;
-    }
-    TEDAVIS_LANES_INLINE void compare(RayGap& g, const CellPosts<V, Height>& p, Float surface) {
-        if constexpr (side == HitSide::below)
-            g.gap = V::max(surface, p.lowest) - g.height;
-        else
-            g.gap = g.height - V::min(surface, p.highest);
-    }
-    TEDAVIS_LANES_INLINE void over_triangles(RayGap& g, const CellPosts<V, Height>& p) {
-        const Float north = p.nw + g.u * (p.ne - p.nw) + g.v * (p.sw - p.nw);
-        const Float south = p.se + (Float(1) - g.u) * (p.sw - p.se) + (Float(1) - g.v) * (p.ne - p.se);
-        compare(g, p, V::select(g.u + g.v <= Float(1), north, south));
-    }
-    TEDAVIS_LANES_INLINE void over_patch(RayGap& g, const CellPosts<V, Height>& p) {
-        compare(g, p, p.nw + g.u * (p.ne - p.nw) + g.v * (p.sw - p.nw) + g.u * g.v * (p.nw - p.ne - p.sw + p.se));
-    }
+    Float t_in, t_out, surface_in, surface_out;
+    typename V::Mask crosses;        ///< from one triangle to the other
+    Float t_middle, surface_middle;  ///< there
+    Float bend;                      ///< of a patch: twice the surface's, over the whole way
+    Float highest, lowest;           ///< of the posts
+    Float seam, size;                ///< as seam_tolerance() wants them
 };
 
+template <class V, class Height, CellSurface surface>
+TEDAVIS_LANES_INLINE CellProfile<V> profile_of(const RayLanes<V>& ray, const CellPosts<V, Height>& p, typename V::Float t_in,
+                                               typename V::Float t_out) {
+    using Float = typename V::Float;
+    using Posts = CellPosts<V, Height>;
+    const Float one(1), none(0);
+    const Float u_in = Posts::within(p.column + t_in * ray.x.own_speed), v_in = Posts::within(p.row + t_in * ray.y.own_speed);
+    const Float u_out = Posts::within(p.column + t_out * ray.x.own_speed), v_out = Posts::within(p.row + t_out * ray.y.own_speed);
+    const auto held = [&](Float height) TEDAVIS_LANES_LAMBDA { return V::max(V::min(height, p.highest), p.lowest); };
+    CellProfile<V> all;
+    all.t_in = t_in;
+    all.t_out = t_out;
+    all.highest = p.highest;
+    all.lowest = p.lowest;
+    if constexpr (surface == CellSurface::two_triangles) {
+        const auto at = [&](Float u, Float v) TEDAVIS_LANES_LAMBDA {
+            const Float north = p.nw + u * (p.ne - p.nw) + v * (p.sw - p.nw);
+            const Float south = p.se + (one - u) * (p.sw - p.se) + (one - v) * (p.ne - p.se);
+            return held(V::select(u + v <= one, north, south));
+        };
+        all.surface_in = at(u_in, v_in);
+        all.surface_out = at(u_out, v_out);
+        const Float side_in = u_in + v_in - one, side_out = u_out + v_out - one;
+        all.crosses = side_in * side_out < none;
+        all.t_middle = V::min(V::max(t_in + (t_out - t_in) * (side_in / (side_in - side_out)), t_in), t_out);
+        const Float u_middle = Posts::within(p.column + all.t_middle * ray.x.own_speed);
+        all.surface_middle = held(p.sw + u_middle * (p.ne - p.sw));
+        all.bend = none;
+    } else {
+        const Float twist = p.ne - p.nw + p.sw - p.se;
+        const auto at = [&](Float u, Float v)
+                            TEDAVIS_LANES_LAMBDA { return held(p.nw + u * (p.ne - p.nw) + v * (p.sw - p.nw) - u * v * twist); };
+        all.surface_in = at(u_in, v_in);
+        all.surface_out = at(u_out, v_out);
+        all.bend = twist * (u_out - u_in) * (v_out - v_in);
+        all.crosses = V::mask(0);
+        all.t_middle = t_in;
+        all.surface_middle = all.surface_in;
+    }
+    all.seam = (t_in * (ray.x.speed + ray.y.speed) + Float(2)) * (p.highest - p.lowest);
+    all.size = V::max(p.highest, none - p.lowest);
+    return all;
+}
+
 /// What two sides of an edge may differ by, and more.
-template <class V, class Height, HitSide side>
-TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const RayLanes<V>& ray, const CellPosts<V, Height>& p,
-                                                      const RayGap<V, Height, side>& in) {
+template <class V>
+TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const CellProfile<V>& p, typename V::Float height) {
     using Float = typename V::Float;
     constexpr float kSteps = 4.8e-7f;  // four units in the last place
-    const Float far = in.t * (ray.x.speed + ray.y.speed) + Float(2);
-    const Float height = V::max(V::max(in.height, Float(0) - in.height), V::max(p.highest, Float(0) - p.lowest));
-    return Float(kSteps) * (far * (p.highest - p.lowest) + height);
+    return Float(kSteps) * (p.seam + V::max(V::max(height, Float(0) - height), p.size));
 }
 
-/// Between two places where the gap is more than 0 and not; linear between.
-template <class V, class Height, HitSide side>
-TEDAVIS_LANES_INLINE typename V::Float meeting_between(const RayGap<V, Height, side>& a, const RayGap<V, Height, side>& b) {
-    return a.t + (b.t - a.t) * (a.gap / (a.gap - b.gap));
+/// How far a ray at a height is from the surface, on the side that it came along.
+template <class V, HitSide side>
+TEDAVIS_LANES_INLINE typename V::Float gap_of(typename V::Float height, typename V::Float surface) {
+    return side == HitSide::below ? surface - height : height - surface;
 }
 
-template <class V, class Height, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellPosts<V, Height>& p, typename V::Float t_in,
-                                                   typename V::Float t_out) {
+template <class V, HitSide side>
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p) {
     using Float = typename V::Float;
-    using Gap = RayGap<V, Height, side>;
-    Gap in = Gap::at(ray, p, t_in), out = Gap::at(ray, p, t_out);
-    Gap::over_triangles(in, p);
-    Gap::over_triangles(out, p);
-    const Float side_in = in.u + in.v - Float(1), side_out = out.u + out.v - Float(1);
-    const auto crosses = side_in * side_out < Float(0);
-    Gap middle = Gap::at(ray, p, V::min(V::max(t_in + (t_out - t_in) * (side_in / (side_in - side_out)), t_in), t_out));
-    Gap::compare(middle, p, p.sw + middle.u * (p.ne - p.sw));
-
+    using Ray = RayLanes<V>;
+    const Float height_in = Ray::height_at(ray, p.t_in);
+    const Float in = gap_of<V, side>(height_in, p.surface_in);
+    const Float middle = gap_of<V, side>(Ray::height_at(ray, p.t_middle), p.surface_middle);
+    const Float out = gap_of<V, side>(Ray::height_at(ray, p.t_out), p.surface_out);
+    const auto is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
     CellMeeting<V> m;
-    const auto is_met_in = in.gap <= Float(0);
-    const auto is_met_before = crosses & (middle.gap <= Float(0));
-    m.is_met = is_met_in | is_met_before | (out.gap <= Float(0));
-    m.is_beyond = in.gap < Float(0) - seam_tolerance<V, Height, side>(ray, p, in);
-    Gap a, b;
-    const auto is_after = V::without(crosses, is_met_before);
-    a.t = V::select(is_after, middle.t, in.t);
-    a.gap = V::select(is_after, middle.gap, in.gap);
-    b.t = V::select(is_met_before, middle.t, out.t);
-    b.gap = V::select(is_met_before, middle.gap, out.gap);
-    m.t = V::select(is_met_in, t_in, meeting_between<V, Height, side>(a, b));
+    m.is_met = is_met_in | is_met_before | (out <= Float(0));
+    m.is_beyond = in < Float(0) - seam_tolerance<V>(p, height_in);
+    // Linear between the last place on this side and the first on the other.
+    const auto is_after = V::without(p.crosses, is_met_before);
+    const Float since = V::select(is_after, p.t_middle, p.t_in), gap_since = V::select(is_after, middle, in);
+    const Float until = V::select(is_met_before, p.t_middle, p.t_out), gap_until = V::select(is_met_before, middle, out);
+    m.t = V::select(is_met_in, p.t_in, since + (until - since) * (gap_since / (gap_since - gap_until)));
     return m;
 }
 
 /// A ray over a bilinear patch has a quadratic gap; it may dip below the surface between two places above it.
-template <class V, class Height, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellPosts<V, Height>& p, typename V::Float t_in,
-                                               typename V::Float t_out) {
+template <class V, HitSide side>
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p) {
     using Float = typename V::Float;
-    using Gap = RayGap<V, Height, side>;
-    Gap in = Gap::at(ray, p, t_in), out = Gap::at(ray, p, t_out);
-    Gap::over_patch(in, p);
-    Gap::over_patch(out, p);
-    const Float twist = side == HitSide::below ? p.nw - p.ne - p.sw + p.se : p.ne - p.nw + p.sw - p.se;
-    const Float whole_bend = twist * (out.u - in.u) * (out.v - in.v);
-    const Float whole_fall = in.gap - out.gap + whole_bend;  // of the gap, as it enters
+    using Ray = RayLanes<V>;
+    const Float height_in = Ray::height_at(ray, p.t_in);
+    const Float in = gap_of<V, side>(height_in, p.surface_in);
+    const Float out = gap_of<V, side>(Ray::height_at(ray, p.t_out), p.surface_out);
+    const Float whole_bend = side == HitSide::below ? Float(0) - p.bend : p.bend;
+    const Float whole_fall = in - out + whole_bend;  // of the gap, as it enters
     // Over the larger of both, so that no square is too large for a float where a ray stands upright.
     const Float scale = Float(1) / V::max(V::max(whole_fall, Float(0) - whole_fall), V::max(whole_bend, Float(0) - whole_bend));
-    const Float bend = whole_bend * scale, fall = whole_fall * scale, gap = in.gap * scale;
+    const Float bend = whole_bend * scale, fall = whole_fall * scale, gap = in * scale;
     const Float root = fall * fall - Float(4) * bend * gap;
     const Float width = V::sqrt(V::max(root, Float(0)));
     const auto falls = fall > Float(0);  // whichever form of the first root takes nothing away from its like
     const Float share = V::select(falls, gap + gap, fall - width) / V::select(falls, fall + width, bend + bend);
-    const Float between = t_in + (t_out - t_in) * share;
-    const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & (RayLanes<V>::height_at(ray, between) <= p.highest);
-
+    const Float between = p.t_in + (p.t_out - p.t_in) * share;
+    const Float height = Ray::height_at(ray, between);
+    const auto is_possible = side == HitSide::below ? height >= p.lowest : height <= p.highest;
+    const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & is_possible;
+    const auto is_met_in = in <= Float(0);
     CellMeeting<V> m;
-    const auto is_met_in = in.gap <= Float(0);
-    m.is_met = is_met_in | dips | (out.gap <= Float(0));
-    m.is_beyond = in.gap < Float(0) - seam_tolerance<V, Height, side>(ray, p, in);
-    m.t = V::select(is_met_in, t_in, V::min(V::max(between, t_in), t_out));
+    m.is_met = is_met_in | dips | (out <= Float(0));
+    m.is_beyond = in < Float(0) - seam_tolerance<V>(p, height_in);
+    m.t = V::select(is_met_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
     return m;
+}
+
+template <class V, CellSurface surface, HitSide side>
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p) {
+    if constexpr (surface == CellSurface::two_triangles)
+        return meet_triangles<V, side>(ray, p);
+    else
+        return meet_patch<V, side>(ray, p);
 }
 
 }  // namespace tedavis::raytrace

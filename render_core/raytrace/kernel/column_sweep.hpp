@@ -49,10 +49,8 @@ TEDAVIS_LANES_INLINE void keep_and_go_on(const ViewJob<Height>& job, const ViewS
     }
     sweep.row = V::select(m.is_met, sweep.row + Int(sweep.step), sweep.row);
     ray.climb = climb_of(slopes, sweep);
-    const auto goes_on = V::without(m.is_met, sweep.row == Int(sweep.end));
-    m.runs = m.runs | goes_on;
-    m.asks = goes_on;
-    m.is_met = m.is_beyond = V::mask(0);
+    m.asks = V::without(m.is_met, sweep.row == Int(sweep.end));
+    m.runs = V::without(m.runs, V::without(m.is_met, m.asks));
 }
 
 template <class V, class Height>
@@ -63,6 +61,30 @@ TEDAVIS_LANES_INLINE void clear_columns(const ViewJob<Height>& job, std::uint32_
             job.cell[at] = -1;
             job.side[at] = HitSide::none;
         }
+}
+
+/// All rays of the columns that ask which meet the cells that they stand before.
+template <class V, class Height, CellSurface surface>
+TEDAVIS_LANES_INLINE void sweep_cells(const ViewJob<Height>& job, const TracedNodes<Height>& nodes, const ViewSlopes& slopes,
+                                      std::uint32_t left, ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    using Axis = RayAxis<V>;
+    const Int one(1), column = m.column ^ ray.x.sign, row = m.row ^ ray.y.sign;
+    const auto posts = CellPosts<V, Height>::gather(nodes, ray, column, row, m.asks);
+    const Float t_in = V::max(V::max(Axis::crossing(ray.x, m.column), Axis::crossing(ray.y, m.row)), ray.from);
+    const Float t_out = V::min(V::min(Axis::crossing(ray.x, m.column + one), Axis::crossing(ray.y, m.row + one)), ray.to);
+    const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
+    m.met_column = column;
+    m.met_row = row;
+    while (V::any(m.asks)) {
+        const CellMeeting<V> meeting = meet_surface<V, surface, HitSide::above>(ray, profile);
+        m.is_met = m.asks & meeting.is_met;
+        m.is_beyond = m.is_met & meeting.is_beyond;
+        m.met_t = meeting.t;
+        m.passes = m.passes | V::without(m.asks, m.is_met);
+        keep_and_go_on<V, Height>(job, slopes, left, nodes.columns, sweep, ray, m);
+    }
 }
 
 /// Columns [left, left + V::kCount) of the picture, as far as it has them.
@@ -92,8 +114,7 @@ void sweep_columns(const ViewJob<Height>& job, const TracedNodes<Height>& nodes,
             step_node<V, Height, HitSide::above>(nodes, ray, m, steps);
             continue;
         }
-        meet_cells<V, Height, surface, HitSide::above>(nodes, ray, m);
-        keep_and_go_on<V, Height>(job, slopes, left, nodes.columns, sweep, ray, m);
+        sweep_cells<V, Height, surface>(job, nodes, slopes, left, sweep, ray, m);
     }
 }
 

@@ -75,9 +75,8 @@ template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
                                            typename V::Int row, typename V::Float t_in, typename V::Float t_out,
                                            typename V::Mask asked, March<V>& m) {
-    const CellMeeting<V> meeting = surface == CellSurface::two_triangles
-                                       ? meet_triangles<V, Height, side>(ray, posts, t_in, t_out)
-                                       : meet_patch<V, Height, side>(ray, posts, t_in, t_out);
+    const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
+    const CellMeeting<V> meeting = meet_surface<V, surface, side>(ray, profile);
     const auto met = asked & meeting.is_met;
     m.is_met = m.is_met | met;
     m.is_beyond = m.is_beyond | (met & meeting.is_beyond);

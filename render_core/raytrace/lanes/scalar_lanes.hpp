@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #define TEDAVIS_LANES_INLINE static inline __attribute__((always_inline))
+#define TEDAVIS_LANES_LAMBDA __attribute__((always_inline))
 
 namespace tedavis::raytrace {
 
