@@ -153,11 +153,11 @@ TEDAVIS_LANES_INLINE typename V::Float gap_of(typename V::Float height, typename
 template <class V, HitSide side>
 TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p) {
     using Float = typename V::Float;
-    using Ray = RayLanes<V>;
-    const Float height_in = Ray::height_at(ray, p.t_in);
+    using Lanes = RayLanes<V>;
+    const Float height_in = Lanes::height_at(ray, p.t_in);
     const Float in = gap_of<V, side>(height_in, p.surface_in);
-    const Float middle = gap_of<V, side>(Ray::height_at(ray, p.t_middle), p.surface_middle);
-    const Float out = gap_of<V, side>(Ray::height_at(ray, p.t_out), p.surface_out);
+    const Float middle = gap_of<V, side>(Lanes::height_at(ray, p.t_middle), p.surface_middle);
+    const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
     const auto is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
     CellMeeting<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
@@ -174,10 +174,10 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
 template <class V, HitSide side>
 TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p) {
     using Float = typename V::Float;
-    using Ray = RayLanes<V>;
-    const Float height_in = Ray::height_at(ray, p.t_in);
+    using Lanes = RayLanes<V>;
+    const Float height_in = Lanes::height_at(ray, p.t_in);
     const Float in = gap_of<V, side>(height_in, p.surface_in);
-    const Float out = gap_of<V, side>(Ray::height_at(ray, p.t_out), p.surface_out);
+    const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
     const Float whole_bend = side == HitSide::below ? Float(0) - p.bend : p.bend;
     const Float whole_fall = in - out + whole_bend;  // of the gap, as it enters
     // Over the larger of both, so that no square is too large for a float where a ray stands upright.
@@ -188,7 +188,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
     const auto falls = fall > Float(0);  // whichever form of the first root takes nothing away from its like
     const Float share = V::select(falls, gap + gap, fall - width) / V::select(falls, fall + width, bend + bend);
     const Float between = p.t_in + (p.t_out - p.t_in) * share;
-    const Float height = Ray::height_at(ray, between);
+    const Float height = Lanes::height_at(ray, between);
     const auto is_possible = side == HitSide::below ? height >= p.lowest : height <= p.highest;
     const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & is_possible;
     const auto is_met_in = in <= Float(0);
