@@ -1,0 +1,54 @@
+/// Rewrites a token stream by workers, round by round, until no call is left (thesis 6.2.2.1).
+///
+/// A round executes every call that is complete when it begins and has room (allocate_round.hpp), so that the streams after each
+/// round, and what tasks see that are changed between two rounds, are the same for every number of workers and every block size,
+/// bit for bit. Counts of batches and lanes are not.
+///
+/// Memory  an arena's, at start; no heap. One caller; the workers' tasks are over when a function returns.
+#pragma once
+
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/raytrace/stream/segment.hpp"
+#include "render_core/raytrace/stream/token_stream.hpp"
+
+namespace tedavis::raytrace {
+
+struct RewriteReport {
+    std::uint32_t rounds = 0;
+    bool is_finished = false;  ///< no calls are left
+    RewriteCounts counts;
+    std::uint32_t waits = 0;  ///< rounds in which calls had to wait for room
+};
+
+class StreamRewriter {
+public:
+    using Answer = base::Result<RewriteReport, base::FaultText>;
+
+    [[nodiscard]] static std::uint64_t bytes_needed(const StreamSettings& settings);
+    /// Gives the bytes taken, or a sentence. The stream has been started; it is borrowed.
+    [[nodiscard]] base::Result<std::uint64_t, base::FaultText> start(TokenStream& stream, base::Arena& arena);
+
+    /// At most so many rounds. A sentence where calls are left and none can be executed (no room, arguments missing, no such
+    /// task), or where a task gave what it must not: the stream stays as it is then, and can be read or cleared.
+    [[nodiscard]] Answer rewrite(const TaskNetwork& network, base::Workers& workers, std::uint32_t most_rounds);
+
+private:
+    struct Pass;
+
+    [[nodiscard]] std::uint32_t lanes_of(const base::Workers& workers) const;
+    void form_groups(std::uint32_t lanes);
+    void run_pass(base::Workers& workers, Pass& pass) const;
+    void link_groups();
+    void rewrite_once(const TaskNetwork& network, base::Workers& workers, RewriteReport& report);
+    [[nodiscard]] base::Span<BlockGroup> groups() const { return groups_.subspan(0, group_count_); }
+    [[nodiscard]] base::FaultText task_fault() const;
+    [[nodiscard]] base::FaultText stuck_text(const TaskNetwork& network) const;
+    [[nodiscard]] base::FaultText stuck_at(const TaskNetwork& network, std::uint32_t call, std::uint32_t literals) const;
+
+    TokenStream* stream_ = nullptr;
+    base::Span<BlockGroup> groups_;
+    base::Span<Segment> segments_;
+    std::uint32_t group_count_ = 0, call_count_ = 0;
+};
+
+}  // namespace tedavis::raytrace

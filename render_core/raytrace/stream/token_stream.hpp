@@ -1,0 +1,63 @@
+/// A program in post-order as a linked list of blocks from a fixed pool (thesis 6.2.2.1). StreamRewriter works on it.
+///
+/// Capacity is counted in words, whatever the block size; the pool has four times that, for what is read and what is written, and
+/// for blocks that are not full. What does not fit is refused and counted. Memory  an arena's, at start.
+#pragma once
+
+#include "render_core/base/fault_text.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/raytrace/stream/block_cursor.hpp"
+#include "render_core/raytrace/stream/token.hpp"
+
+namespace tedavis::raytrace {
+
+struct StreamSettings {
+    std::uint32_t block_words = 512;            ///< 64 to 4096, a power of two
+    std::uint32_t capacity_words = 256 * 1024;  ///< 2 kMostOutputWords to 2^26
+    /// Of the capacity: what only the first call that lengthens the stream may use, so that it can always go on. A task that
+    /// needs no more than this beyond its own words, when it is evaluated first call first, and leaves no more than it took,
+    /// comes to its end.
+    std::uint32_t reserve_words = 32 * 1024;
+    std::uint32_t most_workers = 8;  ///< that rewrite at once, 1 to 64
+};
+
+/// Groups that a round may have: each but the last has this many words or more.
+[[nodiscard]] std::uint32_t least_group_words(const StreamSettings& settings);
+[[nodiscard]] std::uint32_t most_groups(const StreamSettings& settings);
+
+class TokenStream {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(const StreamSettings& settings);
+    /// Gives the bytes taken, or a sentence.
+    [[nodiscard]] base::Result<std::uint64_t, base::FaultText> start(const StreamSettings& settings, base::Arena& arena);
+
+    /// Behind all that is there. False, and nothing is added, where there is no room.
+    [[nodiscard]] bool try_append(base::Span<const Token> tokens);
+    void clear();
+
+    [[nodiscard]] std::uint32_t words() const { return words_; }
+    /// In words; refused: appendings turned away, and rounds in which calls had to wait for room.
+    [[nodiscard]] const base::ResourceUse& use() const { return use_; }
+    [[nodiscard]] const StreamSettings& settings() const { return settings_; }
+    /// The first tokens, as many as fit; how many that are.
+    std::uint32_t read(base::Span<Token> out) const;
+
+    // For the rewriting.
+
+    [[nodiscard]] BlockPool& pool() { return pool_; }
+    [[nodiscard]] const BlockPool& pool() const { return pool_; }
+    [[nodiscard]] std::uint32_t first_block() const { return first_; }
+    void set_list(std::uint32_t first, std::uint32_t last, std::uint32_t words);
+    void count_refusal() { ++use_.refused; }
+
+private:
+    [[nodiscard]] bool add_block();
+
+    StreamSettings settings_;
+    BlockPool pool_;
+    std::uint32_t first_ = kNoBlock, last_ = kNoBlock;
+    std::uint32_t words_ = 0;
+    base::ResourceUse use_;
+};
+
+}  // namespace tedavis::raytrace
