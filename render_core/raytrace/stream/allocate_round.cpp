@@ -55,7 +55,7 @@ bool allocate_round(base::Span<BlockGroup> groups, const TaskNetwork& network, c
     return all_admitted;
 }
 
-void give_blocks(base::Span<BlockGroup> groups, const RoundRoom& room, BlockPool& pool) {
+void give_blocks(base::Span<BlockGroup> groups, const RoundRoom& room, const EarlyEnds& early, BlockPool& pool) {
     std::uint32_t all = 0;
     for (BlockGroup& group : groups) {
         const std::uint32_t size = pool.block_words();
@@ -64,14 +64,16 @@ void give_blocks(base::Span<BlockGroup> groups, const RoundRoom& room, BlockPool
         group.is_rewritten = group.first_runs || group.runs_steady || further > 0 || group.lent > 0 || is_loose;
         if (!group.is_rewritten) continue;
         const std::uint64_t most = group.words - group.lent + group.borrowed + further + group.own_growth;
-        group.given_blocks = static_cast<std::uint32_t>((most + size - 1) / size);
-        all += group.given_blocks;
+        group.given.early_ends = early.most / static_cast<std::uint32_t>(groups.size());
+        group.given.calls_of_early = early.calls;
+        group.given.count = static_cast<std::uint32_t>((most + size - 1) / size) + group.given.early_ends;
+        all += group.given.count;
     }
     const std::uint32_t* ids = pool.take(all);
     TEDAVIS_CHECK(ids != nullptr);  // the pool is sized for all that a round admits
     for (BlockGroup& group : groups) {
-        group.given = ids;
-        ids += group.given_blocks;
+        group.given.ids = ids;
+        ids += group.given.count;
     }
 }
 

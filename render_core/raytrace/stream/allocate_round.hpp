@@ -21,7 +21,13 @@ struct RoundRoom {
 /// False where calls have to wait for room.
 [[nodiscard]] bool allocate_round(base::Span<BlockGroup> groups, const TaskNetwork& network, const RoundRoom& room);
 
+/// Blocks that may end early, of all groups together, and how many calls they have then.
+struct EarlyEnds {
+    std::uint32_t most = 0;
+    std::uint32_t calls = 0;
+};
+
 /// Blocks for what the groups may come to, from the pool.
-void give_blocks(base::Span<BlockGroup> groups, const RoundRoom& room, BlockPool& pool);
+void give_blocks(base::Span<BlockGroup> groups, const RoundRoom& room, const EarlyEnds& early, BlockPool& pool);
 
 }  // namespace tedavis::raytrace

@@ -1,7 +1,7 @@
 /// Consecutive blocks of a stream that one worker rewrites, and what the three passes say of them.
 #pragma once
 
-#include "render_core/raytrace/stream/block_pool.hpp"
+#include "render_core/raytrace/stream/block_writer.hpp"
 #include "render_core/raytrace/stream/token_writer.hpp"
 
 namespace tedavis::raytrace {
@@ -35,8 +35,7 @@ struct BlockGroup {
     std::uint32_t lender = 0, lender_offset = 0;
     std::uint32_t lent = 0;  ///< last words that belong to a call of a later group
     bool is_rewritten = false;
-    std::uint32_t given_blocks = 0;
-    const std::uint32_t* given = nullptr;
+    BlockAllowance given;
 
     /// Execute.
     std::uint32_t new_words = 0, new_blocks = 0, new_first = kNoBlock, new_last = kNoBlock;

@@ -1,16 +1,23 @@
-/// Fills blocks with tokens, one after the other, each to its end but for the last.
+/// Fills blocks with tokens, one after the other, each to its end but for the last and those that end early.
 #pragma once
 
 #include "render_core/raytrace/stream/block_cursor.hpp"
 
 namespace tedavis::raytrace {
 
+/// What a group's blocks may come to: so many, of which some may end early, behind a call by which they have so many.
+struct BlockAllowance {
+    const std::uint32_t* ids = nullptr;  ///< free blocks
+    std::uint32_t count = 0;
+    std::uint32_t early_ends = 0;
+    std::uint32_t calls_of_early = 0;
+};
+
 class BlockWriter {
 public:
-    /// `ids`: free blocks, as many as all that is written needs.
-    BlockWriter(BlockPool& pool, const std::uint32_t* ids, std::uint32_t count) : pool_(pool), ids_(ids), count_(count) {}
+    BlockWriter(BlockPool& pool, const BlockAllowance& allowance) : pool_(pool), allowance_(allowance) {}
 
-    /// Literals, but for the words at `call_places`, which are counted from `first` words before `words`.
+    /// Literals, but for the words at `call_places`, in order, which are counted from `first` words before `words`.
     void write(const std::uint32_t* words, std::uint32_t count, const std::uint16_t* call_places, std::uint32_t calls,
                std::uint32_t first);
     /// Copies tokens from where the cursor is, which goes on behind them.
@@ -19,19 +26,18 @@ public:
     void finish();
 
     [[nodiscard]] std::uint32_t words() const { return words_; }
-    [[nodiscard]] std::uint32_t blocks() const { return (words_ + pool_.block_words() - 1) >> pool_.block_shift(); }
+    [[nodiscard]] std::uint32_t blocks() const { return blocks_; }
 
 private:
-    void write_words(const std::uint32_t* words, std::uint32_t count);
-    void mark_call(std::uint32_t place) {
-        const std::uint32_t id = ids_[place >> pool_.block_shift()];
-        pool_.mark_call(id, place & (pool_.block_words() - 1));
-    }
+    [[nodiscard]] std::uint32_t room();
+    [[nodiscard]] bool ends_early();
+    void add(std::uint32_t count);
 
     BlockPool& pool_;
-    const std::uint32_t* ids_;
-    std::uint32_t count_;
-    std::uint32_t words_ = 0;
+    BlockAllowance allowance_;
+    std::uint32_t id_ = kNoBlock;  ///< of the block that is being filled
+    std::uint32_t blocks_ = 0, words_ = 0;
+    bool is_ended_ = true;
 };
 
 }  // namespace tedavis::raytrace

@@ -32,7 +32,7 @@ private:
 
 void execute_group(base::Span<const BlockGroup> groups, BlockGroup& group, const TaskNetwork& network, const RoundRoom& room,
                    BlockPool& pool, Segment& segment) {
-    BlockWriter writer(pool, group.given, group.given_blocks);
+    BlockWriter writer(pool, group.given);
     BlockCursor reading(pool, group.first_block), writing = reading;
     GroupAdmission admission(group, room);
     CallScan scan(pool, group);
@@ -64,8 +64,8 @@ void execute_group(base::Span<const BlockGroup> groups, BlockGroup& group, const
     group.new_words = writer.words();
     group.new_blocks = writer.blocks();
     if (group.new_blocks == 0) return;
-    group.new_first = group.given[0];
-    group.new_last = group.given[group.new_blocks - 1];
+    group.new_first = group.given.ids[0];
+    group.new_last = group.given.ids[group.new_blocks - 1];
 }
 
 }  // namespace tedavis::raytrace

@@ -1,5 +1,7 @@
 #include "render_core/raytrace/stream/segment.hpp"
 
+#include <utility>
+
 namespace tedavis::raytrace {
 namespace {
 
@@ -21,28 +23,29 @@ void run_batch(const Task& task, const Batch& batch, base::Span<const std::uint3
 }  // namespace
 
 std::uint64_t Segment::bytes_needed() {
-    constexpr std::uint64_t kItem = sizeof(Item) + 2 * sizeof(std::uint16_t) + sizeof(std::uint32_t) + sizeof(WrittenRun);
-    return kMostItems * kItem + 2 * kMostArguments * sizeof(std::uint32_t) +
-           kMostOutputs * (sizeof(std::uint32_t) + sizeof(std::uint16_t)) + 9 * alignof(std::max_align_t);
+    constexpr std::uint64_t kItem = 2 * sizeof(Item) + 2 * sizeof(std::uint16_t) + sizeof(std::uint32_t) + sizeof(WrittenRun);
+    return kMostItems * kMostParts * kItem + (kMostArguments + kMostOutputs) * sizeof(std::uint32_t) +
+           kMostSteps * kMostOutputs * (sizeof(std::uint32_t) + sizeof(std::uint16_t)) + 10 * alignof(std::max_align_t);
 }
 
 bool Segment::start(base::Arena& arena) {
-    items_ = arena.allocate_array<Item>(kMostItems);
-    order_ = arena.allocate_array<std::uint16_t>(kMostItems);
-    gathered_ = arena.allocate_array<std::uint16_t>(kMostItems);
-    borders_ = arena.allocate_array<std::uint32_t>(kMostItems);
-    runs_ = arena.allocate_array<WrittenRun>(kMostItems);
+    items_ = arena.allocate_array<Item>(kMostItems * kMostParts);
+    next_items_ = arena.allocate_array<Item>(kMostItems * kMostParts);
+    order_ = arena.allocate_array<std::uint16_t>(kMostItems * kMostParts);
+    gathered_ = arena.allocate_array<std::uint16_t>(kMostItems * kMostParts);
+    borders_ = arena.allocate_array<std::uint32_t>(kMostItems * kMostParts);
+    runs_ = arena.allocate_array<WrittenRun>(kMostItems * kMostParts);
     copies_ = arena.allocate_array<std::uint32_t>(kMostArguments);
-    records_ = arena.allocate_array<std::uint32_t>(kMostArguments);
-    output_ = arena.allocate_array<std::uint32_t>(kMostOutputs);
-    call_places_ = arena.allocate_array<std::uint16_t>(kMostOutputs);
-    return !items_.empty() && !order_.empty() && !gathered_.empty() && !borders_.empty() && !runs_.empty() && !copies_.empty() &&
-           !records_.empty() && !output_.empty() && !call_places_.empty();
+    records_ = arena.allocate_array<std::uint32_t>(kMostOutputs);
+    output_ = arena.allocate_array<std::uint32_t>(kMostSteps * kMostOutputs);
+    call_places_ = arena.allocate_array<std::uint16_t>(kMostSteps * kMostOutputs);
+    return !items_.empty() && !next_items_.empty() && !order_.empty() && !gathered_.empty() && !borders_.empty() &&
+           !runs_.empty() && !copies_.empty() && !records_.empty() && !output_.empty() && !call_places_.empty();
 }
 
 void Segment::add(std::uint32_t call, const CallShape& shape, std::uint32_t kept, std::uint32_t skipped, BlockCursor from) {
     Item& item = items_[count_++];
-    item = {call, kept, skipped, from.together() == 0 ? nullptr : from.words(), {}};
+    item = {kept, skipped, call, kMostParts, from.together() == 0 ? nullptr : from.words(), {}};
     if (shape.arguments > from.together()) {
         std::uint32_t* copy = copies_.data() + copied_;
         from.read(copy, shape.arguments);
@@ -53,21 +56,67 @@ void Segment::add(std::uint32_t call, const CallShape& shape, std::uint32_t kept
     outputs_ += shape.most_outputs;
 }
 
-void Segment::sort_by_task(std::uint32_t (&ends)[kMostTasks]) {
-    for (std::uint32_t n = 0; n < count_; ++n) ++ends[called_task(items_[n].call)];
-    std::uint32_t before = 0;
-    for (std::uint32_t& end : ends) {
-        const std::uint32_t of_task = end;
-        end = before;
-        before += of_task;
-    }
-    for (std::uint32_t n = 0; n < count_; ++n) order_[ends[called_task(items_[n].call)]++] = static_cast<std::uint16_t>(n);
-}
-
 void Segment::run(const TaskNetwork& network, BlockGroup& group) {
     TokenWriter out(network, output_, call_places_);
+    run_open_items(network, out, group);
+    for (std::uint32_t step = 1; step < kMostSteps && go_on(network); ++step) run_open_items(network, out, group);
+}
+
+/// Whether what an item gave is nothing but calls that can be executed at once. They need no more room than it took.
+bool Segment::goes_on(const TaskNetwork& network, const Item& item) const {
+    const WrittenRun& given = item.given;
+    if (given.calls == 0 || given.calls > item.parts) return false;  // has left over, or is done
+    std::uint32_t behind = given.first_word;
+    for (std::uint32_t n = 0; n < given.calls; ++n) {
+        const std::uint32_t place = call_places_[given.first_call + n];
+        const CallShape shape = network.shape(output_[place]);
+        if (!shape.is_known || shape.growth > 0 || place - behind != shape.arguments) return false;
+        behind = place + 1;
+    }
+    return behind == given.first_word + given.words;
+}
+
+/// Puts the calls that items gave in their place. False where there are none to go on with.
+bool Segment::go_on(const TaskNetwork& network) {
+    std::uint32_t count = 0, open = 0;
+    for (std::uint32_t n = 0; n < count_; ++n) {
+        const Item& item = items_[n];
+        if (!goes_on(network, item)) {
+            next_items_[count] = item;
+            next_items_[count++].parts = 0;
+            continue;
+        }
+        const WrittenRun& given = item.given;
+        for (std::uint32_t part = 0, behind = given.first_word; part < given.calls; ++part) {
+            const std::uint32_t place = call_places_[given.first_call + part];
+            const bool is_first = part == 0;
+            next_items_[count++] = {is_first ? item.kept : 0, is_first ? item.skipped : 0, output_[place],
+                                    item.parts / given.calls, output_.data() + behind,     {}};
+            behind = place + 1;
+        }
+        open += given.calls;
+    }
+    if (open == 0) return false;
+    std::swap(items_, next_items_);
+    count_ = count;
+    return true;
+}
+
+void Segment::sort_by_task(std::uint32_t tasks, std::uint32_t* ends) {
+    for (std::uint32_t n = 0; n < count_; ++n)
+        if (items_.data()[n].parts > 0) ++ends[called_task(items_.data()[n].call)];
+    for (std::uint32_t task = 0, before = 0; task < tasks; ++task) {
+        const std::uint32_t of_task = ends[task];
+        ends[task] = before;
+        before += of_task;
+    }
+    for (std::uint32_t n = 0; n < count_; ++n)
+        if (items_.data()[n].parts > 0) order_[ends[called_task(items_.data()[n].call)]++] = static_cast<std::uint16_t>(n);
+}
+
+void Segment::run_open_items(const TaskNetwork& network, TokenWriter& out, BlockGroup& group) {
     std::uint32_t ends[kMostTasks] = {};
-    sort_by_task(ends);
+    sort_by_task(network.size(), ends);
     for (std::uint32_t task = 0, first = 0; task < network.size(); first = ends[task++]) {
         if (ends[task] == first) continue;
         run_task(network, {order_.data() + first, ends[task] - first}, out, group.counts);
@@ -94,8 +143,7 @@ void Segment::run_task(const TaskNetwork& network, base::Span<const std::uint16_
     if (gathered > 0) run_gathered(task, id, {gathered_.data(), gathered}, out, counts);
 }
 
-void Segment::run_gathered(const Task& task, TaskId id, base::Span<const std::uint16_t> gathered, TokenWriter& out,
-                           RewriteCounts& counts) {
+void Segment::run_gathered(const Task& task, TaskId id, Order gathered, TokenWriter& out, RewriteCounts& counts) {
     std::uint32_t calls = 0;
     std::uint32_t* record = records_.data();
     for (std::size_t n = 0; n < gathered.size(); ++n) {

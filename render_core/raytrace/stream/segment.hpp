@@ -1,6 +1,10 @@
 /// Calls of a group whose kernels run together: those of one task are gathered into one batch, so that SIMD kernels stay full; a
 /// token that stands for enough calls to fill the kernel by itself is handed on where it lies.
 ///
+/// What a call gave is rewritten again at once, while it lies in the cache, a few times at most ("can be optionally repeated
+/// several times", thesis 6.2.2.1): if it is nothing but few calls that are complete and do not lengthen the stream. As that
+/// depends on what the call gave alone, rounds stay the same for all block sizes.
+///
 /// Memory  an arena's, at start; one for each worker.
 #pragma once
 
@@ -17,7 +21,7 @@ public:
     /// Whether there is room for one more; there is for the first.
     [[nodiscard]] bool fits(const CallShape& shape) const {
         return count_ == 0 || (count_ < kMostItems && words_ + shape.arguments <= kMostArguments &&
-                               outputs_ + shape.most_outputs <= kMostOutputs);
+                               outputs_ + shape.most_outputs <= kOutputsTogether);
     }
     /// A call whose arguments lie at `from`. Before it `kept` words of the group stay as they are, then `skipped` go with the
     /// call.
@@ -28,22 +32,30 @@ public:
     void write(BlockCursor& from, BlockWriter& to);
 
 private:
-    static constexpr std::uint32_t kMostItems = 512;
+    static constexpr std::uint32_t kMostItems = 512;  ///< added
+    static constexpr std::uint32_t kMostParts = 4;    ///< calls that an item may come to
     static constexpr std::uint32_t kMostArguments = 2 * kMostPatternWords;
     static constexpr std::uint32_t kMostOutputs = kMostOutputWords;
+    static constexpr std::uint32_t kOutputsTogether = 8192;  ///< of items that run together: what the nearest cache holds
+    static constexpr std::uint32_t kMostSteps = 4;
 
     struct Item {
-        std::uint32_t call = 0, kept = 0, skipped = 0;
+        std::uint32_t kept = 0, skipped = 0;
+        std::uint32_t call = 0;
+        std::uint32_t parts = 0;  ///< calls that it may still come to; 0: it is done
         const std::uint32_t* arguments = nullptr;
         WrittenRun given;
     };
+    using Order = base::Span<const std::uint16_t>;
 
-    void sort_by_task(std::uint32_t (&ends)[kMostTasks]);
-    void run_task(const TaskNetwork& network, base::Span<const std::uint16_t> of_task, TokenWriter& out, RewriteCounts& counts);
-    void run_gathered(const Task& task, TaskId id, base::Span<const std::uint16_t> gathered, TokenWriter& out,
-                      RewriteCounts& counts);
+    void run_open_items(const TaskNetwork& network, TokenWriter& out, BlockGroup& group);
+    void sort_by_task(std::uint32_t tasks, std::uint32_t* ends);
+    void run_task(const TaskNetwork& network, Order of_task, TokenWriter& out, RewriteCounts& counts);
+    void run_gathered(const Task& task, TaskId id, Order gathered, TokenWriter& out, RewriteCounts& counts);
+    [[nodiscard]] bool go_on(const TaskNetwork& network);
+    [[nodiscard]] bool goes_on(const TaskNetwork& network, const Item& item) const;
 
-    base::Span<Item> items_;
+    base::Span<Item> items_, next_items_;
     base::Span<std::uint16_t> order_;
     base::Span<std::uint16_t> gathered_;
     base::Span<std::uint32_t> borders_;

@@ -1,21 +1,22 @@
 #include "render_core/raytrace/stream/stream_rewriter.hpp"
 
-#include <atomic>
 #include <charconv>
 
 #include "render_core/raytrace/stream/call_scan.hpp"
 #include "render_core/raytrace/stream/decode_group.hpp"
 #include "render_core/raytrace/stream/execute_group.hpp"
+#include "render_core/raytrace/stream/pass_crew.hpp"
 
 namespace tedavis::raytrace {
 namespace {
 
 /// Groups are as large as gives each worker so many of them: small ones share the work well, large ones fill kernels.
 constexpr std::uint32_t kGroupsOfWorker = 8;
-constexpr std::uint32_t kLeastGroupCalls = 128, kMostGroupCalls = 4096;
+constexpr std::uint32_t kLeastGroupCalls = 64, kMostGroupCalls = 4096;
 constexpr std::uint32_t kLeastFullGroupWords = 512, kMostGroupWords = 16384;
-/// Fewer words than that are decoded sooner than workers are woken.
-constexpr std::uint32_t kWordsForWorkers = 8192;
+/// Fewer words than that are decoded sooner than shared.
+constexpr std::uint32_t kWordsToShare = 4096;
+constexpr std::uint32_t kMostRoundsAlone = 64;
 
 void append_number(base::FaultText& text, std::uint64_t number) {
     char digits[20];
@@ -31,17 +32,39 @@ struct StreamRewriter::Pass {
     base::Span<BlockGroup> groups;
     base::Span<Segment> segments;
     RoundRoom room;
-    bool executes = false;
-    std::atomic<std::uint32_t> next{0};
 
-    static void run_lane(void* context, std::uint32_t lane) {
-        Pass& pass = *static_cast<Pass*>(context);
-        for (std::uint32_t n = pass.next++; n < pass.groups.size(); n = pass.next++) pass.run_group(pass.groups[n], lane);
+    static void decode(void* context, std::uint32_t index, std::uint32_t) {
+        const Pass& pass = *static_cast<const Pass*>(context);
+        decode_group(pass.pool, pass.network, pass.groups[index]);
     }
+    static void execute(void* context, std::uint32_t index, std::uint32_t lane) {
+        const Pass& pass = *static_cast<const Pass*>(context);
+        BlockGroup& group = pass.groups[index];
+        if (group.is_rewritten) execute_group(pass.groups, group, pass.network, pass.room, pass.pool, pass.segments[lane]);
+    }
+};
 
-    void run_group(BlockGroup& group, std::uint32_t lane) const {
-        if (!executes) return decode_group(pool, network, group);
-        if (group.is_rewritten) execute_group(groups, group, network, room, pool, segments[lane]);
+struct StreamRewriter::Run {
+    StreamRewriter& rewriter;
+    const TaskNetwork& network;
+    std::uint32_t most_rounds;
+    std::uint32_t lanes;
+    RewriteReport report;
+    base::FaultText fault;
+    bool is_over = false;
+    std::uint32_t alone = 0, most_alone = 1;  ///< rounds since a worker was lost, and how many until it is called back
+
+    static void lead(void* context, PassCrew& crew) {
+        Run& run = *static_cast<Run*>(context);
+        do run.rewriter.run_round(run, crew);
+        while (!run.is_over && !run.calls_back(crew));
+    }
+    /// Not at once, and more seldom each time: where there are fewer processors than workers they are lost again and again.
+    bool calls_back(const PassCrew& crew) {
+        if (!crew.has_lost() || rewriter.group_count_ < 2 || ++alone < most_alone) return false;
+        alone = 0;
+        most_alone = std::min(2 * most_alone, kMostRoundsAlone);
+        return true;
     }
 };
 
@@ -67,8 +90,9 @@ void StreamRewriter::form_groups(std::uint32_t lanes) {
     call_count_ = 0;
     for (std::uint32_t id = stream_->first_block(); id != kNoBlock; id = pool.block(id).next) call_count_ += pool.block(id).calls;
     const std::uint32_t share = kGroupsOfWorker * lanes, least = least_group_words(stream_->settings());
-    const std::uint32_t most_calls = std::clamp(call_count_ / share, kLeastGroupCalls, kMostGroupCalls);
+    most_group_calls_ = std::clamp(call_count_ / share, kLeastGroupCalls, kMostGroupCalls);
     const std::uint32_t most_words = std::clamp(stream_->words() / share, kLeastFullGroupWords, kMostGroupWords);
+    std::uint32_t early_ends = lanes > 1 ? kEarlyEndsOfWorker * lanes : 0;
     group_count_ = 0;
     bool is_open = false;
     for (std::uint32_t id = stream_->first_block(); id != kNoBlock; id = pool.block(id).next) {
@@ -81,18 +105,11 @@ void StreamRewriter::form_groups(std::uint32_t lanes) {
         ++group.blocks;
         group.words += pool.block(id).words;
         group.calls += pool.block(id).calls;
-        is_open = group.words < least || (group.calls < most_calls && group.words < most_words);
+        is_open = group.calls < most_group_calls_ && group.words < most_words;
+        if (is_open || group.words >= least) continue;
+        is_open = early_ends == 0;
+        early_ends -= is_open ? 0 : 1;
     }
-}
-
-std::uint32_t StreamRewriter::lanes_of(const base::Workers& workers) const {
-    return std::min(workers.concurrency(), static_cast<std::uint32_t>(segments_.size()));
-}
-
-void StreamRewriter::run_pass(base::Workers& workers, Pass& pass) const {
-    const bool alone = group_count_ < 2 || (!pass.executes && stream_->words() < kWordsForWorkers);
-    if (alone) return Pass::run_lane(&pass, 0);
-    workers.parallel_for(std::min(lanes_of(workers), group_count_), &Pass::run_lane, &pass);
 }
 
 void StreamRewriter::link_groups() {
@@ -100,8 +117,8 @@ void StreamRewriter::link_groups() {
     std::uint32_t first = kNoBlock, last = kNoBlock, words = 0;
     // Blocks that were given and not used lie in the order of the groups, before what is given back behind them.
     for (const BlockGroup& group : groups())
-        for (std::uint32_t n = group.is_rewritten ? group.new_blocks : 0; n < group.given_blocks; ++n)
-            pool.give_back(group.given[n]);
+        for (std::uint32_t n = group.is_rewritten ? group.new_blocks : 0; n < group.given.count; ++n)
+            pool.give_back(group.given.ids[n]);
     for (const BlockGroup& group : groups()) {
         const std::uint32_t from = group.is_rewritten ? group.new_first : group.first_block;
         const std::uint32_t to = group.is_rewritten ? group.new_last : group.last_block;
@@ -119,43 +136,52 @@ void StreamRewriter::link_groups() {
     stream_->set_list(first, last, words);
 }
 
-void StreamRewriter::rewrite_once(const TaskNetwork& network, base::Workers& workers, RewriteReport& report) {
+void StreamRewriter::rewrite_once(Run& run, PassCrew& crew) {
     const StreamSettings& settings = stream_->settings();
     const std::uint64_t left = settings.capacity_words - stream_->words();
-    Pass decode{network, stream_->pool(), groups(), segments_, {}};
-    run_pass(workers, decode);
     const RoundRoom room = {left > settings.reserve_words ? left - settings.reserve_words : 0, left};
-    if (!allocate_round(groups(), network, room)) {
-        ++report.waits;
+    Pass pass{run.network, stream_->pool(), groups(), segments_, room};
+    if (stream_->words() < kWordsToShare)
+        for (std::uint32_t n = 0; n < group_count_; ++n) Pass::decode(&pass, n, 0);
+    else
+        crew.share(group_count_, &Pass::decode, &pass);
+    if (!allocate_round(groups(), run.network, room)) {
+        ++run.report.waits;
         stream_->count_refusal();
     }
-    give_blocks(groups(), room, stream_->pool());
-    Pass execute{network, stream_->pool(), groups(), segments_, room, true};
-    run_pass(workers, execute);
+    give_blocks(groups(), room, {run.lanes > 1 ? kEarlyEndsOfWorker * run.lanes : 0, most_group_calls_}, stream_->pool());
+    crew.share(group_count_, &Pass::execute, &pass);
     link_groups();
     for (const BlockGroup& group : groups()) {
-        report.counts.calls += group.counts.calls;
-        report.counts.batches += group.counts.batches;
-        report.counts.lanes += group.counts.lanes;
+        run.report.counts.calls += group.counts.calls;
+        run.report.counts.batches += group.counts.batches;
+        run.report.counts.lanes += group.counts.lanes;
     }
+}
+
+void StreamRewriter::run_round(Run& run, PassCrew& crew) {
+    form_groups(run.lanes);
+    run.report.is_finished = call_count_ == 0;
+    run.is_over = run.report.is_finished || run.report.rounds == run.most_rounds;
+    if (run.is_over) return;
+    const std::uint64_t batches = run.report.counts.batches;
+    rewrite_once(run, crew);
+    ++run.report.rounds;
+    run.fault = task_fault();
+    if (run.fault.empty() && run.report.counts.batches == batches) {
+        form_groups(1);
+        run.fault = stuck_text(run.network);
+    }
+    run.is_over = !run.fault.empty();
 }
 
 StreamRewriter::Answer StreamRewriter::rewrite(const TaskNetwork& network, base::Workers& workers, std::uint32_t most_rounds) {
     TEDAVIS_CHECK(stream_ != nullptr);
-    RewriteReport report;
-    while (true) {
-        form_groups(lanes_of(workers));
-        report.is_finished = call_count_ == 0;
-        if (report.is_finished || report.rounds == most_rounds) return report;
-        const std::uint64_t batches = report.counts.batches;
-        rewrite_once(network, workers, report);
-        ++report.rounds;
-        const base::FaultText fault = task_fault();
-        if (!fault.empty()) return base::fail(fault);
-        if (report.counts.batches != batches) continue;
-        form_groups(1);
-        return base::fail(stuck_text(network));
-    }
+    const std::uint32_t lanes = std::min(workers.concurrency(), static_cast<std::uint32_t>(segments_.size()));
+    Run run{*this, network, most_rounds, lanes, {}, {}};
+    while (!run.is_over) PassCrew::run(workers, lanes, &Run::lead, &run);
+    if (!run.fault.empty()) return base::fail(run.fault);
+    return run.report;
 }
 
 base::FaultText StreamRewriter::task_fault() const {

@@ -20,6 +20,8 @@ struct RewriteReport {
     std::uint32_t waits = 0;  ///< rounds in which calls had to wait for room
 };
 
+class PassCrew;
+
 class StreamRewriter {
 public:
     using Answer = base::Result<RewriteReport, base::FaultText>;
@@ -34,12 +36,12 @@ public:
 
 private:
     struct Pass;
+    struct Run;
 
-    [[nodiscard]] std::uint32_t lanes_of(const base::Workers& workers) const;
     void form_groups(std::uint32_t lanes);
-    void run_pass(base::Workers& workers, Pass& pass) const;
+    void run_round(Run& run, PassCrew& crew);
+    void rewrite_once(Run& run, PassCrew& crew);
     void link_groups();
-    void rewrite_once(const TaskNetwork& network, base::Workers& workers, RewriteReport& report);
     [[nodiscard]] base::Span<BlockGroup> groups() const { return groups_.subspan(0, group_count_); }
     [[nodiscard]] base::FaultText task_fault() const;
     [[nodiscard]] base::FaultText stuck_text(const TaskNetwork& network) const;
@@ -48,7 +50,7 @@ private:
     TokenStream* stream_ = nullptr;
     base::Span<BlockGroup> groups_;
     base::Span<Segment> segments_;
-    std::uint32_t group_count_ = 0, call_count_ = 0;
+    std::uint32_t group_count_ = 0, call_count_ = 0, most_group_calls_ = 0;
 };
 
 }  // namespace tedavis::raytrace

@@ -3,8 +3,12 @@
 
 #include <type_traits>
 
+#include "render_core/base/check.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/raytrace/stream/token.hpp"
+
+/// struct TEDAVIS_RECORD Name {...}: may be read where words were written.
+#define TEDAVIS_RECORD __attribute__((may_alias))
 
 namespace tedavis::raytrace {
 
@@ -21,13 +25,12 @@ struct Batch {
     TaskId next = kNoTask;  ///< what follows in the network
 
     [[nodiscard]] const std::uint32_t* record(std::uint32_t n) const { return arguments + std::size_t{n} * words; }
-    /// The record as a struct of 32-bit words.
+    /// All records, as structs of 32-bit words that are declared with TEDAVIS_RECORD.
     template <class Record>
-    [[nodiscard]] Record read(std::uint32_t n) const {
-        static_assert(std::is_trivially_copyable_v<Record> && sizeof(Record) % sizeof(std::uint32_t) == 0);
-        Record record_read;
-        std::memcpy(&record_read, record(n), sizeof record_read);
-        return record_read;
+    [[nodiscard]] const Record* records() const {
+        static_assert(std::is_trivially_copyable_v<Record> && alignof(Record) == alignof(std::uint32_t));
+        TEDAVIS_CHECK(sizeof(Record) == words * sizeof(std::uint32_t));
+        return reinterpret_cast<const Record*>(arguments);
     }
 };
 

@@ -7,7 +7,8 @@ constexpr std::uint32_t kLeastGroupWords = 128;
 constexpr std::uint32_t kMostStreamWords = 1u << 26;
 
 std::uint32_t blocks_of(const StreamSettings& settings) {
-    return 2 * (settings.capacity_words / settings.block_words + most_groups(settings) + 1);
+    const std::uint32_t early = kEarlyEndsOfWorker * settings.most_workers;
+    return 2 * (settings.capacity_words / settings.block_words + most_groups(settings) + early + 1);
 }
 
 /// Empty where nothing is wrong.
@@ -28,7 +29,9 @@ base::FaultText fault_of_settings(const StreamSettings& settings) {
 
 std::uint32_t least_group_words(const StreamSettings& settings) { return std::max(kLeastGroupWords, settings.block_words); }
 
-std::uint32_t most_groups(const StreamSettings& settings) { return settings.capacity_words / least_group_words(settings) + 1; }
+std::uint32_t most_groups(const StreamSettings& settings) {
+    return settings.capacity_words / least_group_words(settings) + 1 + kEarlyEndsOfWorker * settings.most_workers;
+}
 
 std::uint64_t TokenStream::bytes_needed(const StreamSettings& settings) {
     return BlockPool::bytes_needed(settings.block_words, blocks_of(settings));

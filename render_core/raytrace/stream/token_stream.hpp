@@ -13,15 +13,17 @@ namespace tedavis::raytrace {
 
 struct StreamSettings {
     std::uint32_t block_words = 512;            ///< 64 to 4096, a power of two
-    std::uint32_t capacity_words = 256 * 1024;  ///< 2 kMostOutputWords to 2^26
+    std::uint32_t capacity_words = 128 * 1024;  ///< 2 kMostOutputWords to 2^26
     /// Of the capacity: what only the first call that lengthens the stream may use, so that it can always go on. A task that
     /// needs no more than this beyond its own words, when it is evaluated first call first, and leaves no more than it took,
     /// comes to its end.
-    std::uint32_t reserve_words = 32 * 1024;
+    std::uint32_t reserve_words = 20 * 1024;
     std::uint32_t most_workers = 8;  ///< that rewrite at once, 1 to 64
 };
 
-/// Groups that a round may have: each but the last has this many words or more.
+/// For each worker a round may have so many groups, and blocks, that end early, because they hold much work in few words.
+inline constexpr std::uint32_t kEarlyEndsOfWorker = 8;
+/// Words of every other group, but for the last.
 [[nodiscard]] std::uint32_t least_group_words(const StreamSettings& settings);
 [[nodiscard]] std::uint32_t most_groups(const StreamSettings& settings);
 

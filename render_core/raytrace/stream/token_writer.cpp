@@ -20,33 +20,34 @@ void TokenWriter::call(TaskId task) {
     pending_place_ = end_;
 }
 
-void TokenWriter::calls(TaskId task, const std::uint32_t* records, std::uint32_t count) {
+void TokenWriter::calls(TaskId task, const void* records, std::uint32_t count) {
     if (task >= network_.size()) return note(WriterFault::unknown_task);
     const std::uint32_t arguments = network_.task(task).arguments, most = network_.most_count(task);
+    const unsigned char* from = static_cast<const unsigned char*>(records);
     while (count > 0) {
         const bool continues = pending_count_ > 0 && pending_task_ == task && end_ == pending_place_ && pending_count_ < most;
         if (!continues && !make_pending(task)) return;
         const std::uint32_t now = std::min(count, most - pending_count_);
         if (now * arguments > stop_ - end_) return note(WriterFault::too_much);
-        if (arguments > 0) std::memcpy(words_ + end_, records, std::size_t{now} * arguments * sizeof *records);
+        if (arguments > 0) std::memcpy(words_ + end_, from, std::size_t{now} * arguments * sizeof *words_);
         end_ += now * arguments;
-        records += std::size_t{now} * arguments;
+        from += std::size_t{now} * arguments * sizeof *words_;
         pending_count_ += now;
         pending_place_ = end_;
         count -= now;
     }
 }
 
-void TokenWriter::each_calls(TaskId task, const std::uint32_t* records, std::uint32_t count) {
+void TokenWriter::each_calls(TaskId task, const void* records, std::uint32_t count) {
     if (task >= network_.size()) return note(WriterFault::unknown_task);
-    const std::uint32_t arguments = network_.task(task).arguments;
+    const std::size_t record = network_.task(task).arguments * sizeof *words_;
+    const unsigned char* from = static_cast<const unsigned char*>(records);
     count = std::min(count, borders_.empty() ? 0 : borders_[borders_.size() - 1] - done_);
     while (count > 0) {
-        const std::uint32_t now = std::min(count, border_ - done_);
-        calls(task, records, now);
-        done_ += now - 1;
-        done();
-        records += std::size_t{now} * arguments;
+        const std::uint32_t now = std::min(count, together());
+        calls(task, from, now);
+        done(now);
+        from += now * record;
         count -= now;
     }
 }

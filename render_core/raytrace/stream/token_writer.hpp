@@ -36,13 +36,20 @@ public:
     void literals(const std::uint32_t* words, std::uint32_t count);
     /// Of literals written before, or of what lies before this call in the stream.
     void call(TaskId task);
-    /// The present call gives so many calls, whose arguments are given as records.
-    void calls(TaskId task, const std::uint32_t* records, std::uint32_t count);
+    /// The present call gives so many calls, whose arguments are records of 32-bit words, one behind the other.
+    void calls(TaskId task, const void* records, std::uint32_t count);
     /// Each of the next `count` calls, the present one first, gives one call, and is done.
-    void each_calls(TaskId task, const std::uint32_t* records, std::uint32_t count);
+    void each_calls(TaskId task, const void* records, std::uint32_t count);
     /// All that the present call gives has been written.
     void done() {
         if (++done_ == border_) close_run();
+    }
+    /// Calls from the present one on that one token of the stream stands for. Where it does not matter in which order they are
+    /// answered, what they give may be sorted by task, which makes fewer and longer tokens; then done(count), of no more than
+    /// these.
+    [[nodiscard]] std::uint32_t together() const { return border_ - done_; }
+    void done(std::uint32_t count) {
+        if ((done_ += count) >= border_) close_run();
     }
 
     // For the rewriting.
