@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render_core/raytrace/stream/range_task.hpp"
+#include "render_core/raytrace/stream/picture_tasks.hpp"
 #include "render_core/raytrace/stream/token_writer.hpp"
 
 namespace tedavis::test_support {
@@ -56,21 +56,23 @@ public:
     static constexpr std::uint32_t kTile = SyntheticRays::kTilePixels, kChunk = 512;
 
     raytrace::TaskNetwork network;
-    raytrace::TaskId tiles, tile, trace, shade, set_pixel;
+    raytrace::PictureTasks tasks;
     raytrace::RangeSteps steps{1, 1024};
 
     explicit SyntheticRayTasks(SyntheticRays& rays) : rays_(rays) {
-        set_pixel = made("set pixel", 2, 0, &SyntheticRayTasks::run_set_pixel, raytrace::kNoTask);
-        shade = made("shade", 4, 4, &SyntheticRayTasks::run_shade, set_pixel);
-        trace = made("trace", 3, 5, &SyntheticRayTasks::run_trace, shade);
-        tile = made("tile", 2, 4 * kTile + 1, &SyntheticRayTasks::run_tile, shade, 8);
-        tiles = network.add(raytrace::make_range_task("tiles", steps, tile)).value();
+        raytrace::PictureStages stages;
+        stages.set_pixel = made("set pixel", 2, 0, &SyntheticRayTasks::run_set_pixel);
+        stages.shade = made("shade", 4, 4, &SyntheticRayTasks::run_shade);
+        stages.trace = made("trace", 3, 5, &SyntheticRayTasks::run_trace);
+        stages.primary = made("primary", 2, 4 * kTile + 1, &SyntheticRayTasks::run_tile);
+        stages.primary.most_count = 8;
+        tasks = raytrace::add_picture_tasks(network, stages, steps).value();
     }
     SyntheticRayTasks(const SyntheticRayTasks&) = delete;
 
     /// Whether shades that are black come instead of the usual ones; for calls still to be made.
     raytrace::Task black_shade() {
-        raytrace::Task task = network.task(shade);
+        raytrace::Task task = network.task(tasks.shade);
         task.name = "black";
         task.run = &SyntheticRayTasks::run_black;
         return task;
@@ -80,17 +82,14 @@ private:
     using Writer = raytrace::TokenWriter;
     using Batch = raytrace::Batch;
 
-    raytrace::TaskId made(const char* name, std::uint32_t arguments, std::uint32_t outputs, raytrace::BatchFunction run,
-                          raytrace::TaskId next, std::uint32_t most_count = 0) {
+    raytrace::Task made(const char* name, std::uint32_t arguments, std::uint32_t outputs, raytrace::BatchFunction run) {
         raytrace::Task task;
-        task.most_count = most_count;
         task.name = name;
         task.arguments = arguments;
         task.most_outputs = outputs;
         task.run = run;
         task.context = this;
-        task.next = next;
-        return network.add(task).value();
+        return task;
     }
     static SyntheticRayTasks& of(void* self) { return *static_cast<SyntheticRayTasks*>(self); }
 
@@ -123,7 +122,7 @@ private:
             const std::uint32_t reflected = has_mirrors ? of(self).rays_.reflect(shots, count, rays, stay) : 0;
             of(self).rays_.shade(has_mirrors ? stay : shots, count - reflected, dots);
             out.calls(batch.next, dots, count - reflected);
-            out.calls(of(self).trace, rays, reflected);
+            out.calls(of(self).tasks.trace, rays, reflected);
             out.done(count);
             first += count;
         }
