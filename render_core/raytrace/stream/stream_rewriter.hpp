@@ -1,8 +1,8 @@
 /// Rewrites a token stream by workers, round by round, until no call is left (thesis 6.2.2.1).
 ///
-/// A round executes every call that is complete when it begins and has room (allocate_round.hpp), so that the streams after each
-/// round, and what tasks see that are changed between two rounds, are the same for every number of workers and every block size,
-/// bit for bit. Counts of batches and lanes are not.
+/// A round executes every call that is complete when it begins and has room (allocate_round.hpp), and what these give a few times
+/// more where that is calls alone (segment.hpp). So the streams after each round, and what tasks see that are changed between two
+/// rounds, are the same for every number of workers and every block size, bit for bit. Counts of batches and lanes are not.
 ///
 /// Memory  an arena's, at start; no heap. One caller; the workers' tasks are over when a function returns.
 #pragma once

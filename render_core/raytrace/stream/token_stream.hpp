@@ -1,7 +1,7 @@
 /// A program in post-order as a linked list of blocks from a fixed pool (thesis 6.2.2.1). StreamRewriter works on it.
 ///
-/// Capacity is counted in words, whatever the block size; the pool has four times that, for what is read and what is written, and
-/// for blocks that are not full. What does not fit is refused and counted. Memory  an arena's, at start.
+/// Capacity is counted in words, whatever the block size; the pool has several times that, for what is read and what is written,
+/// and for blocks that are not full. What does not fit is refused and counted. Memory  an arena's, at start.
 #pragma once
 
 #include "render_core/base/fault_text.hpp"

@@ -49,7 +49,8 @@ public:
     /// these.
     [[nodiscard]] std::uint32_t together() const { return border_ - done_; }
     void done(std::uint32_t count) {
-        if ((done_ += count) >= border_) close_run();
+        if (count > together()) return note(WriterFault::nobody);
+        if ((done_ += count) == border_) close_run();
     }
 
     // For the rewriting.

@@ -130,6 +130,9 @@ TEST(TokenWriter, NotesFaultsAndLeavesThemOut) {
     nobody.out.literal(1);
     nobody.out.finish();
     EXPECT_EQ(nobody.out.fault(), WriterFault::nobody);
+    Output too_many({2, 3});
+    too_many.out.done(3);
+    EXPECT_EQ(too_many.out.fault(), WriterFault::nobody);
 }
 
 }  // namespace
