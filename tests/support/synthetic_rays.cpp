@@ -35,19 +35,6 @@ bool SyntheticRays::is_mirror(const Shot& shot) const {
     return mirrors != 0 && shot.bounce < 3 && (shot.pixel * 2654435761u >> 8) % mirrors == 0;
 }
 
-void SyntheticRays::draw_tile(std::uint32_t tile) {
-    Ray rays[kTilePixels];
-    Shot shots[kTilePixels];
-    Dot dots[kTilePixels];
-    rays_of_tile(tile, rays);
-    for (std::uint32_t count = kTilePixels; count > 0;) {
-        trace(rays, count, shots);
-        const std::uint32_t reflected = mirrors == 0 ? 0 : reflect(shots, count, rays, shots);
-        shade(shots, count - reflected, dots);
-        set_pixels(dots, count - reflected);
-        count = reflected;
-    }
-}
 std::uint32_t SyntheticRays::reflect(const Shot* shots, std::uint32_t count, Ray* rays, Shot* stay) const {
     std::uint32_t reflected = 0, stayed = 0;
     for (std::uint32_t n = 0; n < count; ++n) {

@@ -49,6 +49,20 @@ private:
     int steps_;
 };
 
+inline void SyntheticRays::draw_tile(std::uint32_t tile) {
+    Ray rays[kTilePixels];
+    Shot shots[kTilePixels];
+    Dot dots[kTilePixels];
+    rays_of_tile(tile, rays);
+    for (std::uint32_t count = kTilePixels; count > 0;) {
+        trace(rays, count, shots);
+        const std::uint32_t reflected = mirrors == 0 ? 0 : reflect(shots, count, rays, shots);
+        shade(shots, count - reflected, dots);
+        set_pixels(dots, count - reflected);
+        count = reflected;
+    }
+}
+
 /// The same as tasks: a range of tiles, tile, trace, shade, set pixel. A tile is traced at once; a reflected ray is a call of its
 /// own in tokens that stand for all of those that its token gave.
 class SyntheticRayTasks {
