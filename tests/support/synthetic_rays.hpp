@@ -109,11 +109,11 @@ private:
 
     static void run_tile(void* self, const Batch& batch, Writer& out) {
         SyntheticRays::Ray rays[kTile];
-        SyntheticRays::Shot shots[kTile];
         for (std::uint32_t n = 0; n < batch.count; ++n) {
             SyntheticRays::rays_of_tile(batch.record(n)[0], rays);
+            SyntheticRays::Shot* shots = out.calls_in_place<SyntheticRays::Shot>(batch.next, kTile);
+            if (shots == nullptr) return;
             of(self).rays_.trace(rays, kTile, shots);
-            out.calls(batch.next, shots, kTile);
             out.done();
         }
     }
@@ -128,14 +128,14 @@ private:
     static void run_shade(void* self, const Batch& batch, Writer& out) {
         SyntheticRays::Shot stay[kChunk];
         SyntheticRays::Ray rays[kChunk];
-        SyntheticRays::Dot dots[kChunk];
         for (std::uint32_t first = 0; first < batch.count;) {
             const std::uint32_t count = std::min(kChunk, out.together());
             const SyntheticRays::Shot* shots = batch.records<SyntheticRays::Shot>() + first;
             const bool has_mirrors = of(self).rays_.mirrors != 0;
             const std::uint32_t reflected = has_mirrors ? of(self).rays_.reflect(shots, count, rays, stay) : 0;
+            SyntheticRays::Dot* dots = out.calls_in_place<SyntheticRays::Dot>(batch.next, count - reflected);
+            if (dots == nullptr) return;
             of(self).rays_.shade(has_mirrors ? stay : shots, count - reflected, dots);
-            out.calls(batch.next, dots, count - reflected);
             out.calls(of(self).tasks.trace, rays, reflected);
             out.done(count);
             first += count;

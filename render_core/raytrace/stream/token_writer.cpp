@@ -26,16 +26,35 @@ void TokenWriter::calls(TaskId task, const void* records, std::uint32_t count) {
     const unsigned char* from = static_cast<const unsigned char*>(records);
     while (count > 0) {
         const bool continues = pending_count_ > 0 && pending_task_ == task && end_ == pending_place_ && pending_count_ < most;
-        if (!continues && !make_pending(task)) return;
-        const std::uint32_t now = std::min(count, most - pending_count_);
-        if (now * arguments > stop_ - end_) return note(WriterFault::too_much);
-        if (arguments > 0) std::memcpy(words_ + end_, from, std::size_t{now} * arguments * sizeof *words_);
-        end_ += now * arguments;
-        from += std::size_t{now} * arguments * sizeof *words_;
-        pending_count_ += now;
-        pending_place_ = end_;
+        const std::uint32_t now = std::min(count, most - (continues ? pending_count_ : 0));
+        const std::size_t bytes = arguments * sizeof *words_;
+        std::uint32_t* place = place_calls(task, now, bytes);
+        if (place == nullptr) return;
+        if (bytes > 0) std::memcpy(place, from, now * bytes);
+        from += now * bytes;
         count -= now;
     }
+}
+
+std::uint32_t* TokenWriter::place_calls(TaskId task, std::uint32_t count, std::size_t bytes) {
+    if (task >= network_.size()) {
+        note(WriterFault::unknown_task);
+        return nullptr;
+    }
+    const std::uint32_t arguments = network_.task(task).arguments, most = network_.most_count(task);
+    TEDAVIS_CHECK(bytes == arguments * sizeof *words_ && count <= most);
+    const bool continues =
+        pending_count_ > 0 && pending_task_ == task && end_ == pending_place_ && pending_count_ + count <= most;
+    if (count > 0 && !continues && !make_pending(task)) return nullptr;
+    if (count * arguments > stop_ - end_) {
+        note(WriterFault::too_much);
+        return nullptr;
+    }
+    std::uint32_t* place = words_ + end_;
+    end_ += count * arguments;
+    if (count > 0) pending_place_ = end_;
+    pending_count_ += count;
+    return place;
 }
 
 void TokenWriter::each_calls(TaskId task, const void* records, std::uint32_t count) {

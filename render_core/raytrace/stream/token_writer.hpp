@@ -38,6 +38,13 @@ public:
     void call(TaskId task);
     /// The present call gives so many calls, whose arguments are records of 32-bit words, one behind the other.
     void calls(TaskId task, const void* records, std::uint32_t count);
+    /// The same for records that the caller writes there, all of them, before it writes anything else; `count` to most_count().
+    /// Null, and a fault, where there is no room.
+    template <class Record>
+    [[nodiscard]] Record* calls_in_place(TaskId task, std::uint32_t count) {
+        static_assert(std::is_trivially_copyable_v<Record> && alignof(Record) == alignof(std::uint32_t));
+        return reinterpret_cast<Record*>(place_calls(task, count, sizeof(Record)));
+    }
     /// Each of the next `count` calls, the present one first, gives one call, and is done.
     void each_calls(TaskId task, const void* records, std::uint32_t count);
     /// All that the present call gives has been written.
@@ -70,6 +77,7 @@ private:
     void note(WriterFault fault) {
         if (fault_ == WriterFault::none) fault_ = fault;
     }
+    [[nodiscard]] std::uint32_t* place_calls(TaskId task, std::uint32_t count, std::size_t bytes);
     [[nodiscard]] bool make_pending(TaskId task);
     void write_pending();
     void close_run();

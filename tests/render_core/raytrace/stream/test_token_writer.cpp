@@ -86,6 +86,32 @@ TEST(TokenWriter, ATokenStandsForNoMoreThanMayBe) {
     EXPECT_EQ(tokens.back(), call(o.tasks.add, 953));
 }
 
+struct TEDAVIS_RECORD Pair {
+    std::uint32_t a, b;
+};
+
+TEST(TokenWriter, RecordsMayBeWrittenWhereTheyGo) {
+    Output in_place({2}, 100, 50), copied({2}, 100, 50);
+    for (const std::uint32_t count : {3u, 0u, 2u}) {
+        Pair pairs[3] = {{1, 2}, {3, 4}, {5, count}};
+        Pair* place = in_place.out.calls_in_place<Pair>(in_place.tasks.add, count);
+        ASSERT_NE(place, nullptr);
+        std::copy(pairs, pairs + count, place);
+        copied.out.calls(copied.tasks.add, pairs, count);
+        if (count != 3) continue;
+        in_place.out.literal(9);
+        copied.out.literal(9);
+    }
+    in_place.out.done(2);
+    copied.out.done(2);
+    EXPECT_EQ(in_place.run(0), copied.run(0));
+    EXPECT_EQ(in_place.run(0).size(), 6u + 1 + 1 + 4 + 1);
+    EXPECT_EQ(in_place.out.calls_in_place<Pair>(in_place.tasks.add, 40), nullptr);
+    EXPECT_EQ(in_place.out.fault(), WriterFault::too_much);
+    EXPECT_EQ(copied.out.calls_in_place<Pair>(50, 1), nullptr);
+    EXPECT_EQ(copied.out.fault(), WriterFault::unknown_task);
+}
+
 TEST(TokenWriter, TellsWhatIsLeftOfARun) {
     Output o({2, 3});
     EXPECT_EQ(o.out.together(), 2u);
