@@ -13,7 +13,7 @@ using test_support::TracedGround;
 using test_support::TracedPicture;
 using Ground = TracedGround<std::int16_t>;
 
-constexpr std::uint32_t kWidth = 100, kHeight = 70;
+constexpr std::uint32_t kWidth = 62, kHeight = 43;
 
 /// Looks along one axis of the grid, with pixels on its lines; 'wide' over many cells, or within one.
 std::vector<GridCamera> hard_cameras(double columns, double rows, double height) {
