@@ -17,12 +17,6 @@ Height outer_of(Height a, Height b) {
     return b < a ? b : a;
 }
 
-/// What a cell without a surface counts as.
-template <class Height, HeightBound bound>
-constexpr Height no_surface() {
-    return bound == HeightBound::maximum ? std::numeric_limits<Height>::lowest() : std::numeric_limits<Height>::max();
-}
-
 template <class Height, HeightBound bound>
 void bound_cells(const HeightGrid<Height>& grid, std::uint32_t row, std::uint32_t first, std::uint32_t end, Height* nodes) {
     const Height* const upper = grid.row(row);
@@ -31,7 +25,7 @@ void bound_cells(const HeightGrid<Height>& grid, std::uint32_t row, std::uint32_
         const Height a = upper[n], b = upper[n + 1], c = lower[n], d = lower[n + 1];
         const Height least = std::min(std::min(a, b), std::min(c, d));
         const Height all = bound == HeightBound::maximum ? std::max(std::max(a, b), std::max(c, d)) : least;
-        nodes[n] = least == HeightGrid<Height>::kVoid ? no_surface<Height, bound>() : all;
+        nodes[n] = least == HeightGrid<Height>::kVoid ? no_surface<Height>(bound) : all;
     }
 }
 
@@ -74,9 +68,10 @@ std::uint64_t HeightMipmap<Height>::bytes_needed(std::uint32_t columns, std::uin
 }
 
 template <class Height>
-bool HeightMipmap<Height>::start(const HeightGrid<Height>& grid, base::Arena& arena) {
+bool HeightMipmap<Height>::start(const HeightGrid<Height>& grid, base::Arena& arena, const CellBounds<Height>& cells) {
     TEDAVIS_CHECK(grid.is_valid());
     grid_ = grid;
+    cells_ = cells;
     nodes_ = arena.allocate_array<Height>(lay_out(grid.columns, grid.rows, layout_) + 1);
     return !nodes_.empty();
 }
@@ -97,6 +92,7 @@ void HeightMipmap<Height>::bound_row(int level, std::uint32_t row, std::uint32_t
     Height* const nodes = row_of(level, row);
     const bool is_maximum = bound_ == HeightBound::maximum;
     if (level == 0) {
+        if (cells_.row != nullptr) return cells_.row(cells_.context, grid_, bound_, row, first, end, nodes);
         is_maximum ? bound_cells<Height, HeightBound::maximum>(grid_, row, first, end, nodes)
                    : bound_cells<Height, HeightBound::minimum>(grid_, row, first, end, nodes);
         return;
@@ -137,8 +133,11 @@ template <class Height>
 void HeightMipmap<Height>::update(const PostRegion& changed) {
     TEDAVIS_CHECK(changed.end_column <= grid_.columns && changed.end_row <= grid_.rows);
     if (changed.first_column >= changed.end_column || changed.first_row >= changed.end_row) return;
-    std::uint32_t left = std::max(changed.first_column, 1u) - 1, right = std::min(changed.end_column, across(0));
-    std::uint32_t top = std::max(changed.first_row, 1u) - 1, bottom = std::min(changed.end_row, down(0));
+    const std::uint32_t before = cells_.reach + 1;  // cells that a post takes part in
+    std::uint32_t left = std::max(changed.first_column, before) - before;
+    std::uint32_t right = std::min(changed.end_column + cells_.reach, across(0));
+    std::uint32_t top = std::max(changed.first_row, before) - before;
+    std::uint32_t bottom = std::min(changed.end_row + cells_.reach, down(0));
     for (int level = 0; level <= layout_.top; ++level) {
         for (std::uint32_t row = top; row < bottom; ++row) bound_row(level, row, left, right);
         left /= 2;

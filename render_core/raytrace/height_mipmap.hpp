@@ -10,11 +10,9 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/workers.hpp"
 #include "render_core/base/span.hpp"
-#include "render_core/raytrace/height_grid.hpp"
+#include "render_core/raytrace/cell_bounds.hpp"
 
 namespace tedavis::raytrace {
-
-enum class HeightBound : std::uint8_t { maximum, minimum };
 
 template <class Height>
 struct MipmapLevel {
@@ -37,8 +35,9 @@ public:
     explicit HeightMipmap(HeightBound bound = HeightBound::maximum) : bound_(bound) {}
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
-    /// False where the arena has no room. The grid is borrowed and must stay.
-    [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena);
+    /// False where the arena has no room. The grid is borrowed and must stay. Without `cells` bounds are those of each cell's
+    /// four posts, which hold for two triangles and for bilinear surfaces, and for no other.
+    [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena, const CellBounds<Height>& cells = {});
     /// Of all posts.
     void build(base::Workers& workers);
     /// After posts of a region have changed; gives what build() would.
@@ -59,6 +58,7 @@ private:
 
     HeightGrid<Height> grid_;
     HeightBound bound_;
+    CellBounds<Height> cells_;
     MipmapLayout layout_;
     base::Span<Height> nodes_;
 };
