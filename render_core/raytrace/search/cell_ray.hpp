@@ -1,0 +1,38 @@
+/// A stretch of a ray within one cell, and where it meets the surface there.
+#pragma once
+
+#include <algorithm>
+
+#include "render_core/raytrace/surface/surface_height.hpp"
+
+namespace tedavis::raytrace {
+
+struct RayPoint {
+    double t = 0;
+    CellPlace place;
+    double z = 0;
+};
+
+/// From one point of a ray to a later one, both in (or on the sides of) one cell. Points between are linear.
+struct CellRay {
+    RayPoint from, to;
+
+    /// s from 0 to 1.
+    [[nodiscard]] RayPoint at(double s) const {
+        const auto between = [s](double a, double b) { return (1 - s) * a + s * b; };
+        RayPoint point = from;
+        point.t = between(from.t, to.t);
+        point.place.u = std::clamp(between(from.place.u, to.place.u), 0.0, 1.0);
+        point.place.v = std::clamp(between(from.place.v, to.place.v), 0.0, 1.0);
+        point.z = between(from.z, to.z);
+        return point;
+    }
+};
+
+struct Crossing {
+    bool is_met = false;
+    bool is_from_below = false;
+    double s = 0;  ///< along the stretch, 0..1
+};
+
+}  // namespace tedavis::raytrace
