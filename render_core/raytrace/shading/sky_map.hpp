@@ -1,0 +1,90 @@
+/// How much of the sky each post sees: ambient occlusion (Zhukov et al. 1998; Pharr and Green 2004) and ambient apertures (Oat
+/// and Sander 2007), precomputed from horizons.
+///
+/// The horizon is looked for along some azimuths, out to a radius, where the ray crosses columns or rows of posts (whichever it
+/// crosses more of), between whose posts heights are linear; it is nowhere below the horizontal, nor below the plane of the
+/// surface itself. Voids and what lies beyond the border hide nothing.
+///
+/// - Sky view: the share of the light of an even sky that falls on the surface (Dozier and Frew 1990). A plane has exactly 1
+/// where it
+///   is level and (1 + cos slope) / 2 where it is tilted, as what is below the horizontal is no sky.
+/// - Aperture: a cone of as much sky as is seen, round the mean direction of it. Where sky is seen in two places, between ridges,
+///   it lies between them: that is the method's error (NUMERICS A29), none of precision.
+///
+/// What is inexact: few azimuths (error about n^-1.6) and above all a short radius, which makes it too light (NUMERICS A28 has
+/// figures; the radius decides). Stored in 8 and 16 bits. No function of the C library but sqrt takes part: equal maps
+/// everywhere.
+///
+/// Memory  from an arena: 1 byte a post, 7 with apertures. Thread  build() uses the workers; reading any. Cost of build():
+/// azimuths times radius posts a post.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/base/span.hpp"
+#include "render_core/raytrace/height_grid.hpp"
+#include "render_core/raytrace/surface/surface_point.hpp"
+
+namespace tedavis::raytrace {
+
+struct SkyMapSettings {
+    static constexpr std::uint32_t kMostAzimuths = 128;
+
+    std::uint32_t azimuths = 16;  ///< 4..kMostAzimuths
+    std::uint32_t radius = 64;    ///< posts, 1 or more
+    GridScale scale;
+    bool has_apertures = false;
+};
+
+/// A cone through which sky is seen.
+struct Aperture {
+    glm::dvec3 axis{0, 0, 1};  ///< unit vector
+    double cos_radius = 0;     ///< 0: half of all directions; 1: none
+};
+
+/// Of one place, as precise as doubles are.
+struct SkySeen {
+    double view = 1;
+    Aperture aperture;
+};
+
+/// Highest tangent of elevation over the posts along one azimuth, 0 or more. `direction` is a unit vector in metres.
+template <class Height>
+[[nodiscard]] double horizon_slope(const HeightGrid<Height>& grid, const GridScale& scale, std::uint32_t column,
+                                   std::uint32_t row, const glm::dvec2& direction, std::uint32_t radius);
+
+/// At a post that has a height.
+template <class Height>
+[[nodiscard]] SkySeen sky_seen_at(const HeightGrid<Height>& grid, const SkyMapSettings& settings, std::uint32_t column,
+                                  std::uint32_t row);
+
+template <class Height>
+class SkyMap {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows, bool has_apertures);
+    /// False where the arena has no room. The grid is borrowed and must stay until build() has ended.
+    [[nodiscard]] bool start(const HeightGrid<Height>& grid, const SkyMapSettings& settings, base::Arena& arena);
+    void build(base::Workers& workers);
+
+    /// Between the posts round a place of grid space; outside the grid that of its border.
+    [[nodiscard]] double view_at(double x, double y) const;
+    /// Only with apertures. Where the mean direction is no direction, `normal` takes its place.
+    [[nodiscard]] Aperture aperture_at(double x, double y, const glm::dvec3& normal) const;
+
+private:
+    struct StoredAperture {
+        std::int16_t x, y;         ///< of the axis, 1 is 32767
+        std::uint16_t cos_radius;  ///< 1 is 65535
+    };
+    void build_row(std::uint32_t row);
+
+    HeightGrid<Height> grid_;
+    SkyMapSettings settings_;
+    base::Span<std::uint8_t> views_;  ///< 1 is 255
+    base::Span<StoredAperture> apertures_;
+};
+
+}  // namespace tedavis::raytrace
