@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "render_core/raytrace/search/cell_crossing.hpp"
-#include "render_core/raytrace/search/node_walk.hpp"
+#include "render_core/raytrace/search/walk_nodes.hpp"
 
 namespace tedavis::raytrace {
 namespace {
@@ -53,29 +53,9 @@ SurfaceHit hit_in_cell(const HeightMipmap<Height>& maxima, const SurfaceSettings
 template <class Height>
 SurfaceHit trace_surface(const HeightMipmap<Height>& maxima, const SurfaceSettings& settings, const Ray& ray,
                          TraceCounts* counts) {
-    const std::uint32_t top = maxima.levels() - 1;
     TraceCounts ignored;
-    TraceCounts& count = counts != nullptr ? *counts : ignored;
-    NodeWalk walk(ray, maxima.grid().columns - 1, maxima.grid().rows - 1);
-    std::uint32_t level = top;
-    while (walk.is_inside()) {
-        ++count.nodes;
-        const Height highest = maxima.level(level).at(walk.column() >> level, walk.row() >> level);
-        const double lowest_of_ray = std::min(walk.height_at(walk.t()), walk.height_at(walk.exit_t(level)));
-        const bool is_above = highest == no_surface<Height>(HeightBound::maximum) || lowest_of_ray > static_cast<double>(highest);
-        if (!is_above && level > 0) {
-            --level;
-            continue;
-        }
-        if (!is_above) {
-            ++count.cells;
-            const SurfaceHit hit = hit_in_cell(maxima, settings, walk);
-            if (hit.side != HitSide::none) return hit;
-        }
-        walk.leave(level);
-        level = std::min(level + 1, top);
-    }
-    return {};
+    return walk_nodes(maxima, ray, counts != nullptr ? *counts : ignored,
+                      [&](const NodeWalk& walk) { return hit_in_cell(maxima, settings, walk); });
 }
 
 template SurfaceHit trace_surface(const HeightMipmap<std::int16_t>&, const SurfaceSettings&, const Ray&, TraceCounts*);

@@ -8,25 +8,10 @@
 /// Pure; any thread; bounded by the nodes that a line crosses.
 #pragma once
 
-#include <glm/vec2.hpp>
-
 #include "render_core/raytrace/height_mipmap.hpp"
-#include "render_core/raytrace/ray.hpp"
-#include "render_core/raytrace/search/cell_ray.hpp"
+#include "render_core/raytrace/search/surface_hit.hpp"
 
 namespace tedavis::raytrace {
-
-struct SurfaceHit {
-    HitSide side = HitSide::none;
-    double t = std::numeric_limits<double>::infinity();
-    CellPlace place;
-    double height = 0;     ///< of the surface there, not of the ray
-    glm::dvec2 slopes{0};  ///< along x and y
-};
-
-struct TraceCounts {
-    std::uint64_t nodes = 0, cells = 0;
-};
 
 /// `counts` may be null.
 template <class Height>

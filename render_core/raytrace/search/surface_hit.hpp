@@ -1,0 +1,25 @@
+/// What a ray met of a surface.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "render_core/raytrace/ray.hpp"
+#include "render_core/raytrace/surface/surface_height.hpp"
+
+namespace tedavis::raytrace {
+
+struct SurfaceHit {
+    HitSide side = HitSide::none;
+    double t = std::numeric_limits<double>::infinity();
+    CellPlace place;
+    double height = 0;     ///< of the surface there, not of the ray
+    glm::dvec2 slopes{0};  ///< along x and y
+};
+
+/// What a trace took.
+struct TraceCounts {
+    std::uint64_t nodes = 0, cells = 0;
+};
+
+}  // namespace tedavis::raytrace
