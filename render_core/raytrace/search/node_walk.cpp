@@ -47,8 +47,11 @@ NodeWalk::NodeWalk(const Ray& ray, std::uint32_t columns, std::uint32_t rows)
     }
     is_inside_ = t_ <= end_;
     if (!is_inside_) return;
-    for (int axis = 0; axis < 2; ++axis) cell_[axis] = cell_ahead(place_at(axis, t_), direction_[axis] < 0, cells_[axis]);
-    if (entered_by_ >= 0) cell_[entered_by_] = direction_[entered_by_] < 0 ? cells_[entered_by_] - 1 : 0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const bool is_back = direction_[axis] < 0;
+        const std::uint32_t at_border = is_back ? cells_[axis] - 1 : 0;
+        cell_[axis] = axis == entered_by_ ? at_border : cell_ahead(place_at(axis, t_), is_back, cells_[axis]);
+    }
 }
 
 double NodeWalk::crossing_t(int axis, std::uint32_t level) const {
