@@ -10,17 +10,17 @@ namespace {
 
 constexpr double kNoTime = std::numeric_limits<double>::infinity();
 
-struct Span {
+struct RayStretch {
     double enters = kNoTime, leaves = -kNoTime;  ///< empty where it enters later than it leaves
 
-    void include(const Span& other) {
+    void include(const RayStretch& other) {
         enters = std::min(enters, other.enters);
         leaves = std::max(leaves, other.leaves);
     }
 };
 
 /// Within a ball; s counts in lengths of the unit direction.
-Span within_ball(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& centre, double radius) {
+RayStretch within_ball(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& centre, double radius) {
     const double nearest = glm::dot(centre - origin, direction);
     const glm::dvec3 aside = (origin - centre) + nearest * direction;
     const double square = radius * radius - glm::dot(aside, aside);
@@ -30,7 +30,7 @@ Span within_ball(const glm::dvec3& origin, const glm::dvec3& direction, const gl
 }
 
 /// Within a round bar without its end balls; the ends are planes.
-Span within_bar(const glm::dvec3& origin, const glm::dvec3& direction, const Capsule& capsule) {
+RayStretch within_bar(const glm::dvec3& origin, const glm::dvec3& direction, const Capsule& capsule) {
     const glm::dvec3 axis = capsule.to - capsule.from;
     const double length = glm::length(axis);
     if (!(length > 0)) return {};
@@ -39,7 +39,7 @@ Span within_bar(const glm::dvec3& origin, const glm::dvec3& direction, const Cap
     const double rate = glm::dot(direction, along), at_start = glm::dot(start, along);
     const glm::dvec3 across = direction - rate * along, beside = start - at_start * along;
     const double square = glm::dot(across, across);
-    Span span{-kNoTime, kNoTime};
+    RayStretch span{-kNoTime, kNoTime};
     if (square > 1e-24) {
         const double nearest = -glm::dot(beside, across) / square;
         const glm::dvec3 aside = beside + nearest * across;
@@ -50,11 +50,11 @@ Span within_bar(const glm::dvec3& origin, const glm::dvec3& direction, const Cap
     } else if (glm::dot(beside, beside) > capsule.radius * capsule.radius) {
         return {};
     }
-    if (std::abs(rate) < 1e-300) return at_start >= 0 && at_start <= length ? span : Span{};
+    if (std::abs(rate) < 1e-300) return at_start >= 0 && at_start <= length ? span : RayStretch{};
     const double a = -at_start / rate, b = (length - at_start) / rate;
     span.enters = std::max(span.enters, std::min(a, b));
     span.leaves = std::min(span.leaves, std::max(a, b));
-    return span.enters <= span.leaves ? span : Span{};
+    return span.enters <= span.leaves ? span : RayStretch{};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ CapsuleHit ray_capsule(const glm::dvec3& origin, const glm::dvec3& direction, do
     const double length = glm::length(direction);
     const glm::dvec3 unit = direction / length;
     // A capsule is convex: it is one span, from the first to the last of its parts'.
-    Span span = within_ball(origin, unit, capsule.from, capsule.radius);
+    RayStretch span = within_ball(origin, unit, capsule.from, capsule.radius);
     span.include(within_ball(origin, unit, capsule.to, capsule.radius));
     span.include(within_bar(origin, unit, capsule));
     CapsuleHit hit;

@@ -44,7 +44,7 @@ SurfacePoint BicubicPatch::at(double u, double v) const {
     return {along_u.height / kControlScale, along_u.slope / kControlScale, on_curve(slopes_y, u).height / kControlScale};
 }
 
-BicubicPatch bicubic_patch(const CellPosts& posts) {
+BicubicPatch bicubic_patch(const PatchPosts& posts) {
     BicubicPatch patch;
     double columns[4][4];  // [column of posts][along v]
     for (int i = 0; i < 4; ++i) {

@@ -8,7 +8,7 @@
 /// u and v, 0..1, go from the cell's first post along its row and its column. Edges of neighbouring cells are equal, bit for bit.
 #pragma once
 
-#include "render_core/raytrace/surface/cell_posts.hpp"
+#include "render_core/raytrace/surface/patch_posts.hpp"
 #include "render_core/raytrace/surface/surface_point.hpp"
 
 namespace tedavis::raytrace {
@@ -20,7 +20,7 @@ struct BicubicPatch {
 };
 
 /// Of a cell that has a surface.
-[[nodiscard]] BicubicPatch bicubic_patch(const CellPosts& posts);
+[[nodiscard]] BicubicPatch bicubic_patch(const PatchPosts& posts);
 
 /// Control values are kept 36 times as large: the two divisions by 6 of the form then leave integers.
 inline constexpr double kControlScale = 36;

@@ -79,7 +79,7 @@ CellPatch cell_patch(const HeightGrid<Height>& grid, const SurfaceSettings& sett
     patch.kind = settings.kind;
     patch.subdivisions = std::clamp(settings.subdivisions, 1u, SurfaceSettings::kMostSubdivisions);
     if (is_cubic(settings.kind)) {
-        const CellPosts posts = cell_posts(grid, column, row);
+        const PatchPosts posts = patch_posts(grid, column, row);
         patch.has_surface = posts.has_surface;
         if (posts.has_surface) patch.cubic = bicubic_patch(posts);
         return patch;

@@ -53,6 +53,8 @@ float rounded_down(double height) {
 
 template <class Height>
 CellBounds<Height> surface_bounds(const SurfaceSettings& settings) {
+    const bool by_posts = !is_cubic(settings.kind) && settings.micro.kind == MicroKind::none;
+    if (by_posts) return {};
     return {bound_surface_row<Height>, &settings, is_cubic(settings.kind) ? 1u : 0u};
 }
 

@@ -12,7 +12,7 @@
 
 namespace tedavis::raytrace {
 
-/// To be given to a HeightMipmap; borrows the settings.
+/// To be given to a HeightMipmap; borrows the settings. What is between flat sides needs no more than the mipmap's own bounds.
 template <class Height>
 [[nodiscard]] CellBounds<Height> surface_bounds(const SurfaceSettings& settings);
 

@@ -13,7 +13,7 @@ using test_support::Dice;
 
 BicubicPatch dice_patch(std::uint64_t seed) {
     const auto heights = test_support::dice_heights<float>(4, 4, seed, 3);
-    return bicubic_patch(cell_posts(heights.grid(), 1, 1));
+    return bicubic_patch(patch_posts(heights.grid(), 1, 1));
 }
 
 CellRay stretch_of(Dice& dice) {
@@ -66,7 +66,7 @@ TEST(BicubicCrossing, MissesNoDipThatFineSamplesFind) {
 
 TEST(BicubicCrossing, ALineInTheSurfaceEndsAfterBoundedSteps) {
     const test_support::HeldHeights<float> flat(4, 4, 2.f);
-    const BicubicPatch patch = bicubic_patch(cell_posts(flat.grid(), 1, 1));
+    const BicubicPatch patch = bicubic_patch(patch_posts(flat.grid(), 1, 1));
     const CellRay in_it{{0, {1, 1, 0.1, 0.2}, 2}, {1, {1, 1, 0.9, 0.3}, 2}};
     EXPECT_TRUE(bicubic_crossing(patch, in_it, 1).is_met);
     EXPECT_EQ(bicubic_crossing(patch, in_it, 1).s, 0);

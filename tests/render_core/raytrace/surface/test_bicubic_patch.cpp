@@ -17,7 +17,7 @@ using test_support::Dice;
 using test_support::HeldHeights;
 
 BicubicPatch patch_of(const HeightGrid<std::int16_t>& grid, std::uint32_t column, std::uint32_t row) {
-    return bicubic_patch(cell_posts(grid, column, row));
+    return bicubic_patch(patch_posts(grid, column, row));
 }
 
 /// Catmull and Rom's blending functions, in the other way to write the same surface.
@@ -33,7 +33,7 @@ TEST(BicubicPatch, IsCatmullAndRomsInLongDouble) {
     const auto heights = test_support::dice_heights<std::int16_t>(12, 11, 5, 20000);
     Dice dice(1);
     for (int n = 0; n < 20000; ++n) {
-        const CellPosts posts = cell_posts(heights.grid(), dice.below(11), dice.below(10));
+        const PatchPosts posts = patch_posts(heights.grid(), dice.below(11), dice.below(10));
         const double u = dice.unit(), v = dice.unit();
         const Blend across(u), down(v);
         long double height = 0, slope_x = 0, slope_y = 0;
@@ -58,8 +58,8 @@ TEST(BicubicPatch, NeighboursShareTheirSidesBitForBit) {
     for (std::uint32_t row = 0; row < 18; ++row)
         for (std::uint32_t column = 0; column < 18; ++column)
             for (const bool is_right : {true, false}) {
-                const CellPosts here = cell_posts(heights.grid(), column, row);
-                const CellPosts there = cell_posts(heights.grid(), column + (is_right ? 1 : 0), row + (is_right ? 0 : 1));
+                const PatchPosts here = patch_posts(heights.grid(), column, row);
+                const PatchPosts there = patch_posts(heights.grid(), column + (is_right ? 1 : 0), row + (is_right ? 0 : 1));
                 if (!here.has_surface || !there.has_surface) continue;
                 const double t = dice.unit();
                 const SurfacePoint a = bicubic_patch(here).at(is_right ? 1 : t, is_right ? t : 1);
@@ -103,7 +103,7 @@ TEST(BicubicPatch, TheHullHoldsEveryHeightBitForBit) {
     Dice dice(4);
     int above_posts = 0;
     for (int n = 0; n < 60000; ++n) {
-        const CellPosts posts = cell_posts(heights.grid(), dice.below(29), dice.below(29));
+        const PatchPosts posts = patch_posts(heights.grid(), dice.below(29), dice.below(29));
         const BicubicPatch patch = bicubic_patch(posts);
         const double height = patch.at(dice.unit(), dice.unit()).height;
         const auto [low, high] = std::minmax_element(&patch.control[0][0], &patch.control[0][0] + 16);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "render_core/raytrace/height_mipmap.hpp"
 #include "render_core/raytrace/surface/surface_height.hpp"
 #include "tests/support/held_heights.hpp"
 
@@ -23,20 +24,34 @@ struct Violations {
     int cells = 0;
 };
 
+template <class Height>
+struct BoundedCells {
+    std::vector<unsigned char> memory;
+    base::Arena arena;
+    HeightMipmap<Height> mipmap;
+    BoundedCells(const HeightGrid<Height>& grid, const SurfaceSettings& settings, HeightBound bound)
+        : memory(HeightMipmap<Height>::bytes_needed(grid.columns, grid.rows)),
+          arena(memory.data(), memory.size()),
+          mipmap(bound) {
+        EXPECT_TRUE(mipmap.start(grid, arena, surface_bounds<Height>(settings)));
+        base::SerialWorkers alone;
+        mipmap.build(alone);
+    }
+    [[nodiscard]] Height at(std::uint32_t column, std::uint32_t row) const { return mipmap.level(0).at(column, row); }
+};
+
 /// 64 x 64 samples a cell, its sides included.
 template <class Height>
 Violations sampled(const HeightGrid<Height>& grid, const SurfaceSettings& settings, int samples = 64) {
     Violations found;
-    const CellBounds<Height> bounds = surface_bounds<Height>(settings);
-    std::vector<Height> highest(grid.columns), lowest(grid.columns);
+    const BoundedCells<Height> maxima(grid, settings, HeightBound::maximum), minima(grid, settings, HeightBound::minimum);
     for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
-        bounds.row(bounds.context, grid, HeightBound::maximum, row, 0, grid.columns - 1, highest.data());
-        bounds.row(bounds.context, grid, HeightBound::minimum, row, 0, grid.columns - 1, lowest.data());
         for (std::uint32_t column = 0; column + 1 < grid.columns; ++column) {
+            const Height highest = maxima.at(column, row), lowest = minima.at(column, row);
             const CellPatch patch = cell_patch(grid, settings, column, row);
             if (!patch.has_surface) {
-                EXPECT_EQ(highest[column], no_surface<Height>(HeightBound::maximum));
-                EXPECT_EQ(lowest[column], no_surface<Height>(HeightBound::minimum));
+                EXPECT_EQ(highest, no_surface<Height>(HeightBound::maximum));
+                EXPECT_EQ(lowest, no_surface<Height>(HeightBound::minimum));
                 continue;
             }
             const double most = std::max(std::max(grid.at(column, row), grid.at(column + 1, row)),
@@ -46,11 +61,11 @@ Violations sampled(const HeightGrid<Height>& grid, const SurfaceSettings& settin
                 const CellPlace place{column, row, n % samples / (samples - 1.0), n / samples / (samples - 1.0)};
                 const double height = surface_on(patch, settings.micro, place).height;
                 top = std::max(top, height);
-                found.of_bounds += height > highest[column] || height < lowest[column] ? 1 : 0;
+                found.of_bounds += height > highest || height < lowest ? 1 : 0;
             }
             found.of_posts += top > most ? 1 : 0;
             found.worst_beyond_posts = std::max(found.worst_beyond_posts, top - most);
-            found.slack += highest[column] - top;
+            found.slack += highest - top;
             ++found.cells;
         }
     }

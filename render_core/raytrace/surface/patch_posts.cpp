@@ -1,4 +1,4 @@
-#include "render_core/raytrace/surface/cell_posts.hpp"
+#include "render_core/raytrace/surface/patch_posts.hpp"
 
 #include <initializer_list>
 
@@ -60,8 +60,8 @@ void continue_corners(RingPosts& ring) {
 }  // namespace
 
 template <class Height>
-CellPosts cell_posts(const HeightGrid<Height>& grid, std::uint32_t column, std::uint32_t row) {
-    CellPosts posts;
+PatchPosts patch_posts(const HeightGrid<Height>& grid, std::uint32_t column, std::uint32_t row) {
+    PatchPosts posts;
     RingPosts ring{posts.z, {}, {}, {}};
     read_ring(grid, column, row, ring);
     posts.has_surface = ring.is_there[1][1] && ring.is_there[1][2] && ring.is_there[2][1] && ring.is_there[2][2];
@@ -71,7 +71,7 @@ CellPosts cell_posts(const HeightGrid<Height>& grid, std::uint32_t column, std::
     return posts;
 }
 
-template CellPosts cell_posts(const HeightGrid<std::int16_t>&, std::uint32_t, std::uint32_t);
-template CellPosts cell_posts(const HeightGrid<float>&, std::uint32_t, std::uint32_t);
+template PatchPosts patch_posts(const HeightGrid<std::int16_t>&, std::uint32_t, std::uint32_t);
+template PatchPosts patch_posts(const HeightGrid<float>&, std::uint32_t, std::uint32_t);
 
 }  // namespace tedavis::raytrace

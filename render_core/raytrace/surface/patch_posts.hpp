@@ -11,13 +11,13 @@
 
 namespace tedavis::raytrace {
 
-struct CellPosts {
+struct PatchPosts {
     bool has_surface = false;  ///< else the heights mean nothing
     double z[4][4] = {};       ///< z[row + 1][column + 1] of the cell's first post
 };
 
 /// Sums of few heights: exact for std::int16_t, rounded as doubles for float.
 template <class Height>
-[[nodiscard]] CellPosts cell_posts(const HeightGrid<Height>& grid, std::uint32_t column, std::uint32_t row);
+[[nodiscard]] PatchPosts patch_posts(const HeightGrid<Height>& grid, std::uint32_t column, std::uint32_t row);
 
 }  // namespace tedavis::raytrace
