@@ -56,8 +56,9 @@ NodeWalk::NodeWalk(const Ray& ray, std::uint32_t columns, std::uint32_t rows)
 
 double NodeWalk::crossing_t(int axis, std::uint32_t level) const {
     if (std::abs(direction_[axis]) <= kLeastDirection) return std::numeric_limits<double>::infinity();
-    const std::uint32_t node = cell_[axis] >> level;
-    const std::uint32_t line = direction_[axis] < 0 ? node << level : std::min((node + 1) << level, cells_[axis]);
+    const std::uint32_t node = (axis == 0 ? cell_[0] : cell_[1]) >> level;
+    const std::uint32_t end = axis == 0 ? cells_[0] : cells_[1];
+    const std::uint32_t line = direction_[axis] < 0 ? node << level : std::min((node + 1) << level, end);
     const double t = (line - origin_[axis]) / direction_[axis];
     return t > t_ ? t : t_;
 }
