@@ -44,6 +44,10 @@ float ConeMap<Height>::narrowest_along(std::uint32_t column, std::uint32_t row, 
     const double top = *std::max_element(heights, heights + count + 1);
     // From above the post to each point of the surface, and on below it to where the surface is left again.
     for (std::uint32_t target = 1; target <= count; ++target) {
+        if (!settings_.is_relaxed) {
+            if (heights[target] > tip) narrowest = std::min(narrowest, static_cast<float>(target / (heights[target] - tip)));
+            continue;
+        }
         const double slope = (heights[target] - top) / target;
         const auto depth_at = [&](std::uint32_t n) { return heights[n] - (top + slope * n); };
         std::uint32_t out = target + 1;

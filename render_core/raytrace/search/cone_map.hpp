@@ -24,6 +24,9 @@ namespace tedavis::raytrace {
 struct ConeSettings {
     std::uint32_t azimuths = 16;  ///< 4..64
     std::uint32_t radius = 16;    ///< posts, 1..256
+    /// False: cones that hold none of the surface (Dummer 2006). Narrower, so that more steps are needed, but what they see is
+    /// not passed, however flat the ray.
+    bool is_relaxed = true;
 };
 
 struct ConeSearch {
