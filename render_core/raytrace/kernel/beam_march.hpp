@@ -53,8 +53,9 @@ struct BeamNodes {
         n.fits = ((low >> level) >= n.first) & (n.first + one >= (high >> level));
         const Int finer = V::max(level - one, Int(0));
         n.fits_finer = (low >> finer) + one >= (high >> finer);
-        const Float up = (V::to_float(((n.first + one + one) << level) - cell) - fraction) * a.per_most;
-        const Float down = (V::to_float((n.first << level) - cell) - fraction) * a.per_least;
+        const Int side = one << level;
+        const Float up = (V::to_float((n.first + one + one) * side - cell) - fraction) * a.per_most;
+        const Float down = (V::to_float(n.first * side - cell) - fraction) * a.per_least;
         n.leaves = V::min(V::select(a.goes_up, up, Float(kNever)), V::select(a.goes_down, down, Float(kNever)));
         return n;
     }
