@@ -7,7 +7,8 @@
 /// flats.
 ///
 /// What goes wrong: the map looks along some azimuths, out to a radius, at posts; what it does not see, cones may hold, and a
-/// step may pass. Rays between posts use the cone of the nearest. A step is never longer than the radius. Where the steps run out
+/// step may pass. Relaxed cones are made for rays from above the highest ground around; flatter ones may leave a ridge sooner,
+/// and pass it. Rays between posts use the cone of the nearest. A step is never longer than the radius. Where the steps run out
 /// the ray meets nothing, most of all near the horizon. Rays that begin below the surface meet it where they are.
 ///
 /// Memory  from an arena: 4 bytes a post. Thread  build() uses the workers; searching any. Cost of build(): azimuths times half
