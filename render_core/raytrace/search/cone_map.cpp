@@ -102,7 +102,8 @@ SurfaceHit ConeMap<Height>::search(const Ray& ray, const ConeSearch& search) con
         if (bilinear_height(grid_, place.x, place.y, height)) {
             const double gap = place.z - height;
             if (gap <= 0) break;
-            const double width = ratio(static_cast<std::uint32_t>(place.x + 0.5), static_cast<std::uint32_t>(place.y + 0.5));
+            const auto nearest = [](double along) { return static_cast<std::uint32_t>(std::floor(along + 0.5)); };
+            const double width = ratio(nearest(place.x), nearest(place.y));
             const double narrowing = 1 + width * fall;
             posts = narrowing > 0 ? width * gap / narrowing : settings_.radius;
         }
