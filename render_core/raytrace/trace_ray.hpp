@@ -26,7 +26,7 @@ enum class CellSurface : std::uint8_t {
 template <class Height>
 struct TracedField {
     const HeightMipmap<Height>* maxima = nullptr;
-    /// Null: a ray that begins below the surface meets nothing until it has left it, and that not either.
+    /// Null: a ray that is below the surface, from its beginning or through a hole, meets nothing more.
     const HeightMipmap<Height>* minima = nullptr;
     CellSurface surface = CellSurface::two_triangles;
 
