@@ -158,7 +158,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
     const Float in = gap_of<V, side>(height_in, p.surface_in);
     const Float middle = gap_of<V, side>(Lanes::height_at(ray, p.t_middle), p.surface_middle);
     const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
-    const auto is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
+    const typename V::Mask is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
     CellMeeting<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
     m.is_beyond = in < Float(0) - seam_tolerance<V>(p, height_in);

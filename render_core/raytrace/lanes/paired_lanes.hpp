@@ -9,8 +9,10 @@ template <class V>
 struct PairedLanes {
     static constexpr int kCount = 2 * V::kCount;
 
+    // NOLINTBEGIN(bugprone-macro-parentheses): types
 #define TEDAVIS_PAIRED(result, type, op) \
     friend __attribute__((always_inline)) inline result operator op(type a, type b) { return {a.low op b.low, a.high op b.high}; }
+    // NOLINTEND(bugprone-macro-parentheses)
     struct Mask {
         typename V::Mask low, high;
         TEDAVIS_PAIRED(Mask, Mask, &)

@@ -25,8 +25,10 @@ struct VectorLanes {
     using FloatVector = typename VectorOf<N>::Float;
     using IntVector = typename VectorOf<N>::Int;
 
+    // NOLINTBEGIN(bugprone-macro-parentheses): types
 #define TEDAVIS_VECTOR(result, type, op) \
     friend __attribute__((always_inline)) inline result operator op(type a, type b) { return result{a.v op b.v}; }
+    // NOLINTEND(bugprone-macro-parentheses)
     struct Mask {
         IntVector v;  ///< -1 or 0
         TEDAVIS_VECTOR(Mask, Mask, &)
