@@ -72,7 +72,7 @@ bool HeightMipmap<Height>::start(const HeightGrid<Height>& grid, base::Arena& ar
     TEDAVIS_CHECK(grid.is_valid());
     grid_ = grid;
     cells_ = cells;
-    nodes_ = arena.allocate_array<Height>(lay_out(grid.columns, grid.rows, layout_) + 1);
+    nodes_ = arena.allocate_array<Height>(static_cast<std::size_t>(lay_out(grid.columns, grid.rows, layout_)) + 1);
     return !nodes_.empty();
 }
 
