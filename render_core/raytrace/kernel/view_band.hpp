@@ -9,8 +9,7 @@ namespace tedavis::raytrace {
 
 /// Steps after which beams of each size are left where they are: those of their rays that get on do so alone.
 inline constexpr int kMostBeamSteps[kBeamSizes] = {100, 100, 20, 12};
-inline constexpr int kMostCells = 16;   ///< that rays pass one by one before they look at larger nodes
-inline constexpr int kFinerLevels = 2;  ///< at which rays begin, than where their beam ended
+inline constexpr int kMostCells = 16;  ///< that rays pass one by one before they look at larger nodes
 
 /// A row of beams of one size; `around` are those of the size before, null for the first.
 template <class V, class Height>
