@@ -1,6 +1,7 @@
 /// Rays and what they meet, in grid space (height_grid.hpp).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -14,7 +15,15 @@ struct Ray {
     glm::vec3 direction{0};
     float from = 0;
     float to = std::numeric_limits<float>::infinity();
+    float gap = 0;  ///< a point that is no more height steps below the surface than this, where there was none before, has met it
 };
+
+/// From an origin that is further away nothing is met in float's range.
+inline constexpr double kFarthest = 1e9;
+
+[[nodiscard]] inline bool is_in_reach(const glm::dvec3& origin) {
+    return std::abs(origin.x) < kFarthest && std::abs(origin.y) < kFarthest && std::abs(origin.z) < kFarthest;
+}
 
 enum class HitSide : std::uint8_t {
     none,   ///< nothing is met

@@ -8,13 +8,6 @@ namespace tedavis::raytrace {
 namespace {
 
 using Lane = ScalarLanes;
-/// Of its cell's start: beyond this the origin is so far away that nothing is met in float's range.
-constexpr double kFarthest = 1e9;
-
-bool is_in_reach(const glm::dvec3& origin) {
-    return std::abs(origin.x) < kFarthest && std::abs(origin.y) < kFarthest && std::abs(origin.z) < kFarthest;
-}
-
 RayLanes<Lane> lanes_of(const Ray& ray) {
     const double column = std::floor(ray.origin.x), row = std::floor(ray.origin.y), z = std::floor(ray.origin.z);
     RayLanes<Lane> r;
@@ -25,6 +18,7 @@ RayLanes<Lane> lanes_of(const Ray& ray) {
     r.climb = ray.direction.z;
     r.from = ray.from;
     r.to = ray.to;
+    r.gap = ray.gap;
     return r;
 }
 

@@ -5,7 +5,24 @@
 namespace tedavis::raytrace {
 namespace {
 
-std::uint32_t beams_over(std::uint32_t pixels, int size) { return (pixels + kBeamSide[size] - 1) / kBeamSide[size]; }
+template <class Height>
+struct ViewWork {
+    ViewJob<Height> job;
+    const ViewKernel<Height>* kernel;
+    ViewTiles tiles;
+};
+
+template <class Height>
+void trace_columns_of(void* context, std::uint32_t group) {
+    const auto& work = *static_cast<const ViewWork<Height>*>(context);
+    work.kernel->trace_columns(work.job, group);
+}
+
+template <class Height>
+void trace_tile_of(void* context, std::uint32_t tile) {
+    const auto& work = *static_cast<const ViewWork<Height>*>(context);
+    work.kernel->trace_tile(work.job, work.tiles.left(tile), work.tiles.top(tile));
+}
 
 }  // namespace
 
@@ -18,58 +35,24 @@ Ray GridCamera::ray(std::uint32_t x, std::uint32_t y) const {
 }
 
 template <class Height>
-std::uint64_t ViewTracer<Height>::bytes_needed(std::uint32_t width, std::uint32_t height) {
-    std::uint64_t bytes = 0;
-    for (int n = 0; n < kBeamSizes; ++n)
-        bytes += std::uint64_t{beams_over(width, n)} * beams_over(height, n) * (sizeof(float) + sizeof(std::int32_t)) + 16;
-    return bytes;
-}
-
-template <class Height>
-bool ViewTracer<Height>::start(std::uint32_t width, std::uint32_t height, base::Arena& arena) {
-    if (width == 0 || height == 0 || width > kMostSide || height > kMostSide) return false;
-    width_ = width;
-    height_ = height;
-    for (int n = 0; n < kBeamSizes; ++n) {
-        BeamStarts& beams = beams_[n];
-        beams.across = beams_over(width, n);
-        beams.down = beams_over(height, n);
-        beams.t = arena.allocate_array<float>(std::size_t{beams.across} * beams.down);
-        beams.level = arena.allocate_array<std::int32_t>(std::size_t{beams.across} * beams.down);
-        if (beams.t.empty() || beams.level.empty()) return false;
-    }
-    return true;
-}
-
-template <class Height>
-void ViewTracer<Height>::trace(const TracedField<Height>& field, const GridCamera& camera, const ViewKernel<Height>& kernel,
-                               base::Workers& workers, const HitPicture& picture) {
-    const std::size_t pixels = std::size_t{width_} * height_;
+void trace_view(const TracedField<Height>& field, const GridCamera& camera, const ViewKernel<Height>& kernel,
+                base::Workers& workers, std::uint32_t width, std::uint32_t height, const HitPicture& picture) {
+    const std::size_t pixels = std::size_t{width} * height;
     TEDAVIS_CHECK(picture.t.size() == pixels && picture.cell.size() == pixels && picture.side.size() == pixels);
-    struct Work {
-        ViewJob<Height> job;
-        const ViewKernel<Height>* kernel;
-    };
-    Work work{{&field, &camera, width_, height_, beams_, picture.t.data(), picture.cell.data(), picture.side.data()}, &kernel};
-    if (camera.has_upright_columns()) {
-        const auto lanes = static_cast<std::uint32_t>(kernel.lanes);
-        workers.parallel_for((width_ + lanes - 1) / lanes,
-                             [](void* context, std::uint32_t group) {
-                                 const Work& all = *static_cast<const Work*>(context);
-                                 all.kernel->trace_columns(all.job, group);
-                             },
-                             &work);
-        return;
-    }
-    workers.parallel_for((height_ + kBandRows - 1) / kBandRows,
-                         [](void* context, std::uint32_t band) {
-                             const Work& all = *static_cast<const Work*>(context);
-                             all.kernel->trace_band(all.job, band);
-                         },
-                         &work);
+    TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
+    ViewWork<Height> work{{&field, &camera, width, height, picture, {}, false}, &kernel, {width, height}};
+    const auto lanes = static_cast<std::uint32_t>(kernel.lanes);
+    if (!is_in_reach(camera.origin))
+        clear_pixels(picture, width, 0, 0, width, height);
+    else if (camera.has_upright_columns())
+        workers.parallel_for((width + lanes - 1) / lanes, trace_columns_of<Height>, &work);
+    else
+        workers.parallel_for(work.tiles.count(), trace_tile_of<Height>, &work);
 }
 
-template class ViewTracer<std::int16_t>;
-template class ViewTracer<float>;
+template void trace_view(const TracedField<std::int16_t>&, const GridCamera&, const ViewKernel<std::int16_t>&, base::Workers&,
+                         std::uint32_t, std::uint32_t, const HitPicture&);
+template void trace_view(const TracedField<float>&, const GridCamera&, const ViewKernel<float>&, base::Workers&, std::uint32_t,
+                         std::uint32_t, const HitPicture&);
 
 }  // namespace tedavis::raytrace

@@ -1,6 +1,7 @@
 #include "render_core/raytrace/view_kernels.hpp"
 
 #include "render_core/raytrace/kernel/view_kernel_list.hpp"
+#include "render_core/raytrace/kernel/view_slopes.hpp"
 
 namespace tedavis::raytrace {
 namespace {
@@ -21,27 +22,50 @@ constexpr const char* kVector4 = "neon";
 template <class Height>
 base::Span<const ViewKernel<Height>> view_kernels() {
 #ifdef __x86_64__
-    static constexpr ViewKernel<Height> kKernels[] = {{"avx512", 32, trace_band_vector16, trace_columns_vector16},
-                                                      {"avx2", 8, trace_band_vector8, trace_columns_vector8},
-                                                      {kVector4, 4, trace_band_vector4, trace_columns_vector4},
-                                                      {"scalar", 1, trace_band_scalar, trace_columns_scalar}};
+    static constexpr ViewKernel<Height> kKernels[] = {{"avx512", 32, trace_tile_vector16, trace_columns_vector16},
+                                                      {"avx2", 8, trace_tile_vector8, trace_columns_vector8},
+                                                      {kVector4, 4, trace_tile_vector4, trace_columns_vector4},
+                                                      {"scalar", 1, trace_tile_scalar, trace_columns_scalar}};
     const std::size_t first = has_avx512() ? 0 : has_avx2() ? 1 : 2;
 #else
-    static constexpr ViewKernel<Height> kKernels[] = {{kVector4, 4, trace_band_vector4, trace_columns_vector4},
-                                                      {"scalar", 1, trace_band_scalar, trace_columns_scalar}};
+    static constexpr ViewKernel<Height> kKernels[] = {{kVector4, 4, trace_tile_vector4, trace_columns_vector4},
+                                                      {"scalar", 1, trace_tile_scalar, trace_columns_scalar}};
     const std::size_t first = 0;
 #endif
     return base::Span<const ViewKernel<Height>>(kKernels).subspan(first, std::size(kKernels) - first);
 }
 
+void clear_pixels(const HitPicture& picture, std::uint32_t width, std::uint32_t left, std::uint32_t top, std::uint32_t right,
+                  std::uint32_t bottom) {
+    for (std::uint32_t y = top; y < bottom; ++y)
+        for (std::size_t at = std::size_t{y} * width + left; at < std::size_t{y} * width + right; ++at) {
+            picture.t[at] = std::numeric_limits<float>::infinity();
+            picture.cell[at] = HitPicture::kNoCell;
+            picture.side[at] = HitSide::none;
+        }
+}
+
 template <class Height>
 void trace_pixel(const ViewJob<Height>& job, std::uint32_t x, std::uint32_t y) {
-    const Hit hit = trace_ray(*job.field, job.camera->ray(x, y));
+    const HitPicture& picture = job.picture;
+    Ray ray = job.camera->ray(x, y);
+    ray.from = job.span.from;
+    ray.to = job.span.to;
+    ray.gap = job.span.gap;
+    const Hit hit = trace_ray(*job.field, ray);
     const std::size_t to = std::size_t{y} * job.width + x;
-    job.t[to] = hit.t;
-    job.side[to] = hit.side;
+    picture.t[to] = hit.t;
+    picture.side[to] = hit.side;
     const std::uint32_t columns = job.field->grid().columns - 1;
-    job.cell[to] = hit.side == HitSide::none ? -1 : static_cast<std::int32_t>(hit.row * columns + hit.column);
+    picture.cell[to] =
+        hit.side == HitSide::none ? HitPicture::kNoCell : static_cast<std::int32_t>(hit.row * columns + hit.column);
+    if (picture.u.empty()) return;
+    using Axis = RayAxis<ScalarLanes>;
+    const ViewOrigin origin = ViewOrigin::of(ray.origin);
+    const Axis column = Axis::make(origin.column, origin.column_fraction, ray.direction.x);
+    const Axis row = Axis::make(origin.row, origin.row_fraction, ray.direction.y);
+    picture.u[to] = Axis::place_in(column, static_cast<std::int32_t>(hit.column), hit.t);
+    picture.v[to] = Axis::place_in(row, static_cast<std::int32_t>(hit.row), hit.t);
 }
 
 template base::Span<const ViewKernel<std::int16_t>> view_kernels();

@@ -1,9 +1,10 @@
-/// The kernels that trace bands of pictures, of each width of lanes that this build has; which of them a machine can run is found
+/// The kernels that trace tiles of pictures, of each width of lanes that this build has; which of them a machine can run is found
 /// out at run time. All give the same bits.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "render_core/base/span.hpp"
 #include "render_core/raytrace/trace_ray.hpp"
@@ -21,38 +22,50 @@ struct GridCamera {
     [[nodiscard]] bool has_upright_columns() const { return down.x == 0 && down.y == 0 && down.z != 0; }
 };
 
-/// Sides of beams, in pixels: kBeamSide[0] is found first, each further one starts where the one round it ended.
-inline constexpr int kBeamSizes = 4;
-inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {32, 16, 8, 4};
-inline constexpr std::uint32_t kBandRows = kBeamSide[0];
-
-/// How far beams of one size got, row by row.
-struct BeamStarts {
-    std::uint32_t across = 0, down = 0;
-    base::Span<float> t;
-    base::Span<std::int32_t> level;  ///< of nodes that they were over last
+/// What is asked of the rays of a picture: points for t from `from` to `to`, of which the first may be below the surface by `gap`
+/// height steps and has met it there then (Ray::gap).
+struct RaySpan {
+    float from = 0;
+    float to = std::numeric_limits<float>::infinity();
+    float gap = 0;
 };
+
+/// Memory of a picture, borrowed: width x height of each, rows from the top.
+struct HitPicture {
+    static constexpr std::int32_t kNoCell = -1;
+
+    base::Span<float> t;            ///< infinite where nothing is met
+    base::Span<std::int32_t> cell;  ///< row * (columns of cells) + column
+    base::Span<HitSide> side;
+    base::Span<float> u{}, v{};  ///< where in the cell, 0..1 towards higher columns and rows; empty: nobody asks. Only where met
+};
+
+/// The size of the tiles in which pictures are traced, pixels.
+inline constexpr std::uint32_t kTileWidth = 64, kTileHeight = 32;
 
 template <class Height>
 struct ViewJob {
     const TracedField<Height>* field = nullptr;
     const GridCamera* camera = nullptr;
     std::uint32_t width = 0, height = 0;
-    const BeamStarts* beams = nullptr;  ///< kBeamSizes
-    float* t = nullptr;
-    std::int32_t* cell = nullptr;
-    HitSide* side = nullptr;
+    HitPicture picture;
+    RaySpan span;
+    bool goes_on = false;  ///< rays of pixels that have a t are not asked; the others' pixels say that nothing is met
 };
 
 template <class Height>
 struct ViewKernel {
     const char* name = "";
     int lanes = 1;
-    /// Rows [kBandRows * band, kBandRows * (band + 1)) of the picture.
-    void (*trace_band)(const ViewJob<Height>& job, std::uint32_t band) = nullptr;
-    /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns().
+    /// The tile whose first pixel is (left, top), as far as the picture has it.
+    void (*trace_tile)(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) = nullptr;
+    /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns(); all of a ray.
     void (*trace_columns)(const ViewJob<Height>& job, std::uint32_t group) = nullptr;
 };
+
+/// Says that rays of a rectangle of pixels have met nothing.
+void clear_pixels(const HitPicture& picture, std::uint32_t width, std::uint32_t left, std::uint32_t top, std::uint32_t right,
+                  std::uint32_t bottom);
 
 /// One pixel as trace_ray() finds it: for rays that leave a kernel's way.
 template <class Height>

@@ -35,25 +35,18 @@ private:
 class OwnPicture {
 public:
     OwnPicture(std::uint32_t width, std::uint32_t height)
-        : t(std::size_t{width} * height),
-          memory_(raytrace::ViewTracer<std::int16_t>::bytes_needed(width, height) / 8 + 1),
-          cell_(t.size()),
-          side_(t.size()) {
-        base::Arena arena(memory_.data(), memory_.size() * 8);
-        TEDAVIS_CHECK(tracer_.start(width, height, arena));
-    }
+        : t(std::size_t{width} * height), width_(width), height_(height), cell_(t.size()), side_(t.size()) {}
     void draw(const raytrace::TracedField<std::int16_t>& field, const test_support::TraceCamera& camera, const OwnKernel& kernel,
               base::Workers& workers) {
-        tracer_.trace(field, camera.view(), kernel, workers, {t, cell_, side_});
+        raytrace::trace_view(field, camera.view(), kernel, workers, width_, height_, {t, cell_, side_});
     }
 
     std::vector<float> t;
 
 private:
-    std::vector<std::uint64_t> memory_;
+    std::uint32_t width_, height_;
     std::vector<std::int32_t> cell_;
     std::vector<raytrace::HitSide> side_;
-    raytrace::ViewTracer<std::int16_t> tracer_;
 };
 
 }  // namespace tedavis::bench

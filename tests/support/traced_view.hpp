@@ -115,12 +115,8 @@ TracedPicture traced_singly(const raytrace::TracedField<Height>& field, const ra
 template <class Height>
 TracedPicture traced_by(const raytrace::ViewKernel<Height>& kernel, const raytrace::TracedField<Height>& field,
                         const raytrace::GridCamera& camera, std::uint32_t width, std::uint32_t height, base::Workers& workers) {
-    std::vector<std::uint64_t> memory(raytrace::ViewTracer<Height>::bytes_needed(width, height) / 8 + 1);
-    base::Arena arena(memory.data(), memory.size() * 8);
-    raytrace::ViewTracer<Height> tracer;
-    TEDAVIS_CHECK(tracer.start(width, height, arena));
     TracedPicture all(width, height);
-    tracer.trace(field, camera, kernel, workers, all.picture());
+    raytrace::trace_view(field, camera, kernel, workers, width, height, all.picture());
     return all;
 }
 

@@ -93,7 +93,7 @@ struct BeamLanes {
     Int column, row, z;
     Float column_fraction, row_fraction, z_fraction;
     Float least_climb;
-    Float t;
+    Float t, to;
     Int level;
 };
 
@@ -117,6 +117,7 @@ TEDAVIS_LANES_INLINE void march_beams(const TracedNodes<Height>& field, BeamLane
         const Float highest = highest_under<V, Height>(field, x.first, y.first, b.level, b.z, runs & fits);
         const Mask goes_on = runs & fits & (lowest > highest) & (t_out > b.t);
         b.t = V::select(goes_on, t_out, b.t);
+        runs = runs & (b.t < b.to);
         const Mask finer = V::without(runs & fits, goes_on) & x.fits_finer & y.fits_finer & (b.level > none);
         const Mask coarser = ((goes_on & went_on) | V::without(runs, fits)) & (b.level < top);
         runs = runs & (goes_on | finer | coarser);

@@ -136,12 +136,12 @@ TEDAVIS_LANES_INLINE CellProfile<V> profile_of(const RayLanes<V>& ray, const Cel
     return all;
 }
 
-/// What two sides of an edge may differ by, and more.
+/// What two sides of an edge may differ by, and more; and what a ray's beginning may be off.
 template <class V>
-TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const CellProfile<V>& p, typename V::Float height) {
+TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Float height) {
     using Float = typename V::Float;
     constexpr float kSteps = 4.8e-7f;  // four units in the last place
-    return Float(kSteps) * (p.seam + V::max(V::max(height, Float(0) - height), p.size));
+    return Float(kSteps) * (p.seam + V::max(V::max(height, Float(0) - height), p.size)) + ray.gap;
 }
 
 /// How far a ray at a height is from the surface, on the side that it came along.
@@ -161,7 +161,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
     const typename V::Mask is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
     CellMeeting<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
-    m.is_beyond = in < Float(0) - seam_tolerance<V>(p, height_in);
+    m.is_beyond = in < Float(0) - seam_tolerance<V>(ray, p, height_in);
     // Linear between the last place on this side and the first on the other.
     const auto is_after = V::without(p.crosses, is_met_before);
     const Float since = V::select(is_after, p.t_middle, p.t_in), gap_since = V::select(is_after, middle, in);
@@ -194,7 +194,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
     const auto is_met_in = in <= Float(0);
     CellMeeting<V> m;
     m.is_met = is_met_in | dips | (out <= Float(0));
-    m.is_beyond = in < Float(0) - seam_tolerance<V>(p, height_in);
+    m.is_beyond = in < Float(0) - seam_tolerance<V>(ray, p, height_in);
     m.t = V::select(is_met_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
     return m;
 }

@@ -32,9 +32,14 @@ template <class V, class Height>
 TEDAVIS_LANES_INLINE void keep_and_go_on(const ViewJob<Height>& job, const ViewSlopes& slopes, std::uint32_t left,
                                          std::int32_t columns, ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
     using Int = typename V::Int;
-    float t[V::kCount];
+    float t[V::kCount], u[V::kCount], v[V::kCount];
     std::int32_t cell[V::kCount], row[V::kCount];
     V::store(t, m.met_t);
+    const bool has_places = !job.picture.u.empty();
+    if (has_places) {
+        V::store(u, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t));
+        V::store(v, RayAxis<V>::place_in(ray.y, m.met_row, m.met_t));
+    }
     V::store(cell, m.met_row * Int(columns) + m.met_column);
     V::store(row, sweep.row);
     const std::uint32_t beyond = V::bits(m.is_beyond);
@@ -42,25 +47,19 @@ TEDAVIS_LANES_INLINE void keep_and_go_on(const ViewJob<Height>& job, const ViewS
         const auto n = static_cast<std::uint32_t>(__builtin_ctz(met));
         const auto y = static_cast<std::uint32_t>(row[n]);
         const std::size_t to = std::size_t{y} * job.width + left + n;
-        job.t[to] = t[n];
-        job.cell[to] = cell[n];
-        job.side[to] = HitSide::above;
+        job.picture.t.data()[to] = t[n];
+        job.picture.cell.data()[to] = cell[n];
+        job.picture.side.data()[to] = HitSide::above;
+        if (has_places) {
+            job.picture.u[to] = u[n];
+            job.picture.v[to] = v[n];
+        }
         if ((beyond >> n & 1) != 0) trace_pixel(job, left + n, y);
     }
     sweep.row = V::select(m.is_met, sweep.row + Int(sweep.step), sweep.row);
     ray.climb = climb_of(slopes, sweep);
     m.asks = V::without(m.is_met, sweep.row == Int(sweep.end));
     m.runs = V::without(m.runs, V::without(m.is_met, m.asks));
-}
-
-template <class V, class Height>
-TEDAVIS_LANES_INLINE void clear_columns(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t end) {
-    for (std::uint32_t y = 0; y < job.height; ++y)
-        for (std::size_t at = std::size_t{y} * job.width + left; at < std::size_t{y} * job.width + end; ++at) {
-            job.t[at] = __builtin_inff();
-            job.cell[at] = -1;
-            job.side[at] = HitSide::none;
-        }
 }
 
 /// All rays of the columns that ask which meet the cells that they stand before.
@@ -95,13 +94,13 @@ void sweep_columns(const ViewJob<Height>& job, const TracedNodes<Height>& nodes,
     const ViewOrigin origin = ViewOrigin::of(job.camera->origin);
     const ViewSlopes slopes(*job.camera);
     const std::uint32_t end = left + V::kCount < job.width ? left + V::kCount : job.width;
-    clear_columns<V>(job, left, end);
+    clear_pixels(job.picture, job.width, left, 0, end, job.height);
     float middle[V::kCount];
     for (std::uint32_t n = 0; n < V::kCount; ++n) middle[n] = static_cast<float>(left + n) + 0.5f;
     const auto height = static_cast<std::int32_t>(job.height);
     const bool is_upwards = job.camera->down.z < 0;
     ColumnSweep<V> sweep{V::load(middle), Int(is_upwards ? height - 1 : 0), is_upwards ? -1 : 1, is_upwards ? -1 : height};
-    RayLanes<V> ray = rays_from<V>(origin);
+    RayLanes<V> ray = rays_from<V>(origin, RaySpan{});
     ray.x = RayAxis<V>::make(Int(origin.column), Float(origin.column_fraction),
                              DirectionSlope::at<V>(slopes.x, sweep.x, Float(0.5f)));
     ray.y = RayAxis<V>::make(Int(origin.row), Float(origin.row_fraction), DirectionSlope::at<V>(slopes.y, sweep.x, Float(0.5f)));

@@ -44,14 +44,14 @@ template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLanes<V>& ray, std::int32_t column,
                                    std::int32_t row, typename V::Float in, typename V::Float out, March<V>& m) {
     using Float = typename V::Float;
-    const Float t_in = V::max(in, ray.from);
-    const Float z_in = RayLanes<V>::height_at(ray, t_in), z_out = RayLanes<V>::height_at(ray, out);
+    const Float t_in = V::max(in, ray.from), t_out = V::min(out, ray.to);
+    const Float z_in = RayLanes<V>::height_at(ray, t_in), z_out = RayLanes<V>::height_at(ray, t_out);
     const Float bound = CellPosts<V, Height>::above_origin(field.nodes[row * field.columns + column], ray);
-    const auto asks = V::without(m.runs & (t_in < out), V::min(z_in, z_out) > bound);
+    const auto asks = V::without(m.runs & (t_in < t_out), V::min(z_in, z_out) > bound);
     if (!V::any(asks)) return;
     const auto posts = CellPosts<V, Height>::of(field, ray, column, row);
-    (void)meet<V, Height, surface, HitSide::above>(ray, posts, typename V::Int(column), typename V::Int(row), t_in,
-                                                   V::min(out, ray.to), asks, m);
+    (void)meet<V, Height, surface, HitSide::above>(ray, posts, typename V::Int(column), typename V::Int(row), t_in, t_out, asks,
+                                                   m);
 }
 
 /// Follows rays from slab to slab. Gives the first slab that was not tried; rays that still run have met nothing before it.

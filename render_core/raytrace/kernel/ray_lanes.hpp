@@ -32,6 +32,11 @@ struct RayAxis {
         n = V::select(crossing(a, n + Int(1)) <= t, n + Int(1), n);
         return V::select(crossing(a, n) > t, n - Int(1), n);
     }
+    /// Where in a cell of the grid the ray is at a time: 0..1.
+    TEDAVIS_LANES_INLINE Float place_in(const RayAxis& a, Int own, Float t) {
+        const Float place = (a.own_fraction - V::to_float(own - a.own_cell)) + t * a.own_speed;
+        return V::max(V::min(place, Float(1)), Float(0));
+    }
     TEDAVIS_LANES_INLINE RayAxis select(typename V::Mask m, const RayAxis& a, const RayAxis& b) {
         RayAxis s;
         s.cell = V::select(m, a.cell, b.cell);
@@ -68,6 +73,7 @@ struct RayLanes {
     Float z_fraction;
     Float climb;  ///< height steps a unit of t
     Float from, to;
+    Float gap;  ///< height steps: who is no further below the surface than this, and roundings, has met it there
 
     /// Above the origin's whole height steps. Monotone in t, rounding included.
     TEDAVIS_LANES_INLINE Float height_at(const RayLanes& r, Float t) { return r.z_fraction + t * r.climb; }

@@ -1,12 +1,16 @@
 #ifdef __AVX2__  // compiled for it alone, where the compiler can
-#include "render_core/raytrace/kernel/view_band.hpp"
 #include "render_core/raytrace/kernel/view_kernel_list.hpp"
+#include "render_core/raytrace/kernel/view_tile.hpp"
 #include "render_core/raytrace/lanes/vector_lanes.hpp"
 
 namespace tedavis::raytrace {
 
-void trace_band_vector8(const ViewJob<std::int16_t>& job, std::uint32_t band) { trace_band<VectorLanes<8>>(job, band); }
-void trace_band_vector8(const ViewJob<float>& job, std::uint32_t band) { trace_band<VectorLanes<8>>(job, band); }
+void trace_tile_vector8(const ViewJob<std::int16_t>& job, std::uint32_t left, std::uint32_t top) {
+    trace_tile<VectorLanes<8>>(job, left, top);
+}
+void trace_tile_vector8(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top) {
+    trace_tile<VectorLanes<8>>(job, left, top);
+}
 void trace_columns_vector8(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
 void trace_columns_vector8(const ViewJob<float>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
 

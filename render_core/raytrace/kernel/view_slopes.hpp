@@ -50,13 +50,14 @@ struct ViewSlopes {
 
 /// All but their directions.
 template <class V>
-TEDAVIS_LANES_INLINE RayLanes<V> rays_from(const ViewOrigin& origin) {
+TEDAVIS_LANES_INLINE RayLanes<V> rays_from(const ViewOrigin& origin, const RaySpan& span) {
     using Float = typename V::Float;
     RayLanes<V> ray;
     ray.z = typename V::Int(origin.z);
     ray.z_fraction = Float(origin.z_fraction);
-    ray.from = Float(0.0f);
-    ray.to = Float(__builtin_inff());
+    ray.from = Float(span.from);
+    ray.to = Float(span.to);
+    ray.gap = Float(span.gap);
     return ray;
 }
 

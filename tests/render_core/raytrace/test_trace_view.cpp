@@ -43,15 +43,74 @@ TEST(TraceView, TheCheckSeesAnotherPicture) {
     EXPECT_GT(std::count(one.side.begin(), one.side.end(), HitSide::above), 500);
 }
 
-TEST(TraceView, RefusesSizesAndArenasThatDoNotDo) {
-    std::vector<std::uint64_t> memory(ViewTracer<float>::bytes_needed(640, 480) / 8 + 1);
-    ViewTracer<float> tracer;
-    base::Arena enough(memory.data(), memory.size() * 8), less(memory.data(), 1000);
-    EXPECT_FALSE(tracer.start(0, 480, enough));
-    EXPECT_FALSE(tracer.start(ViewTracer<float>::kMostSide + 1, 480, enough));
-    EXPECT_FALSE(tracer.start(640, 480, less));
-    EXPECT_TRUE(tracer.start(640, 480, enough));
-    EXPECT_LT(memory.size() * 8, 640u * 480u);
+/// Rays that are cut in two go on where they were cut: all kernels, the same surface.
+TEST(TraceView, GoesOnWithThoseThatHaveMetNothing) {
+    const ViewedHills<float> hills(200, 170, true);
+    const auto field = hills.field(CellSurface::two_triangles);
+    std::mt19937 random(21);
+    const std::uint32_t width = 150, height = 90;
+    for (int round = 0; round < 8; ++round) {
+        const GridCamera camera = test_support::any_camera(random, 200, 170, width);
+        const TracedPicture whole = test_support::traced_singly(field, camera, width, height);
+        std::vector<TracedPicture> cut;
+        for (const ViewKernel<float>& kernel : view_kernels<float>()) {
+            TracedPicture picture(width, height);
+            clear_pixels(picture.picture(), width, 0, 0, width, height);
+            const float middle = 40;
+            ViewJob<float> job{&field, &camera, width, height, picture.picture(), {0, middle, 0}, true};
+            const ViewTiles tiles(width, height);
+            for (std::uint32_t n = 0; n < tiles.count(); ++n) kernel.trace_tile(job, tiles.left(n), tiles.top(n));
+            job.span = {middle, std::numeric_limits<float>::infinity(), 0.01f};
+            for (std::uint32_t n = 0; n < tiles.count(); ++n) kernel.trace_tile(job, tiles.left(n), tiles.top(n));
+            cut.push_back(picture);
+            ASSERT_EQ(picture.differences(cut.front()), 0u) << kernel.name;
+        }
+        std::uint32_t others = 0;
+        for (std::size_t n = 0; n < whole.t.size(); ++n)
+            if (cut[0].cell[n] != whole.cell[n] || (whole.cell[n] >= 0 && std::abs(cut[0].t[n] / whole.t[n] - 1) > 1e-4f))
+                ++others;
+        EXPECT_LE(others, 2u) << round;
+    }
+}
+
+/// Against the place of the ray at that time, in double.
+TEST(TraceView, SaysWhereInTheCell) {
+    const ViewedHills<std::int16_t> hills(200, 170, true);
+    const auto field = hills.field(CellSurface::bilinear);
+    std::mt19937 random(22);
+    const std::uint32_t width = 130, height = 70;
+    for (int round = 0; round < 8; ++round) {
+        const GridCamera camera = round % 2 == 0 ? test_support::any_camera(random, 200, 170, width)
+                                                 : test_support::upright_camera(random, 200, 170, width, round % 4 == 1);
+        for (const ViewKernel<std::int16_t>& kernel : view_kernels<std::int16_t>()) {
+            TracedPicture all(width, height);
+            std::vector<float> u(all.t.size()), v(all.t.size());
+            HitPicture picture = all.picture();
+            picture.u = u;
+            picture.v = v;
+            base::SerialWorkers workers;
+            trace_view(field, camera, kernel, workers, width, height, picture);
+            for (std::uint32_t n = 0; n < all.t.size(); ++n) {
+                if (all.cell[n] < 0) continue;
+                const Ray ray = camera.ray(n % width, n / width);
+                const glm::dvec3 place = ray.origin + static_cast<double>(all.t[n]) * glm::dvec3(ray.direction);
+                ASSERT_NEAR(place.x, all.cell[n] % 199 + u[n], 2e-4) << kernel.name << ' ' << n;
+                ASSERT_NEAR(place.y, static_cast<double>(all.cell[n] / 199) + v[n], 2e-4) << kernel.name << ' ' << n;
+            }
+        }
+    }
+}
+
+TEST(TraceView, MeetsNothingFromBeyondItsReach) {
+    const ViewedHills<float> hills(20, 20, false);
+    GridCamera camera;
+    camera.origin = {1e12, std::numeric_limits<double>::quiet_NaN(), 0};
+    camera.corner = {-1, 0, 0};
+    const auto field = hills.field(CellSurface::two_triangles);
+    base::SerialWorkers workers;
+    EXPECT_EQ(test_support::traced_by(view_kernels<float>()[0], field, camera, 9, 9, workers)
+                  .differences(test_support::traced_singly(field, camera, 9, 9)),
+              0u);
 }
 
 }  // namespace
