@@ -1,6 +1,6 @@
 /// What a picture's rays meet: one ray a pixel, exactly what trace_ray() finds, bit for bit, but many times faster.
 ///
-/// In tiles of 64 x 32 pixels, beams of 32 x 32, 16 x 16, 8 x 8 and 4 x 4 pixels find out how far none of their rays meets
+/// In tiles of 32 x 32 pixels, beams of 32 x 32, 16 x 16, 8 x 8 and 4 x 4 pixels find out how far none of their rays meets
 /// anything (kernel/beam_march.hpp); from there rays go on in lanes of the widest vectors that the machine has
 /// (view_kernels.hpp). What beams and lanes change is the time that it takes. Pictures whose columns lie in vertical planes are
 /// swept column by column instead (kernel/column_sweep.hpp).

@@ -41,7 +41,7 @@ struct HitPicture {
 };
 
 /// The size of the tiles in which pictures are traced, pixels.
-inline constexpr std::uint32_t kTileWidth = 64, kTileHeight = 32;
+inline constexpr std::uint32_t kTileWidth = 32, kTileHeight = 32;
 
 template <class Height>
 struct ViewJob {

@@ -1,0 +1,150 @@
+#include "render_core/raytrace/space/trace_ground.hpp"
+
+#include <cmath>
+
+#include "render_core/base/check.hpp"
+#include "render_core/raytrace/trace_view.hpp"
+
+namespace tedavis::raytrace {
+namespace {
+
+/// Of what rays may be off, the share of their pieces; the rest is for what a tile's rays have in common.
+constexpr double kPieceShare = 0.4;
+/// A ray that rises more steeply than this does not sink again: the geoid's slope is less.
+constexpr double kSurelyRises = 1e-3;
+
+glm::dvec3 direction_at(const terrain::View& view, double x, double y) {
+    return view.forward + view.right * ((x - 0.5 * view.width) / view.focal_px) +
+           view.down * ((y - 0.5 * view.height) / view.focal_px);
+}
+
+double stretch_of(const terrain::View& view) {
+    const double x = view.half_width_tangent(), y = view.half_height_tangent();
+    return std::sqrt(1 + x * x + y * y);
+}
+
+/// Heights of a tile's rays over a piece, in height steps: linear in x, y and t each, so corners have the least.
+struct LeastHeights {
+    double height, climb;
+
+    LeastHeights(const GridCamera& camera, const PixelTile& tile, double from, double to) {
+        height = climb = std::numeric_limits<double>::infinity();
+        for (int corner = 0; corner < 4; ++corner) {
+            const double x = (corner & 1) != 0 ? tile.right : tile.left, y = (corner & 2) != 0 ? tile.bottom : tile.top;
+            const double slope = camera.corner.z + x * camera.right.z + y * camera.down.z;
+            climb = std::fmin(climb, slope);
+            height = std::fmin(height, camera.origin.z + slope * (slope < 0 ? to : from));
+        }
+    }
+};
+
+template <class Height>
+struct GroundWork {
+    const TracedField<Height>& field;
+    const GroundSpace& space;
+    const terrain::View& view;
+    const ViewKernel<Height>& kernel;
+    const HitPicture& picture;
+    const PieceEnds ends;
+    const ViewTiles tiles;
+    const double highest;  ///< of all posts
+};
+
+bool is_all_met(const HitPicture& picture, std::uint32_t width, const PixelTile& tile) {
+    for (std::uint32_t y = tile.top; y < tile.bottom; ++y) {
+        const float* const row = picture.t.data() + std::size_t{y} * width;
+        bool is_met = true;
+        for (std::uint32_t x = tile.left; x < tile.right; ++x) is_met &= row[x] <= std::numeric_limits<float>::max();
+        if (!is_met) return false;
+    }
+    return true;
+}
+
+template <class Height>
+void trace_pieces(const GroundWork<Height>& work, const PixelTile& tile) {
+    const terrain::View& view = work.view;
+    clear_pixels(work.picture, view.width, tile.left, tile.top, tile.right, tile.bottom);
+    for (int piece = 0; piece < work.ends.count; ++piece) {
+        const double from = work.ends.end[piece], to = work.ends.end[piece + 1];
+        const GridCamera camera = fit_camera(work.space, view, tile, from, to);
+        const double gap = 2 * kMostOff_px / view.focal_px * from / work.space.step_m();
+        const LeastHeights least(camera, tile, from, to);
+        if (least.height > work.highest + gap) {
+            if (least.climb * work.space.step_m() > kSurelyRises) return;
+            continue;
+        }
+        const RaySpan span{static_cast<float>(from), static_cast<float>(to), static_cast<float>(gap)};
+        const ViewJob<Height> job{&work.field, &camera, view.width, view.height, work.picture, span, true};
+        work.kernel.trace_tile(job, tile.left, tile.top);
+        if (is_all_met(work.picture, view.width, tile)) return;
+    }
+}
+
+template <class Height>
+void trace_tile_of(void* context, std::uint32_t number) {
+    const auto& work = *static_cast<const GroundWork<Height>*>(context);
+    const std::uint32_t left = work.tiles.left(number), top = work.tiles.top(number);
+    const std::uint32_t right = left + kTileWidth, bottom = top + kTileHeight;
+    trace_pieces(work, {left, top, right < work.view.width ? right : work.view.width,
+                        bottom < work.view.height ? bottom : work.view.height});
+}
+
+}  // namespace
+
+PieceEnds cut_view(const terrain::View& view) {
+    return cut_rays(view.eye, kPieceShare * kMostOff_px / view.focal_px, stretch_of(view), view.far_m);
+}
+
+bool can_trace(const GroundSpace& space, const terrain::View& view) {
+    const PieceEnds ends = cut_view(view);
+    return ends.end[ends.count] >= view.far_m && is_in_reach(space.place(view.eye));
+}
+
+GridCamera fit_camera(const GroundSpace& space, const terrain::View& view, const PixelTile& tile, double from, double to) {
+    const double x[2] = {static_cast<double>(tile.left), static_cast<double>(tile.right)};
+    const double y[2] = {static_cast<double>(tile.top), static_cast<double>(tile.bottom)};
+    StraightPiece lines[2][2];
+    GridCamera camera;
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 2; ++column) {
+            lines[row][column] = straight_piece(space, view.eye, direction_at(view, x[column], y[row]), from, to);
+            camera.origin += 0.25 * lines[row][column].origin;
+        }
+    glm::dvec3 slope[2][2];  // of lines from the common origin that meet theirs in the middle of the piece
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 2; ++column)
+            slope[row][column] = lines[row][column].direction + (lines[row][column].origin - camera.origin) / (0.5 * (from + to));
+    const glm::dvec3 right = (slope[0][1] - slope[0][0] + slope[1][1] - slope[1][0]) / (2 * (x[1] - x[0]));
+    const glm::dvec3 down = (slope[1][0] - slope[0][0] + slope[1][1] - slope[0][1]) / (2 * (y[1] - y[0]));
+    const glm::dvec3 middle = 0.25 * (slope[0][0] + slope[0][1] + slope[1][0] + slope[1][1]);
+    camera.right = glm::vec3(right);
+    camera.down = glm::vec3(down);
+    camera.corner = glm::vec3(middle - right * (0.5 * (x[0] + x[1])) - down * (0.5 * (y[0] + y[1])));
+    return camera;
+}
+
+template <class Height>
+void trace_ground(const TracedField<Height>& field, const GroundSpace& space, const terrain::View& view,
+                  const ViewKernel<Height>& kernel, base::Workers& workers, const HitPicture& picture) {
+    const std::size_t pixels = std::size_t{view.width} * view.height;
+    TEDAVIS_CHECK(picture.t.size() == pixels && picture.cell.size() == pixels && picture.side.size() == pixels);
+    TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
+    TEDAVIS_CHECK(can_trace(space, view));
+    const MipmapLayout& layout = field.maxima->layout();
+    GroundWork<Height> work{field,
+                            space,
+                            view,
+                            kernel,
+                            picture,
+                            cut_view(view),
+                            {view.width, view.height},
+                            static_cast<double>(field.maxima->level(layout.top).nodes[0])};
+    workers.parallel_for(work.tiles.count(), trace_tile_of<Height>, &work);
+}
+
+template void trace_ground(const TracedField<std::int16_t>&, const GroundSpace&, const terrain::View&,
+                           const ViewKernel<std::int16_t>&, base::Workers&, const HitPicture&);
+template void trace_ground(const TracedField<float>&, const GroundSpace&, const terrain::View&, const ViewKernel<float>&,
+                           base::Workers&, const HitPicture&);
+
+}  // namespace tedavis::raytrace
