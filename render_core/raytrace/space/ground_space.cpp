@@ -7,24 +7,23 @@
 
 namespace tedavis::raytrace {
 
-GroundSpace::GroundSpace(const terrain::TerrainDatabase& database, const LatticeWindow& window, double step_m)
+GroundSpace::GroundSpace(const terrain::TerrainDatabase& database, const terrain::PostRange& window, double step_m)
     : database_(&database), window_(window), step_m_(step_m) {
     TEDAVIS_CHECK(fits(database.lattice(), window) && step_m > 0);
     const terrain::FileHeader& header = database.header();
     step_lon_deg_ = header.step_lon_deg;
     step_lat_deg_ = header.step_lat_deg;
-    west_deg_ = header.west_deg + step_lon_deg_ * window.column;
+    west_deg_ = header.west_deg + step_lon_deg_ * window.i0;
     const double first_row = (header.lattice_flags & terrain::kLatticeNorthPole) != 0 ? 1 : 0;
-    north_deg_ = header.north_deg - step_lat_deg_ * (window.row - first_row);
-    half_width_deg_ = 0.5 * step_lon_deg_ * (window.columns - 1.0);
+    north_deg_ = header.north_deg - step_lat_deg_ * (window.j0 - first_row);
+    half_width_deg_ = 0.5 * step_lon_deg_ * (window.i1 - window.i0);
 }
 
-bool GroundSpace::fits(const terrain::Lattice& lattice, const LatticeWindow& window) {
-    const std::uint64_t end_column = std::uint64_t{window.column} + window.columns,
-                        end_row = std::uint64_t{window.row} + window.rows;
-    if (window.columns < 2 || window.rows < 2 || end_column > lattice.columns() || end_row > lattice.rows()) return false;
-    const bool has_north_pole = (lattice.flags() & terrain::kLatticeNorthPole) != 0 && window.row == 0;
-    const bool has_south_pole = (lattice.flags() & terrain::kLatticeSouthPole) != 0 && end_row == lattice.rows();
+bool GroundSpace::fits(const terrain::Lattice& lattice, const terrain::PostRange& window) {
+    if (window.i0 >= window.i1 || window.j0 >= window.j1 || window.i1 >= lattice.columns() || window.j1 >= lattice.rows())
+        return false;
+    const bool has_north_pole = (lattice.flags() & terrain::kLatticeNorthPole) != 0 && window.j0 == 0;
+    const bool has_south_pole = (lattice.flags() & terrain::kLatticeSouthPole) != 0 && window.j1 == lattice.rows() - 1;
     return !lattice.is_closed() && !has_north_pole && !has_south_pole;
 }
 

@@ -14,23 +14,19 @@
 
 namespace tedavis::raytrace {
 
-/// Posts of the lattice that a grid holds: its first, and how many.
-struct LatticeWindow {
-    std::uint32_t column = 0, row = 0, columns = 0, rows = 0;
-};
-
 class GroundSpace {
 public:
-    /// `step_m`: metres of a height step, more than 0.
-    GroundSpace(const terrain::TerrainDatabase& database, const LatticeWindow& window, double step_m);
+    /// `window`: the posts that the grid holds, in the lattice (both ends included). `step_m`: metres of a height step, more than
+    /// 0.
+    GroundSpace(const terrain::TerrainDatabase& database, const terrain::PostRange& window, double step_m);
 
-    [[nodiscard]] static bool fits(const terrain::Lattice& lattice, const LatticeWindow& window);
+    [[nodiscard]] static bool fits(const terrain::Lattice& lattice, const terrain::PostRange& window);
 
     /// Goes on beyond the window and the lattice.
     [[nodiscard]] glm::dvec3 place(const earth::Ecef& position) const;
     [[nodiscard]] earth::Ecef position(const glm::dvec3& place) const;
     [[nodiscard]] double step_m() const { return step_m_; }
-    [[nodiscard]] const LatticeWindow& window() const { return window_; }
+    [[nodiscard]] const terrain::PostRange& window() const { return window_; }
     /// Metres from a column to the next on a row, and from a row to the next, at the row of the window.
     [[nodiscard]] double column_m(double row) const;
     [[nodiscard]] double row_m(double row) const;
@@ -39,7 +35,7 @@ private:
     [[nodiscard]] double latitude_rad(double row) const;
 
     const terrain::TerrainDatabase* database_;
-    LatticeWindow window_;
+    terrain::PostRange window_;
     double step_m_;
     double west_deg_, north_deg_, step_lon_deg_, step_lat_deg_;  ///< of the window
     double half_width_deg_;

@@ -22,7 +22,7 @@ test_support::TdbSpec spec_at(double west_deg, double north_deg) {
 
 TEST(GroundSpace, HasPostsAtWholeNumbers) {
     const test_support::WrittenTdb tdb(spec_at(9, 47));
-    const GroundSpace space(tdb.database(), {5, 11, 40, 30}, 0.25);
+    const GroundSpace space(tdb.database(), {5, 11, 44, 40}, 0.25);
     for (const std::uint32_t i : {5u, 20u, 44u})
         for (const std::uint32_t j : {11u, 33u, 40u}) {
             const glm::dvec3 place = space.place(tdb.position(i, j));
@@ -35,14 +35,14 @@ TEST(GroundSpace, HasPostsAtWholeNumbers) {
 
 TEST(GroundSpace, GoesAcrossTheAntimeridian) {
     const test_support::WrittenTdb tdb(spec_at(180 - 30 / 1200.0, -20));
-    const GroundSpace space(tdb.database(), {0, 0, 65, 65}, 1);
+    const GroundSpace space(tdb.database(), {0, 0, 64, 64}, 1);
     for (std::uint32_t i = 0; i < 65; i += 8) EXPECT_NEAR(space.place(tdb.position(i, 9)).x, i, 1e-7);
     EXPECT_NEAR(space.place(space.position({-3, -2, 5000})).x, -3, 1e-7);
 }
 
 TEST(GroundSpace, KnowsHowFarPostsAreApart) {
     const test_support::WrittenTdb tdb(spec_at(9, 62));
-    const GroundSpace space(tdb.database(), {0, 0, 65, 65}, 1);
+    const GroundSpace space(tdb.database(), {0, 0, 64, 64}, 1);
     const terrain::Lattice& lattice = tdb.lattice();
     const GeographicLib::GeodesicExact earth(GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f());
     const double latitude = base::degrees(lattice.latitude_rad(30)), longitude = base::degrees(lattice.longitude_rad(30));
@@ -55,9 +55,9 @@ TEST(GroundSpace, KnowsHowFarPostsAreApart) {
 
 TEST(GroundSpace, RefusesWindowsThatItHasNoPlacesFor) {
     const test_support::WrittenTdb tdb(spec_at(9, 47));
-    EXPECT_TRUE(GroundSpace::fits(tdb.lattice(), {0, 0, 65, 65}));
-    EXPECT_FALSE(GroundSpace::fits(tdb.lattice(), {1, 0, 65, 65}));
-    EXPECT_FALSE(GroundSpace::fits(tdb.lattice(), {0, 0, 65, 1}));
+    EXPECT_TRUE(GroundSpace::fits(tdb.lattice(), {0, 0, 64, 64}));
+    EXPECT_FALSE(GroundSpace::fits(tdb.lattice(), {1, 0, 65, 64}));
+    EXPECT_FALSE(GroundSpace::fits(tdb.lattice(), {0, 7, 64, 7}));
     test_support::TdbSpec spec = test_support::whole_earth(129, 65);
     spec.height_m = [](std::uint32_t, std::uint32_t) { return 0.0; };
     const test_support::WrittenTdb earth(spec);

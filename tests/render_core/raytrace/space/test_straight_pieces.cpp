@@ -20,7 +20,7 @@ double worst_share(double latitude_deg, bool is_cut) {
     spec.height_m = [](std::uint32_t, std::uint32_t) { return 0.0; };
     spec.measured = false;
     const test_support::WrittenTdb tdb(spec);
-    const GroundSpace space(tdb.database(), {0, 0, 33, 33}, 1);
+    const GroundSpace space(tdb.database(), {0, 0, 32, 32}, 1);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1, 1);
     double worst = 0;
@@ -64,7 +64,7 @@ TEST(StraightPieces, AreRaysOfTheTracer) {
     spec.height_m = [](std::uint32_t, std::uint32_t) { return 0.0; };
     spec.measured = false;
     const test_support::WrittenTdb tdb(spec);
-    const GroundSpace space(tdb.database(), {0, 0, 33, 33}, 0.5);
+    const GroundSpace space(tdb.database(), {0, 0, 32, 32}, 0.5);
     const earth::Ecef eye = space.position({0, 0, 4000});
     const glm::dvec3 direction = glm::normalize(space.position({60, 20, 3000}) - eye);
     const PieceEnds ends = cut_rays(eye, kAngle, 1, 50000);

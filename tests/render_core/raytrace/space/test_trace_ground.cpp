@@ -18,7 +18,7 @@ constexpr std::uint32_t kPosts = 257;
 /// A database of hills, and its heights as a grid.
 class Ground {
 public:
-    explicit Ground(double north_deg) : tdb(spec(north_deg)), space(tdb.database(), {0, 0, kPosts, kPosts}, 1) {
+    explicit Ground(double north_deg) : tdb(spec(north_deg)), space(tdb.database(), {0, 0, kPosts - 1, kPosts - 1}, 1) {
         for (std::uint32_t n = 0; n < kPosts * kPosts; ++n)
             posts_.push_back(static_cast<float>(tdb.height_m(n % kPosts, n / kPosts)));
         memory_.resize(HeightMipmap<float>::bytes_needed(kPosts, kPosts) / 8 + 1);
