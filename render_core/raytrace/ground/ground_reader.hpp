@@ -1,0 +1,58 @@
+/// Reads the heights of a window of a terrain database: the exact chunks there, whatever their level (exact_posts.hpp).
+///
+/// Where chunks of two levels meet, the posts between them are those of the finer one. Every part is verified as it is read;
+/// what cannot be read is void and reported, never made up: posts that a chunk beside it has too are that one's. Posts that have
+/// no height stay void.
+///
+/// Floats in metres are the bits stored at posts of level 0, and the surface between them is that of terrain::HeightQuery within
+/// half a unit in the last place of a float: 0.06 mm below 2048 m, 0.5 mm up to 12,000 m.
+///
+/// Memory  from an arena at start: kBytesEach a worker. Thread  read() uses the workers; its result does not depend on their
+/// number. The byte source of the database must be as thread-safe as its port says.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/raytrace/ground/ground_window.hpp"
+#include "render_core/terrain/terrain_database.hpp"
+
+namespace tedavis::raytrace {
+
+struct GroundReading {
+    GroundRounding rounding;
+    std::uint64_t void_posts = 0;      ///< without a height, for whatever reason
+    std::uint32_t damaged_parts = 0;   ///< directory pages and chunks; of a page, all its exact chunks are missing
+    terrain::TdbFailure first_damage;  ///< that with the smallest offset
+};
+
+class GroundReader {
+public:
+    static constexpr std::size_t kPayloadBytes =
+        (terrain::kChunkCells + 1) * (terrain::kChunkCells + 1) * sizeof(terrain::ChunkVertex);
+    static constexpr std::size_t kBytesEach = kPayloadBytes + sizeof(terrain::DirectoryPage) + 128;
+
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t workers) { return workers * kBytesEach + 64; }
+    /// For so many workers. False where the arena has no room. The database is borrowed and must stay.
+    [[nodiscard]] bool start(const terrain::TerrainDatabase& database, std::uint32_t workers, base::Arena& arena);
+    /// Workers beyond those of start() have nothing to do.
+    template <class Height>
+    GroundReading read(const GroundWindow<Height>& to, base::Workers& workers);
+
+private:
+    struct Desk {  ///< of one worker
+        terrain::DirectoryPage page;
+        alignas(terrain::ChunkVertex) std::uint8_t payload[kPayloadBytes];
+        GroundReading reading;
+    };
+    template <class Height>
+    struct Round;
+    template <class Height>
+    void read_page(const Round<Height>& round, std::uint32_t i, std::uint32_t j, Desk& desk) const;
+    template <class Height>
+    void read_chunk(const Round<Height>& round, const terrain::ChunkEntry& entry, Desk& desk) const;
+
+    const terrain::TerrainDatabase* database_ = nullptr;
+    base::Span<Desk> desks_;
+};
+
+}  // namespace tedavis::raytrace
