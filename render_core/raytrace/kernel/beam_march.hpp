@@ -105,7 +105,7 @@ TEDAVIS_LANES_INLINE void march_beams(const TracedNodes<Height>& field, BeamLane
     constexpr float kLess = 1 - 1e-6f, kSlack = 1e-6f;
     const Int none(0), one(1), top(field.layout->top);
     const auto falls = b.least_climb < Float(0);
-    Mask runs = V::mask(~0u), went_on = V::mask(0);
+    Mask runs = b.t < b.to, went_on = V::mask(0);
     for (int n = 0; n < most && V::any(runs); ++n) {
         const auto x = BeamNodes<V>::under(b.x, b.column, b.column_fraction, b.t, b.level);
         const auto y = BeamNodes<V>::under(b.y, b.row, b.row_fraction, b.t, b.level);

@@ -13,6 +13,7 @@ inline constexpr int kBeamSizes = 4;
 inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {32, 16, 8, 4};
 /// Steps after which beams of each size are left where they are: those of their rays that get on do so alone.
 inline constexpr int kMostBeamSteps[kBeamSizes] = {100, 100, 20, 12};
+static_assert(kBeamSide[0] == kTileWidth && kBeamSide[0] == kTileHeight);
 inline constexpr int kMostCells = 16;  ///< that rays pass one by one before they look at larger nodes
 
 /// How far beams of one size got, row by row.
@@ -111,15 +112,18 @@ void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std:
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Shape = PacketShape<V>;
-    const std::uint32_t asked = asked_pixels<V>(tile.job, left, top);
-    if (asked == 0) return;
     float x[V::kCount], y[V::kCount], start[V::kCount];
+    bool has_begun = false;
     for (std::uint32_t n = 0; n < V::kCount; ++n) {
         const std::uint32_t column = left + Shape::column(n), row = top + Shape::row(n);
         x[n] = static_cast<float>(column) + 0.5f;
         y[n] = static_cast<float>(row) + 0.5f;
         start[n] = beams.t[(row - tile.top) / 4 * (kTileWidth / 4) + (column - tile.left) / 4];
+        has_begun |= start[n] < tile.job.span.to;
     }
+    if (!has_begun && tile.job.goes_on) return;
+    const std::uint32_t asked = asked_pixels<V>(tile.job, left, top);
+    if (asked == 0) return;
     const Float at_x = V::load(x), at_y = V::load(y);
     const ViewOrigin& origin = tile.origin;
     RayLanes<V> ray = rays_from<V>(origin, tile.job.span);
@@ -148,8 +152,10 @@ template <class V, class Height>
 void trace_tile(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) {
     const TileWork<V, Height> tile(job, left, top);
     BeamStarts beams[2];
-    for (int size = 0; size < kBeamSizes; ++size)
+    for (int size = 0; size < kBeamSizes; ++size) {
         start_beams<V, Height>(tile, size, size == 0 ? nullptr : &beams[(size + 1) % 2], beams[size % 2]);
+        if (size == 0 && job.goes_on && !(beams[0].t[0] < job.span.to)) return;  // all rays of the tile end before they meet
+    }
     const BeamStarts& smallest = beams[(kBeamSizes - 1) % 2];
     if (job.field->surface == CellSurface::bilinear)
         trace_packets<V, Height, CellSurface::bilinear>(tile, smallest);

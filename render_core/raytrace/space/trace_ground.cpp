@@ -23,17 +23,20 @@ double stretch_of(const terrain::View& view) {
     return std::sqrt(1 + x * x + y * y);
 }
 
-/// Heights of a tile's rays over a piece, in height steps: linear in x, y and t each, so corners have the least.
-struct LeastHeights {
-    double height, climb;
+/// Where a tile's rays are over a piece: linear in x, y and t each, so corners have the extremes.
+struct PieceBox {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 slowest{std::numeric_limits<double>::infinity()}, fastest{-std::numeric_limits<double>::infinity()};
 
-    LeastHeights(const GridCamera& camera, const PixelTile& tile, double from, double to) {
-        height = climb = std::numeric_limits<double>::infinity();
+    PieceBox(const GridCamera& camera, const PixelTile& tile, double from, double to) {
         for (int corner = 0; corner < 4; ++corner) {
             const double x = (corner & 1) != 0 ? tile.right : tile.left, y = (corner & 2) != 0 ? tile.bottom : tile.top;
-            const double slope = camera.corner.z + x * camera.right.z + y * camera.down.z;
-            climb = std::fmin(climb, slope);
-            height = std::fmin(height, camera.origin.z + slope * (slope < 0 ? to : from));
+            const glm::dvec3 speed = glm::dvec3(camera.corner) + x * glm::dvec3(camera.right) + y * glm::dvec3(camera.down);
+            const glm::dvec3 begin = camera.origin + from * speed, end = camera.origin + to * speed;
+            low = glm::min(low, glm::min(begin, end));
+            high = glm::max(high, glm::max(begin, end));
+            slowest = glm::min(slowest, speed);
+            fastest = glm::max(fastest, speed);
         }
     }
 };
@@ -60,6 +63,22 @@ bool is_all_met(const HitPicture& picture, std::uint32_t width, const PixelTile&
     return true;
 }
 
+/// What becomes of a tile's rays in a piece.
+enum class PieceUse : std::uint8_t { traced, passed, over };
+
+template <class Height>
+PieceUse use_of(const GroundWork<Height>& work, const PieceBox& box, double gap) {
+    if (box.low.z > work.highest + gap)
+        return box.slowest.z * work.space.step_m() > kSurelyRises ? PieceUse::over : PieceUse::passed;
+    const double columns = work.field.grid().columns - 1, rows = work.field.grid().rows - 1;
+    const bool is_beside = box.high.x < 0 || box.high.y < 0 || box.low.x > columns || box.low.y > rows;
+    if (!is_beside) return PieceUse::traced;
+    // Away from the window by more than it is wide, and further away: a ray is nearly straight, and does not come back.
+    const bool has_left = (box.high.x < -columns && box.fastest.x < 0) || (box.high.y < -rows && box.fastest.y < 0) ||
+                          (box.low.x > 2 * columns && box.slowest.x > 0) || (box.low.y > 2 * rows && box.slowest.y > 0);
+    return has_left ? PieceUse::over : PieceUse::passed;
+}
+
 template <class Height>
 void trace_pieces(const GroundWork<Height>& work, const PixelTile& tile) {
     const terrain::View& view = work.view;
@@ -68,11 +87,9 @@ void trace_pieces(const GroundWork<Height>& work, const PixelTile& tile) {
         const double from = work.ends.end[piece], to = work.ends.end[piece + 1];
         const GridCamera camera = fit_camera(work.space, view, tile, from, to);
         const double gap = 2 * kMostOff_px / view.focal_px * from / work.space.step_m();
-        const LeastHeights least(camera, tile, from, to);
-        if (least.height > work.highest + gap) {
-            if (least.climb * work.space.step_m() > kSurelyRises) return;
-            continue;
-        }
+        const PieceUse use = use_of(work, PieceBox(camera, tile, from, to), gap);
+        if (use == PieceUse::over) return;
+        if (use == PieceUse::passed) continue;
         const RaySpan span{static_cast<float>(from), static_cast<float>(to), static_cast<float>(gap)};
         const ViewJob<Height> job{&work.field, &camera, view.width, view.height, work.picture, span, true};
         work.kernel.trace_tile(job, tile.left, tile.top);
