@@ -74,11 +74,18 @@ public:
     /// Only with apertures. Where the mean direction is no direction, `normal` takes its place.
     [[nodiscard]] Aperture aperture_at(double x, double y, const glm::dvec3& normal) const;
 
-private:
     struct StoredAperture {
         std::int16_t x, y;         ///< of the axis, 1 is 32767
         std::uint16_t cos_radius;  ///< 1 is 65535
     };
+    /// What is stored for each post, row by row, for those who read many at once; 1 is 255.
+    [[nodiscard]] base::Span<const std::uint8_t> stored_views() const { return views_; }
+    /// Empty without apertures.
+    [[nodiscard]] base::Span<const StoredAperture> stored_apertures() const { return apertures_; }
+    [[nodiscard]] std::uint32_t columns() const { return grid_.columns; }
+    [[nodiscard]] std::uint32_t rows() const { return grid_.rows; }
+
+private:
     void build_row(std::uint32_t row);
 
     HeightGrid<Height> grid_;

@@ -1,0 +1,27 @@
+/// Linear light to the 8 bits of an sRGB display (IEC 61966-2-1), by a table.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/base/span.hpp"
+
+namespace tedavis::raytrace {
+
+/// At most one level off, in the darkest tenth; equal on every machine.
+class DisplayLevels {
+public:
+    static constexpr std::uint32_t kEntries = 4096;
+
+    [[nodiscard]] bool start(base::Arena& arena);
+    /// Of any number; below 0, and what is no number, is black.
+    [[nodiscard]] std::uint8_t level(float light) const {
+        if (!(light > 0)) return 0;
+        return light >= 1 ? 255 : levels_.data()[static_cast<std::uint32_t>(light * (kEntries - 1) + 0.5f)];
+    }
+
+private:
+    base::Span<std::uint8_t> levels_;
+};
+
+}  // namespace tedavis::raytrace

@@ -1,0 +1,52 @@
+#include "render_core/raytrace/picture/lit_terrain.hpp"
+
+#include "render_core/raytrace/picture/span_light.hpp"
+
+namespace tedavis::raytrace {
+namespace {
+
+Ray ray_in_grid(const GridScale& scale, const glm::dvec3& origin_m, const glm::dvec3& direction_m) {
+    Ray ray;
+    ray.origin = in_grid_space(origin_m, scale);
+    ray.direction = in_grid_space(direction_m, scale);
+    return ray;
+}
+
+LitPlace lit_place(const void* asked, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const LitTerrain& lit = *static_cast<const LitTerrain*>(asked);
+    const RayMeeting met = lit.terrain->meet(ray_in_grid(lit.scale, origin, direction));
+    LitPlace place;
+    place.is_met = met.is_met;
+    if (!met.is_met) return place;
+    place.normal = normal_of(met.point, lit.scale);
+    const glm::dvec3 start = ray_from_surface(met.x, met.y, met.point, {0, 0, 1}, {}).origin;
+    place.point = {start.x * lit.scale.column_m, start.y * lit.scale.row_m, start.z * lit.scale.height_m};
+    SpanSurface surface;
+    surface.count = 1;
+    surface.height[0] = static_cast<float>(met.point.height);
+    float colour[3][PixelSpan::kMost];
+    find_colours(surface, *lit.look, colour);
+    place.material = lit.look->material;
+    place.material.colour = {colour[0][0], colour[1][0], colour[2][0]};
+    if (surface.height[0] > lit.look->mirror_below) place.material.mirror = 0;
+    return place;
+}
+
+bool is_light_hidden(const void* asked, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const LitTerrain& lit = *static_cast<const LitTerrain*>(asked);
+    return lit.terrain->is_hidden(ray_in_grid(lit.scale, origin, direction));
+}
+
+}  // namespace
+
+LitScene LitTerrain::scene() const {
+    LitScene made;
+    made.meet = lit_place;
+    made.is_hidden = is_light_hidden;
+    made.context = this;
+    made.sun = look->sun;
+    made.sky = look->sky;
+    return made;
+}
+
+}  // namespace tedavis::raytrace

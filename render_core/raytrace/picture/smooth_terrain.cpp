@@ -1,0 +1,79 @@
+#include "render_core/raytrace/picture/smooth_terrain.hpp"
+
+#include "render_core/raytrace/search/trace_surface.hpp"
+
+namespace tedavis::raytrace {
+
+template <class Height>
+void SmoothTerrain<Height>::start(const HeightMipmap<Height>& maxima, const SurfaceSettings& settings, std::uint32_t width) {
+    maxima_ = &maxima;
+    settings_ = &settings;
+    width_ = width;
+}
+
+template <class Height>
+void SmoothTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits) const {
+    const std::uint32_t cells = maxima_->grid().columns - 1;
+    for (std::uint32_t y = rect.y; y < rect.y + rect.height; ++y)
+        for (std::uint32_t x = rect.x; x < rect.x + rect.width; ++x) {
+            const SurfaceHit hit = trace_surface(*maxima_, *settings_, camera_.ray(x, y));
+            const std::size_t at = std::size_t{y} * width_ + x;
+            const bool is_met = hit.side != HitSide::none;
+            hits.t.data()[at] = static_cast<float>(hit.t);
+            hits.side.data()[at] = hit.side;
+            hits.cell.data()[at] =
+                is_met ? static_cast<std::int32_t>(hit.place.row * cells + hit.place.column) : HitPicture::kNoCell;
+        }
+}
+
+template <class Height>
+void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const {
+    TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
+    const std::uint32_t cells = maxima_->grid().columns - 1, line = span.first / width_, left = span.first - line * width_;
+    surface.count = span.count;
+    for (std::uint32_t n = 0; n < span.count; ++n) {
+        const std::int32_t cell = hits.cell.data()[span.first + n];
+        surface.is_met[n] = cell >= 0;
+        surface.x[n] = surface.y[n] = 0;
+        surface.t[n] = surface.height[n] = surface.slope_x[n] = surface.slope_y[n] = 0;
+        if (cell < 0) continue;
+        const Ray ray = camera_.ray(left + n, line);
+        const float t = hits.t.data()[span.first + n];
+        CellPlace place;
+        place.row = static_cast<std::uint32_t>(cell) / cells;
+        place.column = static_cast<std::uint32_t>(cell) - place.row * cells;
+        place.u = std::clamp(ray.origin.x + double{t} * double{ray.direction.x} - place.column, 0.0, 1.0);
+        place.v = std::clamp(ray.origin.y + double{t} * double{ray.direction.y} - place.row, 0.0, 1.0);
+        const CellPatch patch = cell_patch(maxima_->grid(), *settings_, place.column, place.row);
+        const SurfacePoint point = surface_on(patch, settings_->micro, place);
+        surface.x[n] = place.column + place.u;
+        surface.y[n] = place.row + place.v;
+        surface.t[n] = t;
+        surface.height[n] = static_cast<float>(point.height);
+        surface.slope_x[n] = static_cast<float>(point.slope_x);
+        surface.slope_y[n] = static_cast<float>(point.slope_y);
+    }
+}
+
+template <class Height>
+RayMeeting SmoothTerrain<Height>::meet(const Ray& ray) const {
+    const SurfaceHit hit = trace_surface(*maxima_, *settings_, ray);
+    RayMeeting met;
+    met.is_met = hit.side != HitSide::none;
+    if (!met.is_met) return met;
+    met.t = static_cast<float>(hit.t);
+    met.x = hit.place.column + hit.place.u;
+    met.y = hit.place.row + hit.place.v;
+    met.point = {hit.height, hit.slopes.x, hit.slopes.y};
+    return met;
+}
+
+template <class Height>
+bool SmoothTerrain<Height>::is_hidden(const Ray& ray) const {
+    return trace_surface(*maxima_, *settings_, ray).side != HitSide::none;
+}
+
+template class SmoothTerrain<std::int16_t>;
+template class SmoothTerrain<float>;
+
+}  // namespace tedavis::raytrace

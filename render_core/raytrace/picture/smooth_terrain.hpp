@@ -1,0 +1,29 @@
+/// Terrain of flat scenes with any surface of surface/, traced ray by ray in double (search/trace_surface.hpp).
+#pragma once
+
+#include "render_core/raytrace/height_mipmap.hpp"
+#include "render_core/raytrace/picture/traced_terrain.hpp"
+#include "render_core/raytrace/surface/surface_settings.hpp"
+
+namespace tedavis::raytrace {
+
+template <class Height>
+class SmoothTerrain final : public TracedTerrain {
+public:
+    /// Both borrowed; the mipmap's bounds are those of the surface (surface_bounds.hpp).
+    void start(const HeightMipmap<Height>& maxima, const SurfaceSettings& settings, std::uint32_t width);
+    void set_view(const GridCamera& camera) { camera_ = camera; }
+
+    void trace(const PixelRect& rect, const HitPicture& hits) const override;
+    void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
+    [[nodiscard]] RayMeeting meet(const Ray& ray) const override;
+    [[nodiscard]] bool is_hidden(const Ray& ray) const override;
+
+private:
+    const HeightMipmap<Height>* maxima_ = nullptr;
+    const SurfaceSettings* settings_ = nullptr;
+    GridCamera camera_;
+    std::uint32_t width_ = 0;
+};
+
+}  // namespace tedavis::raytrace

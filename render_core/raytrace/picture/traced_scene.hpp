@@ -1,0 +1,89 @@
+/// What a picture's settings need to have prepared at start: bounds, stored surface, averages, sky map; and what it takes.
+///
+/// Memory  an arena's, at start. start(), then build() with workers, then set_view() before each picture; reading from any
+/// thread. Where posts have changed, build() again.
+#pragma once
+
+#include "render_core/base/fault_text.hpp"
+#include "render_core/base/result.hpp"
+#include "render_core/raytrace/picture/kernel_terrain.hpp"
+#include "render_core/raytrace/picture/smooth_terrain.hpp"
+#include "render_core/raytrace/picture/stored_surface.hpp"
+#include "render_core/raytrace/picture/trace_settings.hpp"
+#include "render_core/raytrace/shading/sky_map.hpp"
+#include "render_core/raytrace/surface/average_mipmap.hpp"
+
+namespace tedavis::raytrace {
+
+struct SceneSize {
+    std::uint32_t width = 0, height = 0;  ///< of pictures
+    std::uint32_t sky_azimuths = 16, sky_radius = 64;
+};
+
+struct PreparedItem {
+    base::FixedString<31> name;
+    std::uint64_t bytes = 0;
+};
+
+/// Maps that shading reads, null where the settings need none.
+template <class Height>
+struct ShadingMaps {
+    const SkyMap<Height>* sky = nullptr;
+    const AverageMipmap<Height>* averages = nullptr;
+    GridScale scale;
+};
+
+template <class Height>
+class TracedScene {
+public:
+    using Answer = base::Result<std::uint64_t, base::FaultText>;
+    static constexpr std::size_t kMostItems = 8;
+
+    /// Enough for start() with the same arguments.
+    [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings,
+                                                    const SceneSize& size);
+    /// For pictures with any of `settings`; those that are not traced by the kernel on the posts themselves must agree about
+    /// their surface. The grid is borrowed and must stay. Gives the bytes taken, or a sentence.
+    [[nodiscard]] Answer start(const HeightGrid<Height>& grid, const GridScale& scale, base::Span<const TraceSettings> settings,
+                               const SceneSize& size, base::Arena& arena);
+    void build(base::Workers& workers);
+    /// `kernel` and `fine_kernel` are of view_kernels().
+    void set_view(const GridCamera& camera, const ViewKernel<Height>& kernel, const ViewKernel<float>& fine_kernel);
+
+    /// Of settings that the scene has been started for.
+    [[nodiscard]] const TracedTerrain& terrain(const TraceSettings& settings) const;
+    [[nodiscard]] ShadingMaps<Height> maps() const;
+    [[nodiscard]] const GridCamera& camera() const { return camera_; }
+    [[nodiscard]] const GridScale& scale() const { return scale_; }
+    [[nodiscard]] const SceneSize& size() const { return size_; }
+    /// What lies in the arena; not the heights, which are the caller's.
+    [[nodiscard]] base::Span<const PreparedItem> items() const { return {items_.data(), items_.size()}; }
+    [[nodiscard]] std::uint64_t bytes() const;
+
+private:
+    struct Needs;
+    [[nodiscard]] static Needs needs_of(base::Span<const TraceSettings> settings);
+    [[nodiscard]] bool start_posts(base::Arena& arena);
+    [[nodiscard]] bool start_stored(base::Arena& arena);
+    [[nodiscard]] bool start_maps(const Needs& needs, base::Arena& arena);
+    void note(const char* name, std::uint64_t before, const base::Arena& arena);
+
+    HeightGrid<Height> grid_;
+    GridScale scale_;
+    SceneSize size_;
+    GridCamera camera_;
+    SurfaceSettings stored_settings_, smooth_settings_;
+    bool has_triangles_ = false, has_bilinear_ = false, has_stored_ = false, has_smooth_ = false, has_sky_ = false,
+         has_averages_ = false;
+    HeightMipmap<Height> maxima_, smooth_maxima_;
+    StoredSurface<Height> stored_;
+    HeightMipmap<float> stored_maxima_;
+    AverageMipmap<Height> averages_;
+    SkyMap<Height> sky_;
+    KernelTerrain<Height> triangles_, bilinear_;
+    KernelTerrain<float> fine_;
+    SmoothTerrain<Height> smooth_;
+    base::FixedVector<PreparedItem, kMostItems> items_;
+};
+
+}  // namespace tedavis::raytrace

@@ -1,0 +1,55 @@
+/// The terrain as a picture's stages ask for it: whole rectangles of primary rays, the surface that these met, single rays.
+///
+/// Whoever implements it decides in which space rays are straight and which tracer runs. Functions give the same for a pixel
+/// whatever rectangle it is asked in, and may be called by several threads at once.
+#pragma once
+
+#include "render_core/raytrace/shading/cast_shadow.hpp"
+#include "render_core/raytrace/trace_view.hpp"
+
+namespace tedavis::raytrace {
+
+struct PixelRect {
+    std::uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Neighbours in a row.
+struct PixelSpan {
+    static constexpr std::uint32_t kMost = 64;
+    std::uint32_t first = 0;  ///< y * width + x
+    std::uint32_t count = 0;  ///< to kMost
+};
+
+/// The surface where up to PixelSpan::kMost rays met it. Places in posts of the scene's grid, heights in its steps, slopes in
+/// steps a post. What was not met means nothing.
+struct SpanSurface {
+    static constexpr std::uint32_t kMost = PixelSpan::kMost;
+    std::uint32_t count = 0;
+    bool is_met[kMost] = {};
+    double x[kMost] = {}, y[kMost] = {};
+    float height[kMost] = {}, slope_x[kMost] = {}, slope_y[kMost] = {};
+    float t[kMost] = {};
+};
+
+/// What a single ray met.
+struct RayMeeting {
+    bool is_met = false;
+    float t = 0;
+    double x = 0, y = 0;
+    SurfacePoint point;
+};
+
+class TracedTerrain {
+public:
+    virtual ~TracedTerrain() = default;
+
+    /// t, cell and side of the pixels of a rectangle.
+    virtual void trace(const PixelRect& rect, const HitPicture& hits) const = 0;
+    /// Of pixels that have been traced.
+    virtual void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const = 0;
+    /// A ray in the scene's grid space.
+    [[nodiscard]] virtual RayMeeting meet(const Ray& ray) const = 0;
+    [[nodiscard]] virtual bool is_hidden(const Ray& ray) const = 0;
+};
+
+}  // namespace tedavis::raytrace

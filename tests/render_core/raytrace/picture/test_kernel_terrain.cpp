@@ -1,0 +1,116 @@
+#include "render_core/raytrace/picture/kernel_terrain.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/traced_view.hpp"
+
+namespace tedavis::raytrace {
+namespace {
+
+constexpr std::uint32_t kTiledWidth = 150, kTiledHeight = 100;
+
+class KernelTerrainTest : public ::testing::Test {
+protected:
+    KernelTerrainTest() : hills_(90, 70, true), memory_(1 << 20), arena_(memory_.data(), memory_.size()) {}
+
+    [[nodiscard]] TracedField<std::int16_t> field(CellSurface surface) const {
+        TracedField<std::int16_t> field = hills_.field(surface);
+        field.minima = nullptr;
+        return field;
+    }
+    test_support::ViewedHills<std::int16_t> hills_;
+    std::vector<unsigned char> memory_;
+    base::Arena arena_;
+    std::mt19937 random_{5};
+    base::SerialWorkers alone_;
+};
+
+TEST_F(KernelTerrainTest, WholeTilesAndOddRectanglesAreWhatTheViewTracerFinds) {
+    for (const bool is_upright : {false, true})
+        for (int run = 0; run < 6; ++run) {
+            const GridCamera camera = is_upright ? test_support::upright_camera(random_, 90, 70, kTiledWidth, run % 2 == 1)
+                                                 : test_support::any_camera(random_, 90, 70, kTiledWidth);
+            const auto& kernel = view_kernels<std::int16_t>()[0];
+            arena_.reset();
+            KernelTerrain<std::int16_t> terrain;
+            ASSERT_TRUE(terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, arena_));
+            terrain.set_view(camera, kernel);
+            const test_support::TracedPicture right =
+                test_support::traced_by(kernel, field(CellSurface::bilinear), camera, kTiledWidth, kTiledHeight, alone_);
+            test_support::TracedPicture tiles(kTiledWidth, kTiledHeight), rectangles(kTiledWidth, kTiledHeight);
+            if (is_upright) {
+                for (std::uint32_t x = 0; x < kTiledWidth; x += 64)
+                    terrain.trace({x, 0, std::min(64u, kTiledWidth - x), kTiledHeight}, tiles.picture());
+            } else {
+                for (std::uint32_t y = 0; y < kTiledHeight; y += 32)
+                    terrain.trace({0, y, kTiledWidth, std::min(32u, kTiledHeight - y)}, tiles.picture());
+            }
+            for (std::uint32_t y = 0; y < kTiledHeight; y += 20)
+                for (std::uint32_t x = 0; x < kTiledWidth; x += 50) terrain.trace({x, y, 50, 20}, rectangles.picture());
+            EXPECT_EQ(tiles.differences(right), 0U) << is_upright << run;
+            EXPECT_EQ(rectangles.differences(right), 0U) << is_upright << run;
+        }
+}
+
+TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
+    std::size_t met_pixels = 0;
+    for (const CellSurface surface : {CellSurface::bilinear, CellSurface::two_triangles})
+        for (int run = 0; run < 6; ++run) {
+            const GridCamera camera = test_support::any_camera(random_, 90, 70, kTiledWidth);
+            arena_.reset();
+            KernelTerrain<std::int16_t> terrain;
+            ASSERT_TRUE(terrain.start(field(surface), 1, kTiledWidth, kTiledHeight, arena_));
+            terrain.set_view(camera, view_kernels<std::int16_t>()[0]);
+            test_support::TracedPicture tiles(kTiledWidth, kTiledHeight);
+            for (std::uint32_t y = 0; y < kTiledHeight; y += 32)
+                terrain.trace({0, y, kTiledWidth, std::min(32u, kTiledHeight - y)}, tiles.picture());
+            SpanSurface found;
+            for (std::uint32_t y = 0; y < kTiledHeight; y += 7) {
+                terrain.find_surface({y * kTiledWidth + 64, 64}, tiles.picture(), found);
+                for (std::uint32_t n = 0; n < found.count; ++n) {
+                    const RayMeeting one = terrain.meet(camera.ray(64 + n, y));
+                    ASSERT_EQ(found.is_met[n], one.is_met);
+                    if (!one.is_met) continue;
+                    ++met_pixels;
+                    EXPECT_EQ(found.t[n], one.t);
+                    EXPECT_NEAR(found.x[n], one.x, 1e-4);
+                    EXPECT_NEAR(found.y[n], one.y, 1e-4);
+                    // Heights of thousands a post; near a crease either side's slope is right.
+                    EXPECT_NEAR(found.height[n], one.point.height, 2);
+                }
+            }
+        }
+    EXPECT_GT(met_pixels, 500U);
+}
+
+TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
+    KernelTerrain<std::int16_t> fine;
+    ASSERT_TRUE(fine.start(field(CellSurface::bilinear), 2, kTiledWidth, kTiledHeight, arena_));
+    Ray ray;  // in posts of the scene, of which each is two of the field
+    ray.origin = {10.3, 12.2, 30000};
+    ray.direction = {0.01f, 0.02f, -1000};
+    Ray own = ray;
+    own.origin = {20.6, 24.4, 30000};
+    own.direction = {0.02f, 0.04f, -1000};
+    const Hit hit = trace_ray(field(CellSurface::bilinear), own);
+    const RayMeeting met = fine.meet(ray);
+    ASSERT_TRUE(met.is_met && hit.side != HitSide::none);
+    EXPECT_EQ(met.t, hit.t);
+    EXPECT_TRUE(fine.is_hidden(ray));
+    EXPECT_EQ(static_cast<std::uint32_t>(met.x * 2), hit.column);
+    EXPECT_EQ(static_cast<std::uint32_t>(met.y * 2), hit.row);
+    KernelTerrain<std::int16_t> posts;
+    ASSERT_TRUE(posts.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, arena_));
+    EXPECT_NEAR(met.point.slope_x, 2 * posts.meet(own).point.slope_x, 1e-6);
+    ray.direction.z = 1000;
+    EXPECT_FALSE(fine.is_hidden(ray));
+}
+
+TEST_F(KernelTerrainTest, StartRefusesWhatDoesNotFit) {
+    base::Arena small(memory_.data(), 64);
+    KernelTerrain<std::int16_t> terrain;
+    EXPECT_FALSE(terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, small));
+}
+
+}  // namespace
+}  // namespace tedavis::raytrace

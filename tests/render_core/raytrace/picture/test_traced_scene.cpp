@@ -1,0 +1,81 @@
+#include "render_core/raytrace/picture/traced_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render_core/raytrace/picture/trace_presets.hpp"
+#include "tests/support/drawn_trace.hpp"
+
+namespace tedavis::raytrace {
+namespace {
+
+class TracedSceneTest : public ::testing::Test {
+protected:
+    using Scene = TracedScene<std::int16_t>;
+
+    TracedSceneTest() : posts_(test_support::fractal_heights(65)) {
+        size_.width = 100;
+        size_.height = 60;
+    }
+    Scene::Answer start(Scene& scene, const std::vector<TraceSettings>& settings, std::int64_t spare = 0) {
+        const std::int64_t bytes = static_cast<std::int64_t>(Scene::bytes_needed(posts_.grid(), settings, size_)) + spare;
+        memory_.resize(static_cast<std::size_t>(bytes));
+        base::Arena arena(memory_.data(), memory_.size());
+        return scene.start(posts_.grid(), {30, 30, 1}, settings, size_, arena);
+    }
+    test_support::HeightField<std::int16_t> posts_;
+    SceneSize size_;
+    std::vector<unsigned char> memory_;
+};
+
+std::vector<TraceSettings> stored_and_smooth() {
+    TraceSettings stored = quality_preset();
+    stored.surface.kind = SurfaceKind::approximate_bicubic;
+    stored.is_surface_stored = true;
+    TraceSettings averaged = time_preset();
+    averaged.antialiasing = Antialiasing::average_mipmap;
+    return {quality_preset(), stored, averaged, memory_preset()};
+}
+
+TEST_F(TracedSceneTest, NamesWhatItTakesAndTakesNoMore) {
+    Scene scene;
+    const Scene::Answer all = start(scene, stored_and_smooth());
+    ASSERT_TRUE(all.ok());
+    EXPECT_LE(scene.bytes(), all.value());
+    EXPECT_GE(scene.bytes() + 256, all.value());
+    EXPECT_LE(all.value(), memory_.size());
+    EXPECT_EQ(scene.items().size(), 7U);
+    Scene least;
+    ASSERT_TRUE(start(least, {memory_preset()}).ok());
+    EXPECT_EQ(least.items().size(), 2U);
+    EXPECT_EQ(least.maps().sky, nullptr);
+    EXPECT_EQ(least.maps().averages, nullptr);
+    // Maxima: a third more than two bytes a cell, and the beams' corners of a small picture.
+    EXPECT_LT(least.bytes(), 64 * 64 * 2 * 4 / 3 + 8000);
+}
+
+TEST_F(TracedSceneTest, GivesEachSettingItsTerrain) {
+    Scene scene;
+    const std::vector<TraceSettings> all = stored_and_smooth();
+    ASSERT_TRUE(start(scene, all).ok());
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) EXPECT_NE(&scene.terrain(all[a]), &scene.terrain(all[b]));
+}
+
+TEST_F(TracedSceneTest, SaysWhatItRefuses) {
+    Scene scene;
+    EXPECT_NE(std::string(start(scene, {}).error().c_str()).find("at least one setting"), std::string::npos);
+    EXPECT_NE(std::string(start(scene, stored_and_smooth(), -8000).error().c_str()).find("bytes_needed()"), std::string::npos);
+    TraceSettings other = quality_preset();
+    other.surface.kind = SurfaceKind::approximate_bicubic;
+    EXPECT_NE(std::string(start(scene, {quality_preset(), other}).error().c_str()).find("two different"), std::string::npos);
+    size_.width = 20000;
+    EXPECT_NE(std::string(start(scene, {time_preset()}, 1 << 20).error().c_str()).find("16384"), std::string::npos);
+    size_.width = 100;
+    posts_.at(3, 3) = 32767;
+    EXPECT_NE(std::string(start(scene, {quality_preset()}).error().c_str()).find("16 bits"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tedavis::raytrace
