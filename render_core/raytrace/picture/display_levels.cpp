@@ -1,6 +1,9 @@
 #include "render_core/raytrace/picture/display_levels.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "render_core/raytrace/picture/wide_loops.hpp"
 
 namespace tedavis::raytrace {
 namespace {
@@ -15,6 +18,14 @@ double display_power(double x) {
     return square * square * root;
 }
 
+/// What is no number is black.
+TEDAVIS_WIDE_LOOPS void find_entries(const float* light, std::uint32_t count, std::int32_t* entries) {
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const float above = light[n] > 0 ? light[n] : 0;
+        entries[n] = static_cast<std::int32_t>((above < 1 ? above : 1) * (DisplayLevels::kEntries - 1) + 0.5f);
+    }
+}
+
 }  // namespace
 
 bool DisplayLevels::start(base::Arena& arena) {
@@ -25,6 +36,17 @@ bool DisplayLevels::start(base::Arena& arena) {
         levels_[n] = static_cast<std::uint8_t>(255 * shown + 0.5);
     }
     return !levels_.empty();
+}
+
+void DisplayLevels::set(const float* light, std::uint32_t count, std::uint8_t* levels) const {
+    constexpr std::uint32_t kTogether = 192;
+    std::int32_t entry[kTogether];
+    const std::uint8_t* const table = levels_.data();
+    for (std::uint32_t first = 0; first < count; first += kTogether) {
+        const std::uint32_t end = std::min(kTogether, count - first);
+        find_entries(light + first, end, entry);
+        for (std::uint32_t n = 0; n < end; ++n) levels[first + n] = table[entry[n]];
+    }
 }
 
 }  // namespace tedavis::raytrace

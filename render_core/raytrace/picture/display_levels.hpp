@@ -20,6 +20,9 @@ public:
         return light >= 1 ? 255 : levels_.data()[static_cast<std::uint32_t>(light * (kEntries - 1) + 0.5f)];
     }
 
+    /// Of many.
+    void set(const float* light, std::uint32_t count, std::uint8_t* levels) const;
+
 private:
     base::Span<std::uint8_t> levels_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render_core/raytrace/picture/wide_loops.hpp"
 #include "render_core/raytrace/surface/cell_patch.hpp"
 
 namespace tedavis::raytrace {
@@ -9,45 +10,82 @@ namespace {
 
 std::uint32_t beams_across(std::uint32_t pixels, int size) { return (pixels + kBeamSide[size] - 1) / kBeamSide[size]; }
 
-/// Height and slopes at (u, v) of the cell whose first post is `post`; in posts and steps of the grid itself.
-template <class Height, CellSurface surface>
-void surface_in_cell(const Height* post, std::uint32_t stride, float u, float v, float& height, float& slope_x, float& slope_y) {
-    const auto a = static_cast<float>(post[0]), b = static_cast<float>(post[1]);
-    const auto c = static_cast<float>(post[stride]), d = static_cast<float>(post[stride + 1]);
-    if constexpr (surface == CellSurface::bilinear) {
-        slope_x = (1 - v) * (b - a) + v * (d - c);
-        slope_y = (1 - u) * (c - a) + u * (d - b);
-        height = a + u * (b - a) + v * slope_y;
-    } else {
-        const bool is_first = u + v <= 1;
-        slope_x = is_first ? b - a : d - c;
-        slope_y = is_first ? c - a : d - b;
-        height = is_first ? a + u * slope_x + v * slope_y : d - (1 - u) * slope_x - (1 - v) * slope_y;
+constexpr std::uint32_t kMostInSpan = PixelSpan::kMost;
+
+/// Rays of a line of pixels, in posts: from `origin` along `first` + n * `step`.
+struct LineOfRays {
+    double origin[2], first[2], step[2];
+};
+
+/// Cells of a span with places in them, and the heights of their posts.
+struct SpanCells {
+    std::uint32_t post[kMostInSpan];  ///< row * cells + column
+    std::int32_t row[kMostInSpan];
+    float u[kMostInSpan], v[kMostInSpan];
+    float corner[4][kMostInSpan];
+};
+
+/// Rows of cells by a multiplication: with half a cell added it is right for every number of 31 bits.
+TEDAVIS_WIDE_LOOPS void find_places(const LineOfRays& rays, std::int32_t cells, double part, const float* __restrict t,
+                                    const std::int32_t* __restrict cell, SpanSurface& __restrict out,
+                                    SpanCells& __restrict found) {
+    const double cells_part = 1.0 / cells;
+    const std::uint32_t count = out.count;
+    for (std::uint32_t n = 0; n < count; ++n) out.is_met[n] = cell[n] >= 0;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const bool is_met = cell[n] >= 0;
+        const std::int32_t place = is_met ? cell[n] : 0;
+        const auto row = static_cast<std::int32_t>((place + 0.5) * cells_part);
+        const std::int32_t column = place - row * cells;
+        const float met_t = is_met ? t[n] : 0;
+        const double at = met_t, x = rays.origin[0] + at * (rays.first[0] + static_cast<std::int32_t>(n) * rays.step[0]) - column,
+                     y = rays.origin[1] + at * (rays.first[1] + static_cast<std::int32_t>(n) * rays.step[1]) - row;
+        const double u = std::min(std::max(x, 0.0), 1.0), v = std::min(std::max(y, 0.0), 1.0);
+        out.t[n] = met_t;
+        out.x[n] = (column + u) * part;
+        out.y[n] = (row + v) * part;
+        found.row[n] = row;
+        found.post[n] = static_cast<std::uint32_t>(place);
+        found.u[n] = static_cast<float>(u);
+        found.v[n] = static_cast<float>(v);
     }
 }
 
-/// Of rays from `origin`, in the grid's own posts, to where they met a cell.
-template <class Height, CellSurface surface>
-void surface_of_span(const HeightGrid<Height>& grid, std::uint32_t parts, const GridCamera& camera, std::uint32_t left,
-                     std::uint32_t line, const float* t, const std::int32_t* cell, SpanSurface& out) {
-    const std::uint32_t cells = grid.columns - 1;
-    const double each = 1.0 / parts, y_of_row = line + 0.5;
-    const double from_x = camera.corner.x + y_of_row * camera.down.x, from_y = camera.corner.y + y_of_row * camera.down.y;
-    for (std::uint32_t n = 0; n < out.count; ++n) {
-        out.is_met[n] = cell[n] >= 0;
-        const std::uint32_t place = out.is_met[n] ? static_cast<std::uint32_t>(cell[n]) : 0;
-        const std::uint32_t row = place / cells, column = place - row * cells;
-        const double at = out.is_met[n] ? double{t[n]} : 0, middle = left + n + 0.5;
-        const double x = camera.origin.x + at * (from_x + middle * camera.right.x) - column;
-        const double y = camera.origin.y + at * (from_y + middle * camera.right.y) - row;
-        const double u = std::min(std::max(x, 0.0), 1.0), v = std::min(std::max(y, 0.0), 1.0);
-        surface_in_cell<Height, surface>(grid.row(row) + column, grid.stride, static_cast<float>(u), static_cast<float>(v),
-                                         out.height[n], out.slope_x[n], out.slope_y[n]);
-        out.slope_x[n] *= static_cast<float>(parts);
-        out.slope_y[n] *= static_cast<float>(parts);
-        out.x[n] = (column + u) * each;
-        out.y[n] = (row + v) * each;
-        out.t[n] = static_cast<float>(at);
+template <class Height>
+void find_corners(const HeightGrid<Height>& grid, std::uint32_t count, SpanCells& __restrict cells) {
+    const std::size_t stride = grid.stride, skipped = stride - (grid.columns - 1);
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const Height* const post = grid.posts + cells.post[n] + static_cast<std::size_t>(cells.row[n]) * skipped;
+        cells.corner[0][n] = static_cast<float>(post[0]);
+        cells.corner[1][n] = static_cast<float>(post[1]);
+        cells.corner[2][n] = static_cast<float>(post[stride]);
+        cells.corner[3][n] = static_cast<float>(post[stride + 1]);
+    }
+}
+
+TEDAVIS_WIDE_LOOPS void find_bilinear(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
+    const std::uint32_t count = out.count;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
+        const float u = cells.u[n], v = cells.v[n];
+        const float slope_x = (1 - v) * (b - a) + v * (d - c), slope_y = (1 - u) * (c - a) + u * (d - b);
+        out.height[n] = a + u * (b - a) + v * slope_y;
+        out.slope_x[n] = slope_x * parts;
+        out.slope_y[n] = slope_y * parts;
+    }
+}
+
+TEDAVIS_WIDE_LOOPS void find_triangles(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
+    const std::uint32_t count = out.count;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
+        const float u = cells.u[n], v = cells.v[n];
+        const bool is_first = u + v <= 1;
+        const float slope_x = is_first ? b - a : d - c, slope_y = is_first ? c - a : d - b;
+        const float base = is_first ? a : d, along_x = is_first ? u : u - 1, along_y = is_first ? v : v - 1;
+        out.height[n] = base + along_x * slope_x + along_y * slope_y;
+        out.slope_x[n] = slope_x * parts;
+        out.slope_y[n] = slope_y * parts;
     }
 }
 
@@ -108,9 +146,20 @@ void KernelTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
     TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
     surface.count = span.count;
     const std::uint32_t line = span.first / width_, left = span.first - line * width_;
-    const auto find = field_.surface == CellSurface::bilinear ? surface_of_span<Height, CellSurface::bilinear>
-                                                              : surface_of_span<Height, CellSurface::two_triangles>;
-    find(field_.grid(), parts_, camera_, left, line, hits.t.data() + span.first, hits.cell.data() + span.first, surface);
+    LineOfRays rays;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double right = camera_.right[axis], down = camera_.down[axis];
+        rays.origin[axis] = camera_.origin[axis];
+        rays.first[axis] = camera_.corner[axis] + (left + 0.5) * right + (line + 0.5) * down;
+        rays.step[axis] = right;
+    }
+    const HeightGrid<Height>& grid = field_.grid();
+    SpanCells cells;
+    find_places(rays, static_cast<std::int32_t>(grid.columns - 1), 1.0 / parts_, hits.t.data() + span.first,
+                hits.cell.data() + span.first, surface, cells);
+    find_corners(grid, span.count, cells);
+    const auto find = field_.surface == CellSurface::bilinear ? find_bilinear : find_triangles;
+    find(cells, static_cast<float>(parts_), surface);
 }
 
 template <class Height>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render_core/raytrace/picture/wide_loops.hpp"
 #include "render_core/raytrace/shading/aperture_light.hpp"
 #include "render_core/raytrace/shading/arc_functions.hpp"
 
@@ -33,7 +34,7 @@ struct SpanPosts {
     float weight[4][kMostOfSpan];
 };
 
-void find_posts(const SpanSurface& surface, std::uint32_t columns, std::uint32_t rows, SpanPosts& posts) {
+TEDAVIS_WIDE_LOOPS void find_posts(const SpanSurface& surface, std::uint32_t columns, std::uint32_t rows, SpanPosts& posts) {
     const double most_x = columns - 1.0, most_y = rows - 1.0;
     const auto last_column = static_cast<std::int32_t>(columns - 2), last_row = static_cast<std::int32_t>(rows - 2);
     for (std::uint32_t n = 0; n < surface.count; ++n) {
@@ -55,37 +56,46 @@ struct SpanApertures {
     float cos_radius[kMostOfSpan];
 };
 
+struct SpanStored {
+    float across[4][kMostOfSpan], down[4][kMostOfSpan], cosine[4][kMostOfSpan];
+};
+
 template <class Height>
-void find_apertures(const SkyMap<Height>& sky, const SpanPosts& posts, std::uint32_t count, SpanApertures& apertures) {
+void read_apertures(const SkyMap<Height>& sky, const SpanPosts& posts, std::uint32_t count, SpanStored& read) {
     const auto* const stored = sky.stored_apertures().data();
     const std::uint32_t offset[4] = {0, 1, sky.columns(), sky.columns() + 1};
-    float across[4][kMostOfSpan], down[4][kMostOfSpan], cosine[4][kMostOfSpan];
     for (int k = 0; k < 4; ++k)
         for (std::uint32_t n = 0; n < count; ++n) {
             const auto& one = stored[posts.first[n] + offset[k]];
-            across[k][n] = static_cast<float>(one.x);
-            down[k][n] = static_cast<float>(one.y);
-            cosine[k][n] = static_cast<float>(one.cos_radius);
+            read.across[k][n] = one.x;
+            read.down[k][n] = one.y;
+            read.cosine[k][n] = one.cos_radius;
+        }
+}
+
+TEDAVIS_WIDE_LOOPS void find_apertures(const SpanStored& __restrict read, const SpanPosts& __restrict posts, std::uint32_t count,
+                                       SpanApertures& __restrict apertures) {
+    float x[kMostOfSpan] = {}, y[kMostOfSpan] = {}, z[kMostOfSpan] = {}, sum[kMostOfSpan] = {};
+    for (int k = 0; k < 4; ++k)
+        for (std::uint32_t n = 0; n < count; ++n) {
+            const float a = read.across[k][n] * (1 / 32767.0f), b = read.down[k][n] * (1 / 32767.0f), w = posts.weight[k][n];
+            x[n] += w * a;
+            y[n] += w * b;
+            z[n] += w * std::sqrt(std::max(1 - a * a - b * b, 0.0f));
+            sum[n] += w * read.cosine[k][n];
         }
     for (std::uint32_t n = 0; n < count; ++n) {
-        float x = 0, y = 0, z = 0, sum = 0;
-        for (int k = 0; k < 4; ++k) {
-            const float a = across[k][n] * (1 / 32767.0f), b = down[k][n] * (1 / 32767.0f), w = posts.weight[k][n];
-            x += w * a;
-            y += w * b;
-            z += w * std::sqrt(std::max(1 - a * a - b * b, 0.0f));
-            sum += w * cosine[k][n];
-        }
-        const float length = std::sqrt(x * x + y * y + z * z), whole = 1 / std::max(length, 1e-6f);
-        apertures.axis.of[0][n] = x * whole;
-        apertures.axis.of[1][n] = y * whole;
-        apertures.axis.of[2][n] = z * whole;
-        apertures.cos_radius[n] = std::min(sum * (1 / 65535.0f), 1.0f);
+        const float length = std::sqrt(x[n] * x[n] + y[n] * y[n] + z[n] * z[n]), whole = 1 / std::max(length, 1e-6f);
+        apertures.axis.of[0][n] = x[n] * whole;
+        apertures.axis.of[1][n] = y[n] * whole;
+        apertures.axis.of[2][n] = z[n] * whole;
+        apertures.cos_radius[n] = std::min(sum[n] * (1 / 65535.0f), 1.0f);
     }
 }
 
 /// aperture_light() with OverlapKind::smooth and the sun's own size.
-void light_through(const SpanApertures& apertures, const glm::dvec3& towards_sun, std::uint32_t count, SpanLight& light) {
+TEDAVIS_WIDE_LOOPS void light_through(const SpanApertures& apertures, const glm::dvec3& towards_sun, std::uint32_t count,
+                                      SpanLight& light) {
     const glm::vec3 sun(towards_sun);
     const auto sun_radius = static_cast<float>(kSunRadius_rad);
     const auto half = static_cast<float>(direction_of_angle(kSunRadius_rad / 2).y);
@@ -104,9 +114,21 @@ void light_through(const SpanApertures& apertures, const glm::dvec3& towards_sun
     }
 }
 
+/// Which two colours a height lies between, and how far.
+TEDAVIS_WIDE_LOOPS void place_in_palette(const SpanSurface& surface, const GroundColours& ground, std::int32_t* first,
+                                         float* share) {
+    const auto parts = static_cast<float>(ground.palette.size() - 1);
+    const float lowest = ground.lowest, scale = parts / (ground.highest - lowest);
+    for (std::uint32_t n = 0; n < surface.count; ++n) {
+        const float place = std::min(std::max((surface.height[n] - lowest) * scale, 0.0f), parts);
+        first[n] = static_cast<std::int32_t>(place);
+        share[n] = place - static_cast<float>(first[n]);
+    }
+}
+
 }  // namespace
 
-void find_normals(const SpanSurface& surface, const GridScale& scale, SpanVectors& normals) {
+TEDAVIS_WIDE_LOOPS void find_normals(const SpanSurface& surface, const GridScale& scale, SpanVectors& normals) {
     const auto by_x = static_cast<float>(scale.height_m / scale.column_m),
                by_y = static_cast<float>(scale.height_m / scale.row_m);
     for (std::uint32_t n = 0; n < surface.count; ++n) {
@@ -117,8 +139,8 @@ void find_normals(const SpanSurface& surface, const GridScale& scale, SpanVector
     }
 }
 
-void find_eyes(const float* direction_x, const float* direction_y, const float* direction_z, std::uint32_t count,
-               const GridScale& scale, SpanVectors& eyes) {
+TEDAVIS_WIDE_LOOPS void find_eyes(const float* direction_x, const float* direction_y, const float* direction_z,
+                                  std::uint32_t count, const GridScale& scale, SpanVectors& eyes) {
     const auto column = static_cast<float>(scale.column_m), row = static_cast<float>(scale.row_m),
                step = static_cast<float>(scale.height_m);
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -132,18 +154,18 @@ void find_eyes(const float* direction_x, const float* direction_y, const float* 
 
 void find_colours(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMost]) {
     const base::Span<const glm::vec3> palette = look.ground.palette;
-    const float parts = palette.empty() ? 0 : static_cast<float>(palette.size() - 1);
-    const float scale = parts / (look.ground.highest - look.ground.lowest);
+    if (palette.empty()) {
+        for (int c = 0; c < 3; ++c) std::fill_n(colour[c], surface.count, look.material.colour[c]);
+        return;
+    }
+    std::int32_t first[kMostOfSpan];
+    float share[kMostOfSpan];
+    place_in_palette(surface, look.ground, first, share);
+    const glm::vec3* const colours = palette.data();
+    const auto last = static_cast<std::int32_t>(palette.size() - 1);
     for (std::uint32_t n = 0; n < surface.count; ++n) {
-        glm::vec3 one = look.material.colour;
-        if (!palette.empty()) {
-            const float place = std::min(std::max((surface.height[n] - look.ground.lowest) * scale, 0.0f), parts);
-            const auto first = static_cast<std::uint32_t>(place);
-            const glm::vec3* const pair = palette.data() + first;
-            const float share = place - static_cast<float>(first);
-            one = share > 0 ? pair[0] * (1 - share) + pair[1] * share : pair[0];
-        }
-        for (int c = 0; c < 3; ++c) colour[c][n] = one[c];
+        const glm::vec3 &low = colours[first[n]], &high = colours[std::min(first[n] + 1, last)];
+        for (int c = 0; c < 3; ++c) colour[c][n] = low[c] * (1 - share[n]) + high[c] * share[n];
     }
 }
 
@@ -153,8 +175,10 @@ void find_sky(const SpanSurface& surface, const SkyMap<Height>& sky, Ambient amb
     SpanPosts posts;
     find_posts(surface, sky.columns(), sky.rows(), posts);
     if (ambient == Ambient::apertures) {
+        SpanStored read;
         SpanApertures apertures;
-        find_apertures(sky, posts, surface.count, apertures);
+        read_apertures(sky, posts, surface.count, read);
+        find_apertures(read, posts, surface.count, apertures);
         return light_through(apertures, towards_sun, surface.count, light);
     }
     const std::uint8_t* const views = sky.stored_views().data();
@@ -166,7 +190,7 @@ void find_sky(const SpanSurface& surface, const SkyMap<Height>& sky, Ambient amb
     }
 }
 
-void add_up_light(Shading shading, const TraceLook& look, std::uint32_t count, SpanLight& light) {
+TEDAVIS_WIDE_LOOPS void add_up_light(Shading shading, const TraceLook& look, std::uint32_t count, SpanLight& light) {
     const glm::vec3 sun(look.sun.towards);
     float diffuse[kMostOfSpan], highlight[kMostOfSpan];
     for (std::uint32_t n = 0; n < count; ++n) {

@@ -1,7 +1,9 @@
 #include "render_core/raytrace/picture/trace_stages.hpp"
 
+#include <algorithm>
 #include <cstring>
 
+#include "render_core/raytrace/picture/wide_loops.hpp"
 #include "render_core/raytrace/surface/pixel_footprint.hpp"
 
 namespace tedavis::raytrace {
@@ -13,6 +15,18 @@ constexpr glm::vec3 kNotDone(-1, 0, 0);
 void set_direction(const GridCamera& camera, float x, float y, SpanRays& rays, std::uint32_t n) {
     for (int axis = 0; axis < 3; ++axis)
         rays.direction[axis][n] = camera.corner[axis] + camera.right[axis] * x + camera.down[axis] * y;
+}
+
+/// Of pixels of a line from (x, y) on; what set_direction() gives for their middles.
+TEDAVIS_WIDE_LOOPS void set_directions(const GridCamera& camera, std::uint32_t x, std::uint32_t y, std::uint32_t count,
+                                       SpanRays& rays) {
+    const float down = static_cast<float>(y) + 0.5f;
+    const auto first = static_cast<std::int32_t>(x);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float corner = camera.corner[axis], right = camera.right[axis], fall = camera.down[axis] * down;
+        for (std::uint32_t n = 0; n < count; ++n)
+            rays.direction[axis][n] = corner + right * (static_cast<float>(first + static_cast<std::int32_t>(n)) + 0.5f) + fall;
+    }
 }
 
 void set_meeting(const RayMeeting& met, SpanSurface& surface, std::uint32_t n) {
@@ -154,10 +168,8 @@ void TraceStages<Height>::shade_span(const PixelSpan& span, SpanRemainder& rest)
     SpanRays rays;
     rays.origin = camera_.origin;
     std::uint32_t seeds[PixelSpan::kMost];
-    for (std::uint32_t n = 0; n < span.count; ++n) {
-        set_direction(camera_, static_cast<float>(x + n) + 0.5f, static_cast<float>(y) + 0.5f, rays, n);
-        seeds[n] = span.first + n;
-    }
+    set_directions(camera_, x, y, span.count, rays);
+    for (std::uint32_t n = 0; n < span.count; ++n) seeds[n] = span.first + n;
     glm::vec3* const light = light_.data() + span.first;
     shader.shade(rays, seeds, surface, light);
     if (settings.antialiasing == Antialiasing::supersampling)
@@ -240,10 +252,11 @@ void TraceStages<Height>::set_levels(const PixelSpan& span) const {
     if (rgb8_.empty()) return;
     const glm::vec3* const light = light_.data() + span.first;
     std::uint8_t* const rgb = rgb8_.data() + 3 * std::size_t{span.first};
-    for (std::uint32_t n = 0; n < span.count; ++n) {
-        if (light[n].x < 0) continue;
-        for (int c = 0; c < 3; ++c) rgb[3 * n + static_cast<std::uint32_t>(c)] = levels_.level(light[n][c]);
-    }
+    float red[PixelSpan::kMost];
+    for (std::uint32_t n = 0; n < span.count; ++n) red[n] = light[n].x;
+    if (span.count == 0 || *std::min_element(red, red + span.count) >= 0) return levels_.set(&light[0].x, 3 * span.count, rgb);
+    for (std::uint32_t n = 0; n < span.count; ++n)
+        if (light[n].x >= 0) levels_.set(&light[n].x, 3, rgb + 3 * n);
 }
 
 template class TraceStages<std::int16_t>;

@@ -25,10 +25,10 @@ struct PixelSpan {
 struct SpanSurface {
     static constexpr std::uint32_t kMost = PixelSpan::kMost;
     std::uint32_t count = 0;
-    bool is_met[kMost] = {};
-    double x[kMost] = {}, y[kMost] = {};
-    float height[kMost] = {}, slope_x[kMost] = {}, slope_y[kMost] = {};
-    float t[kMost] = {};
+    bool is_met[kMost];
+    double x[kMost], y[kMost];
+    float height[kMost], slope_x[kMost], slope_y[kMost];
+    float t[kMost];
 };
 
 /// What a single ray met.

@@ -27,6 +27,12 @@ TEST(DisplayLevels, AreThoseOfTheStandardOrOneBeside) {
     EXPECT_EQ(levels.level(std::nanf("")), 0);
     EXPECT_EQ(levels.level(7), 255);
     EXPECT_EQ(levels.level(std::numeric_limits<float>::infinity()), 255);
+    std::vector<float> light;
+    for (int n = -300; n < 700; ++n) light.push_back(static_cast<float>(n) / 500);
+    light[5] = std::nanf("");
+    std::vector<std::uint8_t> many(light.size());
+    levels.set(light.data(), static_cast<std::uint32_t>(light.size()), many.data());
+    for (std::size_t n = 0; n < light.size(); ++n) EXPECT_EQ(many[n], levels.level(light[n])) << light[n];
     DisplayLevels none;
     EXPECT_FALSE(none.start(arena));
 }
