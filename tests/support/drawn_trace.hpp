@@ -42,7 +42,7 @@ public:
         size.sky_azimuths = 8;
         size.sky_radius = 24;
         const raytrace::HeightGrid<Height> grid = posts_.grid();
-        const std::uint64_t bytes = raytrace::TracedScene<Height>::bytes_needed(grid, settings, size) +
+        const std::uint64_t bytes = raytrace::TracedScene<Height>::bytes_needed(grid, settings) +
                                     raytrace::TracePicture<Height>::bytes_needed(width, height, stream);
         memory_.resize(bytes / 8 + 64);
         base::Arena arena(memory_.data(), memory_.size() * 8);

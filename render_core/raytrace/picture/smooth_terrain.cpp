@@ -23,13 +23,15 @@ void SmoothTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits)
             hits.side.data()[at] = hit.side;
             hits.cell.data()[at] =
                 is_met ? static_cast<std::int32_t>(hit.place.row * cells + hit.place.column) : HitPicture::kNoCell;
+            hits.u.data()[at] = static_cast<float>(hit.place.u);
+            hits.v.data()[at] = static_cast<float>(hit.place.v);
         }
 }
 
 template <class Height>
 void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const {
     TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
-    const std::uint32_t cells = maxima_->grid().columns - 1, line = span.first / width_, left = span.first - line * width_;
+    const std::uint32_t cells = maxima_->grid().columns - 1;
     surface.count = span.count;
     for (std::uint32_t n = 0; n < span.count; ++n) {
         const std::int32_t cell = hits.cell.data()[span.first + n];
@@ -37,18 +39,16 @@ void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
         surface.x[n] = surface.y[n] = 0;
         surface.t[n] = surface.height[n] = surface.slope_x[n] = surface.slope_y[n] = 0;
         if (cell < 0) continue;
-        const Ray ray = camera_.ray(left + n, line);
-        const float t = hits.t.data()[span.first + n];
         CellPlace place;
         place.row = static_cast<std::uint32_t>(cell) / cells;
         place.column = static_cast<std::uint32_t>(cell) - place.row * cells;
-        place.u = std::clamp(ray.origin.x + double{t} * double{ray.direction.x} - place.column, 0.0, 1.0);
-        place.v = std::clamp(ray.origin.y + double{t} * double{ray.direction.y} - place.row, 0.0, 1.0);
+        place.u = hits.u.data()[span.first + n];
+        place.v = hits.v.data()[span.first + n];
         const CellPatch patch = cell_patch(maxima_->grid(), *settings_, place.column, place.row);
         const SurfacePoint point = surface_on(patch, settings_->micro, place);
         surface.x[n] = place.column + place.u;
         surface.y[n] = place.row + place.v;
-        surface.t[n] = t;
+        surface.t[n] = hits.t.data()[span.first + n];
         surface.height[n] = static_cast<float>(point.height);
         surface.slope_x[n] = static_cast<float>(point.slope_x);
         surface.slope_y[n] = static_cast<float>(point.slope_y);

@@ -44,7 +44,8 @@ void set_meeting(const RayMeeting& met, SpanSurface& surface, std::uint32_t n) {
 template <class Height>
 std::uint64_t TraceStages<Height>::bytes_needed(std::uint32_t width, std::uint32_t height) {
     const std::uint64_t pixels = std::uint64_t{width} * height;
-    return pixels * (sizeof(float) + sizeof(std::int32_t) + sizeof(HitSide) + sizeof(glm::vec3)) + DisplayLevels::kEntries + 64;
+    return pixels * (sizeof(float) + sizeof(std::int32_t) + sizeof(HitSide) + 2 * sizeof(float) + sizeof(glm::vec3)) +
+           DisplayLevels::kEntries + 64;
 }
 
 template <class Height>
@@ -55,9 +56,11 @@ bool TraceStages<Height>::start(std::uint32_t width, std::uint32_t height, base:
     const std::size_t pixels = std::size_t{width} * height;
     hits_.t = arena.allocate_array<float>(pixels);
     hits_.cell = arena.allocate_array<std::int32_t>(pixels);
+    hits_.u = arena.allocate_array<float>(pixels);
+    hits_.v = arena.allocate_array<float>(pixels);
     light_ = arena.allocate_array<glm::vec3>(pixels);
     hits_.side = arena.allocate_array<HitSide>(pixels);
-    return levels_.start(arena) && !hits_.t.empty() && !hits_.cell.empty() && !hits_.side.empty() && !light_.empty();
+    return levels_.start(arena) && !hits_.u.empty() && !hits_.v.empty() && !hits_.side.empty() && !light_.empty();
 }
 
 template <class Height>
@@ -83,26 +86,24 @@ void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLoo
         variant_[n] = {&settings, &scene.terrain(settings)};
         has_remainders_ = has_remainders_ || settings.mirrors > 0 || settings.antialiasing == Antialiasing::supersampling;
     }
-    is_upright_ = camera_.has_upright_columns();
-    tiles_ = is_upright_ ? PictureVariants::regions_across(width_) : PictureVariants::regions_down(height_);
-    spans_of_tile_ = is_upright_ ? height_ : PictureVariants::kRegionHeight * PictureVariants::regions_across(width_);
+    is_swept_ = camera_.has_upright_columns() && variants.regions.empty();
+    tiles_ = PictureVariants::regions_across(width_) * (is_swept_ ? 1 : PictureVariants::regions_down(height_));
+    spans_of_tile_ = is_swept_ ? height_ : PictureVariants::kRegionHeight;
 }
 
 template <class Height>
 PixelRect TraceStages<Height>::rect(std::uint32_t tile) const {
     constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
-    if (is_upright_) return {tile * kWidth, 0, std::min(kWidth, width_ - tile * kWidth), height_};
-    return {0, tile * kHeight, width_, std::min(kHeight, height_ - tile * kHeight)};
+    const std::uint32_t across = PictureVariants::regions_across(width_);
+    const std::uint32_t x = tile % across * kWidth, y = tile / across * kHeight;
+    return {x, y, std::min(kWidth, width_ - x), is_swept_ ? height_ : std::min(kHeight, height_ - y)};
 }
 
 template <class Height>
 PixelSpan TraceStages<Height>::span(std::uint32_t tile, std::uint32_t n) const {
-    constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth;
-    const std::uint32_t across = is_upright_ ? 1 : PictureVariants::regions_across(width_);
-    const std::uint32_t x = (is_upright_ ? tile : n % across) * kWidth;
-    const std::uint32_t y = is_upright_ ? n : tile * PictureVariants::kRegionHeight + n / across;
-    if (y >= height_) return {};
-    return {y * width_ + x, std::min(kWidth, width_ - x)};
+    const PixelRect all = rect(tile);
+    if (n >= all.height) return {};
+    return {(all.y + n) * width_ + all.x, all.width};
 }
 
 template <class Height>
@@ -117,34 +118,10 @@ SpanShader<Height> TraceStages<Height>::shader(std::uint32_t variant) const {
     return {variant_[variant].settings, variant_[variant].terrain, maps_, look_, pixel_width_m_};
 }
 
-/// Regions of a tile whose terrain is another than that of the whole.
-template <class Height>
-void TraceStages<Height>::trace_regions(const PixelRect& tile, const TracedTerrain& whole) const {
-    constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
-    for (std::uint32_t y = tile.y; y < tile.y + tile.height; y += kHeight)
-        for (std::uint32_t x = tile.x; x < tile.x + tile.width; x += kWidth) {
-            const TracedTerrain& terrain = *variant_[variant_at(x, y)].terrain;
-            const PixelRect region = {x, y, std::min(kWidth, tile.x + tile.width - x),
-                                      std::min(kHeight, tile.y + tile.height - y)};
-            if (&terrain != &whole) terrain.trace(region, hits_);
-        }
-}
-
 template <class Height>
 void TraceStages<Height>::trace_tile(std::uint32_t tile) const {
     const PixelRect all = rect(tile);
-    const Variant* whole = &variant_[0];
-    for (const Variant& one : variant_)
-        if (one.settings != nullptr && is_kernel_surface(*one.settings)) {
-            whole = &one;
-            break;
-        }
-    bool is_wanted = variants_.regions.empty();
-    for (std::uint32_t y = all.y; y < all.y + all.height && !is_wanted; y += PictureVariants::kRegionHeight)
-        for (std::uint32_t x = all.x; x < all.x + all.width; x += PictureVariants::kRegionWidth)
-            is_wanted = is_wanted || variant_[variant_at(x, y)].terrain == whole->terrain;
-    if (is_wanted) whole->terrain->trace(all, hits_);
-    if (!variants_.regions.empty()) trace_regions(all, *whole->terrain);
+    variant_[variant_at(all.x, all.y)].terrain->trace(all, hits_);
 }
 
 template <class Height>

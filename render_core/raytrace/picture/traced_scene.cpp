@@ -50,17 +50,14 @@ typename TracedScene<Height>::Needs TracedScene<Height>::needs_of(base::Span<con
 }
 
 template <class Height>
-std::uint64_t TracedScene<Height>::bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings,
-                                                const SceneSize& size) {
+std::uint64_t TracedScene<Height>::bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings) {
     const Needs needs = needs_of(settings);
-    const std::uint64_t beams = KernelTerrain<Height>::bytes_needed(size.width, size.height);
     const std::uint64_t maxima = HeightMipmap<Height>::bytes_needed(grid.columns, grid.rows);
     std::uint64_t bytes = kAlignments * (kMostItems + 1);
     if (needs.has_triangles || needs.has_bilinear) bytes += maxima;
-    bytes += (needs.has_triangles ? beams : 0) + (needs.has_bilinear ? beams : 0);
     if (needs.stored != nullptr) {
         const std::uint64_t parts = needs.stored->subdivisions;
-        bytes += StoredSurface<Height>::bytes_needed(grid, needs.stored->subdivisions) + beams +
+        bytes += StoredSurface<Height>::bytes_needed(grid, needs.stored->subdivisions) +
                  HeightMipmap<float>::bytes_needed(static_cast<std::uint32_t>((grid.columns - 1) * parts + 1),
                                                    static_cast<std::uint32_t>((grid.rows - 1) * parts + 1));
     }
@@ -78,16 +75,11 @@ void TracedScene<Height>::note(const char* name, std::uint64_t before, const bas
 
 template <class Height>
 bool TracedScene<Height>::start_posts(base::Arena& arena) {
-    std::uint64_t before = arena.use().in_use;
+    const std::uint64_t before = arena.use().in_use;
     if (!maxima_.start(grid_, arena)) return false;
     note("maximum mipmap", before, arena);
-    before = arena.use().in_use;
-    const auto begin = [&](KernelTerrain<Height>& terrain, CellSurface surface) {
-        return terrain.start({&maxima_, nullptr, surface}, 1, size_.width, size_.height, arena);
-    };
-    if (has_triangles_ && !begin(triangles_, CellSurface::two_triangles)) return false;
-    if (has_bilinear_ && !begin(bilinear_, CellSurface::bilinear)) return false;
-    note("beams", before, arena);
+    triangles_.start({&maxima_, nullptr, CellSurface::two_triangles}, 1, size_.width, size_.height);
+    bilinear_.start({&maxima_, nullptr, CellSurface::bilinear}, 1, size_.width, size_.height);
     return true;
 }
 
@@ -97,11 +89,10 @@ bool TracedScene<Height>::start_stored(base::Arena& arena) {
     if (!stored_.start(grid_, stored_settings_, arena)) return false;
     note("stored surface", before, arena);
     const std::uint64_t between = arena.use().in_use;
-    const bool has_room =
-        stored_maxima_.start(stored_.grid(), arena) &&
-        fine_.start({&stored_maxima_, nullptr, CellSurface::bilinear}, stored_.parts(), size_.width, size_.height, arena);
-    note("its maximum mipmap and beams", between, arena);
-    return has_room;
+    if (!stored_maxima_.start(stored_.grid(), arena)) return false;
+    note("maximum mipmap of it", between, arena);
+    fine_.start({&stored_maxima_, nullptr, CellSurface::bilinear}, stored_.parts(), size_.width, size_.height);
+    return true;
 }
 
 template <class Height>
@@ -132,8 +123,7 @@ typename TracedScene<Height>::Answer TracedScene<Height>::start(const HeightGrid
                                                                 base::Arena& arena) {
     const Needs needs = needs_of(settings);
     if (settings.empty()) return base::fail(base::FaultText("a traced scene needs at least one setting; give one"));
-    if (size.width == 0 || size.height == 0 || size.width > ViewTracer<Height>::kMostSide ||
-        size.height > ViewTracer<Height>::kMostSide)
+    if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMostSide || size.height > SceneSize::kMostSide)
         return base::fail(base::FaultText("a traced picture is 1 to 16384 pixels wide and high; change its size"));
     if (!needs.is_of_one_surface)
         return base::fail(base::FaultText("settings ask for two different stored or smooth surfaces; give them one"));

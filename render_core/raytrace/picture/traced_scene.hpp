@@ -16,6 +16,7 @@
 namespace tedavis::raytrace {
 
 struct SceneSize {
+    static constexpr std::uint32_t kMostSide = 16384;
     std::uint32_t width = 0, height = 0;  ///< of pictures
     std::uint32_t sky_azimuths = 16, sky_radius = 64;
 };
@@ -39,9 +40,8 @@ public:
     using Answer = base::Result<std::uint64_t, base::FaultText>;
     static constexpr std::size_t kMostItems = 8;
 
-    /// Enough for start() with the same arguments.
-    [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings,
-                                                    const SceneSize& size);
+    /// Enough for start().
+    [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings);
     /// For pictures with any of `settings`; those that are not traced by the kernel on the posts themselves must agree about
     /// their surface. The grid is borrowed and must stay. Gives the bytes taken, or a sentence.
     [[nodiscard]] Answer start(const HeightGrid<Height>& grid, const GridScale& scale, base::Span<const TraceSettings> settings,

@@ -9,9 +9,15 @@ namespace {
 
 constexpr std::uint32_t kTiledWidth = 150, kTiledHeight = 100;
 
+struct TracedPlaces : test_support::TracedPicture {
+    TracedPlaces(std::uint32_t w, std::uint32_t h) : TracedPicture(w, h), u(w * h), v(w * h) {}
+    [[nodiscard]] HitPicture picture() { return {t, cell, side, u, v}; }
+    std::vector<float> u, v;
+};
+
 class KernelTerrainTest : public ::testing::Test {
 protected:
-    KernelTerrainTest() : hills_(90, 70, true), memory_(1 << 20), arena_(memory_.data(), memory_.size()) {}
+    KernelTerrainTest() : hills_(90, 70, true) {}
 
     [[nodiscard]] TracedField<std::int16_t> field(CellSurface surface) const {
         TracedField<std::int16_t> field = hills_.field(surface);
@@ -19,8 +25,6 @@ protected:
         return field;
     }
     test_support::ViewedHills<std::int16_t> hills_;
-    std::vector<unsigned char> memory_;
-    base::Arena arena_;
     std::mt19937 random_{5};
     base::SerialWorkers alone_;
 };
@@ -31,13 +35,12 @@ TEST_F(KernelTerrainTest, WholeTilesAndOddRectanglesAreWhatTheViewTracerFinds) {
             const GridCamera camera = is_upright ? test_support::upright_camera(random_, 90, 70, kTiledWidth, run % 2 == 1)
                                                  : test_support::any_camera(random_, 90, 70, kTiledWidth);
             const auto& kernel = view_kernels<std::int16_t>()[0];
-            arena_.reset();
             KernelTerrain<std::int16_t> terrain;
-            ASSERT_TRUE(terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, arena_));
+            terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight);
             terrain.set_view(camera, kernel);
             const test_support::TracedPicture right =
                 test_support::traced_by(kernel, field(CellSurface::bilinear), camera, kTiledWidth, kTiledHeight, alone_);
-            test_support::TracedPicture tiles(kTiledWidth, kTiledHeight), rectangles(kTiledWidth, kTiledHeight);
+            TracedPlaces tiles(kTiledWidth, kTiledHeight), rectangles(kTiledWidth, kTiledHeight);
             if (is_upright) {
                 for (std::uint32_t x = 0; x < kTiledWidth; x += 64)
                     terrain.trace({x, 0, std::min(64u, kTiledWidth - x), kTiledHeight}, tiles.picture());
@@ -57,11 +60,10 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
     for (const CellSurface surface : {CellSurface::bilinear, CellSurface::two_triangles})
         for (int run = 0; run < 6; ++run) {
             const GridCamera camera = test_support::any_camera(random_, 90, 70, kTiledWidth);
-            arena_.reset();
             KernelTerrain<std::int16_t> terrain;
-            ASSERT_TRUE(terrain.start(field(surface), 1, kTiledWidth, kTiledHeight, arena_));
+            terrain.start(field(surface), 1, kTiledWidth, kTiledHeight);
             terrain.set_view(camera, view_kernels<std::int16_t>()[0]);
-            test_support::TracedPicture tiles(kTiledWidth, kTiledHeight);
+            TracedPlaces tiles(kTiledWidth, kTiledHeight);
             for (std::uint32_t y = 0; y < kTiledHeight; y += 32)
                 terrain.trace({0, y, kTiledWidth, std::min(32u, kTiledHeight - y)}, tiles.picture());
             SpanSurface found;
@@ -85,7 +87,7 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
 
 TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
     KernelTerrain<std::int16_t> fine;
-    ASSERT_TRUE(fine.start(field(CellSurface::bilinear), 2, kTiledWidth, kTiledHeight, arena_));
+    fine.start(field(CellSurface::bilinear), 2, kTiledWidth, kTiledHeight);
     Ray ray;  // in posts of the scene, of which each is two of the field
     ray.origin = {10.3, 12.2, 30000};
     ray.direction = {0.01f, 0.02f, -1000};
@@ -100,16 +102,10 @@ TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
     EXPECT_EQ(static_cast<std::uint32_t>(met.x * 2), hit.column);
     EXPECT_EQ(static_cast<std::uint32_t>(met.y * 2), hit.row);
     KernelTerrain<std::int16_t> posts;
-    ASSERT_TRUE(posts.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, arena_));
+    posts.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight);
     EXPECT_NEAR(met.point.slope_x, 2 * posts.meet(own).point.slope_x, 1e-6);
     ray.direction.z = 1000;
     EXPECT_FALSE(fine.is_hidden(ray));
-}
-
-TEST_F(KernelTerrainTest, StartRefusesWhatDoesNotFit) {
-    base::Arena small(memory_.data(), 64);
-    KernelTerrain<std::int16_t> terrain;
-    EXPECT_FALSE(terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight, small));
 }
 
 }  // namespace

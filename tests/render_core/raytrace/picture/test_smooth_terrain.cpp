@@ -21,11 +21,13 @@ TEST(SmoothTerrain, HasWhatEachRayMeetsAlone) {
         const GridCamera camera = test_support::any_camera(random, 50, 60, kSmoothWidth);
         terrain.set_view(camera);
         test_support::TracedPicture picture(kSmoothWidth, kSmoothHeight);
-        terrain.trace({0, 0, 15, kSmoothHeight}, picture.picture());
-        terrain.trace({15, 0, kSmoothWidth - 15, kSmoothHeight}, picture.picture());
+        std::vector<float> u(picture.t.size()), v(picture.t.size());
+        const HitPicture hits = {picture.t, picture.cell, picture.side, u, v};
+        terrain.trace({0, 0, 15, kSmoothHeight}, hits);
+        terrain.trace({15, 0, kSmoothWidth - 15, kSmoothHeight}, hits);
         for (std::uint32_t y = 0; y < kSmoothHeight; ++y) {
             SpanSurface surface;
-            terrain.find_surface({y * kSmoothWidth, kSmoothWidth}, picture.picture(), surface);
+            terrain.find_surface({y * kSmoothWidth, kSmoothWidth}, hits, surface);
             for (std::uint32_t x = 0; x < kSmoothWidth; ++x) {
                 const SurfaceHit hit = scene.trace(camera.ray(x, y));
                 ASSERT_EQ(surface.is_met[x], hit.side != HitSide::none);

@@ -12,8 +12,8 @@ TEST(TracePresets, MemoryTakesLeastAndQualityMost) {
     const auto bytes_of = [&](const TraceSettings& settings) {
         return test_support::DrawnTrace(posts, {settings}, 64, 32).scene.bytes();
     };
-    EXPECT_LE(bytes_of(memory_preset()), bytes_of(time_preset()));
-    EXPECT_LT(bytes_of(memory_preset()) + 7 * 65 * 65 - 3000, bytes_of(quality_preset()));
+    EXPECT_EQ(bytes_of(memory_preset()), bytes_of(time_preset()));
+    EXPECT_LT(bytes_of(memory_preset()) + 7 * 65 * 65 - 100, bytes_of(quality_preset()));
     EXPECT_TRUE(is_kernel_surface(time_preset()) && is_kernel_surface(memory_preset()));
     EXPECT_FALSE(is_kernel_surface(quality_preset()));
 }

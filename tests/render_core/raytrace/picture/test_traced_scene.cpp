@@ -19,7 +19,7 @@ protected:
         size_.height = 60;
     }
     Scene::Answer start(Scene& scene, const std::vector<TraceSettings>& settings, std::int64_t spare = 0) {
-        const std::int64_t bytes = static_cast<std::int64_t>(Scene::bytes_needed(posts_.grid(), settings, size_)) + spare;
+        const std::int64_t bytes = static_cast<std::int64_t>(Scene::bytes_needed(posts_.grid(), settings)) + spare;
         memory_.resize(static_cast<std::size_t>(bytes));
         base::Arena arena(memory_.data(), memory_.size());
         return scene.start(posts_.grid(), {30, 30, 1}, settings, size_, arena);
@@ -45,14 +45,14 @@ TEST_F(TracedSceneTest, NamesWhatItTakesAndTakesNoMore) {
     EXPECT_LE(scene.bytes(), all.value());
     EXPECT_GE(scene.bytes() + 256, all.value());
     EXPECT_LE(all.value(), memory_.size());
-    EXPECT_EQ(scene.items().size(), 7U);
+    EXPECT_EQ(scene.items().size(), 6U);
     Scene least;
     ASSERT_TRUE(start(least, {memory_preset()}).ok());
-    EXPECT_EQ(least.items().size(), 2U);
+    EXPECT_EQ(least.items().size(), 1U);
     EXPECT_EQ(least.maps().sky, nullptr);
     EXPECT_EQ(least.maps().averages, nullptr);
-    // Maxima: a third more than two bytes a cell, and the beams' corners of a small picture.
-    EXPECT_LT(least.bytes(), 64 * 64 * 2 * 4 / 3 + 8000);
+    // Maxima: a third more than two bytes a cell.
+    EXPECT_LT(least.bytes(), 64 * 64 * 2 * 4 / 3 + 200);
 }
 
 TEST_F(TracedSceneTest, GivesEachSettingItsTerrain) {
