@@ -56,7 +56,8 @@ public:
     DrawnTrace(const DrawnTrace&) = delete;
 
     void set_camera(const raytrace::GridCamera& camera) {
-        scene.set_view(camera, raytrace::view_kernels<Height>()[0], raytrace::view_kernels<float>()[0]);
+        scene.set_view(raytrace::PictureSight::of_grid(camera), raytrace::view_kernels<Height>()[0],
+                       raytrace::view_kernels<float>()[0]);
     }
     [[nodiscard]] bool begin(std::uint32_t of_settings = 0) {
         return picture.begin(scene, look, {base::Span<const raytrace::TraceSettings>(settings).subspan(of_settings, 1), {}}, rgb);

@@ -87,29 +87,31 @@ void KernelTerrain<Height>::start(const TracedField<Height>& field, std::uint32_
 }
 
 template <class Height>
-void KernelTerrain<Height>::set_view(const GridCamera& camera, const ViewKernel<Height>& kernel) {
-    const auto scaled = [&](const glm::vec3& v) {
-        return glm::vec3(v.x * static_cast<float>(parts_), v.y * static_cast<float>(parts_), v.z);
-    };
-    camera_ = {{camera.origin.x * parts_, camera.origin.y * parts_, camera.origin.z},
-               scaled(camera.corner),
-               scaled(camera.right),
-               scaled(camera.down)};
+void KernelTerrain<Height>::set_view(const PictureSight& sight, const ViewKernel<Height>& kernel) {
+    sight_ = sight.refined(parts_);
     kernel_ = &kernel;
+    if (!sight_.is_of_world()) return;
+    TEDAVIS_CHECK(sight_.view.width == width_ && sight_.view.height == height_);
+    ground_ = GroundView<Height>(field_, sight_.space, sight_.view, kernel);
 }
 
 template <class Height>
 void KernelTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits) const {
-    const ViewJob<Height> job = {&field_, &camera_, width_, height_, hits, {}, false};
+    const GridCamera& camera = sight_.camera;
+    const ViewJob<Height> job = {&field_, &camera, width_, height_, hits, {}, false};
     const std::uint32_t right = rect.x + rect.width, bottom = rect.y + rect.height;
-    if (!is_in_reach(camera_.origin)) return clear_pixels(hits, width_, rect.x, rect.y, right, bottom);
+    if (!is_in_reach(camera.origin)) return clear_pixels(hits, width_, rect.x, rect.y, right, bottom);
     const auto lanes = static_cast<std::uint32_t>(kernel_->lanes);
     const auto is_whole = [](std::uint32_t from, std::uint32_t to, std::uint32_t step, std::uint32_t end) {
         return from % step == 0 && (to % step == 0 || to == end);
     };
     const bool is_of_columns = rect.y == 0 && bottom == height_ && is_whole(rect.x, right, lanes, width_);
     const bool is_of_tiles = is_whole(rect.x, right, kTileWidth, width_) && is_whole(rect.y, bottom, kTileHeight, height_);
-    if (is_of_columns && camera_.has_upright_columns()) {
+    if (sight_.is_of_world()) {
+        TEDAVIS_CHECK(is_of_tiles);
+        for (std::uint32_t y = rect.y; y < bottom; y += kTileHeight)
+            for (std::uint32_t x = rect.x; x < right; x += kTileWidth) trace_ground_tile(ground_, x, y, hits);
+    } else if (is_of_columns && camera.has_upright_columns()) {
         for (std::uint32_t x = rect.x; x < right; x += lanes) kernel_->trace_columns(job, x / lanes);
     } else if (is_of_tiles) {
         for (std::uint32_t y = rect.y; y < bottom; y += kTileHeight)
@@ -145,28 +147,45 @@ Ray KernelTerrain<Height>::own_ray(const Ray& ray) const {
 }
 
 template <class Height>
-RayMeeting KernelTerrain<Height>::meet(const Ray& ray) const {
+typename KernelTerrain<Height>::PlacedHit KernelTerrain<Height>::hit_of(const Ray& straight) const {
+    const Hit hit = trace_ray(field_, straight);
+    if (hit.side == HitSide::none) return {};
+    const glm::dvec3 place = straight.origin + static_cast<double>(hit.t) * glm::dvec3(straight.direction);
+    return {hit.side,
+            hit.t,
+            hit.column,
+            hit.row,
+            std::clamp(place.x - hit.column, 0.0, 1.0),
+            std::clamp(place.y - hit.row, 0.0, 1.0)};
+}
+
+template <class Height>
+typename KernelTerrain<Height>::PlacedHit KernelTerrain<Height>::first_hit(const Ray& ray) const {
     const Ray own = own_ray(ray);
-    const Hit hit = trace_ray(field_, own);
+    if (!sight_.is_of_world()) return hit_of(own);
+    return trace_bent(sight_.space, own, ground_.highest, [this](const Ray& piece) { return hit_of(piece); });
+}
+
+template <class Height>
+RayMeeting KernelTerrain<Height>::meet(const Ray& ray) const {
+    const PlacedHit hit = first_hit(ray);
     RayMeeting met;
     met.is_met = hit.side != HitSide::none;
     if (!met.is_met) return met;
-    const double u = std::clamp(own.origin.x + double{hit.t} * double{own.direction.x} - hit.column, 0.0, 1.0);
-    const double v = std::clamp(own.origin.y + double{hit.t} * double{own.direction.y} - hit.row, 0.0, 1.0);
     SurfaceSettings settings;
     settings.kind = field_.surface == CellSurface::bilinear ? SurfaceKind::bilinear : SurfaceKind::two_triangles;
-    met.point = cell_patch(field_.grid(), settings, hit.column, hit.row).at(u, v);
+    met.point = cell_patch(field_.grid(), settings, hit.column, hit.row).at(hit.u, hit.v);
     met.point.slope_x *= parts_;
     met.point.slope_y *= parts_;
     met.t = hit.t;
-    met.x = (hit.column + u) / parts_;
-    met.y = (hit.row + v) / parts_;
+    met.x = (hit.column + hit.u) / parts_;
+    met.y = (hit.row + hit.v) / parts_;
     return met;
 }
 
 template <class Height>
 bool KernelTerrain<Height>::is_hidden(const Ray& ray) const {
-    return trace_ray(field_, own_ray(ray)).side != HitSide::none;
+    return first_hit(ray).side != HitSide::none;
 }
 
 template class KernelTerrain<std::int16_t>;

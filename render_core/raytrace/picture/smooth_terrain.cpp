@@ -12,11 +12,41 @@ void SmoothTerrain<Height>::start(const HeightMipmap<Height>& maxima, const Surf
 }
 
 template <class Height>
+void SmoothTerrain<Height>::set_view(const PictureSight& sight) {
+    sight_ = sight;
+    const MipmapLayout& layout = maxima_->layout();
+    highest_ = static_cast<double>(maxima_->level(static_cast<std::uint32_t>(layout.top)).nodes[0]);
+}
+
+/// Of a ray that begins a little below the surface only because its pieces do not meet exactly (Ray::gap), that is where it has
+/// met it.
+template <class Height>
+SurfaceHit SmoothTerrain<Height>::hit_of(const Ray& straight) const {
+    SurfaceHit hit = trace_surface(*maxima_, *settings_, straight);
+    if (straight.gap <= 0) return hit;
+    const double from = static_cast<double>(straight.from);
+    const glm::dvec3 begin = straight.origin + from * glm::dvec3(straight.direction);
+    CellPlace place;
+    if (!find_cell(maxima_->grid(), begin.x, begin.y, place)) return hit;
+    const CellPatch patch = cell_patch(maxima_->grid(), *settings_, place.column, place.row);
+    if (!patch.has_surface) return hit;
+    const SurfacePoint point = surface_on(patch, settings_->micro, place);
+    if (begin.z >= point.height || begin.z < point.height - static_cast<double>(straight.gap)) return hit;
+    return {HitSide::above, from, place, point.height, {point.slope_x, point.slope_y}};
+}
+
+template <class Height>
+SurfaceHit SmoothTerrain<Height>::first_hit(const Ray& ray) const {
+    if (!sight_.is_of_world()) return hit_of(ray);
+    return trace_bent(sight_.space, ray, highest_, [this](const Ray& piece) { return hit_of(piece); });
+}
+
+template <class Height>
 void SmoothTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits) const {
     const std::uint32_t cells = maxima_->grid().columns - 1;
     for (std::uint32_t y = rect.y; y < rect.y + rect.height; ++y)
         for (std::uint32_t x = rect.x; x < rect.x + rect.width; ++x) {
-            const SurfaceHit hit = trace_surface(*maxima_, *settings_, camera_.ray(x, y));
+            const SurfaceHit hit = first_hit(sight_.camera.ray(x, y));
             const std::size_t at = std::size_t{y} * width_ + x;
             const bool is_met = hit.side != HitSide::none;
             hits.t.data()[at] = static_cast<float>(hit.t);
@@ -57,7 +87,7 @@ void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
 
 template <class Height>
 RayMeeting SmoothTerrain<Height>::meet(const Ray& ray) const {
-    const SurfaceHit hit = trace_surface(*maxima_, *settings_, ray);
+    const SurfaceHit hit = first_hit(ray);
     RayMeeting met;
     met.is_met = hit.side != HitSide::none;
     if (!met.is_met) return met;
@@ -70,7 +100,7 @@ RayMeeting SmoothTerrain<Height>::meet(const Ray& ray) const {
 
 template <class Height>
 bool SmoothTerrain<Height>::is_hidden(const Ray& ray) const {
-    return trace_surface(*maxima_, *settings_, ray).side != HitSide::none;
+    return first_hit(ray).side != HitSide::none;
 }
 
 template class SmoothTerrain<std::int16_t>;

@@ -1,8 +1,10 @@
-/// Terrain of flat scenes with any surface of surface/, traced ray by ray in double (search/trace_surface.hpp).
+/// Terrain with any surface of surface/, traced ray by ray in double (search/trace_surface.hpp).
 #pragma once
 
 #include "render_core/raytrace/height_mipmap.hpp"
+#include "render_core/raytrace/picture/picture_sight.hpp"
 #include "render_core/raytrace/picture/traced_terrain.hpp"
+#include "render_core/raytrace/search/surface_hit.hpp"
 #include "render_core/raytrace/surface/surface_settings.hpp"
 
 namespace tedavis::raytrace {
@@ -12,7 +14,7 @@ class SmoothTerrain final : public TracedTerrain {
 public:
     /// Both borrowed; the mipmap's bounds are those of the surface (surface_bounds.hpp).
     void start(const HeightMipmap<Height>& maxima, const SurfaceSettings& settings, std::uint32_t width);
-    void set_view(const GridCamera& camera) { camera_ = camera; }
+    void set_view(const PictureSight& sight);
 
     void trace(const PixelRect& rect, const HitPicture& hits) const override;
     void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
@@ -22,7 +24,11 @@ public:
 private:
     const HeightMipmap<Height>* maxima_ = nullptr;
     const SurfaceSettings* settings_ = nullptr;
-    GridCamera camera_;
+    [[nodiscard]] SurfaceHit hit_of(const Ray& straight) const;
+    [[nodiscard]] SurfaceHit first_hit(const Ray& ray) const;
+
+    PictureSight sight_;
+    double highest_ = 0;  ///< of the surface
     std::uint32_t width_ = 0;
 };
 

@@ -74,7 +74,7 @@ void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLoo
     TEDAVIS_CHECK(rgb8.empty() || rgb8.size() == 3 * pixels);
     look_ = &look;
     maps_ = scene.maps();
-    camera_ = scene.camera();
+    camera_ = scene.sight().camera;
     variants_ = variants;
     rgb8_ = rgb8;
     const glm::dvec3 right(camera_.right);
@@ -86,7 +86,7 @@ void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLoo
         variant_[n] = {&settings, &scene.terrain(settings)};
         has_remainders_ = has_remainders_ || settings.mirrors > 0 || settings.antialiasing == Antialiasing::supersampling;
     }
-    is_swept_ = camera_.has_upright_columns() && variants.regions.empty();
+    is_swept_ = camera_.has_upright_columns() && !scene.sight().is_of_world() && variants.regions.empty();
     tiles_ = PictureVariants::regions_across(width_) * (is_swept_ ? 1 : PictureVariants::regions_down(height_));
     spans_of_tile_ = is_swept_ ? height_ : PictureVariants::kRegionHeight;
 }

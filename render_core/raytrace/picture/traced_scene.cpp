@@ -162,13 +162,13 @@ void TracedScene<Height>::build(base::Workers& workers) {
 }
 
 template <class Height>
-void TracedScene<Height>::set_view(const GridCamera& camera, const ViewKernel<Height>& kernel,
+void TracedScene<Height>::set_view(const PictureSight& sight, const ViewKernel<Height>& kernel,
                                    const ViewKernel<float>& fine_kernel) {
-    camera_ = camera;
-    if (has_triangles_) triangles_.set_view(camera, kernel);
-    if (has_bilinear_) bilinear_.set_view(camera, kernel);
-    if (has_stored_) fine_.set_view(camera, fine_kernel);
-    if (has_smooth_) smooth_.set_view(camera);
+    sight_ = sight;
+    if (has_triangles_) triangles_.set_view(sight, kernel);
+    if (has_bilinear_) bilinear_.set_view(sight, kernel);
+    if (has_stored_) fine_.set_view(sight, fine_kernel);
+    if (has_smooth_) smooth_.set_view(sight);
 }
 
 template <class Height>

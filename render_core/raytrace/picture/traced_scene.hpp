@@ -48,12 +48,12 @@ public:
                                const SceneSize& size, base::Arena& arena);
     void build(base::Workers& workers);
     /// `kernel` and `fine_kernel` are of view_kernels().
-    void set_view(const GridCamera& camera, const ViewKernel<Height>& kernel, const ViewKernel<float>& fine_kernel);
+    void set_view(const PictureSight& sight, const ViewKernel<Height>& kernel, const ViewKernel<float>& fine_kernel);
 
     /// Of settings that the scene has been started for.
     [[nodiscard]] const TracedTerrain& terrain(const TraceSettings& settings) const;
     [[nodiscard]] ShadingMaps<Height> maps() const;
-    [[nodiscard]] const GridCamera& camera() const { return camera_; }
+    [[nodiscard]] const PictureSight& sight() const { return sight_; }
     [[nodiscard]] const GridScale& scale() const { return scale_; }
     [[nodiscard]] const SceneSize& size() const { return size_; }
     /// What lies in the arena; not the heights, which are the caller's.
@@ -71,7 +71,7 @@ private:
     HeightGrid<Height> grid_;
     GridScale scale_;
     SceneSize size_;
-    GridCamera camera_;
+    PictureSight sight_;
     SurfaceSettings stored_settings_, smooth_settings_;
     bool has_triangles_ = false, has_bilinear_ = false, has_stored_ = false, has_smooth_ = false, has_sky_ = false,
          has_averages_ = false;

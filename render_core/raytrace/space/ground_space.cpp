@@ -19,6 +19,13 @@ GroundSpace::GroundSpace(const terrain::TerrainDatabase& database, const terrain
     half_width_deg_ = 0.5 * step_lon_deg_ * (window.i1 - window.i0);
 }
 
+GroundSpace GroundSpace::refined(std::uint32_t parts) const {
+    GroundSpace finer = *this;
+    finer.step_lon_deg_ /= parts;
+    finer.step_lat_deg_ /= parts;
+    return finer;
+}
+
 bool GroundSpace::fits(const terrain::Lattice& lattice, const terrain::PostRange& window) {
     if (window.i0 >= window.i1 || window.j0 >= window.j1 || window.i1 >= lattice.columns() || window.j1 >= lattice.rows())
         return false;
@@ -42,6 +49,20 @@ earth::Ecef GroundSpace::position(const glm::dvec3& place) const {
     const double latitude = latitude_rad(place.y), longitude = base::radians(west_deg_ + step_lon_deg_ * place.x);
     const earth::MslHeight height{place.z * step_m_};
     return earth::to_ecef({latitude, longitude, earth::to_ellipsoid(height, database_->undulation(latitude, longitude))});
+}
+
+WorldRay GroundSpace::world_ray(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    // So far to both sides that it neither bends nor is lost in roundings.
+    constexpr double kNear_m = 20;
+    const double row = origin.y;
+    const double length = glm::length(direction * glm::dvec3(column_m(row), row_m(row), step_m_));
+    const double share = kNear_m / std::fmax(length, 1e-30);
+    const glm::dvec3 way = position(origin + share * direction) - position(origin - share * direction);
+    WorldRay ray;
+    ray.origin = position(origin);
+    ray.metres_of_t = glm::length(way) / (2 * share);
+    ray.direction = way / glm::length(way);
+    return ray;
 }
 
 double GroundSpace::column_m(double row) const {

@@ -14,17 +14,31 @@
 
 namespace tedavis::raytrace {
 
+/// A ray of the world: metres, ECEF.
+struct WorldRay {
+    earth::Ecef origin{0};
+    glm::dvec3 direction{0};  ///< of unit length
+    double metres_of_t = 1;   ///< of the ray of grid space that it was: so many are a unit of its t
+};
+
 class GroundSpace {
 public:
+    GroundSpace() = default;  ///< of nothing
     /// `window`: the posts that the grid holds, in the lattice (both ends included). `step_m`: metres of a height step, more than
     /// 0.
     GroundSpace(const terrain::TerrainDatabase& database, const terrain::PostRange& window, double step_m);
+
+    [[nodiscard]] bool is_set() const { return database_ != nullptr; }
+    /// The space of a grid with so many posts to one of this.
+    [[nodiscard]] GroundSpace refined(std::uint32_t parts) const;
 
     [[nodiscard]] static bool fits(const terrain::Lattice& lattice, const terrain::PostRange& window);
 
     /// Goes on beyond the window and the lattice.
     [[nodiscard]] glm::dvec3 place(const earth::Ecef& position) const;
     [[nodiscard]] earth::Ecef position(const glm::dvec3& place) const;
+    /// The ray that runs as this one does where it begins.
+    [[nodiscard]] WorldRay world_ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
     [[nodiscard]] double step_m() const { return step_m_; }
     [[nodiscard]] const terrain::PostRange& window() const { return window_; }
     /// Metres from a column to the next on a row, and from a row to the next, at the row of the window.
@@ -34,11 +48,11 @@ public:
 private:
     [[nodiscard]] double latitude_rad(double row) const;
 
-    const terrain::TerrainDatabase* database_;
+    const terrain::TerrainDatabase* database_ = nullptr;
     terrain::PostRange window_;
-    double step_m_;
-    double west_deg_, north_deg_, step_lon_deg_, step_lat_deg_;  ///< of the window
-    double half_width_deg_;
+    double step_m_ = 1;
+    double west_deg_ = 0, north_deg_ = 0, step_lon_deg_ = 1, step_lat_deg_ = 1;  ///< of the window
+    double half_width_deg_ = 0;
 };
 
 }  // namespace tedavis::raytrace

@@ -38,8 +38,38 @@ struct StraightPiece {
 [[nodiscard]] StraightPiece straight_piece(const GroundSpace& space, const earth::Ecef& origin, const glm::dvec3& direction,
                                            double from, double to);
 
+/// What single rays of the world may be off by.
+inline constexpr double kSingleOff_rad = 5e-5;
+
+/// Traces a ray of grid space as the ray of the world that it is where it begins: `trace` takes Rays, one piece after the other,
+/// and gives something with `side` and `t`. No further than 400 km, nor than where it has risen above `highest` for good.
+template <class Trace>
+[[nodiscard]] auto trace_bent(const GroundSpace& space, const Ray& ray, double highest, const Trace& trace)
+    -> decltype(trace(ray));
+
 /// A piece of a ray for trace_ray().
 [[nodiscard]] Ray ray_of(const GroundSpace& space, const earth::Ecef& origin, const glm::dvec3& direction, const PieceEnds& ends,
                          int piece);
+
+template <class Trace>
+auto trace_bent(const GroundSpace& space, const Ray& ray, double highest, const Trace& trace) -> decltype(trace(ray)) {
+    constexpr double kFar_m = 400000, kSurelyRises = 1e-3;
+    const WorldRay world = space.world_ray(ray.origin, glm::dvec3(ray.direction));
+    const double from_m = static_cast<double>(ray.from) * world.metres_of_t,
+                 to_m = static_cast<double>(ray.to) * world.metres_of_t;
+    const PieceEnds ends = cut_rays(world.origin, kSingleOff_rad, 1, to_m < kFar_m ? to_m : kFar_m);
+    auto met = decltype(trace(ray)){};
+    for (int n = 0; n < ends.count; ++n) {
+        if (ends.end[n + 1] <= from_m) continue;
+        Ray piece = ray_of(space, world.origin, world.direction, ends, n);
+        if (ends.end[n] < from_m) piece.from = static_cast<float>(from_m);
+        const double height = piece.origin.z + static_cast<double>(piece.direction.z) * static_cast<double>(piece.from);
+        if (height > highest && static_cast<double>(piece.direction.z) * space.step_m() > kSurelyRises) break;
+        met = trace(piece);
+        if (met.side != HitSide::none) break;
+    }
+    met.t = static_cast<decltype(met.t)>(static_cast<double>(met.t) / world.metres_of_t);
+    return met;
+}
 
 }  // namespace tedavis::raytrace

@@ -41,18 +41,6 @@ struct PieceBox {
     }
 };
 
-template <class Height>
-struct GroundWork {
-    const TracedField<Height>& field;
-    const GroundSpace& space;
-    const terrain::View& view;
-    const ViewKernel<Height>& kernel;
-    const HitPicture& picture;
-    const PieceEnds ends;
-    const ViewTiles tiles;
-    const double highest;  ///< of all posts
-};
-
 bool is_all_met(const HitPicture& picture, std::uint32_t width, const PixelTile& tile) {
     for (std::uint32_t y = tile.top; y < tile.bottom; ++y) {
         const float* const row = picture.t.data() + std::size_t{y} * width;
@@ -67,10 +55,10 @@ bool is_all_met(const HitPicture& picture, std::uint32_t width, const PixelTile&
 enum class PieceUse : std::uint8_t { traced, passed, over };
 
 template <class Height>
-PieceUse use_of(const GroundWork<Height>& work, const PieceBox& box, double gap) {
-    if (box.low.z > work.highest + gap)
-        return box.slowest.z * work.space.step_m() > kSurelyRises ? PieceUse::over : PieceUse::passed;
-    const double columns = work.field.grid().columns - 1, rows = work.field.grid().rows - 1;
+PieceUse use_of(const GroundView<Height>& ground, const PieceBox& box, double gap) {
+    if (box.low.z > ground.highest + gap)
+        return box.slowest.z * ground.space->step_m() > kSurelyRises ? PieceUse::over : PieceUse::passed;
+    const double columns = ground.field->grid().columns - 1, rows = ground.field->grid().rows - 1;
     const bool is_beside = box.high.x < 0 || box.high.y < 0 || box.low.x > columns || box.low.y > rows;
     if (!is_beside) return PieceUse::traced;
     // Away from the window by more than it is wide, and further away: a ray is nearly straight, and does not come back.
@@ -80,30 +68,16 @@ PieceUse use_of(const GroundWork<Height>& work, const PieceBox& box, double gap)
 }
 
 template <class Height>
-void trace_pieces(const GroundWork<Height>& work, const PixelTile& tile) {
-    const terrain::View& view = work.view;
-    clear_pixels(work.picture, view.width, tile.left, tile.top, tile.right, tile.bottom);
-    for (int piece = 0; piece < work.ends.count; ++piece) {
-        const double from = work.ends.end[piece], to = work.ends.end[piece + 1];
-        const GridCamera camera = fit_camera(work.space, view, tile, from, to);
-        const double gap = 2 * kMostOff_px / view.focal_px * from / work.space.step_m();
-        const PieceUse use = use_of(work, PieceBox(camera, tile, from, to), gap);
-        if (use == PieceUse::over) return;
-        if (use == PieceUse::passed) continue;
-        const RaySpan span{static_cast<float>(from), static_cast<float>(to), static_cast<float>(gap)};
-        const ViewJob<Height> job{&work.field, &camera, view.width, view.height, work.picture, span, true};
-        work.kernel.trace_tile(job, tile.left, tile.top);
-        if (is_all_met(work.picture, view.width, tile)) return;
-    }
-}
+struct GroundWork {
+    GroundView<Height> ground;
+    ViewTiles tiles;
+    const HitPicture* picture;
+};
 
 template <class Height>
-void trace_tile_of(void* context, std::uint32_t number) {
+void trace_tile_of(void* context, std::uint32_t tile) {
     const auto& work = *static_cast<const GroundWork<Height>*>(context);
-    const std::uint32_t left = work.tiles.left(number), top = work.tiles.top(number);
-    const std::uint32_t right = left + kTileWidth, bottom = top + kTileHeight;
-    trace_pieces(work, {left, top, right < work.view.width ? right : work.view.width,
-                        bottom < work.view.height ? bottom : work.view.height});
+    trace_ground_tile(work.ground, work.tiles.left(tile), work.tiles.top(tile), *work.picture);
 }
 
 }  // namespace
@@ -141,21 +115,41 @@ GridCamera fit_camera(const GroundSpace& space, const terrain::View& view, const
 }
 
 template <class Height>
+GroundView<Height>::GroundView(const TracedField<Height>& traced, const GroundSpace& ground, const terrain::View& seen,
+                               const ViewKernel<Height>& widest)
+    : field(&traced), space(&ground), view(&seen), kernel(&widest), ends(cut_view(seen)) {
+    const MipmapLayout& layout = traced.maxima->layout();
+    highest = static_cast<double>(traced.maxima->level(static_cast<std::uint32_t>(layout.top)).nodes[0]);
+}
+
+template <class Height>
+void trace_ground_tile(const GroundView<Height>& ground, std::uint32_t left, std::uint32_t top, const HitPicture& picture) {
+    const terrain::View& view = *ground.view;
+    const std::uint32_t right = left + kTileWidth, bottom = top + kTileHeight;
+    const PixelTile tile{left, top, right < view.width ? right : view.width, bottom < view.height ? bottom : view.height};
+    clear_pixels(picture, view.width, tile.left, tile.top, tile.right, tile.bottom);
+    for (int piece = 0; piece < ground.ends.count; ++piece) {
+        const double from = ground.ends.end[piece], to = ground.ends.end[piece + 1];
+        const GridCamera camera = fit_camera(*ground.space, view, tile, from, to);
+        const double gap = 2 * kMostOff_px / view.focal_px * from / ground.space->step_m();
+        const PieceUse use = use_of(ground, PieceBox(camera, tile, from, to), gap);
+        if (use == PieceUse::over) return;
+        if (use == PieceUse::passed) continue;
+        const RaySpan span{static_cast<float>(from), static_cast<float>(to), static_cast<float>(gap)};
+        const ViewJob<Height> job{ground.field, &camera, view.width, view.height, picture, span, true};
+        ground.kernel->trace_tile(job, tile.left, tile.top);
+        if (is_all_met(picture, view.width, tile)) return;
+    }
+}
+
+template <class Height>
 void trace_ground(const TracedField<Height>& field, const GroundSpace& space, const terrain::View& view,
                   const ViewKernel<Height>& kernel, base::Workers& workers, const HitPicture& picture) {
     const std::size_t pixels = std::size_t{view.width} * view.height;
     TEDAVIS_CHECK(picture.t.size() == pixels && picture.cell.size() == pixels && picture.side.size() == pixels);
     TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
     TEDAVIS_CHECK(can_trace(space, view));
-    const MipmapLayout& layout = field.maxima->layout();
-    GroundWork<Height> work{field,
-                            space,
-                            view,
-                            kernel,
-                            picture,
-                            cut_view(view),
-                            {view.width, view.height},
-                            static_cast<double>(field.maxima->level(layout.top).nodes[0])};
+    GroundWork<Height> work{{field, space, view, kernel}, {view.width, view.height}, &picture};
     workers.parallel_for(work.tiles.count(), trace_tile_of<Height>, &work);
 }
 
@@ -163,5 +157,10 @@ template void trace_ground(const TracedField<std::int16_t>&, const GroundSpace&,
                            const ViewKernel<std::int16_t>&, base::Workers&, const HitPicture&);
 template void trace_ground(const TracedField<float>&, const GroundSpace&, const terrain::View&, const ViewKernel<float>&,
                            base::Workers&, const HitPicture&);
+
+template struct GroundView<std::int16_t>;
+template struct GroundView<float>;
+template void trace_ground_tile(const GroundView<std::int16_t>&, std::uint32_t, std::uint32_t, const HitPicture&);
+template void trace_ground_tile(const GroundView<float>&, std::uint32_t, std::uint32_t, const HitPicture&);
 
 }  // namespace tedavis::raytrace

@@ -17,6 +17,25 @@ namespace tedavis::raytrace {
 /// Of a pixel, that the middle of a pixel's ray is off by at most.
 inline constexpr double kMostOff_px = 0.1;
 
+/// What pictures of a view are traced with, tile by tile. Plain data; all borrowed.
+template <class Height>
+struct GroundView {
+    const TracedField<Height>* field = nullptr;
+    const GroundSpace* space = nullptr;
+    const terrain::View* view = nullptr;
+    const ViewKernel<Height>* kernel = nullptr;
+    PieceEnds ends;
+    double highest = 0;  ///< of all posts, height steps
+
+    GroundView() = default;
+    GroundView(const TracedField<Height>& traced, const GroundSpace& ground, const terrain::View& seen,
+               const ViewKernel<Height>& widest);
+};
+
+/// The tile of the kernel (kTileWidth x kTileHeight) whose first pixel is (left, top), as far as the view has it. Any thread.
+template <class Height>
+void trace_ground_tile(const GroundView<Height>& ground, std::uint32_t left, std::uint32_t top, const HitPicture& picture);
+
 /// Of a view: t is the depth along its forward direction, in metres, from its eye to its far plane. Magnifiers and a flat surface
 /// of the view are not heeded.
 template <class Height>

@@ -37,7 +37,7 @@ TEST_F(KernelTerrainTest, WholeTilesAndOddRectanglesAreWhatTheViewTracerFinds) {
             const auto& kernel = view_kernels<std::int16_t>()[0];
             KernelTerrain<std::int16_t> terrain;
             terrain.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight);
-            terrain.set_view(camera, kernel);
+            terrain.set_view(PictureSight::of_grid(camera), kernel);
             const test_support::TracedPicture right =
                 test_support::traced_by(kernel, field(CellSurface::bilinear), camera, kTiledWidth, kTiledHeight, alone_);
             TracedPlaces tiles(kTiledWidth, kTiledHeight), rectangles(kTiledWidth, kTiledHeight);
@@ -62,7 +62,7 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
             const GridCamera camera = test_support::any_camera(random_, 90, 70, kTiledWidth);
             KernelTerrain<std::int16_t> terrain;
             terrain.start(field(surface), 1, kTiledWidth, kTiledHeight);
-            terrain.set_view(camera, view_kernels<std::int16_t>()[0]);
+            terrain.set_view(PictureSight::of_grid(camera), view_kernels<std::int16_t>()[0]);
             TracedPlaces tiles(kTiledWidth, kTiledHeight);
             for (std::uint32_t y = 0; y < kTiledHeight; y += 32)
                 terrain.trace({0, y, kTiledWidth, std::min(32u, kTiledHeight - y)}, tiles.picture());

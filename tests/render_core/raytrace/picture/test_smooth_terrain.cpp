@@ -19,7 +19,7 @@ TEST(SmoothTerrain, HasWhatEachRayMeetsAlone) {
     std::size_t met = 0;
     for (int run = 0; run < 8; ++run) {
         const GridCamera camera = test_support::any_camera(random, 50, 60, kSmoothWidth);
-        terrain.set_view(camera);
+        terrain.set_view(PictureSight::of_grid(camera));
         test_support::TracedPicture picture(kSmoothWidth, kSmoothHeight);
         std::vector<float> u(picture.t.size()), v(picture.t.size());
         const HitPicture hits = {picture.t, picture.cell, picture.side, u, v};

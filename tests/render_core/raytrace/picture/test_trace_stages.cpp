@@ -36,7 +36,7 @@ TEST(TraceStages, SupersampledPixelsAreMeansOfALargerPicture) {
     const auto posts = test_support::fractal_heights(129);
     test_support::DrawnTrace drawn(posts, {settings, time_preset()}, kFewWide, kFewHigh);
     test_support::DrawnTrace larger(posts, {time_preset()}, kAlong * kFewWide, kAlong * kFewHigh);
-    GridCamera camera = drawn.scene.camera();
+    GridCamera camera = drawn.scene.sight().camera;
     camera.right /= static_cast<float>(kAlong);
     camera.down /= static_cast<float>(kAlong);
     larger.set_camera(camera);
@@ -82,7 +82,7 @@ TEST(TraceStages, AMirrorShowsWhatAnEyeBehindItWouldSee) {
     std::size_t of_sky = 0, of_ridge = 0;
     for (std::uint32_t y = 0; y < 30; ++y)
         for (std::uint32_t x = 0; x < 40; ++x) {
-            const Ray ray = drawn.scene.camera().ray(x, y);
+            const Ray ray = drawn.scene.sight().camera.ray(x, y);
             const RayMeeting met = terrain.meet(ray);
             const std::size_t at = y * 40 + x;
             if (!met.is_met || met.point.height > 0) {
