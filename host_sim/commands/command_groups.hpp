@@ -22,6 +22,7 @@
 #include "host_sim/commands/shot.hpp"
 #include "host_sim/commands/sweep.hpp"
 #include "host_sim/commands/terrain.hpp"
+#include "host_sim/commands/trace.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -39,6 +40,7 @@ struct CommandLine {
     TerrainFractalOptions terrain_fractal;
     ReplayOptions replay;
     ShotOptions shot;
+    TraceOptions trace;
     SheetOptions sheet;
     SweepOptions sweep;
     DiffOptions diff;
@@ -74,7 +76,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 
 /// convert, scenario, scene, terrain: what turns files into what the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
-/// shot, sheet, sweep, calibrate, shaders, replay: what starts a display.
+/// shot, trace, sheet, sweep, calibrate, shaders, replay: what draws.
 void add_displays(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

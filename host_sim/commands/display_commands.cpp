@@ -2,6 +2,7 @@
 #include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
 #include "host_sim/commands/replay_config.hpp"
+#include "host_sim/commands/trace_sheet.hpp"
 #include "host_sim/window/window_keys.hpp"
 
 namespace tedavis::host_sim {
@@ -76,6 +77,48 @@ void add_shot(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
 }
 
+void add_trace(CLI::App& app, CommandLine& line) {
+    TraceOptions& o = line.trace;
+    CLI::App* command = add_command(app, line, "trace", "one picture of the terrain by the ray tracer, and what it took",
+                                    [&o](Console& console) { return run_trace(o, console); });
+    command->add_option("--terrain", o.terrain.database, "terrain database (.tdb); default: built from the shipped raster");
+    command->add_option("--heights", o.terrain.heights, "raster of heights, which is built into a database first");
+    command->add_option_function<std::string>(
+        "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
+        "lat,lon,alt_m,heading,pitch,roll; default: over the south of the terrain, northwards");
+    static const std::map<std::string, TracePreset> kPresets = {
+        {"time", TracePreset::time}, {"quality", TracePreset::quality}, {"memory", TracePreset::memory}};
+    command
+        ->add_option_function<std::string>(
+            "--preset", [&o](const std::string& word) { o.preset = choice_from("--preset", word, kPresets); },
+            "time, quality or memory: what the picture spares, or is best at")
+        ->default_str("time");
+    command
+        ->add_option_function<std::string>(
+            "--size",
+            [&o](const std::string& text) {
+                const PictureSize size = size_from(text);
+                o.plan.width = size.width;
+                o.plan.height = size.height;
+            },
+            "WIDTHxHEIGHT")
+        ->default_str("1024x768");
+    command->add_option("--field-of-view", o.plan.field_of_view_deg, "degrees over the width")
+        ->check(CLI::Range(1.0, 150.0))
+        ->capture_default_str();
+    command->add_option_function<std::string>(
+        "--time", [&o](const std::string& text) { o.plan.time = time_from(text); },
+        "UTC such as 2026-06-01T14:00:00Z, by which the sun stands; default: light from the north-west");
+    command->add_option("--workers", o.workers, "threads; default: as many as there are processors")->check(CLI::Range(1u, 64u));
+    command->add_option("--block-size", o.plan.block_words, "words in a block of the token stream: 64 to 4096, a power of two")
+        ->capture_default_str();
+    command->add_flag("--direct", o.plan.is_direct, "call the stages directly, without the token stream");
+    command->add_option("--rounds", o.plan.rounds, "how often it is drawn, for the median of its times")
+        ->check(CLI::Range(1u, 1000u))
+        ->capture_default_str();
+    command->add_option("-o", o.output, "the picture to write (.png); X.json beside it says what it took")->required();
+}
+
 void add_calibrate(CLI::App& app, CommandLine& line) {
     CalibrateOptions& o = line.calibrate;
     CLI::App* command = add_command(app, line, "calibrate", "what every effect costs on this machine, as a file for --costs",
@@ -105,9 +148,13 @@ void add_shaders(CLI::App& app, CommandLine& line) {
 
 void add_sheet(CLI::App& app, CommandLine& line) {
     SheetOptions& o = line.sheet;
-    CLI::App* command = add_command(app, line, "sheet", "contact sheet: one labelled picture a technique",
-                                    [&o](Console& console) { return run_sheet(o, console); });
-    command->add_option("SHEET", o.sheet, "sheet file or shipped name, such as terrain-styles")->required();
+    CLI::App* command = add_command(
+        app, line, "sheet", "contact sheet: one labelled picture a technique",
+        [&o](Console& console) { return o.sheet == kTraceSheetName ? run_trace_sheet(o, console) : run_sheet(o, console); });
+    command
+        ->add_option("SHEET", o.sheet,
+                     "sheet file or shipped name, such as terrain-styles; trace: the ray tracer's presets and operators")
+        ->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     command->add_option_function<std::string>(
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
@@ -222,6 +269,7 @@ void add_displays(CLI::App& app, CommandLine& line) {
     add_shot(app, line);
     add_sheet(app, line);
     add_sweep(app, line);
+    add_trace(app, line);
     add_calibrate(app, line);
     add_shaders(app, line);
     add_replay(app, line);

@@ -1,0 +1,73 @@
+#include "host_sim/commands/trace.hpp"
+
+#include <filesystem>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/own_ground.hpp"
+#include "host_sim/json_text.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "host_sim/tracing/trace_report.hpp"
+#include "host_sim/user_error.hpp"
+#include "platform/threads/thread_workers.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+void note_faults(const TracedGround& ground, const TracedShot& shot, Console& console) {
+    if (shot.is_sun_too_low)
+        console.note("note: the sun is lower than 3 degrees then; the picture is lit from the north-west, 45 degrees high");
+    if (ground.void_posts() > 0)
+        console.note("note: " + std::to_string(ground.void_posts()) + " posts have no height; nothing is drawn there");
+    if (shot.ground_share == 0) console.note("note: no ray meets the terrain; name another --pose");
+}
+
+std::string beside(const std::string& picture) { return std::filesystem::path(picture).replace_extension(".json").string(); }
+
+}  // namespace
+
+std::string database_of(const TraceTerrain& terrain, const std::string& folder, Console& console) {
+    if (!terrain.database.empty() && !terrain.heights.empty())
+        throw UserError("--terrain and --heights name two terrains; give one of them");
+    if (!terrain.database.empty()) return terrain.database;
+    return build_own_terrain({terrain.heights.empty() ? shipped_root() + kOwnRaster : terrain.heights, false}, folder, console);
+}
+
+AircraftPose usual_pose(const TracedGround& ground) {
+    const glm::dvec3 over(0.5 * (ground.columns() - 1), 0.85 * (ground.rows() - 1), 0);
+    const earth::Geodetic place = earth::from_ecef(ground.space().position(over));
+    AircraftPose pose;
+    pose.latitude_deg = base::degrees(place.latitude_rad);
+    pose.longitude_deg = base::degrees(place.longitude_rad);
+    pose.altitude_msl_m = ground.lowest_m() + 1.15 * (ground.highest_m() - ground.lowest_m()) + 150;
+    pose.pitch_deg = -12;
+    return pose;
+}
+
+std::unique_ptr<base::Workers> trace_workers(std::uint32_t count) {
+    auto workers = platform::make_thread_workers({count == 0 ? platform::usable_processors() : count, nullptr});
+    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
+    return std::move(workers.value());
+}
+
+int run_trace(const TraceOptions& options, Console& console) {
+    const TemporaryFolder temporary;
+    const std::unique_ptr<base::Workers> workers = trace_workers(options.workers);
+    const TracedGround ground(database_of(options.terrain, temporary.path(), console), *workers);
+    TracedShotPlan plan = options.plan;
+    plan.pose = options.pose.value_or(usual_pose(ground));
+    const raytrace::TraceSettings settings = settings_of(options.preset);
+    const TracedShot shot = draw_traced_shot(ground, settings, plan, *workers);
+    nlohmann::ordered_json json = {
+        {"picture", options.output}, {"preset", to_string(options.preset)}, {"pose", pose_json(plan.pose)}};
+    json.update(shot_json(ground, settings, shot, workers->concurrency()));
+    write_png(options.output, view_of(shot.pixels));
+    write_file_atomically(beside(options.output), json_text(json) + "\n");
+    note_faults(ground, shot, console);
+    console.result(options.output + ": preset " + to_string(options.preset) + ": " + shot_line(ground, settings, shot),
+                   json_text(json));
+    return 0;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,15 @@
+/// `tedavis sheet trace`: what the ray tracer's presets and operators cost, and what they give.
+#pragma once
+
+#include "host_sim/commands/sheet.hpp"
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr const char* kTraceSheetName = "trace";
+
+/// Leaves what run_sheet() does. Of the options: terrain, size, pose, time and the folder; others that are given are refused.
+/// Returns the exit code; throws UserError and Interrupted.
+[[nodiscard]] int run_trace_sheet(const SheetOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

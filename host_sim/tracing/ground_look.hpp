@@ -1,0 +1,34 @@
+/// Light and colours of traced pictures: the sun, the sky, and the ground by its height.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host_sim/scenario/posed_aircraft.hpp"
+#include "host_sim/tracing/traced_ground.hpp"
+#include "render_core/raytrace/picture/trace_look.hpp"
+
+namespace tedavis::host_sim {
+
+struct SunChoice {
+    glm::dvec3 towards{0, 0, 1};  ///< of unit length
+    bool is_too_low = false;      ///< at that time: `towards` is the light without one
+};
+
+/// Towards the sun, in metres along higher columns (east), higher rows (south) and up, at the pose. Without a time, and where the
+/// sun is lower than 3 degrees, it stands in the north-west, 45 degrees high, as relief is lit on maps.
+[[nodiscard]] SunChoice sun_at(const AircraftPose& pose, const std::optional<base::Time>& time);
+
+class GroundLook {
+public:
+    GroundLook(const TracedGround& ground, const SunChoice& sun);
+    GroundLook(const GroundLook&) = delete;
+    GroundLook& operator=(const GroundLook&) = delete;
+    [[nodiscard]] const raytrace::TraceLook& look() const { return look_; }
+
+private:
+    std::vector<glm::vec3> palette_;
+    raytrace::TraceLook look_;
+};
+
+}  // namespace tedavis::host_sim
