@@ -1,0 +1,62 @@
+#include "host_sim/commands/trace.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "host_sim/input_file.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+
+namespace tedavis::host_sim::test_trace {
+namespace {
+
+TEST(Trace, LeavesThePictureAndWhatItTook) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = 120;
+    options.plan.height = 90;
+    options.plan.time = base::Time{0};  // midnight at Greenwich, and in the Alps
+    options.output = files.folder.file("traced.png");
+    const auto run = test_support::run_command([&](Console& console) { return run_trace(options, console); }, true);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(nlohmann::json::parse(read_file(files.folder.file("traced.json"))), run.json());
+    EXPECT_EQ(run.json().at("preset"), "time");
+    EXPECT_GT(run.json().at("ground_share"), 0.2);
+    const RgbaPicture picture = read_png(options.output);
+    EXPECT_EQ(picture.width, 120u);
+    EXPECT_EQ(picture.height, 90u);
+    EXPECT_THAT(run.notes, ::testing::HasSubstr("the sun is lower"));
+}
+
+TEST(Trace, SaysWhenNothingIsSeen) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = options.plan.height = 40;
+    base::SerialWorkers workers;
+    options.pose = usual_pose(TracedGround(files.terrain, workers));
+    options.pose->pitch_deg = 80;
+    options.output = files.folder.file("sky.png");
+    const auto run = test_support::run_command([&](Console& console) { return run_trace(options, console); });
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.notes, ::testing::HasSubstr("no ray meets the terrain"));
+}
+
+TEST(Trace, RefusesTwoTerrainsAndNone) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain = {files.terrain, "heights.tif"};
+    options.output = files.folder.file("none.png");
+    const auto run = [&] { (void)test_support::run_command([&](Console& console) { return run_trace(options, console); }); };
+    test_support::expect_user_error(run, "--heights");
+    options.terrain = {"missing.tdb", ""};
+    test_support::expect_user_error(run, "missing.tdb");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_trace
