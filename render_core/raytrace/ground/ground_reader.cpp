@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render_core/raytrace/ground/exact_chunk.hpp"
 #include "render_core/raytrace/ground/exact_posts.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
 
@@ -28,6 +29,7 @@ void add_damage(const terrain::TdbFailure& failure, GroundReading& reading) {
 
 void add_reading(const GroundReading& part, GroundReading& all) {
     all.rounding.largest_m = std::max(all.rounding.largest_m, part.rounding.largest_m);
+    all.read_bytes += part.read_bytes;
     all.rounding.has_beyond = all.rounding.has_beyond || part.rounding.has_beyond;
     if (part.damaged_parts == 0) return;
     const std::uint32_t damaged_parts = all.damaged_parts + part.damaged_parts;
@@ -69,6 +71,7 @@ void GroundReader::read_page(const Round<Height>& round, std::uint32_t i, std::u
     const std::uint32_t index = lattice.page_index({round.level, i * terrain::kPageChunks, j * terrain::kPageChunks});
     if (!database_->has_page(index)) return;
     const terrain::TdbFailure failure = database_->read_page(index, desk.page);
+    desk.reading.read_bytes += sizeof desk.page;
     if (failure.error != terrain::TdbError::none) return add_damage(failure, desk.reading);
     for (const terrain::ChunkEntry& entry : desk.page.entries)
         if (entry.vertex_count != 0 && entry.children == 0 && touches(lattice.posts_of(key_of(entry)), round.to->window))
@@ -77,13 +80,9 @@ void GroundReader::read_page(const Round<Height>& round, std::uint32_t i, std::u
 
 template <class Height>
 void GroundReader::read_chunk(const Round<Height>& round, const terrain::ChunkEntry& entry, Desk& desk) const {
-    terrain::TdbFailure failure{terrain::TdbError::chunk_damaged, entry.payload.offset};
     const base::Span<std::uint8_t> payload(desk.payload);
-    if ((entry.flags & terrain::kChunkRegular) != 0 && entry.payload.bytes <= payload.size()) {
-        failure = database_->read_part(entry.payload, payload);
-        if (failure.error == terrain::TdbError::none && !payload_holds(database_->lattice(), entry, payload))
-            failure = {terrain::TdbError::chunk_damaged, entry.payload.offset};
-    }
+    const terrain::TdbFailure failure = read_exact_chunk(*database_, entry, payload);
+    desk.reading.read_bytes += entry.payload.bytes;
     if (failure.error != terrain::TdbError::none) return add_damage(failure, desk.reading);
     put_exact_posts(database_->lattice(), entry, payload_vertices(entry, payload), *round.to, desk.reading.rounding);
 }

@@ -13,23 +13,22 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/ports/workers.hpp"
+#include "render_core/raytrace/ground/exact_chunk.hpp"
 #include "render_core/raytrace/ground/ground_window.hpp"
-#include "render_core/terrain/terrain_database.hpp"
 
 namespace tedavis::raytrace {
 
 struct GroundReading {
     GroundRounding rounding;
     std::uint64_t void_posts = 0;      ///< without a height, for whatever reason
+    std::uint64_t read_bytes = 0;      ///< of directory pages and chunks
     std::uint32_t damaged_parts = 0;   ///< directory pages and chunks; of a page, all its exact chunks are missing
     terrain::TdbFailure first_damage;  ///< that with the smallest offset
 };
 
 class GroundReader {
 public:
-    static constexpr std::size_t kPayloadBytes =
-        (terrain::kChunkCells + 1) * (terrain::kChunkCells + 1) * sizeof(terrain::ChunkVertex);
-    static constexpr std::size_t kBytesEach = kPayloadBytes + sizeof(terrain::DirectoryPage) + 128;
+    static constexpr std::size_t kBytesEach = kExactChunkBytes + sizeof(terrain::DirectoryPage) + 128;
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t workers) { return workers * kBytesEach + 64; }
     /// For so many workers. False where the arena has no room. The database is borrowed and must stay.
@@ -41,7 +40,7 @@ public:
 private:
     struct Desk {  ///< of one worker
         terrain::DirectoryPage page;
-        alignas(terrain::ChunkVertex) std::uint8_t payload[kPayloadBytes];
+        alignas(terrain::ChunkVertex) std::uint8_t payload[kExactChunkBytes];
         GroundReading reading;
     };
     template <class Height>

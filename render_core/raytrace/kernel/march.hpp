@@ -137,15 +137,15 @@ TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const Ra
     }
 }
 
-/// One node on, or one level down.
-template <class V, class Height, HitSide side>
+/// One node on, or one level down; those that halt at level `finest` ask.
+template <class V, class Height, HitSide side, int finest = 0>
 TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m,
                                     typename V::Mask steps) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Mask = typename V::Mask;
     using Axis = RayAxis<V>;
-    const Int none(0), one(1), top(field.layout->top);
+    const Int none(0), one(1), top(field.layout->top), least(finest);
     const Int inside = (one << m.level) - one;
     const Int line_x = (m.column | inside) + one, line_y = (m.row | inside) + one;
     const Float t_x = Axis::crossing(ray.x, line_x), t_y = Axis::crossing(ray.y, line_y);
@@ -154,7 +154,7 @@ TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayL
                      ((m.row >> m.level) ^ ray.y.sign) * V::look_up(field.layout->columns, m.level) +
                      ((m.column >> m.level) ^ ray.x.sign);
     const Mask skips = steps & (stays_clear<V, Height, side>(field, ray, m, t_out, node, steps) | m.passes);
-    const Mask halts = V::without(steps, skips), is_cell = m.level == none;
+    const Mask halts = V::without(steps, skips), is_cell = m.level == least;
     m.asks = m.asks | (halts & is_cell);
     m.passes = V::without(m.passes, skips);
 

@@ -20,6 +20,9 @@ struct TracedNodes {
           stride(static_cast<std::int32_t>(mipmap.grid().stride)),
           columns(mipmap.layout().columns[0]),
           rows(mipmap.layout().rows[0]) {}
+    /// Bounds alone, for rays that end before any cell.
+    TracedNodes(const MipmapLayout& of, const Height* bounds)
+        : nodes(bounds), layout(&of), columns(of.columns[0]), rows(of.rows[0]) {}
 };
 
 }  // namespace tedavis::raytrace

@@ -1,0 +1,37 @@
+/// The highest and lowest height of every chunk of 32 x 32 cells, and of blocks of 2^k x 2^k of them: the levels of a
+/// HeightMipmap from the fifth up, which stay in memory. A chunk's own bounds may be wider than its heights; rays then only look
+/// at more.
+///
+/// Memory  from an arena: 8/3 of Height a chunk and a little.
+#pragma once
+
+#include "render_core/base/memory_budget.hpp"
+#include "render_core/raytrace/height_mipmap.hpp"
+#include "render_core/raytrace/paged/chunk_heights.hpp"
+
+namespace tedavis::raytrace {
+
+inline constexpr int kChunkLevel = 5;
+
+template <class Height>
+class ChunkBounds {
+public:
+    enum class Started : std::uint8_t { yes, no_room, unreadable };
+
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
+    [[nodiscard]] Started start(ChunkHeights<Height>& heights, base::Arena& arena);
+
+    /// Levels below kChunkLevel have no nodes.
+    [[nodiscard]] const MipmapLayout& layout() const { return layout_; }
+    [[nodiscard]] const Height* maxima() const { return maxima_.data(); }
+    [[nodiscard]] const Height* minima() const { return minima_.data(); }
+    /// Of a chunk, by its number: row by row.
+    [[nodiscard]] Height highest(std::uint32_t chunk) const { return maxima_[chunk]; }
+    [[nodiscard]] Height lowest(std::uint32_t chunk) const { return minima_[chunk]; }
+
+private:
+    MipmapLayout layout_;
+    base::Span<Height> maxima_, minima_;  ///< the chunks first; one more may be read behind the last
+};
+
+}  // namespace tedavis::raytrace

@@ -1,0 +1,45 @@
+/// A terrain database in chunks for the paged tracer: what GroundReader gives of the same window, in metres, bit for bit.
+///
+/// The bounds of chunks stand in the directory. Where an exact chunk lies above level 0, a chunk is the part of it that the
+/// finest level would have there. What is damaged has no heights, and is counted.
+///
+/// Memory  from an arena at start: bytes_needed(). Thread  load() of different desks at once.
+#pragma once
+
+#include "render_core/raytrace/ground/ground_reader.hpp"
+#include "render_core/raytrace/paged/chunk_heights.hpp"
+
+namespace tedavis::raytrace {
+
+class DatabaseChunks final : public ChunkHeights<float> {
+    struct Desk;
+
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t desks);
+    /// A window of the lattice (GroundWindow) whose first post is a chunk's: its column and row are multiples of 32. False where
+    /// the arena has no room, or a side of the window is of one post or of more than HeightGrid::kMostPosts. The database is
+    /// borrowed and must stay.
+    [[nodiscard]] bool start(const terrain::TerrainDatabase& database, const terrain::PostRange& window, std::uint32_t desks,
+                             base::Arena& arena);
+
+    [[nodiscard]] std::uint32_t columns() const override { return window_.i1 - window_.i0 + 1; }
+    [[nodiscard]] std::uint32_t rows() const override { return window_.j1 - window_.j0 + 1; }
+    /// True; chunks of damaged_pages() have no heights.
+    [[nodiscard]] bool read_bounds(base::Span<float> lowest, base::Span<float> highest) override;
+    [[nodiscard]] bool load(std::uint32_t column, std::uint32_t row, std::uint32_t desk, base::Span<float> posts) override;
+
+    [[nodiscard]] std::uint32_t damaged_pages() const { return damaged_pages_; }
+    [[nodiscard]] std::uint64_t read_bytes() const;  ///< of payloads and directory pages, by load()
+
+private:
+    void bound_chunks(const terrain::ChunkEntry& entry, base::Span<float> lowest, base::Span<float> highest) const;
+    [[nodiscard]] const terrain::ChunkEntry* finest_entry(const terrain::ChunkKey& key, Desk& desk) const;
+    [[nodiscard]] bool load_coarse(const GroundWindow<float>& to, Desk& desk) const;
+
+    const terrain::TerrainDatabase* database_ = nullptr;
+    terrain::PostRange window_;
+    base::Span<Desk> desks_;
+    std::uint32_t damaged_pages_ = 0;
+};
+
+}  // namespace tedavis::raytrace

@@ -1,0 +1,42 @@
+/// The rays that a paged tracer is asked for: those of a picture, or any. Borrowed.
+#pragma once
+
+#include "render_core/base/span.hpp"
+#include "render_core/raytrace/trace_view.hpp"
+
+namespace tedavis::raytrace {
+
+struct PagedRays {
+    /// Of a picture, row by row of pixels: one, or one for each of its tiles (ViewTiles). None: the rays are `single`.
+    base::Span<const GridCamera> cameras;
+    std::uint32_t width = 0, height = 0;
+    RaySpan span{};
+    base::Span<const Ray> single{};
+    bool goes_on = false;  ///< rays that have a hit are not asked; the others' hits say that nothing is met
+
+    [[nodiscard]] static PagedRays of(const GridCamera& camera, std::uint32_t width, std::uint32_t height) {
+        return {{&camera, 1}, width, height};
+    }
+    [[nodiscard]] static PagedRays of(base::Span<const Ray> rays) {
+        PagedRays all;
+        all.single = rays;
+        return all;
+    }
+    [[nodiscard]] std::uint32_t count() const {
+        return cameras.empty() ? static_cast<std::uint32_t>(single.size()) : width * height;
+    }
+    [[nodiscard]] bool have_one_origin() const { return cameras.size() == 1; }
+    [[nodiscard]] Ray at(std::uint32_t n) const {
+        if (cameras.empty()) return single[n];
+        const std::uint32_t x = n % width, y = n / width;
+        const std::size_t tile =
+            cameras.size() == 1 ? 0 : std::size_t{y / kTileHeight} * ViewTiles(width, height).across + x / kTileWidth;
+        Ray ray = cameras[tile].ray(x, y);
+        ray.from = span.from;
+        ray.to = span.to;
+        ray.gap = span.gap;
+        return ray;
+    }
+};
+
+}  // namespace tedavis::raytrace
