@@ -82,6 +82,10 @@ void trace_tile_of(void* context, std::uint32_t tile) {
 
 }  // namespace
 
+double gap_before(const GroundSpace& space, const terrain::View& view, double from) {
+    return 2 * kMostOff_px / view.focal_px * from / space.step_m();
+}
+
 PieceEnds cut_view(const terrain::View& view) {
     return cut_rays(view.eye, kPieceShare * kMostOff_px / view.focal_px, stretch_of(view), view.far_m);
 }
@@ -131,7 +135,7 @@ void trace_ground_tile(const GroundView<Height>& ground, std::uint32_t left, std
     for (int piece = 0; piece < ground.ends.count; ++piece) {
         const double from = ground.ends.end[piece], to = ground.ends.end[piece + 1];
         const GridCamera camera = fit_camera(*ground.space, view, tile, from, to);
-        const double gap = 2 * kMostOff_px / view.focal_px * from / ground.space->step_m();
+        const double gap = gap_before(*ground.space, view, from);
         const PieceUse use = use_of(ground, PieceBox(camera, tile, from, to), gap);
         if (use == PieceUse::over) return;
         if (use == PieceUse::passed) continue;

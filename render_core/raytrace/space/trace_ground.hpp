@@ -51,6 +51,8 @@ struct PixelTile {
 };
 [[nodiscard]] GridCamera fit_camera(const GroundSpace& space, const terrain::View& view, const PixelTile& tile, double from,
                                     double to);
+/// Height steps that may lie between two pieces of a view's rays, where the second begins (Ray::gap).
+[[nodiscard]] double gap_before(const GroundSpace& space, const terrain::View& view, double from);
 /// Where a view's rays are cut.
 [[nodiscard]] PieceEnds cut_view(const terrain::View& view);
 
