@@ -9,7 +9,6 @@
 #include "render_core/base/units.hpp"
 #include "render_core/raytrace/ground/ground_reader.hpp"
 #include "render_core/terrain/height_query.hpp"
-#include "tests/support/flaky_bytes.hpp"
 #include "tests/support/tdb_writer.hpp"
 
 namespace tedavis::test_support {
@@ -39,7 +38,19 @@ inline TdbSpec mixed_file(bool has_voids) {
     return spec;
 }
 
-/// A file in memory that can be damaged, opened.
+/// A file in memory that can be damaged and fail between reads. Any thread may read.
+class FailingBytes final : public base::ByteSource {
+public:
+    explicit FailingBytes(std::vector<std::uint8_t> bytes) : content(std::move(bytes)) {}
+    [[nodiscard]] std::uint64_t size() const override { return content.size(); }
+    [[nodiscard]] bool read(std::uint64_t offset, void* destination, std::size_t count) override {
+        return !fails && MemoryBytes(content).read(offset, destination, count);
+    }
+    std::vector<std::uint8_t> content;
+    bool fails = false;
+};
+
+/// Such a file, opened.
 struct OpenedGround {
     explicit OpenedGround(const TdbSpec& spec) : tdb(spec), bytes(tdb.bytes), database(open()) {
         base::Arena arena(query_memory.data(), query_memory.size());
@@ -65,7 +76,7 @@ struct OpenedGround {
     }
 
     WrittenTdb tdb;
-    FlakyBytes bytes;
+    FailingBytes bytes;
     std::vector<std::uint8_t> table = std::vector<std::uint8_t>(1 << 17);
     terrain::TerrainDatabase database;
     std::vector<std::uint8_t> query_memory = std::vector<std::uint8_t>(terrain::HeightQuery::bytes_needed());
