@@ -1,19 +1,24 @@
 #include "render_core/raytrace/picture/trace_picture.hpp"
 
+#include <algorithm>
+
 #include "render_core/raytrace/stream/token_writer.hpp"
 
 namespace tedavis::raytrace {
 namespace {
 
 constexpr std::uint32_t kRayWords = sizeof(MirroredRay) / sizeof(std::uint32_t);
-constexpr std::uint32_t kPixelWords = 2;  ///< a span's first pixel and count; a pixel to resample has a word to spare
+constexpr std::uint32_t kPixelWords = 2;  ///< set pixel: first place and end; a pixel to resample has a word to spare
+/// More than the three words that a tile gives: so that only four tiles, whose pixels fit the second cache, are traced before they
+/// are shaded (Segment::fits()).
+constexpr std::uint32_t kOutputsOfPrimary = 2048;
 constexpr std::uint32_t kPlainOutputs = kPixelWords + 1;
 /// What a shaded span gives that has remainders: set pixel, rays and pixels to resample.
 constexpr std::uint32_t kMostOutputsOfShade =
     kPlainOutputs + PixelSpan::kMost * kRayWords + 1 + PixelSpan::kMost * kPixelWords + 1;
 
 struct TEDAVIS_RECORD PixelRecord {
-    std::uint32_t first, count;
+    std::uint32_t first, end;
 };
 
 template <class Height>
@@ -54,8 +59,8 @@ bool TracePicture<Height>::add_tasks() {
     network_ = TaskNetwork();
     const bool has_more = stages_.has_remainders();
     PictureStages made;
-    made.primary = stage_of(this, "primary", kRangeArguments, kRangeArguments + 1, &TracePicture::run_primary);
-    made.surface = make_range_task("spans", span_steps_, kNoTask);
+    made.primary = stage_of(this, "primary", kRangeArguments, kOutputsOfPrimary, &TracePicture::run_primary);
+    if (has_more) made.surface = make_range_task("spans", span_steps_, kNoTask);
     made.shade =
         stage_of(this, "shade", kRangeArguments, has_more ? kMostOutputsOfShade : kPlainOutputs, &TracePicture::run_shade);
     made.trace = stage_of(this, "trace", kRayWords, kRayWords + 1, &TracePicture::run_trace);
@@ -104,15 +109,17 @@ void TracePicture<Height>::run_shade(void* self, const Batch& batch, TokenWriter
     const TraceStages<Height>& stages = picture.stages_;
     SpanRemainder rest;
     for (std::uint32_t n = 0; n < batch.count; ++n) {
-        const std::uint32_t at = batch.record(n)[0];  // one span: span_steps_ has grain 1
-        const PixelSpan span = stages.span(at / stages.spans_of_tile(), at % stages.spans_of_tile());
-        stages.shade_span(span, rest);
-        const PixelRecord shaded = {span.first, span.count};
+        const std::uint32_t first = batch.record(n)[0], end = batch.record(n)[1];
+        for (std::uint32_t span = first; span < end; ++span) stages.shade_span(stages.span(span), rest);
+        const PixelRecord shaded = {first * PixelSpan::kMost, end * PixelSpan::kMost};
         out.calls(batch.next, &shaded, 1);
-        out.calls(picture.tasks_.main.trace, rest.ray, rest.rays);
-        PixelRecord again[PixelSpan::kMost];
-        for (std::uint32_t k = 0; k < rest.resampled; ++k) again[k] = {rest.pixel[k], 1};
-        out.calls(picture.tasks_.resample, again, rest.resampled);
+        // Only of one span, where there are such: the range before has a grain of 1.
+        if (stages.has_remainders()) {
+            out.calls(picture.tasks_.main.trace, rest.ray, rest.rays);
+            PixelRecord again[PixelSpan::kMost];
+            for (std::uint32_t k = 0; k < rest.resampled; ++k) again[k] = {rest.pixel[k], 0};
+            out.calls(picture.tasks_.resample, again, rest.resampled);
+        }
         out.done();
     }
 }
@@ -126,7 +133,8 @@ void TracePicture<Height>::run_trace(void* self, const Batch& batch, TokenWriter
         if (picture.stages_.follow(rays + n, 1, &further) > 0) {
             out.calls(batch.self, &further, 1);
         } else {
-            const PixelRecord seen = {rays[n].pixel, 1};
+            const std::uint32_t place = picture.stages_.place_of(rays[n].pixel);
+            const PixelRecord seen = {place, place + 1};
             out.calls(picture.tasks_.main.set_pixel, &seen, 1);
         }
         out.done();
@@ -137,16 +145,24 @@ template <class Height>
 void TracePicture<Height>::run_resample(void* self, const Batch& batch, TokenWriter& out) {
     const TraceStages<Height>& stages = static_cast<TracePicture*>(self)->stages_;
     for (std::uint32_t n = 0; n < batch.count; ++n) {
-        stages.resample(batch.record(n)[0]);
-        out.each_calls(batch.next, batch.record(n), 1);
+        const std::uint32_t pixel = batch.record(n)[0], place = stages.place_of(pixel);
+        stages.resample(pixel);
+        const PixelRecord seen = {place, place + 1};
+        out.each_calls(batch.next, &seen, 1);
     }
 }
 
 template <class Height>
 void TracePicture<Height>::run_set_pixel(void* self, const Batch& batch, TokenWriter&) {
+    const TraceStages<Height>& stages = static_cast<TracePicture*>(self)->stages_;
     const PixelRecord* const records = batch.records<PixelRecord>();
     for (std::uint32_t n = 0; n < batch.count; ++n)
-        static_cast<TracePicture*>(self)->stages_.set_levels({records[n].first, records[n].count});
+        for (std::uint32_t place = records[n].first; place < records[n].end;) {
+            const std::uint32_t skipped = place % PixelSpan::kMost, left = records[n].end - place;
+            const PixelSpan span = stages.span(place / PixelSpan::kMost);
+            if (skipped < span.count) stages.set_levels({span.first + skipped, std::min(left, span.count - skipped)});
+            place += PixelSpan::kMost - skipped;
+        }
 }
 
 template <class Height>
@@ -154,7 +170,7 @@ void TracePicture<Height>::draw_tile(std::uint32_t tile) const {
     SpanRemainder rest;
     stages_.trace_tile(tile);
     for (std::uint32_t n = 0; n < stages_.spans_of_tile(); ++n) {
-        const PixelSpan span = stages_.span(tile, n);
+        const PixelSpan span = stages_.span(tile * stages_.spans_of_tile() + n);
         stages_.shade_span(span, rest);
         for (std::uint32_t left = rest.rays; left > 0;) left = stages_.follow(rest.ray, left, rest.ray);
         for (std::uint32_t k = 0; k < rest.resampled; ++k) stages_.resample(rest.pixel[k]);

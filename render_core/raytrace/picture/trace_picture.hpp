@@ -1,9 +1,12 @@
 /// Draws a traced picture: its stages as tasks of the functional model, run by the token stream on any number of workers (thesis
 /// 6.2.2.3), or called directly, which gives the same picture, bit for bit.
 ///
-///     tiles ──> primary ──> spans ──> shade ──> set pixel
-///                           trace ──────^ │ │       ^ ^
-///                             ^───────────┘ └─> resample      recursive: mirrors; more rays where a pixel covers much
+///     tiles ──> primary ──> [spans] ──> shade ──> set pixel
+///                            trace <────┘   │       ^ ^
+///                             └─> trace ────│───────┘ │      recursive: mirrors
+///                                           └─> resample     more rays where a pixel covers much
+///
+/// Without mirrors and supersampling there are no spans: a tile goes from stage to stage in the cache.
 ///
 /// Tasks may be replaced, inserted and removed between rounds: network() and tasks().
 ///
@@ -58,7 +61,8 @@ private:
 
     TraceStages<Height> stages_;
     TaskNetwork network_;
-    RangeSteps tile_steps_{1, 256}, span_steps_{1, 1024};
+    RangeSteps tile_steps_{1, 32};
+    RangeSteps span_steps_{1, 1024};
     TracePictureTasks tasks_;
     TokenStream stream_;
     StreamRewriter rewriter_;

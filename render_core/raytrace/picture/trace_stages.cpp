@@ -100,10 +100,19 @@ PixelRect TraceStages<Height>::rect(std::uint32_t tile) const {
 }
 
 template <class Height>
-PixelSpan TraceStages<Height>::span(std::uint32_t tile, std::uint32_t n) const {
+PixelSpan TraceStages<Height>::span(std::uint32_t n) const {
+    const std::uint32_t tile = n / spans_of_tile_, line = n - tile * spans_of_tile_;
     const PixelRect all = rect(tile);
-    if (n >= all.height) return {};
-    return {(all.y + n) * width_ + all.x, all.width};
+    if (line >= all.height) return {};
+    return {(all.y + line) * width_ + all.x, all.width};
+}
+
+template <class Height>
+std::uint32_t TraceStages<Height>::place_of(std::uint32_t pixel) const {
+    constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
+    const std::uint32_t y = pixel / width_, x = pixel - y * width_, column = x / kWidth;
+    const std::uint32_t tile = is_swept_ ? column : y / kHeight * PictureVariants::regions_across(width_) + column;
+    return (tile * spans_of_tile_ + (is_swept_ ? y : y % kHeight)) * PixelSpan::kMost + x % kWidth;
 }
 
 template <class Height>

@@ -58,8 +58,10 @@ public:
 
     [[nodiscard]] std::uint32_t tiles() const { return tiles_; }
     [[nodiscard]] std::uint32_t spans_of_tile() const { return spans_of_tile_; }
-    /// Of span 0..spans_of_tile() - 1 of a tile; some have no pixels.
-    [[nodiscard]] PixelSpan span(std::uint32_t tile, std::uint32_t n) const;
+    /// Spans are numbered tile by tile; some have no pixels.
+    [[nodiscard]] PixelSpan span(std::uint32_t n) const;
+    /// A pixel's number among the places of all spans, PixelSpan::kMost for each.
+    [[nodiscard]] std::uint32_t place_of(std::uint32_t pixel) const;
 
     void trace_tile(std::uint32_t tile) const;
     /// Pixels that are not done yet are in `rest`; set_levels() leaves them out.

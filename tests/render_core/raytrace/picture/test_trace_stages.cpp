@@ -19,11 +19,13 @@ TEST(TraceStages, SpansCoverEveryPixelOnceWhateverTheView) {
         ASSERT_TRUE(drawn.begin());
         const TraceStages<std::int16_t>& stages = drawn.picture.stages();
         std::vector<int> covered(std::size_t{kSpannedWidth} * kSpannedHeight);
-        for (std::uint32_t tile = 0; tile < stages.tiles(); ++tile)
-            for (std::uint32_t n = 0; n < stages.spans_of_tile(); ++n) {
-                const PixelSpan span = stages.span(tile, n);
-                for (std::uint32_t k = 0; k < span.count; ++k) ++covered[span.first + k];
+        for (std::uint32_t n = 0; n < stages.tiles() * stages.spans_of_tile(); ++n) {
+            const PixelSpan span = stages.span(n);
+            for (std::uint32_t k = 0; k < span.count; ++k) {
+                ++covered[span.first + k];
+                ASSERT_EQ(stages.place_of(span.first + k), n * PixelSpan::kMost + k);
             }
+        }
         EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), static_cast<std::ptrdiff_t>(covered.size())) << camera;
     }
 }
