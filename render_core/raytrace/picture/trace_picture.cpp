@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint32_t kRayWords = sizeof(MirroredRay) / sizeof(std::uint32_t);
 constexpr std::uint32_t kPixelWords = 2;  ///< set pixel: first place and end; a pixel to resample has a word to spare
-/// More than the three words that a tile gives: so that only four tiles, whose pixels fit the second cache, are traced before they
-/// are shaded (Segment::fits()).
+/// More than the three words that a tile gives: so that only four tiles, whose pixels fit the second cache, are traced before
+/// they are shaded (Segment::fits()).
 constexpr std::uint32_t kOutputsOfPrimary = 2048;
 constexpr std::uint32_t kPlainOutputs = kPixelWords + 1;
 /// What a shaded span gives that has remainders: set pixel, rays and pixels to resample.
