@@ -56,9 +56,14 @@ struct SpanApertures {
     float cos_radius[kMostOfSpan];
 };
 
+/// Of the four posts round each place: x, y and cos_radius in 16 bits each, from the lowest on.
 struct SpanStored {
-    float across[4][kMostOfSpan], down[4][kMostOfSpan], cosine[4][kMostOfSpan];
+    std::uint64_t post[4][kMostOfSpan];
 };
+
+std::uint64_t packed_of(std::uint16_t x, std::uint16_t y, std::uint16_t cosine) {
+    return x | std::uint64_t{y} << 16 | std::uint64_t{cosine} << 32;
+}
 
 template <class Height>
 void read_apertures(const SkyMap<Height>& sky, const SpanPosts& posts, std::uint32_t count, SpanStored& read) {
@@ -67,22 +72,24 @@ void read_apertures(const SkyMap<Height>& sky, const SpanPosts& posts, std::uint
     for (int k = 0; k < 4; ++k)
         for (std::uint32_t n = 0; n < count; ++n) {
             const auto& one = stored[posts.first[n] + offset[k]];
-            read.across[k][n] = one.x;
-            read.down[k][n] = one.y;
-            read.cosine[k][n] = one.cos_radius;
+            read.post[k][n] = packed_of(static_cast<std::uint16_t>(one.x), static_cast<std::uint16_t>(one.y), one.cos_radius);
         }
 }
+
+float of_16_bits(std::uint64_t packed) { return static_cast<float>(static_cast<std::int16_t>(packed & 0xffff)); }
 
 TEDAVIS_WIDE_LOOPS void find_apertures(const SpanStored& __restrict read, const SpanPosts& __restrict posts, std::uint32_t count,
                                        SpanApertures& __restrict apertures) {
     float x[kMostOfSpan] = {}, y[kMostOfSpan] = {}, z[kMostOfSpan] = {}, sum[kMostOfSpan] = {};
     for (int k = 0; k < 4; ++k)
         for (std::uint32_t n = 0; n < count; ++n) {
-            const float a = read.across[k][n] * (1 / 32767.0f), b = read.down[k][n] * (1 / 32767.0f), w = posts.weight[k][n];
+            const std::uint64_t post = read.post[k][n];
+            const float a = of_16_bits(post) * (1 / 32767.0f), b = of_16_bits(post >> 16) * (1 / 32767.0f);
+            const float w = posts.weight[k][n];
             x[n] += w * a;
             y[n] += w * b;
             z[n] += w * std::sqrt(std::max(1 - a * a - b * b, 0.0f));
-            sum[n] += w * read.cosine[k][n];
+            sum[n] += w * static_cast<float>(static_cast<std::int32_t>(post >> 32));
         }
     for (std::uint32_t n = 0; n < count; ++n) {
         const float length = std::sqrt(x[n] * x[n] + y[n] * y[n] + z[n] * z[n]), whole = 1 / std::max(length, 1e-6f);

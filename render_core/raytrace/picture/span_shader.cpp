@@ -1,5 +1,7 @@
 #include "render_core/raytrace/picture/span_shader.hpp"
 
+#include <algorithm>
+
 #include "render_core/raytrace/picture/lit_terrain.hpp"
 #include "render_core/raytrace/surface/pixel_footprint.hpp"
 
@@ -94,6 +96,11 @@ void SpanShader<Height>::follow_paths(const SpanRays& rays, const std::uint32_t*
 
 template <class Height>
 void SpanShader<Height>::shade(const SpanRays& rays, const std::uint32_t* seeds, SpanSurface& surface, glm::vec3* light) const {
+    if (std::none_of(surface.is_met, surface.is_met + surface.count, [](bool is_met) { return is_met; })) {
+        std::fill_n(light, surface.count, look->background);
+        if (settings->has_capsules) draw_capsules(rays, surface, light);
+        return;
+    }
     if (settings->antialiasing == Antialiasing::average_mipmap && pixel_width_m > 0) average_slopes(surface);
     SpanLight all;
     std::fill_n(all.sun_seen, surface.count, 1.0f);
