@@ -20,9 +20,10 @@ double display_power(double x) {
 
 /// What is no number is black.
 TEDAVIS_WIDE_LOOPS void find_entries(const float* light, std::uint32_t count, std::int32_t* entries) {
+    constexpr float kHalf = 0.5f;
     for (std::uint32_t n = 0; n < count; ++n) {
         const float above = light[n] > 0 ? light[n] : 0;
-        entries[n] = static_cast<std::int32_t>((above < 1 ? above : 1) * (DisplayLevels::kEntries - 1) + 0.5f);
+        entries[n] = static_cast<std::int32_t>((above < 1 ? above : 1) * (DisplayLevels::kEntries - 1) + kHalf);
     }
 }
 
@@ -33,7 +34,7 @@ bool DisplayLevels::start(base::Arena& arena) {
     for (std::uint32_t n = 0; n < levels_.size(); ++n) {
         const double light = n / (kEntries - 1.0);
         const double shown = light <= 0.0031308 ? 12.92 * light : 1.055 * display_power(light) - 0.055;
-        levels_[n] = static_cast<std::uint8_t>(255 * shown + 0.5);
+        levels_[n] = static_cast<std::uint8_t>(std::floor(255 * shown + 0.5));
     }
     return !levels_.empty();
 }

@@ -17,13 +17,14 @@ public:
     /// Of any number; below 0, and what is no number, is black.
     [[nodiscard]] std::uint8_t level(float light) const {
         if (!(light > 0)) return 0;
-        return light >= 1 ? 255 : levels_.data()[static_cast<std::uint32_t>(light * (kEntries - 1) + 0.5f)];
+        return light >= 1 ? 255 : levels_.data()[static_cast<std::uint32_t>(light * (kEntries - 1) + kHalf)];
     }
 
     /// Of many.
     void set(const float* light, std::uint32_t count, std::uint8_t* levels) const;
 
 private:
+    static constexpr float kHalf = 0.5f;
     base::Span<std::uint8_t> levels_;
 };
 

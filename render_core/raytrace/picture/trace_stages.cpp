@@ -222,7 +222,8 @@ void TraceStages<Height>::resample(std::uint32_t pixel) const {
     std::uint32_t seeds[PixelSpan::kMost];
     for (std::uint32_t n = 0; n < surface.count; ++n) {
         const float part = 1 / static_cast<float>(along);
-        const float right = (static_cast<float>(n % along) + 0.5f) * part, down = (static_cast<float>(n / along) + 0.5f) * part;
+        const std::uint32_t line = n / along, column = n - line * along;
+        const float right = (static_cast<float>(column) + 0.5f) * part, down = (static_cast<float>(line) + 0.5f) * part;
         set_direction(camera_, static_cast<float>(x) + right, static_cast<float>(y) + down, rays, n);
         set_meeting(shader.terrain->meet(rays.ray(n)), surface, n);
         seeds[n] = pixel * (TraceSettings::kMostRaysAlong * TraceSettings::kMostRaysAlong) + n;
