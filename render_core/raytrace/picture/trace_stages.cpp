@@ -239,9 +239,8 @@ void TraceStages<Height>::set_levels(const PixelSpan& span) const {
     if (rgb8_.empty()) return;
     const glm::vec3* const light = light_.data() + span.first;
     std::uint8_t* const rgb = rgb8_.data() + 3 * std::size_t{span.first};
-    float red[PixelSpan::kMost];
-    for (std::uint32_t n = 0; n < span.count; ++n) red[n] = light[n].x;
-    if (span.count == 0 || *std::min_element(red, red + span.count) >= 0) return levels_.set(&light[0].x, 3 * span.count, rgb);
+    if (span.count == 0) return;
+    if (!has_remainders_) return levels_.set(&light[0].x, 3 * span.count, rgb);
     for (std::uint32_t n = 0; n < span.count; ++n)
         if (light[n].x >= 0) levels_.set(&light[n].x, 3, rgb + 3 * n);
 }
