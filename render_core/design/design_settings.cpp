@@ -74,6 +74,8 @@ void read_texture_palette(ConfigSection& section, PaletteSource& palettes, Terra
 }
 
 void read_terrain(ConfigSection section, PaletteSource& palettes, TerrainSettings& terrain) {
+    terrain.renderer = static_cast<TerrainRenderer>(
+        section.choice("renderer", kTerrainRendererNames, static_cast<std::size_t>(terrain.renderer)));
     terrain.tau_px = section.number("tau_px", 0.1, 32, terrain.tau_px);
     terrain.conservative_up = section.boolean("conservative_up", terrain.conservative_up);
     read_color(section, "sea_color", terrain.sea);

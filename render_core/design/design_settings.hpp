@@ -58,7 +58,15 @@ struct ViewSettings {
 /// The eye is no farther than floats allow; beyond this range lengths would differ by more than a hundredth (display/eye.hpp).
 inline constexpr double kMostOrthographicRange_m = 15'000;
 
+/// What draws the terrain.
+enum class TerrainRenderer : std::uint8_t {
+    raster,  ///< triangles, as many as tau_px asks for
+    trace,   ///< rays through every pixel, over all that the database has; where that cannot be, raster
+};
+inline constexpr std::array<std::string_view, 2> kTerrainRendererNames{"raster", "trace"};
+
 struct TerrainSettings {
+    TerrainRenderer renderer = TerrainRenderer::raster;
     double tau_px = 1.0;  ///< pixel error asked for, (0.1 .. 32)
     Palette palette;      ///< colours of the style's texture
     Color sea{0x30, 0x58, 0x80};
