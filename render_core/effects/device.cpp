@@ -26,6 +26,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kSceneGlyphs, base::MemoryKind::cpu},       {kSceneGlyphVertices, base::MemoryKind::gpu},
     {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu}};
 
+constexpr RequiredLine kPossibleLines[] = {{kTracedTerrain, base::MemoryKind::cpu}, {kTracedPictures, base::MemoryKind::gpu}};
+
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxNamedCalls> names;
     const std::size_t count = section.texts(key, names);
@@ -107,15 +109,18 @@ void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
     }
 }
 
+void require_line(base::ConfigSection& root, const base::BudgetTable& budget, const RequiredLine& required, bool may_miss) {
+    const base::BudgetLine* line = budget.find(required.name);
+    if (line == nullptr ? may_miss : line->kind == required.kind) return;
+    base::FixedString<127> sentence("the budget needs a line '");
+    sentence.append(required.name);
+    sentence.append(required.kind == base::MemoryKind::cpu ? "' of kind \"cpu\"; add it" : "' of kind \"gpu\"; add it");
+    root.fault("budget", sentence.view());
+}
+
 void require_lines(base::ConfigSection root, const base::BudgetTable& budget) {
-    for (const RequiredLine& required : kRequiredLines) {
-        const base::BudgetLine* line = budget.find(required.name);
-        if (line != nullptr && line->kind == required.kind) continue;
-        base::FixedString<127> sentence("the budget needs a line '");
-        sentence.append(required.name);
-        sentence.append(required.kind == base::MemoryKind::cpu ? "' of kind \"cpu\"; add it" : "' of kind \"gpu\"; add it");
-        root.fault("budget", sentence.view());
-    }
+    for (const RequiredLine& required : kRequiredLines) require_line(root, budget, required, false);
+    for (const RequiredLine& possible : kPossibleLines) require_line(root, budget, possible, true);
 }
 
 }  // namespace

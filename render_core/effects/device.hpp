@@ -41,6 +41,10 @@ inline constexpr std::string_view kSceneGlyphVertices = "scene_glyph_vertices";
 inline constexpr std::string_view kSceneBillboards = "scene_billboards";
 inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_vertices";
 
+/// Lines that a device has where it has room for traced terrain.
+inline constexpr std::string_view kTracedTerrain = "traced_terrain";    ///< cpu
+inline constexpr std::string_view kTracedPictures = "traced_pictures";  ///< gpu
+
 struct DeviceSettings {
     base::FixedString<31> name;
     DeviceCapability capability;

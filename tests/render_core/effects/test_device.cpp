@@ -122,6 +122,21 @@ TEST(Device, WrongValues) {
     EXPECT_NE(refusal(good() + "colour = 3\n").find("colour"), std::string::npos) << "an unknown key";
 }
 
+TEST(Device, MayHaveRoomForTracedTerrain) {
+    const auto with = [](const char* name, const char* kind) {
+        return good() + "\n[[budget]]\nname = \"" + name + "\"\nkind = \"" + kind +
+               "\"\nbytes = 5000\nowner = \"draw\"\nreason = \"x\"\n";
+    };
+    EXPECT_EQ(refusal(with("traced_terrain", "cpu")), "");
+    EXPECT_NE(refusal(with("traced_terrain", "gpu")).find("'traced_terrain' of kind \"cpu\""), std::string::npos);
+    EXPECT_NE(refusal(with("traced_pictures", "cpu")).find("'traced_pictures' of kind \"gpu\""), std::string::npos);
+    for (const char* name : {"es3-mid", "desktop"}) {
+        const DeviceSettings device = shipped_device(name);
+        EXPECT_GE(device.budget.find(kTracedPictures)->bytes, std::uint64_t{4} * device.width_px * device.height_px) << name;
+    }
+    EXPECT_EQ(shipped_device("es2-small").budget.find(kTracedTerrain), nullptr);
+}
+
 TEST(Device, ARequiredLineOfTheOtherKindIsMissing) {
     const std::string wrong_kind =
         replaced(good(), "name = \"font_atlas\"\nkind = \"gpu\"", "name = \"font_atlas\"\nkind = \"cpu\"");
