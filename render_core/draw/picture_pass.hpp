@@ -42,6 +42,8 @@ public:
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     /// What is drawn from here on goes off-screen, on a picture of nothing but sky.
     void begin(gl::Gl& gl) const;
+    /// What was drawn off-screen, or is put there instead: rows from the bottom.
+    [[nodiscard]] const gl::Texture& scene() const { return target_.color(); }
     /// Puts the picture there.
     void finish(gl::Gl& gl, const gl::DrawPlace& place, const design::DesignSettings& design, const PictureInput& input);
     /// Paints the ground of the finished picture once more, where the depth there is not empty: near terrain, over what was

@@ -1,0 +1,58 @@
+/// All posts of a terrain database in memory, as the tracer reads them: exact heights with their bounds, and what each post looks
+/// like. Posts between those of coarser exact chunks lie on the very triangles of these, and where chunks of two levels meet on
+/// those of the finer one.
+///
+/// Ground without data has the heights that the database fills it with, and is known by the class of its posts: it is drawn as
+/// unknown, as the other renderer draws it.
+///
+/// Memory    from an arena at start(). Thread  reading any. Failure  start() says which; nothing of such a ground may be used.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render_core/raytrace/space/ground_space.hpp"
+#include "render_core/raytrace/trace_ray.hpp"
+#include "render_core/terrain/height_query.hpp"
+
+namespace tedavis::draw {
+
+struct PostLook {
+    std::int8_t normal[3];  ///< of the surface, ECEF, times 127
+    terrain::PostClass post_class;
+};
+
+enum class TracedGroundFault : std::uint8_t {
+    none,
+    no_room,  ///< in the arena
+    round,    ///< the database goes round the Earth or has a pole: there are no such grids
+    damaged,  ///< a part of it cannot be read
+};
+
+class TracedGround {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(const terrain::Lattice& lattice);
+    /// Reads the whole database that the query answers from; what it keeps are other chunks then.
+    [[nodiscard]] TracedGroundFault start(terrain::HeightQuery& database, base::Workers& workers, base::Arena& arena);
+
+    [[nodiscard]] raytrace::TracedField<float> field() const { return {&maxima_, nullptr, raytrace::CellSurface::two_triangles}; }
+    /// All posts of a lattice.
+    [[nodiscard]] static terrain::PostRange all_of(const terrain::Lattice& lattice) {
+        return {0, 0, lattice.columns() - 1, lattice.rows() - 1};
+    }
+    /// Metres above MSL, of every post of the lattice.
+    [[nodiscard]] const raytrace::HeightGrid<float>& heights() const { return maxima_.grid(); }
+    [[nodiscard]] base::Span<const PostLook> looks() const { return {looks_.data(), looks_.size()}; }
+
+private:
+    [[nodiscard]] bool read_level(terrain::HeightQuery& database, std::uint32_t level, std::uint64_t& cells);
+    [[nodiscard]] bool read_chunk(terrain::HeightQuery& database, const terrain::ChunkKey& key);
+    void fill_cell(const terrain::PostRange& cell, const terrain::ChunkVertex* const (&corners)[4]);
+
+    raytrace::HeightMipmap<float> maxima_;
+    base::Span<float> heights_;
+    base::Span<PostLook> looks_;
+    std::uint32_t columns_ = 0;
+};
+
+}  // namespace tedavis::draw

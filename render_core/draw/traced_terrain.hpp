@@ -1,0 +1,88 @@
+/// Draws the terrain by the heightfield ray tracer in the place of the rasterizer: the same codes into the same picture, and the
+/// same depths for what is drawn over it. Nothing is simplified: what is drawn is the surface that the database has.
+///
+/// A picture is traced when it is asked for and another one was traced before.
+///
+/// Memory    posts and a picture from the arena, textures from the budget line traced_pictures. Thread  the GL thread, and the
+///           workers within a call. Failure  start(): one sentence; what keeps it from tracing is no failure, but said.
+#pragma once
+
+#include <string_view>
+
+#include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/screen_triangle.hpp"
+#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/draw/traced_codes.hpp"
+#include "render_core/draw/traced_view.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::draw {
+
+/// What becomes of terrain that a design wants traced.
+enum class TraceState : std::uint8_t {
+    not_asked_for,
+    traced,
+    not_by_style,   ///< other than codes (terrain_program.hpp)
+    not_flat,       ///< the design shows a plane
+    not_on_lane,    ///< a shader of ES 2 cannot leave depths
+    not_on_device,  ///< which has no memory for it
+    database_too_large,
+    database_round,
+    database_damaged,
+    place_too_polar,  ///< of the eye, in this frame
+};
+/// Why the rasterizer draws; empty where it does not stand in.
+[[nodiscard]] std::string_view reason_of(TraceState state);
+
+/// What tracing takes beside the terrain's own; without an arena there is none.
+struct TracePlace {
+    base::Workers* workers = nullptr;  ///< null: the caller's thread
+    base::Arena* memory = nullptr;
+    std::uint32_t width_px = 0, height_px = 0;
+};
+
+/// Whether the tracer can draw a design at all, wherever.
+[[nodiscard]] TraceState trace_state_of(const DrawnDesign& design);
+
+class TracedTerrain {
+public:
+    /// Of the whole database that the query answers from; state() says whether it can trace it.
+    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
+                                    effects::DeviceSettings& device, const TracePlace& place);
+    /// not_asked_for before start().
+    [[nodiscard]] TraceState state() const { return state_; }
+
+    /// Whether it can trace this view.
+    [[nodiscard]] bool can_see(const terrain::View& view) const { return raytrace::can_trace(space(), view); }
+
+    /// Codes, into a whole picture of the size at start. No terrain lies beyond the view's far plane: the nearer it is, the less
+    /// there is to trace. Where it cannot see there is nothing.
+    void draw(gl::Gl& gl, const design::DesignSettings& design, const TerrainDrawInput& input, const gl::Texture& picture);
+    /// Depths in the range, over the whole of what is bound with its depth test on; colours are nothing.
+    void draw_depths(gl::Gl& gl, const TerrainDrawInput& input, const DepthRange& range);
+    void destroy(gl::Gl& gl);
+
+private:
+    [[nodiscard]] TraceState start_memory(terrain::HeightQuery& heights, const effects::DeviceSettings& device,
+                                          const TracePlace& place);
+    [[nodiscard]] gl::GlError start_pictures(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Workers& workers() { return place_.workers != nullptr ? *place_.workers : own_worker_; }
+    [[nodiscard]] raytrace::GroundSpace space() const { return {*database_, TracedGround::all_of(database_->lattice()), 1.0}; }
+    void see(const terrain::View& view);
+
+    TraceState state_ = TraceState::not_asked_for;
+    TracePlace place_;
+    base::SerialWorkers own_worker_;
+    const terrain::TerrainDatabase* database_ = nullptr;
+    TracedGround ground_;
+    TracedView view_;
+    base::Span<std::uint8_t> codes_;
+    terrain::View seen_;       ///< by view_
+    bool has_seen_ = false;    ///< anything
+    bool has_depths_ = false;  ///< of seen_, in their texture
+    ScreenTriangle screen_;
+    gl::Program program_;
+    gl::Texture depths_;
+};
+
+}  // namespace tedavis::draw
