@@ -5,6 +5,7 @@
 #include "platform/programs/program_folder.hpp"
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
+#include "platform/threads/thread_workers.hpp"
 #include "render_core/gl/program.hpp"
 #include "target/file_text.hpp"
 #include "target/frame_pacer.hpp"
@@ -55,10 +56,16 @@ BoardError DisplayApplication::open_terrain() {
     return {};
 }
 
+BoardError DisplayApplication::start_workers(const display::DisplaySettings& settings) {
+    if (!terrain_reader_ || !display::Display::asks_for_rays(settings)) return {};
+    auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
+    if (!workers.ok()) return make_board_error({workers.error().sentence.view()});
+    workers_ = std::move(workers.value());
+    return {};
+}
+
 BoardError DisplayApplication::start_display() {
     if (BoardError error = open_terrain(); !error.sentence.empty()) return error;
-    display::TerrainInput terrain;
-    if (terrain_reader_) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::live};
     auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), settings_.residency);
     if (!reserved.ok()) return make_board_error({reserved.error().sentence.view()});
     reservation_ = std::move(reserved.value());
@@ -76,6 +83,9 @@ BoardError DisplayApplication::start_display() {
         programs = std::move(opened.value());
         settings.programs = &programs;
     }
+    if (BoardError error = start_workers(settings); !error.sentence.empty()) return error;
+    display::TerrainInput terrain;
+    if (terrain_reader_) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::live, workers_.get()};
     const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, terrain);
     if (error.sentence.empty()) return {};
     if (const std::string_view fault = display::database_fault(error.sentence.view()); !fault.empty())

@@ -64,6 +64,7 @@ public:
 private:
     [[nodiscard]] BoardError open_surface();
     [[nodiscard]] BoardError open_terrain();
+    [[nodiscard]] BoardError start_workers(const display::DisplaySettings& settings);
     [[nodiscard]] BoardError start_display();
     [[nodiscard]] BoardError start_scene();
     [[nodiscard]] BoardError hold_deadline();
@@ -77,6 +78,7 @@ private:
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
     std::unique_ptr<base::AsyncReader> terrain_reader_;
+    std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
     display::Display display_;
     SceneWatch scene_watch_;
     bool started_ = false;

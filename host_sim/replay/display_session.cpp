@@ -8,6 +8,7 @@
 #include "host_sim/user_error.hpp"
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
+#include "platform/threads/thread_workers.hpp"
 #include "render_core/base/hash.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/gl/readback.hpp"
@@ -110,6 +111,14 @@ void DisplaySession::open_surface(const platform::SurfaceSettings& settings, con
         throw UserError("the drawing surface cannot be made current; try another --gl, or another screen for --window");
 }
 
+base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& settings) {
+    if (!display::Display::asks_for_rays(settings)) return nullptr;
+    auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
+    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
+    workers_ = std::move(workers.value());
+    return workers_.get();
+}
+
 void DisplaySession::start_display(const display::DisplaySettings& settings, const PictureOptions& options) {
     const std::string device = resolve_config(options.device, "devices");
     auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
@@ -117,7 +126,8 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
     display::TerrainInput terrain;
-    if (!options.terrain.empty()) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact};
+    if (!options.terrain.empty())
+        terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact, trace_workers(settings)};
     const gl::GlError error =
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
     display_->force_effects(options.force_effects);

@@ -64,6 +64,7 @@ private:
     void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
     void open_terrain(const std::string& path);
     void open_scene(const std::string& path);
+    [[nodiscard]] base::Workers* trace_workers(const display::DisplaySettings& settings);
     void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
     void read_back();
     void hold_deadline(const PictureOptions& options);
@@ -73,6 +74,7 @@ private:
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
     std::unique_ptr<base::AsyncReader> terrain_reader_;
+    std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
     platform::FileByteSource scene_file_;
     std::unique_ptr<display::Display> display_;
     std::vector<std::uint8_t> pixels_;

@@ -228,7 +228,9 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                        {"worst_chunk", text(record.terrain.worst_chunk.view())},
                        {"triangles", record.terrain.triangles},
                        {"chunks", record.terrain.chunks},
-                       {"pending", record.terrain.pending}};
+                       {"pending", record.terrain.pending},
+                       {"renderer", text(record.terrain.renderer.view())},
+                       {"renderer_reason", text(record.terrain.renderer_reason.view())}};
     if (result.has_layers) {
         json["layers"] = display::kPictureLayerNames;
         json["obstacles"] = obstacles_json(result.obstacles);

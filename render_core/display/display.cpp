@@ -52,7 +52,9 @@ gl::GlError Display::start_drawing(const TerrainInput& terrain) {
                 static_cast<void>(designs.try_push_back(drawn));
     if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
     if (terrain.file == nullptr) return {};
-    return terrain_.start(gl_, terrain, designs, settings_.device, memory_.terrain());
+    return terrain_.start(
+        gl_, terrain, designs, settings_.device, memory_.terrain(),
+        {terrain.workers, &memory_.traced_terrain(), settings_.width_px + 2 * stereo_margin_px(design_), settings_.height_px});
 }
 
 gl::GlError Display::start_data(base::ByteSource* scene) {
@@ -339,12 +341,14 @@ void Display::plan_terrain() {
     if (eyes_.base_m > 0)
         for (const draw::EyeSide side : draw::kEyeSides)
             terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);
+    if (terrain_.is_traced()) plan = as_traced(plan);
     if (!plan.lod.within_budget) {
         give_up_terrain(TerrainSource::over_budget);
         return;
     }
     terrain_has_void_ = plan.has_void;
     note_terrain(plan, record_);
+    note_renderer(settings_.design.terrain.renderer, terrain_.trace_state(), record_);
     // What budgets leave is the best there will be, and is said to be coarse.
     if (plan.pending != 0 && plan.lod.worst_waiting_px > settings_.design.degradation.terrain_removed_px) {
         give_up_terrain(TerrainSource::too_coarse);

@@ -72,6 +72,9 @@ public:
         return DisplayMemory::bytes_needed(device.budget);
     }
 
+    /// Whether a design asks for traced terrain: workers make it faster (TerrainInput).
+    [[nodiscard]] static bool asks_for_rays(const DisplaySettings& settings);
+
     /// Plans the frame for `now`. Pure planning: no GL. `way`: null where nobody keeps it.
     /// It must stay until the frame is drawn.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,

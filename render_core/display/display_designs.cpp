@@ -37,6 +37,14 @@ gl::GlError Display::take_designs(const DisplaySettings& settings) {
     return {};
 }
 
+bool Display::asks_for_rays(const DisplaySettings& settings) {
+    bool asks = settings.design.terrain.renderer == design::TerrainRenderer::trace;
+    const std::size_t count = settings.phases != nullptr ? settings.phases->size() : 0;
+    for (std::size_t place = 1; place <= count; ++place)
+        asks = asks || settings.phases->at(place).terrain.renderer == design::TerrainRenderer::trace;
+    return asks;
+}
+
 draw::DrawnDesign Display::drawn_design(const design::DesignSettings& design, bool has_focus) const {
     return draw::drawn_as(design, settings_.device.capability.depth24_targets, has_focus);
 }

@@ -21,7 +21,8 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kSceneSlices, &DisplayMemory::slices_},
                                                      {effects::kSceneSolids, &DisplayMemory::solids_},
                                                      {effects::kSceneGlyphs, &DisplayMemory::glyphs_},
-                                                     {effects::kSceneBillboards, &DisplayMemory::billboards_}};
+                                                     {effects::kSceneBillboards, &DisplayMemory::billboards_},
+                                                     {effects::kTracedTerrain, &DisplayMemory::traced_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
     return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;
@@ -30,6 +31,7 @@ std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
 gl::GlError DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& reservation) {
     for (const Part& part : kParts) {
         const base::BudgetLine* line = budget.find(part.line);
+        if (line == nullptr) continue;
         base::Arena& arena = this->*part.arena;
         arena = reservation.carve(static_cast<std::size_t>(line->bytes));
         if (arena.use().capacity != line->bytes)
@@ -40,7 +42,8 @@ gl::GlError DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& res
 }
 
 void DisplayMemory::note_use(base::BudgetTable& budget) const {
-    for (const Part& part : kParts) budget.find(part.line)->use = (this->*part.arena).use();
+    for (const Part& part : kParts)
+        if (base::BudgetLine* const line = budget.find(part.line); line != nullptr) line->use = (this->*part.arena).use();
 }
 
 }  // namespace tedavis::display

@@ -19,13 +19,16 @@ public:
     /// What a reservation must hold for a table.
     [[nodiscard]] static std::uint64_t bytes_needed(const base::BudgetTable& budget);
 
-    /// The table has all the lines, as every device file has. An empty sentence means success.
+    /// The table has all the lines, as every device file has; but for what is traced, which it may have. An empty sentence means
+    /// success.
     [[nodiscard]] gl::GlError cut(const base::BudgetTable& budget, base::Arena& reservation);
     /// Writes into the lines what their owners have taken.
     void note_use(base::BudgetTable& budget) const;
 
     /// References to the arenas: valid as long as this object.
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
+    /// Empty where the device has no such line.
+    [[nodiscard]] base::Arena& traced_terrain() { return traced_; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
     [[nodiscard]] DataElements::Memory elements() { return {solids_, glyphs_, billboards_}; }
@@ -35,10 +38,10 @@ private:
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[13];
+    static const Part kParts[14];
 
     base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_, glyphs_,
-        billboards_;
+        billboards_, traced_;
 };
 
 }  // namespace tedavis::display

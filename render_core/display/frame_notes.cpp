@@ -81,6 +81,14 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
     terrain.worst_chunk.append(gl::digits(worst.j).view());
 }
 
+void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record) {
+    const auto drawn = state == draw::TraceState::traced ? design::TerrainRenderer::trace : design::TerrainRenderer::raster;
+    record.terrain.renderer = Name(design::kTerrainRendererNames[static_cast<std::size_t>(drawn)]);
+    if (drawn == asked) return;
+    record.terrain.renderer_reason.append(draw::reason_of(state));
+    flag("terrain.not_traced", record);
+}
+
 void note_elements(const ElementReports& reports, FrameRecord& record) {
     for (const ElementReport& report : reports) {
         if (report.state != ElementState::shown && report.state != ElementState::not_measured) flag("data.missing", record);

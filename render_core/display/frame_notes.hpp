@@ -16,6 +16,8 @@ void flag(std::string_view name, FrameRecord& record);
 
 /// Asks for record.terrain.tau_px. Triangles are those planned until note_drawn().
 void note_terrain(const TerrainPlan& plan, FrameRecord& record);
+/// With the flag terrain.not_traced where rays were asked for and triangles are drawn.
+void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record);
 /// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.

@@ -52,7 +52,9 @@ struct TerrainRecord {
     Name limit;                 ///< what kept it from tau: "met", "triangles", "not_arrived" ...
     std::uint32_t triangles = 0;
     std::uint32_t chunks = 0;
-    std::uint32_t pending = 0;  ///< wanted but not there yet; their coarser parents are drawn
+    std::uint32_t pending = 0;              ///< wanted but not there yet; their coarser parents are drawn
+    Name renderer;                          ///< what draws it; empty where none is drawn
+    base::FixedString<63> renderer_reason;  ///< why it is not the one that the design names
 };
 
 struct ViewRecord {

@@ -14,6 +14,16 @@ void draw_terrain(gl::Gl& gl, const PassInput& input, const draw::DepthRange& ra
     gl->Disable(GL_CULL_FACE);
 }
 
+void draw_terrain_depths(gl::Gl& gl, const PassInput& input, const draw::DepthRange& range) {
+    draw::TerrainDrawResult not_counted;
+    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->Enable(GL_CULL_FACE);
+    input.terrain.draw_depths(gl, make_terrain_input(input.frame), range, not_counted);
+    gl->Disable(GL_CULL_FACE);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 /// Terrain whose alpha serves light shafts or blur round foci alone needs no pass of its own.
 bool is_off_screen(const draw::DrawnDesign& design) {
     const bool serves_effects = design.output == draw::TerrainOutput::color_and_distance &&
@@ -187,11 +197,14 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
     place.bind(gl);
     const bool shows_terrain = input.frame.decisions.show_terrain;
     const bool off_screen = shows_terrain && goes_off_screen_;
-    if (off_screen)
+    const bool is_traced = off_screen && input.terrain.is_traced();
+    if (off_screen && !is_traced)
         picture_.begin(gl);
     else
         gl->Clear(GL_DEPTH_BUFFER_BIT);
-    if (shows_terrain)
+    if (is_traced)
+        input.terrain.draw_traced(gl, make_terrain_input(input.frame), picture_.scene());
+    else if (shows_terrain)
         draw_ranges(gl, input, drawn);
     else
         sky_.draw(gl, make_sky_input(input.frame));
@@ -224,12 +237,9 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
 /// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
 void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input) {
     const draw::DepthPlan depth = input.terrain.depth_plan(input.frame.eye.view);
-    draw::TerrainDrawResult depths_only;
     for (std::size_t n = 0; n < depth.count; ++n) {
         gl->Clear(GL_DEPTH_BUFFER_BIT);
-        gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        draw_terrain(gl, input, depth.ranges[n], depths_only);
-        gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        draw_terrain_depths(gl, input, depth.ranges[n]);
         if (n > 0) picture_.repaint(gl, input.frame.design, picture_input(input));
         input.elements.draw(gl, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);

@@ -67,6 +67,15 @@ gl::GlError database_error(const terrain::TdbFailure& failure) {
 
 }  // namespace
 
+TerrainPlan as_traced(TerrainPlan plan) {
+    plan.lod.reason = terrain::LodStop::met;
+    plan.lod.triangles = 0;
+    plan.lod.within_budget = true;
+    plan.lod.worst_chunk = terrain::kNoChunk;
+    plan.lod.worst_error_px = plan.lod.worst_coarse_px = plan.lod.worst_waiting_px = plan.lod.tau_reached_px = 0;
+    return plan;
+}
+
 std::string_view database_fault(std::string_view sentence) { return base::text_behind(kOfDatabase, sentence); }
 
 std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device) {
@@ -74,7 +83,7 @@ std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device
 }
 
 gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
-                                effects::DeviceSettings& device, const TerrainMemory& memory) {
+                                effects::DeviceSettings& device, const TerrainMemory& memory, const draw::TracePlace& traced) {
     device_ = &device;
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
     if (!opened.ok()) return database_error(opened.error());
@@ -85,8 +94,38 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::Dra
     if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
     if (gl::GlError error = drawer_.start(gl, store_, designs, device, memory.staging); !error.sentence.empty()) return error;
     store_.fetch_attributes(drawer_.reads_pages());
+    if (gl::GlError error = start_tracing(gl, designs, traced); !error.sentence.empty()) return error;
     started_ = true;
     return {};
+}
+
+/// Only where a design can be traced is anything kept for it.
+gl::GlError TerrainScene::start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place) {
+    gl::GlError error;
+    for (const draw::DrawnDesign& drawn : designs)
+        if (draw::trace_state_of(drawn) == draw::TraceState::traced && traced_.state() == draw::TraceState::not_asked_for)
+            error = traced_.start(gl, database_, heights_, *device_, place);
+    follow_trace(designs[0]);
+    return error;
+}
+
+void TerrainScene::follow_trace(const draw::DrawnDesign& design) {
+    design_trace_ = draw::trace_state_of(design);
+    if (design_trace_ == draw::TraceState::traced) design_trace_ = traced_.state();
+    trace_ = design_trace_;
+    if (is_traced()) design_ = *design.design;
+}
+
+void TerrainScene::follow_trace(const terrain::View& view) {
+    const bool is_lost = design_trace_ == draw::TraceState::traced && !traced_.can_see(view);
+    trace_ = is_lost ? draw::TraceState::place_too_polar : design_trace_;
+}
+
+bool TerrainScene::shows(const draw::DrawnDesign& design) const {
+    if (!started_) return true;
+    const bool is_new_to_rays =
+        draw::trace_state_of(design) == draw::TraceState::traced && traced_.state() == draw::TraceState::not_asked_for;
+    return drawer_.shows(design) && !is_new_to_rays;
 }
 
 /// Pages are read only where a style shows them.
@@ -126,10 +165,15 @@ gl::GlError TerrainScene::start_selection(base::Arena& lod) {
 }
 
 void TerrainScene::set_design(gl::Gl& gl, const draw::DrawnDesign& design) {
-    if (started_) drawer_.set_design(gl, design);
+    if (!started_) return;
+    drawer_.set_design(gl, design);
+    follow_trace(design);
 }
 
-void TerrainScene::destroy(gl::Gl& gl) { drawer_.destroy(gl); }
+void TerrainScene::destroy(gl::Gl& gl) {
+    traced_.destroy(gl);
+    drawer_.destroy(gl);
+}
 
 terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double longitude_rad) {
     return heights_.at(latitude_rad, longitude_rad);
@@ -167,6 +211,7 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     store_.begin_frame();
     TerrainPlan plan;
     terrain::View view = eye.view;
+    follow_trace(view);
     plan.is_unmagnified = !view.magnifiers.empty() && !can_magnify(view, lod);
     if (plan.is_unmagnified) view.magnifiers.clear();
     const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(view)), needed_soon(lod, parts_in_view()),
@@ -263,10 +308,28 @@ void TerrainScene::rest() {
     chunks_ = 0;
 }
 
-bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) { return drawer_.prepare(gl, selected(), input); }
+bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) {
+    return is_traced() || drawer_.prepare(gl, selected(), input);
+}
 
 void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
                         draw::TerrainDrawResult& result) {
+    drawer_.draw(gl, selected(), input, range, result);
+}
+
+/// Rays end behind the last of the terrain.
+draw::TerrainDrawInput TerrainScene::no_farther(draw::TerrainDrawInput input) const {
+    input.view.far_m = depth_plan(input.view).ranges[0].far_m;
+    return input;
+}
+
+void TerrainScene::draw_traced(gl::Gl& gl, const draw::TerrainDrawInput& input, const gl::Texture& picture) {
+    traced_.draw(gl, design_, no_farther(input), picture);
+}
+
+void TerrainScene::draw_depths(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
+                               draw::TerrainDrawResult& result) {
+    if (is_traced()) return traced_.draw_depths(gl, no_farther(input), range);
     drawer_.draw(gl, selected(), input, range, result);
 }
 

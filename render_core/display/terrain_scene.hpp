@@ -8,10 +8,12 @@
 
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/ports/byte_source.hpp"
+#include "render_core/base/ports/workers.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/draw/traced_terrain.hpp"
 #include "render_core/terrain/drawn_sight.hpp"
 #include "render_core/terrain/near_ground.hpp"
 
@@ -22,6 +24,7 @@ struct TerrainInput {
     base::ByteSource* file = nullptr;
     base::AsyncReader* reader = nullptr;  ///< of the same file, with reader_tickets() tickets
     terrain::ArrivalMode arrival = terrain::ArrivalMode::exact;
+    base::Workers* workers = nullptr;  ///< for terrain that is traced; null: the display's own thread
 };
 
 /// By budget line.
@@ -47,6 +50,9 @@ struct TerrainPlan {
     bool is_unmagnified = false;  ///< the view's magnifiers left no room for it, and it is planned without
 };
 
+/// The same where the terrain is traced: everything that the database has is drawn, whatever has arrived of its chunks.
+[[nodiscard]] TerrainPlan as_traced(TerrainPlan plan);
+
 /// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
 [[nodiscard]] std::string_view database_fault(std::string_view sentence);
 
@@ -54,12 +60,13 @@ class TerrainScene final : public terrain::DrawnMeshes {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
 
-    /// For designs that follow one another; the first is drawn first.
+    /// For designs that follow one another; the first is drawn first. `traced`: where terrain is traced, if a design wants it.
     [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
-                                    effects::DeviceSettings& device, const TerrainMemory& memory);
+                                    effects::DeviceSettings& device, const TerrainMemory& memory,
+                                    const draw::TracePlace& traced = {});
     [[nodiscard]] bool is_started() const { return started_; }
     /// Whether what start() built shows a design, too.
-    [[nodiscard]] bool shows(const draw::DrawnDesign& design) const { return !started_ || drawer_.shows(design); }
+    [[nodiscard]] bool shows(const draw::DrawnDesign& design) const;
     /// From here on this design, which shows() has said it can.
     void set_design(gl::Gl& gl, const draw::DrawnDesign& design);
     void destroy(gl::Gl& gl);
@@ -67,6 +74,9 @@ public:
     [[nodiscard]] DrapeState drape(const design::TerrainStyle& style) const {
         return needs_map(style, design::BakedMap::drape) ? drape_ : DrapeState::not_asked_for;
     }
+    /// What becomes of tracing in the planned frame, where the design that is drawn wants it.
+    [[nodiscard]] draw::TraceState trace_state() const { return trace_; }
+    [[nodiscard]] bool is_traced() const { return trace_ == draw::TraceState::traced; }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
 
@@ -83,7 +93,13 @@ public:
     void rest();
     /// Uploads what is new. False when nothing of the terrain may be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, const draw::TerrainDrawInput& input);
+    /// Not where it is traced.
     void draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& result);
+    /// Where it is traced: its codes, into a picture.
+    void draw_traced(gl::Gl& gl, const draw::TerrainDrawInput& input, const gl::Texture& picture);
+    /// The depths of what was drawn; colours are nothing.
+    void draw_depths(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
+                     draw::TerrainDrawResult& result);
 
     /// Depth of the farthest point that is drawn; 0 when nothing is.
     [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
@@ -115,6 +131,10 @@ private:
     void decide_drape();
     [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye,
                                                     double tau_factor) const;
+    [[nodiscard]] gl::GlError start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place);
+    void follow_trace(const draw::DrawnDesign& design);
+    void follow_trace(const terrain::View& view);
+    [[nodiscard]] draw::TerrainDrawInput no_farther(draw::TerrainDrawInput input) const;
     [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
     [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
 
@@ -124,6 +144,10 @@ private:
     terrain::HeightQuery heights_;
     terrain::LodSelector selector_;
     draw::TerrainDrawer drawer_;
+    draw::TracedTerrain traced_;
+    draw::TraceState design_trace_ = draw::TraceState::not_asked_for;  ///< of the design that is drawn
+    draw::TraceState trace_ = draw::TraceState::not_asked_for;         ///< of it from the planned eye
+    design::DesignSettings design_;                                    ///< that is drawn, where it is traced
     base::Span<terrain::SelectedChunk> selected_;
     base::Span<terrain::WantedChunk> wanted_;
     DrapeState drape_ = DrapeState::not_asked_for;

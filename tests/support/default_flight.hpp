@@ -90,7 +90,8 @@ public:
         : HeadlessDisplay(backend, shipped_device(device), width, height, terrain, design, wrap, scene) {}
     HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
                     base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is,
-                    base::ByteSource* scene = nullptr, const design::PhaseDesigns* phases = nullptr) {
+                    base::ByteSource* scene = nullptr, const design::PhaseDesigns* phases = nullptr,
+                    base::Workers* workers = nullptr) {
         display::DisplaySettings settings;
         settings.device = device;
         settings.design = design;
@@ -109,7 +110,7 @@ public:
         display::TerrainInput input;
         if (terrain != nullptr) {
             reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
-            input = {terrain, reader_.get(), terrain::ArrivalMode::exact};
+            input = {terrain, reader_.get(), terrain::ArrivalMode::exact, workers};
         }
         const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, input, scene);
         if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());

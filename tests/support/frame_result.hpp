@@ -20,7 +20,16 @@ inline host_sim::FrameResult frame_result(std::uint64_t frame, double time_s) {
     record.heading_rad = base::radians(270);
     record.pitch_rad = base::radians(5);
     record.roll_rad = base::radians(-10);
-    record.terrain = {1, 0.75, base::FixedString<31>("2/3/4"), 1.5, display::Name("triangles"), 12345, 67, 8};
+    record.terrain = {1,
+                      0.75,
+                      base::FixedString<31>("2/3/4"),
+                      1.5,
+                      display::Name("triangles"),
+                      12345,
+                      67,
+                      8,
+                      display::Name("raster"),
+                      base::FixedString<63>("the device's lane is es2")};
     record.bytes = {100, 200, 1000, 2000, 50};
     result.hash = 0x0123456789abcdefu;
     result.timing = {1, 2, 3};

@@ -41,7 +41,9 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
                                      {"worst_chunk", "2/3/4"},
                                      {"triangles", 12345},
                                      {"chunks", 67},
-                                     {"pending", 8}}));
+                                     {"pending", 8},
+                                     {"renderer", "raster"},
+                                     {"renderer_reason", "the device's lane is es2"}}));
     EXPECT_EQ(json["view"], Json({{"mode", "3d"}, {"transition", 1.0}}));
     EXPECT_EQ(json["bytes"], Json({{"cpu", 100}, {"gpu", 200}, {"cpu_budget", 1000}, {"gpu_budget", 2000}, {"uploaded", 50}}));
     EXPECT_EQ(json["ms"], Json({{"plan", 1}, {"draw", 2}, {"total", 3}}));

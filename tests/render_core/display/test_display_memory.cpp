@@ -45,6 +45,22 @@ TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
     for (const auto& [arena, line] : arenas) EXPECT_EQ(arena->use().capacity, cut.line(line)) << line;
 }
 
+TEST(DisplayMemory, HasRoomForTracedTerrainWhereTheDeviceHas) {
+    Cut without(DisplayMemory::bytes_needed(small_budget()));
+    EXPECT_EQ(without.memory.traced_terrain().use().capacity, 0u);
+    base::BudgetTable budget = test_support::shipped_device("es3-mid").budget;
+    for (const base::BudgetLine& line : budget.lines()) budget.find(line.name.view())->bytes = 64;
+    budget.find(effects::kTracedTerrain)->bytes = 4096;
+    std::vector<std::uint8_t> block(DisplayMemory::bytes_needed(budget));
+    base::Arena reservation(block.data(), block.size());
+    DisplayMemory memory;
+    ASSERT_EQ(memory.cut(budget, reservation).sentence.view(), "");
+    EXPECT_EQ(memory.traced_terrain().use().capacity, 4096u);
+    static_cast<void>(memory.traced_terrain().allocate(300, 4));
+    memory.note_use(budget);
+    EXPECT_EQ(budget.find(effects::kTracedTerrain)->use.in_use, 300u);
+}
+
 TEST(DisplayMemory, TheTableSaysWhatWasTakenOfEachLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
     static_cast<void>(cut.memory.terrain().lod.allocate(300, 4));

@@ -36,6 +36,27 @@ TEST(FrameNotes, AFlagIsRaisedOnce) {
     EXPECT_EQ(record.flags.size(), 2u);
 }
 
+TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
+    using design::TerrainRenderer;
+    FrameRecord traced, drawn, instead;
+    note_renderer(TerrainRenderer::trace, draw::TraceState::traced, traced);
+    note_renderer(TerrainRenderer::raster, draw::TraceState::not_asked_for, drawn);
+    note_renderer(TerrainRenderer::trace, draw::TraceState::database_too_large, instead);
+    EXPECT_EQ(traced.terrain.renderer.view(), "trace");
+    EXPECT_EQ(drawn.terrain.renderer.view(), "raster");
+    EXPECT_EQ(instead.terrain.renderer.view(), "raster");
+    for (const FrameRecord* record : {&traced, &drawn}) {
+        EXPECT_TRUE(record->terrain.renderer_reason.empty());
+        EXPECT_FALSE(has_flag(*record, "terrain.not_traced"));
+    }
+    EXPECT_TRUE(has_flag(instead, "terrain.not_traced"));
+    for (int state = 0; state <= static_cast<int>(draw::TraceState::place_too_polar); ++state) {
+        FrameRecord record;
+        note_renderer(TerrainRenderer::trace, static_cast<draw::TraceState>(state), record);
+        EXPECT_FALSE(record.terrain.renderer_reason.cut()) << "whole: " << state;
+    }
+}
+
 TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
     FrameRecord record;
     record.terrain.tau_px = 1;

@@ -133,6 +133,30 @@ TEST(TerrainScene, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
     EXPECT_EQ(database_fault(stage.error.sentence.view()).find("has a damaged header (offset 0); get a whole copy"), 0u);
 }
 
+TEST(TerrainScene, TracedTerrainHasNoErrorWhateverHasArrived) {
+    Stage stage(plain_design());
+    const TerrainPlan plan = stage.scene.plan(eye_at(96, 96, 2600, 40, -15), plain_design());
+    EXPECT_GT(plan.lod.worst_error_px, 0);
+    const TerrainPlan traced = as_traced(plan);
+    EXPECT_EQ(traced.lod.worst_error_px, 0);
+    EXPECT_EQ(traced.lod.worst_waiting_px, 0);
+    EXPECT_EQ(traced.lod.worst_coarse_px, 0);
+    EXPECT_EQ(traced.lod.reason, terrain::LodStop::met);
+    EXPECT_TRUE(traced.lod.within_budget);
+    EXPECT_EQ(traced.lod.chunks, plan.lod.chunks);
+    EXPECT_EQ(traced.pending, plan.pending) << "of what else reads chunks";
+}
+
+TEST(TerrainScene, RaysThatCannotBeLeaveTriangles) {
+    design::DesignSettings design = plain_design();
+    EXPECT_EQ(Stage(design).scene.trace_state(), draw::TraceState::not_asked_for);
+    design.terrain.renderer = design::TerrainRenderer::trace;
+    Stage stage(design);
+    ASSERT_EQ(stage.error.sentence.view(), "");
+    EXPECT_EQ(stage.scene.trace_state(), draw::TraceState::not_by_style) << "the stage's programs write colours";
+    EXPECT_TRUE(stage.shows(plain_design()));
+}
+
 TEST(TerrainScene, CoarserFirstThenRefinedToTau) {
     Stage stage(plain_design());
     const Eye eye = eye_at(96, 96, 2600, 40, -15);
