@@ -75,7 +75,7 @@ struct GroundWork {
 };
 
 template <class Height>
-void trace_tile_of(void* context, std::uint32_t tile) {
+void ground_tile_of(void* context, std::uint32_t tile) {
     const auto& work = *static_cast<const GroundWork<Height>*>(context);
     trace_ground_tile(work.ground, work.tiles.left(tile), work.tiles.top(tile), *work.picture);
 }
@@ -154,7 +154,7 @@ void trace_ground(const TracedField<Height>& field, const GroundSpace& space, co
     TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
     TEDAVIS_CHECK(can_trace(space, view));
     GroundWork<Height> work{{field, space, view, kernel}, {view.width, view.height}, &picture};
-    workers.parallel_for(work.tiles.count(), trace_tile_of<Height>, &work);
+    workers.parallel_for(work.tiles.count(), ground_tile_of<Height>, &work);
 }
 
 template void trace_ground(const TracedField<std::int16_t>&, const GroundSpace&, const terrain::View&,
