@@ -38,8 +38,7 @@ template <class Height>
 void trace_view(const TracedField<Height>& field, const GridCamera& camera, const ViewKernel<Height>& kernel,
                 base::Workers& workers, std::uint32_t width, std::uint32_t height, const HitPicture& picture) {
     const std::size_t pixels = std::size_t{width} * height;
-    TEDAVIS_CHECK(picture.t.size() == pixels && picture.cell.size() == pixels && picture.side.size() == pixels);
-    TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
+    TEDAVIS_CHECK(has_pixels(picture, pixels));
     ViewWork<Height> work{{&field, &camera, width, height, picture, {}, false}, &kernel, {width, height}};
     const auto lanes = static_cast<std::uint32_t>(kernel.lanes);
     if (!is_in_reach(camera.origin))

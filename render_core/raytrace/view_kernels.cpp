@@ -1,5 +1,7 @@
 #include "render_core/raytrace/view_kernels.hpp"
 
+#include <algorithm>
+
 #include "render_core/raytrace/kernel/view_kernel_list.hpp"
 #include "render_core/raytrace/kernel/view_slopes.hpp"
 
@@ -35,14 +37,20 @@ base::Span<const ViewKernel<Height>> view_kernels() {
     return base::Span<const ViewKernel<Height>>(kKernels).subspan(first, std::size(kKernels) - first);
 }
 
+bool has_pixels(const HitPicture& picture, std::size_t pixels) {
+    const auto fits = [pixels](std::size_t size) { return size == 0 || size == pixels; };
+    return picture.t.size() == pixels && fits(picture.cell.size()) && fits(picture.side.size()) && fits(picture.u.size()) &&
+           picture.u.size() == picture.v.size();
+}
+
 void clear_pixels(const HitPicture& picture, std::uint32_t width, std::uint32_t left, std::uint32_t top, std::uint32_t right,
                   std::uint32_t bottom) {
-    for (std::uint32_t y = top; y < bottom; ++y)
-        for (std::size_t at = std::size_t{y} * width + left; at < std::size_t{y} * width + right; ++at) {
-            picture.t[at] = std::numeric_limits<float>::infinity();
-            picture.cell[at] = HitPicture::kNoCell;
-            picture.side[at] = HitSide::none;
-        }
+    for (std::uint32_t y = top; y < bottom; ++y) {
+        const std::size_t first = std::size_t{y} * width + left, count = right - left;
+        std::fill_n(picture.t.data() + first, count, std::numeric_limits<float>::infinity());
+        if (!picture.cell.empty()) std::fill_n(picture.cell.data() + first, count, HitPicture::kNoCell);
+        if (!picture.side.empty()) std::fill_n(picture.side.data() + first, count, HitSide::none);
+    }
 }
 
 template <class Height>
@@ -55,10 +63,10 @@ void trace_pixel(const ViewJob<Height>& job, std::uint32_t x, std::uint32_t y) {
     const Hit hit = trace_ray(*job.field, ray);
     const std::size_t to = std::size_t{y} * job.width + x;
     picture.t[to] = hit.t;
-    picture.side[to] = hit.side;
     const std::uint32_t columns = job.field->grid().columns - 1;
-    picture.cell[to] =
-        hit.side == HitSide::none ? HitPicture::kNoCell : static_cast<std::int32_t>(hit.row * columns + hit.column);
+    const auto cell = static_cast<std::int32_t>(hit.row * columns + hit.column);
+    if (!picture.side.empty()) picture.side[to] = hit.side;
+    if (!picture.cell.empty()) picture.cell[to] = hit.side == HitSide::none ? HitPicture::kNoCell : cell;
     if (picture.u.empty()) return;
     using Axis = RayAxis<ScalarLanes>;
     const ViewOrigin origin = ViewOrigin::of(ray.origin);

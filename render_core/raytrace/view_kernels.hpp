@@ -30,14 +30,14 @@ struct RaySpan {
     float gap = 0;
 };
 
-/// Memory of a picture, borrowed: width x height of each, rows from the top.
+/// Memory of a picture, borrowed: width x height of each, rows from the top. All but t may be empty: nobody asks.
 struct HitPicture {
     static constexpr std::int32_t kNoCell = -1;
 
-    base::Span<float> t;            ///< infinite where nothing is met
-    base::Span<std::int32_t> cell;  ///< row * (columns of cells) + column
-    base::Span<HitSide> side;
-    base::Span<float> u{}, v{};  ///< where in the cell, 0..1 towards higher columns and rows; empty: nobody asks. Only where met
+    base::Span<float> t;              ///< infinite where nothing is met
+    base::Span<std::int32_t> cell{};  ///< row * (columns of cells) + column
+    base::Span<HitSide> side{};
+    base::Span<float> u{}, v{};  ///< where in the cell, 0..1 towards higher columns and rows; only where something is met
 };
 
 /// The size of the tiles in which pictures are traced, pixels.
@@ -62,6 +62,9 @@ struct ViewKernel {
     /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns(); all of a ray.
     void (*trace_columns)(const ViewJob<Height>& job, std::uint32_t group) = nullptr;
 };
+
+/// Whether each of them that is asked for has so many pixels.
+[[nodiscard]] bool has_pixels(const HitPicture& picture, std::size_t pixels);
 
 /// Says that rays of a rectangle of pixels have met nothing.
 void clear_pixels(const HitPicture& picture, std::uint32_t width, std::uint32_t left, std::uint32_t top, std::uint32_t right,

@@ -34,19 +34,16 @@ private:
 
 class OwnPicture {
 public:
-    OwnPicture(std::uint32_t width, std::uint32_t height)
-        : t(std::size_t{width} * height), width_(width), height_(height), cell_(t.size()), side_(t.size()) {}
+    OwnPicture(std::uint32_t width, std::uint32_t height) : t(std::size_t{width} * height), width_(width), height_(height) {}
     void draw(const raytrace::TracedField<std::int16_t>& field, const test_support::TraceCamera& camera, const OwnKernel& kernel,
               base::Workers& workers) {
-        raytrace::trace_view(field, camera.view(), kernel, workers, width_, height_, {t, cell_, side_});
+        raytrace::trace_view(field, camera.view(), kernel, workers, width_, height_, {t});
     }
 
     std::vector<float> t;
 
 private:
     std::uint32_t width_, height_;
-    std::vector<std::int32_t> cell_;
-    std::vector<raytrace::HitSide> side_;
 };
 
 }  // namespace tedavis::bench

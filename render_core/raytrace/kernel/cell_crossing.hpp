@@ -150,8 +150,17 @@ TEDAVIS_LANES_INLINE typename V::Float gap_of(typename V::Float height, typename
     return side == HitSide::below ? surface - height : height - surface;
 }
 
+/// Which of the rays that are met as they enter, of those asked, are on the other side by more than an edge of the surface may be
+/// off.
+template <class V>
+TEDAVIS_LANES_INLINE typename V::Mask is_beyond(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Float height_in,
+                                                typename V::Float in, typename V::Mask is_met_in, typename V::Mask asked) {
+    if (!V::any(is_met_in & asked)) return V::mask(0);  // but for a few rays
+    return in < typename V::Float(0) - seam_tolerance<V>(ray, p, height_in);
+}
+
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p) {
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
@@ -161,7 +170,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
     const typename V::Mask is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
     CellMeeting<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
-    m.is_beyond = in < Float(0) - seam_tolerance<V>(ray, p, height_in);
+    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
     // Linear between the last place on this side and the first on the other.
     const auto is_after = V::without(p.crosses, is_met_before);
     const Float since = V::select(is_after, p.t_middle, p.t_in), gap_since = V::select(is_after, middle, in);
@@ -172,7 +181,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
 
 /// A ray over a bilinear patch has a quadratic gap; it may dip below the surface between two places above it.
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p) {
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
@@ -194,17 +203,17 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
     const auto is_met_in = in <= Float(0);
     CellMeeting<V> m;
     m.is_met = is_met_in | dips | (out <= Float(0));
-    m.is_beyond = in < Float(0) - seam_tolerance<V>(ray, p, height_in);
+    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
     m.t = V::select(is_met_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
     return m;
 }
 
 template <class V, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p) {
+TEDAVIS_LANES_INLINE CellMeeting<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     if constexpr (surface == CellSurface::two_triangles)
-        return meet_triangles<V, side>(ray, p);
+        return meet_triangles<V, side>(ray, p, asked);
     else
-        return meet_patch<V, side>(ray, p);
+        return meet_patch<V, side>(ray, p, asked);
 }
 
 }  // namespace tedavis::raytrace

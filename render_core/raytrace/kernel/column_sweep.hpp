@@ -9,63 +9,42 @@
 #pragma once
 
 #include "render_core/raytrace/kernel/march.hpp"
+#include "render_core/raytrace/kernel/swept_rows.hpp"
 #include "render_core/raytrace/kernel/view_slopes.hpp"
 
 namespace tedavis::raytrace {
 
-/// Where neighbouring columns are: the next row of each, from the steepest.
+/// Where neighbouring columns are: the next ray of each, counted from the steepest.
 template <class V>
 struct ColumnSweep {
     typename V::Float x;
-    typename V::Int row;     ///< of the picture
-    std::int32_t step, end;  ///< to the next row; the row behind the last
-};
+    typename V::Int lane, place;
+    std::int32_t end, mirror, first_row;  ///< the row of place p: (p ^ mirror) + first_row
 
-template <class V>
-TEDAVIS_LANES_INLINE typename V::Float climb_of(const ViewSlopes& slopes, const ColumnSweep<V>& sweep) {
-    using Float = typename V::Float;
-    return DirectionSlope::at<V>(slopes.z, sweep.x, V::to_float(sweep.row) + Float(0.5f));
-}
+    TEDAVIS_LANES_INLINE typename V::Float climb(const ViewSlopes& slopes, const ColumnSweep& sweep) {
+        using Int = typename V::Int;
+        const Int row = (sweep.place ^ Int(sweep.mirror)) + Int(sweep.first_row);
+        return DirectionSlope::at<V>(slopes.z, sweep.x, V::to_float(row) + typename V::Float(0.5f));
+    }
+};
 
 /// Keeps what has been met, and lets the next rays of those columns go on from there.
 template <class V, class Height>
-TEDAVIS_LANES_INLINE void keep_and_go_on(const ViewJob<Height>& job, const ViewSlopes& slopes, std::uint32_t left,
-                                         std::int32_t columns, ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
+TEDAVIS_LANES_INLINE void keep_and_go_on(const ViewSlopes& slopes, std::int32_t columns, SweptRows<V, Height>& rows,
+                                         ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
     using Int = typename V::Int;
-    float t[V::kCount], u[V::kCount], v[V::kCount];
-    std::int32_t cell[V::kCount], row[V::kCount];
-    V::store(t, m.met_t);
-    const bool has_places = !job.picture.u.empty();
-    if (has_places) {
-        V::store(u, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t));
-        V::store(v, RayAxis<V>::place_in(ray.y, m.met_row, m.met_t));
-    }
-    V::store(cell, m.met_row * Int(columns) + m.met_column);
-    V::store(row, sweep.row);
-    const std::uint32_t beyond = V::bits(m.is_beyond);
-    for (std::uint32_t met = V::bits(m.is_met); met != 0; met &= met - 1) {
-        const auto n = static_cast<std::uint32_t>(__builtin_ctz(met));
-        const auto y = static_cast<std::uint32_t>(row[n]);
-        const std::size_t to = std::size_t{y} * job.width + left + n;
-        job.picture.t.data()[to] = t[n];
-        job.picture.cell.data()[to] = cell[n];
-        job.picture.side.data()[to] = HitSide::above;
-        if (has_places) {
-            job.picture.u[to] = u[n];
-            job.picture.v[to] = v[n];
-        }
-        if ((beyond >> n & 1) != 0) trace_pixel(job, left + n, y);
-    }
-    sweep.row = V::select(m.is_met, sweep.row + Int(sweep.step), sweep.row);
-    ray.climb = climb_of(slopes, sweep);
-    m.asks = V::without(m.is_met, sweep.row == Int(sweep.end));
-    m.runs = V::without(m.runs, V::without(m.is_met, m.asks));
+    SweptRows<V, Height>::keep(rows, sweep.place, sweep.lane, ray, m, columns);
+    sweep.place = V::select(m.is_met, sweep.place + Int(1), sweep.place);
+    ray.climb = ColumnSweep<V>::climb(slopes, sweep);
+    const auto ends = sweep.place == Int(sweep.end);
+    m.asks = V::without(m.asks, ends);
+    m.runs = V::without(m.runs, ends);
 }
 
 /// All rays of the columns that ask which meet the cells that they stand before.
 template <class V, class Height, CellSurface surface>
-TEDAVIS_LANES_INLINE void sweep_cells(const ViewJob<Height>& job, const TracedNodes<Height>& nodes, const ViewSlopes& slopes,
-                                      std::uint32_t left, ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
+TEDAVIS_LANES_INLINE void sweep_cells(const TracedNodes<Height>& nodes, const ViewSlopes& slopes, SweptRows<V, Height>& rows,
+                                      ColumnSweep<V>& sweep, RayLanes<V>& ray, March<V>& m) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Axis = RayAxis<V>;
@@ -76,13 +55,17 @@ TEDAVIS_LANES_INLINE void sweep_cells(const ViewJob<Height>& job, const TracedNo
     const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
     m.met_column = column;
     m.met_row = row;
-    while (V::any(m.asks)) {
-        const CellMeeting<V> meeting = meet_surface<V, surface, HitSide::above>(ray, profile);
-        m.is_met = m.asks & meeting.is_met;
+    auto asks = rows.with_room(m.asks, m.runs, sweep.place);
+    while (V::any(asks)) {
+        const CellMeeting<V> meeting = meet_surface<V, surface, HitSide::above>(ray, profile, asks);
+        m.is_met = asks & meeting.is_met;
         m.is_beyond = m.is_met & meeting.is_beyond;
         m.met_t = meeting.t;
-        m.passes = m.passes | V::without(m.asks, m.is_met);
-        keep_and_go_on<V, Height>(job, slopes, left, nodes.columns, sweep, ray, m);
+        const auto passes = V::without(asks, m.is_met);
+        m.passes = m.passes | passes;
+        m.asks = V::without(m.asks, passes);
+        keep_and_go_on<V, Height>(slopes, nodes.columns, rows, sweep, ray, m);
+        asks = rows.with_room(m.asks, m.runs, sweep.place);
     }
 }
 
@@ -93,28 +76,33 @@ void sweep_columns(const ViewJob<Height>& job, const TracedNodes<Height>& nodes,
     using Int = typename V::Int;
     const ViewOrigin origin = ViewOrigin::of(job.camera->origin);
     const ViewSlopes slopes(*job.camera);
-    const std::uint32_t end = left + V::kCount < job.width ? left + V::kCount : job.width;
-    clear_pixels(job.picture, job.width, left, 0, end, job.height);
-    float middle[V::kCount];
-    for (std::uint32_t n = 0; n < V::kCount; ++n) middle[n] = static_cast<float>(left + n) + 0.5f;
-    const auto height = static_cast<std::int32_t>(job.height);
+    const std::uint32_t columns = left + V::kCount < job.width ? V::kCount : job.width - left;
     const bool is_upwards = job.camera->down.z < 0;
-    ColumnSweep<V> sweep{V::load(middle), Int(is_upwards ? height - 1 : 0), is_upwards ? -1 : 1, is_upwards ? -1 : height};
+    SweptRows<V, Height> rows(job, left, columns, is_upwards);
+    float middle[V::kCount];
+    std::int32_t lane[V::kCount];
+    for (std::int32_t n = 0; n < V::kCount; ++n) {
+        middle[n] = static_cast<float>(left + static_cast<std::uint32_t>(n)) + 0.5f;
+        lane[n] = n;
+    }
+    const auto height = static_cast<std::int32_t>(job.height);
+    ColumnSweep<V> sweep{V::load(middle), V::load(lane), Int(0), height, is_upwards ? -1 : 0, is_upwards ? height : 0};
     RayLanes<V> ray = rays_from<V>(origin, RaySpan{});
     ray.x = RayAxis<V>::make(Int(origin.column), Float(origin.column_fraction),
                              DirectionSlope::at<V>(slopes.x, sweep.x, Float(0.5f)));
     ray.y = RayAxis<V>::make(Int(origin.row), Float(origin.row_fraction), DirectionSlope::at<V>(slopes.y, sweep.x, Float(0.5f)));
-    ray.climb = climb_of(slopes, sweep);
-    const std::uint32_t all = end - left == 32 ? ~0u : (1u << (end - left)) - 1;
+    ray.climb = ColumnSweep<V>::climb(slopes, sweep);
+    const std::uint32_t all = columns == 32 ? ~0u : (1u << columns) - 1;
     March<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(all), Int(nodes.layout->top));
     while (V::any(m.runs)) {
-        const auto steps = V::without(m.runs, m.asks);
-        if (2 * __builtin_popcount(V::bits(m.asks)) < __builtin_popcount(V::bits(m.runs))) {
+        const auto asks = rows.with_room(m.asks, m.runs, sweep.place), steps = V::without(m.runs, m.asks);
+        if (V::any(steps) && 2 * __builtin_popcount(V::bits(asks)) < __builtin_popcount(V::bits(asks | steps))) {
             step_node<V, Height, HitSide::above>(nodes, ray, m, steps);
             continue;
         }
-        sweep_cells<V, Height, surface>(job, nodes, slopes, left, sweep, ray, m);
+        sweep_cells<V, Height, surface>(nodes, slopes, rows, sweep, ray, m);
     }
+    rows.finish(sweep.place);
 }
 
 }  // namespace tedavis::raytrace

@@ -28,28 +28,53 @@ struct March {
     Mask passes;  ///< have met nothing in theirs
 };
 
-/// When rays enter the grid and leave it. Those that never do, or only in infinite time, do not run.
+/// The lowest of the mirrored cells of an axis that has so many.
+template <class V>
+TEDAVIS_LANES_INLINE typename V::Int first_cell(const RayAxis<V>& axis, std::int32_t cells) {
+    using Int = typename V::Int;
+    return axis.sign & Int(-cells);
+}
+
+/// When rays enter the grid and leave it; not in which cell. Those that never do, or only in infinite time, do not run.
 template <class V, class Height>
-TEDAVIS_LANES_INLINE March<V> enter(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
-                                    typename V::Mask asked, typename V::Int level) {
+TEDAVIS_LANES_INLINE March<V> enter_times(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
+                                          typename V::Mask asked, typename V::Int level) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Axis = RayAxis<V>;
     constexpr float kNever = 1e29f;
-    const Int none(0), columns(field.columns), rows(field.rows);
-    const Int first_x = V::select(ray.x.sign < none, none - columns, none);
-    const Int first_y = V::select(ray.y.sign < none, none - rows, none);
+    const Int columns(field.columns), rows(field.rows);
+    const Int first_x = first_cell<V>(ray.x, field.columns), first_y = first_cell<V>(ray.y, field.rows);
     const Float in = V::max(from, V::max(Axis::crossing(ray.x, first_x), Axis::crossing(ray.y, first_y)));
     March<V> m;
     m.leaves = V::min(ray.to, V::min(Axis::crossing(ray.x, first_x + columns), Axis::crossing(ray.y, first_y + rows)));
     m.runs = asked & (in < m.leaves) & (in < Float(kNever));
     m.t = V::select(m.runs, in, Float(0));
-    m.column = V::min(V::max(Axis::cell_at(ray.x, m.t), first_x), first_x + columns - Int(1));
-    m.row = V::min(V::max(Axis::cell_at(ray.y, m.t), first_y), first_y + rows - Int(1));
+    m.column = m.row = Int(0);
     m.level = level;
     m.is_met = m.is_beyond = m.asks = m.passes = V::mask(0);
     m.met_t = Float(0);
-    m.met_column = m.met_row = none;
+    m.met_column = m.met_row = Int(0);
+    return m;
+}
+
+/// In which cells they do.
+template <class V, class Height>
+TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+    using Int = typename V::Int;
+    const auto entered = [&m](const RayAxis<V>& axis, std::int32_t cells) TEDAVIS_LANES_LAMBDA {
+        const Int first = first_cell<V>(axis, cells);
+        return V::min(V::max(RayAxis<V>::cell_at(axis, m.t), first), first + Int(cells - 1));
+    };
+    m.column = entered(ray.x, field.columns);
+    m.row = entered(ray.y, field.rows);
+}
+
+template <class V, class Height>
+TEDAVIS_LANES_INLINE March<V> enter(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
+                                    typename V::Mask asked, typename V::Int level) {
+    March<V> m = enter_times<V, Height>(field, ray, from, asked, level);
+    enter_cells<V, Height>(field, ray, m);
     return m;
 }
 
@@ -76,7 +101,7 @@ TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPos
                                            typename V::Int row, typename V::Float t_in, typename V::Float t_out,
                                            typename V::Mask asked, March<V>& m) {
     const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
-    const CellMeeting<V> meeting = meet_surface<V, surface, side>(ray, profile);
+    const CellMeeting<V> meeting = meet_surface<V, surface, side>(ray, profile, asked);
     const auto met = asked & meeting.is_met;
     m.is_met = m.is_met | met;
     m.is_beyond = m.is_beyond | (met & meeting.is_beyond);

@@ -1,6 +1,7 @@
 /// Which pixels of a picture lanes stand for, and what is kept of them.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 
 #include "render_core/raytrace/kernel/march.hpp"
@@ -18,6 +19,26 @@ struct PacketShape {
     static constexpr std::uint32_t row(std::uint32_t lane) { return lane % 16 / 4; }
     static constexpr std::uint32_t kAll = V::kCount == 32 ? ~0u : (1u << (V::kCount % 32)) - 1;
 };
+
+/// The middles of a packet's pixels, from its first corner.
+template <class V>
+struct PacketMiddles {
+    alignas(64) float x[V::kCount]{}, y[V::kCount]{};
+    constexpr PacketMiddles() {
+        for (std::uint32_t n = 0; n < V::kCount; ++n) {
+            x[n] = static_cast<float>(PacketShape<V>::column(n)) + 0.5f;
+            y[n] = static_cast<float>(PacketShape<V>::row(n)) + 0.5f;
+        }
+    }
+};
+
+/// A packet whose rays all meet nothing.
+template <class V, class Height>
+void clear_packet(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) {
+    using Shape = PacketShape<V>;
+    clear_pixels(job.picture, job.width, left, top, std::min(left + Shape::kWidth, job.width),
+                 std::min(top + Shape::kHeight, job.height));
+}
 
 /// A bit for each lane whose pixel is in the picture, and asked.
 template <class V, class Height>
@@ -66,9 +87,9 @@ void keep_packet(const ViewJob<Height>& job, std::int32_t columns, const RayLane
     V::store(number, V::select(m.is_met, m.met_t, Float(__builtin_inff())));
     keep_asked<V>(number, picture.t.data() + to, job.width, asked);
     V::store(cell, V::select(m.is_met, m.met_row * Int(columns) + m.met_column, Int(HitPicture::kNoCell)));
-    keep_asked<V>(cell, picture.cell.data() + to, job.width, asked);
+    if (!picture.cell.empty()) keep_asked<V>(cell, picture.cell.data() + to, job.width, asked);
     for (std::uint32_t n = 0; n < V::kCount; ++n) side[n] = cell[n] < 0 ? HitSide::none : HitSide::above;
-    keep_asked<V>(side, picture.side.data() + to, job.width, asked);
+    if (!picture.side.empty()) keep_asked<V>(side, picture.side.data() + to, job.width, asked);
     if (!picture.u.empty()) {
         V::store(number, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t));
         keep_asked<V>(number, picture.u.data() + to, job.width, asked);

@@ -1,6 +1,9 @@
 /// A tile of a picture in lanes: its beams, from large to small, and then its rays.
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
+
 #include "render_core/raytrace/kernel/beam_march.hpp"
 #include "render_core/raytrace/kernel/column_sweep.hpp"
 #include "render_core/raytrace/kernel/march_together.hpp"
@@ -9,18 +12,20 @@
 namespace tedavis::raytrace {
 
 /// Sides of beams, in pixels: kBeamSide[0] is found first, each further one starts where the one round it ended.
-inline constexpr int kBeamSizes = 4;
-inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {32, 16, 8, 4};
+inline constexpr int kBeamSizes = 3;
+inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {16, 8, 4};
 /// Steps after which beams of each size are left where they are: those of their rays that get on do so alone.
-inline constexpr int kMostBeamSteps[kBeamSizes] = {100, 100, 20, 12};
-static_assert(kBeamSide[0] == kTileWidth && kBeamSide[0] == kTileHeight);
+inline constexpr int kMostBeamSteps[kBeamSizes] = {150, 12, 8};
 inline constexpr int kMostCells = 16;  ///< that rays pass one by one before they look at larger nodes
 
-/// How far beams of one size got, row by row.
+/// How many beams of a size a tile has.
+constexpr std::uint32_t beams_across(int size) { return kTileWidth / kBeamSide[size]; }
+constexpr std::uint32_t beam_count(int size) { return beams_across(size) * (kTileHeight / kBeamSide[size]); }
+
+/// How far beams of one size got, row by row; lanes write whole.
 struct BeamStarts {
-    static constexpr std::uint32_t kMost = kTileWidth / 4 * (kTileHeight / 4);
-    float t[kMost];
-    std::int32_t level[kMost];  ///< of nodes that they were over last
+    float t[beam_count(kBeamSizes - 1)];
+    std::int32_t level[beam_count(kBeamSizes - 1)];  ///< of nodes that they were over last
 };
 
 template <class V, class Height>
@@ -40,27 +45,31 @@ struct TileWork {
           top(y) {}
 };
 
+/// Lanes for the beams of a size, where a tile has fewer of them.
+template <class V, int size>
+using NarrowFor = std::conditional_t<(beam_count(size) < V::kCount), typename V::Narrow, V>;
+
 /// Beams of one size; `around` are those of the size before, null for the first.
-template <class V, class Height>
-void start_beams(const TileWork<V, Height>& tile, int size, const BeamStarts* around, BeamStarts& beams) {
+template <class V, int size, class Tile>
+void start_beams(const Tile& tile, const BeamStarts* around, BeamStarts& beams) {
     using Float = typename V::Float;
     using Int = typename V::Int;
-    const std::uint32_t side = kBeamSide[size], across = kTileWidth / side, count = across * (kTileHeight / side);
-    const float half = 0.5f * static_cast<float>(side);
-    for (std::uint32_t first = 0; first < count; first += V::kCount) {
+    constexpr std::uint32_t kSide = kBeamSide[size], kAcross = beams_across(size), kCount = beam_count(size);
+    constexpr float kHalf = 0.5f * static_cast<float>(kSide);
+    for (std::uint32_t first = 0; first < kCount; first += V::kCount) {
         float x[V::kCount], y[V::kCount], t[V::kCount];
         std::int32_t level[V::kCount];
         for (std::uint32_t n = 0; n < V::kCount; ++n) {
-            const std::uint32_t at = first + n < count ? first + n : count - 1, column = at % across, row = at / across;
-            x[n] = static_cast<float>(tile.left + column * side) + half;
-            y[n] = static_cast<float>(tile.top + row * side) + half;
-            const std::uint32_t parent = row / 2 * (across / 2) + column / 2;
+            const std::uint32_t at = (first + n) % kCount, column = at % kAcross, row = at / kAcross;
+            x[n] = static_cast<float>(tile.left + column * kSide) + kHalf;
+            y[n] = static_cast<float>(tile.top + row * kSide) + kHalf;
+            const std::uint32_t parent = row / 2 * (kAcross / 2) + column / 2;
             t[n] = around == nullptr ? tile.job.span.from : around->t[parent];
             level[n] = around == nullptr ? tile.nodes.layout->top : around->level[parent];
         }
         const Float at_x = V::load(x), at_y = V::load(y);
         const auto axis = [&](const DirectionSlope& slope) TEDAVIS_LANES_LAMBDA {
-            return BeamAxis<V>::make(DirectionSlope::at<V>(slope, at_x, at_y), Float(DirectionSlope::reach(slope, half)));
+            return BeamAxis<V>::make(DirectionSlope::at<V>(slope, at_x, at_y), Float(DirectionSlope::reach(slope, kHalf)));
         };
         BeamLanes<V> b;
         b.x = axis(tile.slopes.x);
@@ -75,23 +84,19 @@ void start_beams(const TileWork<V, Height>& tile, int size, const BeamStarts* ar
         b.to = Float(tile.job.span.to);
         b.t = V::load(t);
         b.level = V::load(level);
-        march_beams<V, Height>(tile.nodes, b, kMostBeamSteps[size]);
-        V::store(t, b.t);
-        V::store(level, b.level);
-        for (std::uint32_t n = 0; n < V::kCount && first + n < count; ++n) {
-            beams.t[first + n] = t[n];
-            beams.level[first + n] = level[n];
-        }
+        march_beams<V>(tile.nodes, b, kMostBeamSteps[size]);
+        V::store(beams.t + first, b.t);
+        V::store(beams.level + first, b.level);
     }
 }
 
-/// As far as the rays keep together.
+/// As far as the rays keep together; those that go on alone know their cells.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const RayLanes<V>& ray, const ViewOrigin& origin,
                                      March<V>& m) {
     using Float = typename V::Float;
     using Int = typename V::Int;
-    if (!NarrowAxis::is_one_way<V>(ray.x) || !NarrowAxis::is_one_way<V>(ray.y)) return;
+    if (!NarrowAxis::is_one_way<V>(ray.x) || !NarrowAxis::is_one_way<V>(ray.y)) return enter_cells<V, Height>(nodes, ray, m);
     const NarrowAxis x = NarrowAxis::make(V::any(ray.x.sign < Int(0)), origin.column, origin.column_fraction, nodes.columns);
     const NarrowAxis y = NarrowAxis::make(V::any(ray.y.sign < Int(0)), origin.row, origin.row_fraction, nodes.rows);
     const bool is_x_fast = V::most(ray.x.speed) > V::most(ray.y.speed);
@@ -99,7 +104,8 @@ TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const Ray
     const std::int32_t slab = NarrowAxis::cell_at(is_x_fast ? x : y, V::least(begin) * (1 - 1e-6f));
     const std::int32_t next = is_x_fast ? march_slabs<V, Height, surface, true>(nodes, ray, x, y, slab, m)
                                         : march_slabs<V, Height, surface, false>(nodes, ray, y, x, slab, m);
-    if (next == slab || !V::any(m.runs)) return;
+    if (next == slab) return enter_cells<V, Height>(nodes, ray, m);
+    if (!V::any(m.runs)) return;
     const Float since = is_x_fast ? RayAxis<V>::crossing(ray.x, Int(next)) : RayAxis<V>::crossing(ray.y, Int(next));
     m.t = V::select(m.runs, V::max(m.t, since), m.t);
     m.runs = m.runs & (m.t < m.leaves);
@@ -112,25 +118,24 @@ void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std:
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Shape = PacketShape<V>;
-    float x[V::kCount], y[V::kCount], start[V::kCount];
-    bool has_begun = false;
-    for (std::uint32_t n = 0; n < V::kCount; ++n) {
-        const std::uint32_t column = left + Shape::column(n), row = top + Shape::row(n);
-        x[n] = static_cast<float>(column) + 0.5f;
-        y[n] = static_cast<float>(row) + 0.5f;
-        start[n] = beams.t[(row - tile.top) / 4 * (kTileWidth / 4) + (column - tile.left) / 4];
-        has_begun |= start[n] < tile.job.span.to;
+    const float* const starts = beams.t + (top - tile.top) / 4 * (kTileWidth / 4) + (left - tile.left) / 4;
+    Float start(starts[0]);
+    if constexpr (Shape::kWidth > 4) start = V::select(V::mask(~0u << 16), Float(starts[1]), start);
+    if (!(V::least(start) < tile.job.span.to)) {
+        if (!tile.job.goes_on) clear_packet<V, Height>(tile.job, left, top);
+        return;
     }
-    if (!has_begun && tile.job.goes_on) return;
     const std::uint32_t asked = asked_pixels<V>(tile.job, left, top);
     if (asked == 0) return;
-    const Float at_x = V::load(x), at_y = V::load(y);
+    constexpr PacketMiddles<V> kMiddles;
+    const Float at_x = Float(static_cast<float>(left)) + V::load(kMiddles.x);
+    const Float at_y = Float(static_cast<float>(top)) + V::load(kMiddles.y);
     const ViewOrigin& origin = tile.origin;
     RayLanes<V> ray = rays_from<V>(origin, tile.job.span);
     ray.x = RayAxis<V>::make(Int(origin.column), Float(origin.column_fraction), DirectionSlope::at<V>(tile.slopes.x, at_x, at_y));
     ray.y = RayAxis<V>::make(Int(origin.row), Float(origin.row_fraction), DirectionSlope::at<V>(tile.slopes.y, at_x, at_y));
     ray.climb = DirectionSlope::at<V>(tile.slopes.z, at_x, at_y);
-    March<V> m = enter<V, Height>(tile.nodes, ray, V::load(start), V::mask(asked), Int(0));
+    March<V> m = enter_times<V, Height>(tile.nodes, ray, start, V::mask(asked), Int(0));
     if (V::any(m.runs)) march_near<V, Height, surface>(tile.nodes, ray, origin, m);
     if (V::any(m.runs)) march_cells<V, Height, surface, HitSide::above>(tile.nodes, ray, m, kMostCells);
     if (V::any(m.runs)) march_nodes<V, Height, surface, HitSide::above>(tile.nodes, ray, m);
@@ -151,16 +156,15 @@ void trace_packets(const TileWork<V, Height>& tile, const BeamStarts& beams) {
 template <class V, class Height>
 void trace_tile(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) {
     const TileWork<V, Height> tile(job, left, top);
-    BeamStarts beams[2];
-    for (int size = 0; size < kBeamSizes; ++size) {
-        start_beams<V, Height>(tile, size, size == 0 ? nullptr : &beams[(size + 1) % 2], beams[size % 2]);
-        if (size == 0 && job.goes_on && !(beams[0].t[0] < job.span.to)) return;  // all rays of the tile end before they meet
-    }
-    const BeamStarts& smallest = beams[(kBeamSizes - 1) % 2];
+    BeamStarts large, small;
+    start_beams<NarrowFor<V, 0>, 0>(tile, nullptr, small);
+    if (job.goes_on && !(*std::min_element(small.t, small.t + beam_count(0)) < job.span.to)) return;  // no ray ends before
+    start_beams<NarrowFor<V, 1>, 1>(tile, &small, large);
+    start_beams<NarrowFor<V, 2>, 2>(tile, &large, small);
     if (job.field->surface == CellSurface::bilinear)
-        trace_packets<V, Height, CellSurface::bilinear>(tile, smallest);
+        trace_packets<V, Height, CellSurface::bilinear>(tile, small);
     else
-        trace_packets<V, Height, CellSurface::two_triangles>(tile, smallest);
+        trace_packets<V, Height, CellSurface::two_triangles>(tile, small);
 }
 
 /// Columns that lie in vertical planes (is_swept()), V::kCount at a time.

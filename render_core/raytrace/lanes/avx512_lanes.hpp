@@ -10,6 +10,7 @@ namespace tedavis::raytrace {
 
 struct Avx512Lanes {
     static constexpr int kCount = 16;
+    using Narrow = Avx512Lanes;
 
     struct Mask {
         __mmask16 v;
@@ -99,6 +100,12 @@ struct Avx512Lanes {
     TEDAVIS_LANES_INLINE void gather_two(const float* from, Int index, Mask m, Float& first, Float& second) {
         first = gather(from, index, m);
         second = gather(from + 1, index, m);
+    }
+    TEDAVIS_LANES_INLINE void scatter(float* to, Int index, Float value, Mask m) {
+        _mm512_mask_i32scatter_ps(to, m.v, index.v, value.v, 4);
+    }
+    TEDAVIS_LANES_INLINE void scatter(std::int32_t* to, Int index, Int value, Mask m) {
+        _mm512_mask_i32scatter_epi32(to, m.v, index.v, value.v, 4);
     }
 
 private:

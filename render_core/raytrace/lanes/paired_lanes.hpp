@@ -8,6 +8,7 @@ namespace tedavis::raytrace {
 template <class V>
 struct PairedLanes {
     static constexpr int kCount = 2 * V::kCount;
+    using Narrow = V;
 
     // NOLINTBEGIN(bugprone-macro-parentheses): types
 #define TEDAVIS_PAIRED(result, type, op) \
@@ -95,6 +96,14 @@ struct PairedLanes {
     TEDAVIS_LANES_INLINE void gather_two(const Height* from, Int index, Mask m, Wide& first, Wide& second) {
         V::gather_two(from, index.low, m.low, first.low, second.low);
         V::gather_two(from, index.high, m.high, first.high, second.high);
+    }
+    TEDAVIS_LANES_INLINE void scatter(float* to, Int index, Float value, Mask m) {
+        V::scatter(to, index.low, value.low, m.low);
+        V::scatter(to, index.high, value.high, m.high);
+    }
+    TEDAVIS_LANES_INLINE void scatter(std::int32_t* to, Int index, Int value, Mask m) {
+        V::scatter(to, index.low, value.low, m.low);
+        V::scatter(to, index.high, value.high, m.high);
     }
 };
 

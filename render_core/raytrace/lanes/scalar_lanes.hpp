@@ -13,6 +13,7 @@ namespace tedavis::raytrace {
 
 struct ScalarLanes {
     static constexpr int kCount = 1;
+    using Narrow = ScalarLanes;  ///< for fewer than kCount
     using Float = float;
     using Int = std::int32_t;
     using Mask = bool;
@@ -53,6 +54,11 @@ struct ScalarLanes {
     TEDAVIS_LANES_INLINE void gather_two(const Height* from, Int index, Mask m, Wide& first, Wide& second) {
         first = m ? widened(from[index]) : Wide{0};
         second = m ? widened(from[index + 1]) : Wide{0};
+    }
+    /// No two lanes have one index.
+    template <class Value>
+    TEDAVIS_LANES_INLINE void scatter(Value* to, Int index, Value value, Mask m) {
+        if (m) to[index] = value;
     }
 
 private:

@@ -21,6 +21,7 @@ struct VectorOf<8> {
 template <int N>
 struct VectorLanes {
     static constexpr int kCount = N;
+    using Narrow = VectorLanes;
 
     using FloatVector = typename VectorOf<N>::Float;
     using IntVector = typename VectorOf<N>::Int;
@@ -140,6 +141,14 @@ struct VectorLanes {
     TEDAVIS_LANES_INLINE void gather_two(const Height* from, Int index, Mask m, Wide& first, Wide& second) {
         first = gather(from, index, m);
         second = gather(from + 1, index, m);
+    }
+    TEDAVIS_LANES_INLINE void scatter(float* to, Int index, Float value, Mask m) {
+        for (int n = 0; n < N; ++n)
+            if (m.v[n] != 0) to[index.v[n]] = value.v[n];
+    }
+    TEDAVIS_LANES_INLINE void scatter(std::int32_t* to, Int index, Int value, Mask m) {
+        for (int n = 0; n < N; ++n)
+            if (m.v[n] != 0) to[index.v[n]] = value.v[n];
     }
 };
 

@@ -150,8 +150,7 @@ template <class Height>
 void trace_ground(const TracedField<Height>& field, const GroundSpace& space, const terrain::View& view,
                   const ViewKernel<Height>& kernel, base::Workers& workers, const HitPicture& picture) {
     const std::size_t pixels = std::size_t{view.width} * view.height;
-    TEDAVIS_CHECK(picture.t.size() == pixels && picture.cell.size() == pixels && picture.side.size() == pixels);
-    TEDAVIS_CHECK(picture.u.size() == picture.v.size() && (picture.u.empty() || picture.u.size() == pixels));
+    TEDAVIS_CHECK(has_pixels(picture, pixels));
     TEDAVIS_CHECK(can_trace(space, view));
     GroundWork<Height> work{{field, space, view, kernel}, {view.width, view.height}, &picture};
     workers.parallel_for(work.tiles.count(), ground_tile_of<Height>, &work);
