@@ -96,7 +96,7 @@ void sweep_columns(const ViewJob<Height>& job, const TracedNodes<Height>& nodes,
     March<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(all), Int(nodes.layout->top));
     while (V::any(m.runs)) {
         const auto asks = rows.with_room(m.asks, m.runs, sweep.place), steps = V::without(m.runs, m.asks);
-        if (V::any(steps) && 2 * __builtin_popcount(V::bits(asks)) < __builtin_popcount(V::bits(asks | steps))) {
+        if (V::any(steps) && 4 * __builtin_popcount(V::bits(asks)) < 3 * __builtin_popcount(V::bits(asks | steps))) {
             step_node<V, Height, HitSide::above>(nodes, ray, m, steps);
             continue;
         }

@@ -6,8 +6,8 @@
 
 #include "render_core/raytrace/kernel/beam_march.hpp"
 #include "render_core/raytrace/kernel/column_sweep.hpp"
+#include "render_core/raytrace/kernel/loose_rays.hpp"
 #include "render_core/raytrace/kernel/march_together.hpp"
-#include "render_core/raytrace/kernel/packet_pixels.hpp"
 
 namespace tedavis::raytrace {
 
@@ -26,23 +26,6 @@ constexpr std::uint32_t beam_count(int size) { return beams_across(size) * (kTil
 struct BeamStarts {
     float t[beam_count(kBeamSizes - 1)];
     std::int32_t level[beam_count(kBeamSizes - 1)];  ///< of nodes that they were over last
-};
-
-template <class V, class Height>
-struct TileWork {
-    const ViewJob<Height>& job;
-    const TracedNodes<Height> nodes;
-    const ViewOrigin origin;
-    const ViewSlopes slopes;
-    const std::uint32_t left, top;
-
-    TileWork(const ViewJob<Height>& asked, std::uint32_t x, std::uint32_t y)
-        : job(asked),
-          nodes(*asked.field->maxima),
-          origin(ViewOrigin::of(asked.camera->origin)),
-          slopes(*asked.camera),
-          left(x),
-          top(y) {}
 };
 
 /// Lanes for the beams of a size, where a tile has fewer of them.
@@ -114,7 +97,8 @@ TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const Ray
 }
 
 template <class V, class Height, CellSurface surface>
-void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std::uint32_t left, std::uint32_t top) {
+void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std::uint32_t left, std::uint32_t top,
+                  LooseRays<V>& loose) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Shape = PacketShape<V>;
@@ -130,16 +114,13 @@ void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std:
     constexpr PacketMiddles<V> kMiddles;
     const Float at_x = Float(static_cast<float>(left)) + V::load(kMiddles.x);
     const Float at_y = Float(static_cast<float>(top)) + V::load(kMiddles.y);
-    const ViewOrigin& origin = tile.origin;
-    RayLanes<V> ray = rays_from<V>(origin, tile.job.span);
-    ray.x = RayAxis<V>::make(Int(origin.column), Float(origin.column_fraction), DirectionSlope::at<V>(tile.slopes.x, at_x, at_y));
-    ray.y = RayAxis<V>::make(Int(origin.row), Float(origin.row_fraction), DirectionSlope::at<V>(tile.slopes.y, at_x, at_y));
-    ray.climb = DirectionSlope::at<V>(tile.slopes.z, at_x, at_y);
+    const RayLanes<V> ray = tile.rays(at_x, at_y);
     March<V> m = enter_times<V, Height>(tile.nodes, ray, start, V::mask(asked), Int(0));
-    if (V::any(m.runs)) march_near<V, Height, surface>(tile.nodes, ray, origin, m);
+    if (V::any(m.runs)) march_near<V, Height, surface>(tile.nodes, ray, tile.origin, m);
     if (V::any(m.runs)) march_cells<V, Height, surface, HitSide::above>(tile.nodes, ray, m, kMostCells);
-    if (V::any(m.runs)) march_nodes<V, Height, surface, HitSide::above>(tile.nodes, ray, m);
-    keep_packet<V, Height>(tile.job, tile.nodes.columns, ray, m, asked, left, top);
+    const std::uint32_t runs = V::bits(m.runs);
+    if (runs != 0) loose.take(runs, at_x, at_y, m.t, m.level);
+    if (runs != asked) keep_packet<V, Height>(tile.job, tile.nodes.columns, ray, m, asked & ~runs, left, top);
 }
 
 template <class V, class Height, CellSurface surface>
@@ -148,9 +129,11 @@ void trace_packets(const TileWork<V, Height>& tile, const BeamStarts& beams) {
     const ViewJob<Height>& job = tile.job;
     const std::uint32_t right = tile.left + kTileWidth < job.width ? tile.left + kTileWidth : job.width;
     const std::uint32_t bottom = tile.top + kTileHeight < job.height ? tile.top + kTileHeight : job.height;
+    LooseRays<V> loose;
     for (std::uint32_t top = tile.top; top < bottom; top += Shape::kHeight)
         for (std::uint32_t left = tile.left; left < right; left += Shape::kWidth)
-            trace_packet<V, Height, surface>(tile, beams, left, top);
+            trace_packet<V, Height, surface>(tile, beams, left, top, loose);
+    trace_loose<V, Height, surface>(tile, loose);
 }
 
 template <class V, class Height>

@@ -1,0 +1,109 @@
+/// Rays of a tile that no longer keep together: they leave their packets and go on in lanes that are filled again and again, so
+/// that no lane waits long for another (as Wald et al. 2007, "Compacting rays"; what a ray meets does not depend on its company).
+#pragma once
+
+#include "render_core/raytrace/kernel/packet_pixels.hpp"
+#include "render_core/raytrace/kernel/tile_work.hpp"
+
+namespace tedavis::raytrace {
+
+/// Those of one tile: which pixel, how far they have come, and over nodes of which level.
+template <class V>
+struct LooseRays {
+    static constexpr std::uint32_t kMost = kTileWidth * kTileHeight;
+    std::uint32_t count = 0;
+    float x[kMost + V::kCount], y[kMost + V::kCount], t[kMost + V::kCount];  ///< pixels; lanes are read whole
+    std::int32_t level[kMost + V::kCount];
+
+    /// Lanes behind so many that wait are as the first.
+    void fill(std::uint32_t lanes) {
+        for (; lanes < V::kCount; ++lanes) {
+            x[count + lanes] = x[count];
+            y[count + lanes] = y[count];
+            t[count + lanes] = t[count];
+            level[count + lanes] = level[count];
+        }
+    }
+    void take(std::uint32_t lanes, typename V::Float at_x, typename V::Float at_y, typename V::Float at_t,
+              typename V::Int at_level) {
+        float lane_x[V::kCount], lane_y[V::kCount], lane_t[V::kCount];
+        std::int32_t lane_level[V::kCount];
+        V::store(lane_x, at_x);
+        V::store(lane_y, at_y);
+        V::store(lane_t, at_t);
+        V::store(lane_level, at_level);
+        for (; lanes != 0; lanes &= lanes - 1, ++count) {
+            const int n = __builtin_ctz(lanes);
+            x[count] = lane_x[n];
+            y[count] = lane_y[n];
+            t[count] = lane_t[n];
+            level[count] = lane_level[n];
+        }
+    }
+};
+
+/// From node to node, as long as most of the lanes run.
+template <class V, class Height, CellSurface surface>
+TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m, int few) {
+    constexpr int kEnough = V::kCount * 3 / 8 + 1;  // of rays that ask are worth a meeting, which takes some steps' time
+    while (V::any(m.runs)) {
+        const auto steps = V::without(m.runs, m.asks);
+        if (!V::any(steps) || __builtin_popcount(V::bits(m.asks)) >= kEnough) {
+            meet_cells<V, Height, surface, HitSide::above>(field, ray, m);
+            continue;
+        }
+        step_node<V, Height, HitSide::above>(field, ray, m, steps);
+        if (!V::any(m.passes) && __builtin_popcount(V::bits(m.runs)) <= few) return;
+    }
+}
+
+/// Writes what lanes have met to pixels anywhere in the picture.
+template <class V, class Height>
+void keep_scattered(const TileWork<V, Height>& tile, const RayLanes<V>& ray, const March<V>& m, const float* x, const float* y,
+                    std::uint32_t lanes) {
+    using Float = typename V::Float;
+    using Int = typename V::Int;
+    const HitPicture& picture = tile.job.picture;
+    const auto done = V::mask(lanes);
+    const Int column = V::floor_to_int(V::load(x)), row = V::floor_to_int(V::load(y));
+    const Int to = row * Int(static_cast<std::int32_t>(tile.job.width)) + column;
+    const Int cell = V::select(m.is_met, m.met_row * Int(tile.nodes.columns) + m.met_column, Int(HitPicture::kNoCell));
+    V::scatter(picture.t.data(), to, V::select(m.is_met, m.met_t, Float(__builtin_inff())), done);
+    if (!picture.cell.empty()) V::scatter(picture.cell.data(), to, cell, done);
+    if (!picture.u.empty()) {
+        V::scatter(picture.u.data(), to, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t), done);
+        V::scatter(picture.v.data(), to, RayAxis<V>::place_in(ray.y, m.met_row, m.met_t), done);
+    }
+    const std::uint32_t met = V::bits(m.is_met), beyond = V::bits(m.is_beyond);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int n = __builtin_ctz(lanes);
+        const auto pixel_x = static_cast<std::uint32_t>(x[n]), pixel_y = static_cast<std::uint32_t>(y[n]);
+        if (!picture.side.empty())
+            picture.side[std::size_t{pixel_y} * tile.job.width + pixel_x] = (met >> n & 1) != 0 ? HitSide::above : HitSide::none;
+        if ((beyond >> n & 1) != 0) trace_pixel(tile.job, pixel_x, pixel_y);
+    }
+}
+
+template <class V, class Height, CellSurface surface>
+void trace_loose(const TileWork<V, Height>& tile, LooseRays<V>& loose) {
+    constexpr int kFew = V::kCount / 2;
+    while (loose.count > 0) {
+        const std::uint32_t lanes = loose.count < V::kCount ? loose.count : V::kCount;
+        loose.count -= lanes;
+        loose.fill(lanes);
+        const std::uint32_t all = lanes == 32 ? ~0u : (1u << lanes) - 1;
+        float x[V::kCount], y[V::kCount];
+        const auto at_x = V::load(loose.x + loose.count), at_y = V::load(loose.y + loose.count);
+        V::store(x, at_x);
+        V::store(y, at_y);
+        const RayLanes<V> ray = tile.rays(at_x, at_y);
+        March<V> m =
+            enter<V, Height>(tile.nodes, ray, V::load(loose.t + loose.count), V::mask(all), V::load(loose.level + loose.count));
+        march_nodes_together<V, Height, surface>(tile.nodes, ray, m, loose.count > 0 ? kFew : 0);
+        const std::uint32_t runs = V::bits(m.runs);
+        keep_scattered<V, Height>(tile, ray, m, x, y, all & ~runs);
+        if (runs != 0) loose.take(runs, at_x, at_y, m.t, m.level);
+    }
+}
+
+}  // namespace tedavis::raytrace
