@@ -9,9 +9,8 @@ namespace {
 
 constexpr std::uint32_t kRayWords = sizeof(MirroredRay) / sizeof(std::uint32_t);
 constexpr std::uint32_t kPixelWords = 2;  ///< set pixel: first place and end; a pixel to resample has a word to spare
-/// More than the three words that a tile gives: so that only four tiles, whose pixels fit the second cache, are traced before
-/// they are shaded (Segment::fits()).
-constexpr std::uint32_t kOutputsOfPrimary = 2048;
+/// Four tiles are traced before they are shaded: their pixels fit the second cache (Segment::fits()).
+constexpr std::uint32_t kTilesTogether = 1, kWordsLeftByTile = 8192;
 constexpr std::uint32_t kPlainOutputs = kPixelWords + 1;
 /// What a shaded span gives that has remainders: set pixel, rays and pixels to resample.
 constexpr std::uint32_t kMostOutputsOfShade =
@@ -59,7 +58,9 @@ bool TracePicture<Height>::add_tasks() {
     network_ = TaskNetwork();
     const bool has_more = stages_.has_remainders();
     PictureStages made;
-    made.primary = stage_of(this, "primary", kRangeArguments, kOutputsOfPrimary, &TracePicture::run_primary);
+    made.primary = stage_of(this, "primary", kRangeArguments, kPlainOutputs, &TracePicture::run_primary);
+    made.primary.left_words = kWordsLeftByTile;
+    made.primary.most_count = kTilesTogether;
     if (has_more) made.surface = make_range_task("spans", span_steps_, kNoTask);
     made.shade =
         stage_of(this, "shade", kRangeArguments, has_more ? kMostOutputsOfShade : kPlainOutputs, &TracePicture::run_shade);

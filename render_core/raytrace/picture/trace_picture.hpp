@@ -61,7 +61,7 @@ private:
 
     TraceStages<Height> stages_;
     TaskNetwork network_;
-    RangeSteps tile_steps_{1, 32};
+    RangeSteps tile_steps_{1, 2048};
     RangeSteps span_steps_{1, 1024};
     TracePictureTasks tasks_;
     TokenStream stream_;

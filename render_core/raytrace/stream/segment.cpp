@@ -53,7 +53,7 @@ void Segment::add(std::uint32_t call, const CallShape& shape, std::uint32_t kept
         copied_ += shape.arguments;
     }
     words_ += shape.arguments;
-    outputs_ += shape.most_outputs;
+    outputs_ += shape.most_outputs + shape.left_words;
 }
 
 void Segment::run(const TaskNetwork& network, BlockGroup& group) {

@@ -18,6 +18,7 @@ struct CallShape {
     std::uint32_t arguments = 0;
     std::uint32_t most_outputs = 0;
     std::uint32_t growth = 0;
+    std::uint32_t left_words = 0;
 };
 
 class TaskNetwork {
@@ -44,7 +45,8 @@ public:
         const Task& called = tasks_.data()[id];
         if (count == 0 || count > called.most_count) return {};
         const std::uint32_t arguments = called.arguments * count, outputs = called.most_outputs * count;
-        return {true, arguments, outputs, outputs > arguments + 1 ? outputs - arguments - 1 : 0};
+        return {true, arguments, outputs, outputs > arguments + 1 ? outputs - arguments - 1 : 0,
+                called.left_words * count};
     }
 
 private:
