@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "render_core/raytrace/kernel/march.hpp"
+#include "render_core/raytrace/view_kernels.hpp"
 
 namespace tedavis::raytrace {
 

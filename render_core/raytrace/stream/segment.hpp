@@ -36,7 +36,8 @@ private:
     static constexpr std::uint32_t kMostParts = 4;    ///< calls that an item may come to
     static constexpr std::uint32_t kMostArguments = 2 * kMostPatternWords;
     static constexpr std::uint32_t kMostOutputs = kMostOutputWords;
-    static constexpr std::uint32_t kOutputsTogether = 8192;  ///< of items that run together, and what they leave: what the nearest cache holds
+    static constexpr std::uint32_t kOutputsTogether =
+        8192;  ///< of items that run together, and what they leave: what the nearest cache holds
     static constexpr std::uint32_t kMostSteps = 4;
 
     struct Item {

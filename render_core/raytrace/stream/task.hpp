@@ -46,7 +46,7 @@ struct Task {
     BatchFunction run = nullptr;
     void* context = nullptr;  ///< borrowed
     TaskId next = kNoTask;
-    std::uint32_t lanes = 16;      ///< calls that fill the kernel, 1 or more
+    std::uint32_t lanes = 16;  ///< calls that fill the kernel, 1 or more
     /// What a call leaves elsewhere for those that follow it, in words: so few calls run together that it stays in a cache.
     std::uint32_t left_words = 0;
     std::uint32_t most_count = 0;  ///< calls that one token may stand for; 0 for as many as the limits of token.hpp allow

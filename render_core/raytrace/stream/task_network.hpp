@@ -45,8 +45,7 @@ public:
         const Task& called = tasks_.data()[id];
         if (count == 0 || count > called.most_count) return {};
         const std::uint32_t arguments = called.arguments * count, outputs = called.most_outputs * count;
-        return {true, arguments, outputs, outputs > arguments + 1 ? outputs - arguments - 1 : 0,
-                called.left_words * count};
+        return {true, arguments, outputs, outputs > arguments + 1 ? outputs - arguments - 1 : 0, called.left_words * count};
     }
 
 private:
