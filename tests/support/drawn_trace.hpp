@@ -66,7 +66,8 @@ public:
         if (!begin(of_settings)) return false;
         const raytrace::StreamRewriter::Answer answer = picture.rewrite(workers);
         if (!answer.ok()) std::fprintf(stderr, "%s\n", answer.error().c_str());
-        return answer.ok() && answer.value().is_finished;
+        if (answer.ok()) report = answer.value();
+        return answer.ok() && report.is_finished;
     }
     void draw_directly(base::Workers& workers, std::uint32_t of_settings = 0) {
         TEDAVIS_CHECK(begin(of_settings));
@@ -84,6 +85,7 @@ public:
     raytrace::TracedScene<Height> scene;
     raytrace::TracePicture<Height> picture;
     std::vector<std::uint8_t> rgb;
+    raytrace::RewriteReport report;  ///< of the last draw()
 
 private:
     HeightField<Height> posts_;

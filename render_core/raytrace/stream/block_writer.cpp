@@ -1,5 +1,7 @@
 #include "render_core/raytrace/stream/block_writer.hpp"
 
+#include <algorithm>
+
 #include "render_core/raytrace/stream/lowest_bit.hpp"
 
 namespace tedavis::raytrace {
@@ -31,6 +33,9 @@ void BlockWriter::add(std::uint32_t count) {
 
 void BlockWriter::write(const std::uint32_t* words, std::uint32_t count, const std::uint16_t* call_places, std::uint32_t calls,
                         std::uint32_t first) {
+    // So many calls at once are spread over all blocks that may end early, not over the first of them.
+    if (allowance_.early_ends > 0)
+        allowance_.calls_of_early = std::max(allowance_.calls_of_early, calls / (allowance_.early_ends + 1) + 1);
     for (std::uint32_t written = 0, call = 0; written < count;) {
         std::uint32_t now = std::min(count - written, room());
         const std::uint32_t offset = pool_.block(id_).words;

@@ -5,7 +5,8 @@
 
 namespace tedavis::raytrace {
 
-/// What a group's blocks may come to: so many, of which some may end early, behind a call by which they have so many.
+/// What a group's blocks may come to: so many, of which some may end early, behind a call by which they have so many,
+/// or more where many calls are written at once.
 struct BlockAllowance {
     const std::uint32_t* ids = nullptr;  ///< free blocks
     std::uint32_t count = 0;

@@ -12,7 +12,7 @@ namespace {
 
 /// Groups are as large as gives each worker so many of them: small ones share the work well, large ones fill kernels.
 constexpr std::uint32_t kGroupsOfWorker = 8;
-constexpr std::uint32_t kLeastGroupCalls = 64, kMostGroupCalls = 4096;
+constexpr std::uint32_t kLeastGroupCalls = 8, kMostGroupCalls = 4096;
 constexpr std::uint32_t kLeastFullGroupWords = 512, kMostGroupWords = 16384;
 /// Fewer words than that are decoded sooner than shared.
 constexpr std::uint32_t kWordsToShare = 4096;
@@ -167,6 +167,7 @@ void StreamRewriter::run_round(Run& run, PassCrew& crew) {
     const std::uint64_t batches = run.report.counts.batches;
     rewrite_once(run, crew);
     ++run.report.rounds;
+    run.report.most_groups = std::max(run.report.most_groups, group_count_);
     run.fault = task_fault();
     if (run.fault.empty() && run.report.counts.batches == batches) {
         form_groups(1);

@@ -18,6 +18,8 @@ struct RewriteReport {
     bool is_finished = false;  ///< no calls are left
     RewriteCounts counts;
     std::uint32_t waits = 0;  ///< rounds in which calls had to wait for room
+    /// Groups of the round that had the most of them: no more workers than that had anything to do at once.
+    std::uint32_t most_groups = 0;
 };
 
 class PassCrew;

@@ -79,6 +79,19 @@ TEST(TracePicture, IsTheSameForAnyWorkersAndBlocksAndByDirectCalls) {
     }
 }
 
+/// A round that is one group is one worker's, however many there are.
+TEST(TracePicture, RoundsAreSharedAmongWorkers) {
+    const auto posts = test_support::fractal_heights(kPictureSide);
+    const std::vector<TraceSettings> all = many_settings();
+    DrawnTrace drawn(posts, all, 640, 480);
+    show_all(drawn);
+    const auto workers = threads(2);
+    for (std::uint32_t n = 0; n < all.size(); ++n) {
+        ASSERT_TRUE(drawn.draw(*workers, n));
+        EXPECT_GE(drawn.report.most_groups, 4u) << n;
+    }
+}
+
 TEST(TracePicture, EveryOperatorShows) {
     const std::vector<TraceSettings> all = many_settings();
     DrawnTrace drawn(test_support::fractal_heights(kPictureSide), all, kPictureWide, kPictureHigh);

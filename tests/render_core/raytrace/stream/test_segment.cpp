@@ -72,6 +72,21 @@ TEST(Segment, CallsThatFillTheKernelAreHandedOnWhereTheyLie) {
     EXPECT_EQ(n.s.stream.words(), 16u + 5 + 64 + 6 + 70);
 }
 
+TEST(Segment, CallsThatLeaveMuchForOthersRunInSmallParts) {
+    NotedStream n;
+    Task task = n.tasks.network.task(n.tasks.add);
+    task.left_words = 1000;
+    ASSERT_TRUE(n.tasks.network.replace(n.tasks.add, task).ok());
+    Tokens program, expected;
+    for (std::uint32_t i = 0; i < 50; ++i) {
+        for (const Token& token : {literal(1000 + i), literal(i), call(n.tasks.add)}) program.push_back(token);
+        expected.push_back(literal(i));
+    }
+    n.rewrite_once(program);
+    EXPECT_EQ(n.notes.counts, (std::vector<std::uint32_t>{8, 8, 8, 8, 8, 8, 2}));  // of 8192 words together
+    EXPECT_EQ(n.s.tokens(), expected);
+}
+
 TEST(Segment, FewCallsThatNeedNoRoomGoOnInTheSameRound) {
     NotedStream n;
     n.rewrite_once({literal(30), literal(7), call(n.tasks.spread)});  // 30 sums in one token
