@@ -93,6 +93,19 @@ void add_trace(CLI::App& app, CommandLine& line) {
             "--preset", [&o](const std::string& word) { o.preset = choice_from("--preset", word, kPresets); },
             "time, quality or memory: what the picture spares, or is best at")
         ->default_str("time");
+    const auto chosen = [&o]() -> ChoicePlan& { return o.choice.has_value() ? *o.choice : o.choice.emplace(); };
+    command
+        ->add_option_function<double>(
+            "--deadline", [chosen](double ms) { chosen().deadline_ms = ms; },
+            "ms for a picture: settings are chosen region by region, near and lit ones first, from what they cost here")
+        ->check(CLI::PositiveNumber)
+        ->excludes("--preset");
+    command
+        ->add_option_function<double>(
+            "--most-error", [chosen](double error) { chosen().most_error = error; },
+            "how far the picture may be from the best, root mean square of light 0..1: the cheapest such settings are chosen")
+        ->check(CLI::PositiveNumber)
+        ->excludes("--preset");
     command
         ->add_option_function<std::string>(
             "--size",

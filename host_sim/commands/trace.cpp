@@ -25,6 +25,26 @@ void note_faults(const TracedGround& ground, const TracedShot& shot, Console& co
 
 std::string beside(const std::string& picture) { return std::filesystem::path(picture).replace_extension(".json").string(); }
 
+void leave(const TraceOptions& options, const TracedGround& ground, const TracedShot& shot, const nlohmann::ordered_json& json,
+           const std::string& line, Console& console) {
+    write_png(options.output, view_of(shot.pixels));
+    write_file_atomically(beside(options.output), json_text(json) + "\n");
+    note_faults(ground, shot, console);
+    console.result(options.output + ": " + line, json_text(json));
+}
+
+int trace_chosen(const TraceOptions& options, const TracedShotPlan& plan, const TracedGround& ground, base::Workers& workers,
+                 Console& console) {
+    const ChosenShot chosen = draw_chosen_shot(ground, plan, *options.choice, workers);
+    nlohmann::ordered_json json = {{"picture", options.output}, {"preset", "chosen"}, {"pose", pose_json(plan.pose)}};
+    json.update(shot_json(ground, "chosen by region", chosen.shot, workers.concurrency()));
+    json["choice"] = choice_json(chosen, *options.choice);
+    if (!chosen.frames.back().keeps_deadline)
+        console.note("note: even the cheapest settings take longer than the deadline; the picture has them everywhere");
+    leave(options, ground, chosen.shot, json, choice_line(ground, chosen), console);
+    return 0;
+}
+
 }  // namespace
 
 std::string database_of(const TraceTerrain& terrain, const std::string& folder, Console& console) {
@@ -57,16 +77,14 @@ int run_trace(const TraceOptions& options, Console& console) {
     const TracedGround ground(database_of(options.terrain, temporary.path(), console), *workers);
     TracedShotPlan plan = options.plan;
     plan.pose = options.pose.value_or(usual_pose(ground));
+    if (options.choice.has_value()) return trace_chosen(options, plan, ground, *workers, console);
     const raytrace::TraceSettings settings = settings_of(options.preset);
     const TracedShot shot = draw_traced_shot(ground, settings, plan, *workers);
     nlohmann::ordered_json json = {
         {"picture", options.output}, {"preset", to_string(options.preset)}, {"pose", pose_json(plan.pose)}};
-    json.update(shot_json(ground, settings, shot, workers->concurrency()));
-    write_png(options.output, view_of(shot.pixels));
-    write_file_atomically(beside(options.output), json_text(json) + "\n");
-    note_faults(ground, shot, console);
-    console.result(options.output + ": preset " + to_string(options.preset) + ": " + shot_line(ground, settings, shot),
-                   json_text(json));
+    json.update(shot_json(ground, describe(settings), shot, workers->concurrency()));
+    leave(options, ground, shot, json,
+          std::string("preset ") + to_string(options.preset) + ": " + shot_line(ground, describe(settings), shot), console);
     return 0;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host_sim/console.hpp"
-#include "host_sim/tracing/traced_shot.hpp"
+#include "host_sim/tracing/chosen_shot.hpp"
 
 namespace tedavis::host_sim {
 
@@ -20,9 +20,10 @@ struct TraceOptions {
     TraceTerrain terrain;
     std::optional<AircraftPose> pose;  ///< nothing: over the south of the terrain, northwards
     TracePreset preset = TracePreset::time;
-    TracedShotPlan plan;        ///< but for its pose
-    std::uint32_t workers = 0;  ///< 0: as many as there are processors
-    std::string output;         ///< X.png; X.json beside it says what it took
+    std::optional<ChoicePlan> choice;  ///< in place of a preset: settings are chosen by region
+    TracedShotPlan plan;               ///< but for its pose
+    std::uint32_t workers = 0;         ///< 0: as many as there are processors
+    std::string output;                ///< X.png; X.json beside it says what it took
 };
 
 /// Returns the exit code; throws UserError and Interrupted.

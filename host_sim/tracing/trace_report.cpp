@@ -19,20 +19,19 @@ std::string megabytes(std::uint64_t bytes) {
     return text;
 }
 
-std::string shot_line(const TracedGround& ground, const raytrace::TraceSettings& settings, const TracedShot& shot) {
-    std::string line = describe(settings) + "; " + milliseconds(shot.picture_ms) + " a picture (after " +
-                       milliseconds(shot.build_ms) + " of preparing), " + megabytes(ground.bytes() + shot.bytes()) +
-                       ": heights " + megabytes(ground.bytes());
+std::string shot_line(const TracedGround& ground, const std::string& operators, const TracedShot& shot) {
+    std::string line = operators + "; " + milliseconds(shot.picture_ms) + " a picture (after " + milliseconds(shot.build_ms) +
+                       " of preparing), " + megabytes(ground.bytes() + shot.bytes()) + ": heights " + megabytes(ground.bytes());
     for (const TracedShot::Item& item : shot.items) line += ", " + item.name + " " + megabytes(item.bytes);
     return line;
 }
 
-nlohmann::ordered_json shot_json(const TracedGround& ground, const raytrace::TraceSettings& settings, const TracedShot& shot,
+nlohmann::ordered_json shot_json(const TracedGround& ground, const std::string& operators, const TracedShot& shot,
                                  std::uint32_t workers) {
     nlohmann::ordered_json bytes = {{"heights", ground.bytes()}};
     for (const TracedShot::Item& item : shot.items) bytes[item.name] = item.bytes;
     bytes["all"] = ground.bytes() + shot.bytes();
-    return {{"operators", describe(settings)},
+    return {{"operators", operators},
             {"picture_ms", shot.picture_ms},
             {"prepare_ms", shot.build_ms},
             {"bytes", bytes},
@@ -46,6 +45,32 @@ nlohmann::ordered_json shot_json(const TracedGround& ground, const raytrace::Tra
             {"pieces", shot.pieces},
             {"stream_rounds", shot.rounds},
             {"ground_share", shot.ground_share}};
+}
+
+std::string choice_line(const TracedGround& ground, const ChosenShot& chosen) {
+    const ChosenFrame& last = chosen.frames.back();
+    std::string line = "chosen by region";
+    for (std::size_t n = 0; n < chosen.levels.size(); ++n)
+        line += std::string(n == 0 ? ": " : "; ") + std::to_string(last.regions[n]) + " " + chosen.levels[n].operators;
+    char error[32];
+    std::snprintf(error, sizeof error, "%.4f", last.error);
+    return shot_line(ground, line + "; error " + error, chosen.shot);
+}
+
+nlohmann::ordered_json choice_json(const ChosenShot& chosen, const ChoicePlan& plan) {
+    nlohmann::ordered_json json, levels = nlohmann::ordered_json::array(), frames = levels;
+    for (const ChoiceLevel& level : chosen.levels)
+        levels.push_back({{"operators", level.operators}, {"picture_ms", level.picture_ms}, {"error", level.error}});
+    for (const ChosenFrame& frame : chosen.frames)
+        frames.push_back({{"picture_ms", frame.picture_ms},
+                          {"expected_ms", frame.expected_ms},
+                          {"error", frame.error},
+                          {"regions", frame.regions}});
+    if (plan.deadline_ms > 0) json["deadline_ms"] = plan.deadline_ms;
+    if (plan.most_error > 0) json["most_error"] = plan.most_error;
+    json["levels"] = levels;
+    json["frames"] = frames;
+    return json;
 }
 
 nlohmann::ordered_json pose_json(const AircraftPose& pose) {

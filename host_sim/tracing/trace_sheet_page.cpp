@@ -96,7 +96,7 @@ std::string trace_sheet_json(const TraceSheet& sheet, const TracedGround& ground
     for (const TraceSheet::Group& group : sheet.groups)
         for (const TraceSheet::Picture& picture : group.pictures) {
             nlohmann::ordered_json one = {{"group", group.title}, {"title", picture.title}, {"file", picture.file}};
-            one.update(shot_json(ground, picture.settings, picture.shot, sheet.workers));
+            one.update(shot_json(ground, describe(picture.settings), picture.shot, sheet.workers));
             one["error"] = {{"mean", picture.from_quality.mean},
                             {"largest", picture.from_quality.largest},
                             {"edges", picture.from_quality.edges}};

@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "host_sim/tracing/ground_look.hpp"
-#include "host_sim/user_error.hpp"
+#include "host_sim/tracing/shot_drawer.hpp"
 #include "render_core/base/units.hpp"
-#include "render_core/raytrace/picture/trace_picture.hpp"
 #include "render_core/raytrace/picture/trace_presets.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-using raytrace::PictureSight;
 using raytrace::TraceSettings;
 using Clock = std::chrono::steady_clock;
 
@@ -22,6 +20,31 @@ constexpr double kLong_ms = 2000;  // a picture that takes longer is drawn once
 double milliseconds_since(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
+
+template <class Height>
+TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
+                     base::Workers& workers) {
+    TracedShot shot;
+    ShotDrawer<Height> drawer(ground, {settings}, plan);
+    const auto begin = Clock::now();
+    drawer.build(ground, workers);
+    shot.build_ms = milliseconds_since(begin);
+    const SunChoice sun = sun_at(plan.pose, plan.time);
+    shot.is_sun_too_low = sun.is_too_low;
+    const GroundLook look(ground, sun);
+    std::vector<double> times;
+    while (times.size() < plan.rounds && (times.empty() || times.front() < kLong_ms)) {
+        const auto drawn = Clock::now();
+        shot.rounds = drawer.draw(look.look(), {}, plan.is_direct, workers);
+        times.push_back(milliseconds_since(drawn));
+    }
+    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+    shot.picture_ms = times[times.size() / 2];
+    drawer.tell(shot);
+    return shot;
+}
+
+}  // namespace
 
 terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan) {
     const AircraftPose& pose = plan.pose;
@@ -40,105 +63,6 @@ terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan) {
     view.focal_px = 0.5 * plan.width / std::tan(base::radians(0.5 * plan.field_of_view_deg));
     return view;
 }
-
-raytrace::GridScale scale_at(const TracedGround& ground, const terrain::View& view) {
-    const raytrace::GroundSpace& space = ground.space();
-    const double row = std::clamp(space.place(view.eye).y, 0.0, ground.rows() - 1.0);
-    return {space.column_m(row), space.row_m(row), space.step_m()};
-}
-
-/// What draws a picture, with the memory that it takes.
-template <class Height>
-class ShotDrawer {
-public:
-    ShotDrawer(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan)
-        : settings_{settings}, view_(view_of(ground, plan)) {
-        if (!raytrace::can_trace(ground.space(), view_))
-            throw UserError("the pose is too close to a pole, or too far from the terrain, for the tracer; name another one");
-        stream_.block_words = plan.block_words;
-        raytrace::SceneSize size;
-        size.width = plan.width;
-        size.height = plan.height;
-        const raytrace::HeightGrid<Height> grid = ground.grid<Height>();
-        memory_.resize((raytrace::TracedScene<Height>::bytes_needed(grid, settings_) +
-                        raytrace::TracePicture<Height>::bytes_needed(plan.width, plan.height, stream_)) /
-                           8 +
-                       64);
-        base::Arena arena(memory_.data(), memory_.size() * 8);
-        require(scene_.start(grid, scale_at(ground, view_), settings_, size, arena));
-        require(picture_.start(plan.width, plan.height, stream_, arena));
-        rgb_.resize(std::size_t{3} * plan.width * plan.height);
-    }
-
-    void build(const TracedGround& ground, base::Workers& workers) {
-        scene_.build(workers);
-        scene_.set_view(PictureSight::of_world(ground.space(), view_), raytrace::view_kernels<Height>()[0],
-                        raytrace::view_kernels<float>()[0]);
-    }
-    /// Rounds of the stream, 0 where the stages are called directly.
-    std::uint32_t draw(const raytrace::TraceLook& look, bool is_direct, base::Workers& workers) {
-        if (!picture_.begin(scene_, look, {settings_, {}}, rgb_)) throw UserError("the token stream has no room; give it less");
-        if (is_direct) {
-            picture_.draw_directly(workers);
-            return 0;
-        }
-        const raytrace::StreamRewriter::Answer answer = picture_.rewrite(workers);
-        if (!answer.ok()) throw UserError(std::string(answer.error().view()));
-        return answer.value().rounds;
-    }
-    void tell(TracedShot& shot) const {
-        for (const raytrace::PreparedItem& item : scene_.items())
-            shot.items.push_back({std::string(item.name.view()), item.bytes});
-        shot.kernel = raytrace::view_kernels<Height>()[0].name;
-        shot.pieces = static_cast<std::uint32_t>(raytrace::cut_view(view_).count);
-        std::size_t met = 0;
-        for (const std::int32_t cell : picture_.stages().hits().cell) met += cell >= 0 ? 1 : 0;
-        shot.ground_share = static_cast<double>(met) / (static_cast<double>(view_.width) * view_.height);
-        shot.pixels.width = view_.width;
-        shot.pixels.height = view_.height;
-        shot.pixels.pixels.resize(rgb_.size() / 3 * 4, 255);
-        for (std::size_t n = 0; n < rgb_.size() / 3; ++n) std::copy_n(&rgb_[3 * n], 3, &shot.pixels.pixels[4 * n]);
-    }
-
-private:
-    template <class Answer>
-    static void require(const Answer& answer) {
-        if (!answer.ok()) throw UserError(std::string(answer.error().view()));
-    }
-
-    std::vector<TraceSettings> settings_;
-    terrain::View view_;
-    raytrace::StreamSettings stream_;
-    std::vector<std::uint64_t> memory_;
-    raytrace::TracedScene<Height> scene_;
-    raytrace::TracePicture<Height> picture_;
-    std::vector<std::uint8_t> rgb_;
-};
-
-template <class Height>
-TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
-                     base::Workers& workers) {
-    TracedShot shot;
-    ShotDrawer<Height> drawer(ground, settings, plan);
-    const auto begin = Clock::now();
-    drawer.build(ground, workers);
-    shot.build_ms = milliseconds_since(begin);
-    const SunChoice sun = sun_at(plan.pose, plan.time);
-    shot.is_sun_too_low = sun.is_too_low;
-    const GroundLook look(ground, sun);
-    std::vector<double> times;
-    while (times.size() < plan.rounds && (times.empty() || times.front() < kLong_ms)) {
-        const auto drawn = Clock::now();
-        shot.rounds = drawer.draw(look.look(), plan.is_direct, workers);
-        times.push_back(milliseconds_since(drawn));
-    }
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    shot.picture_ms = times[times.size() / 2];
-    drawer.tell(shot);
-    return shot;
-}
-
-}  // namespace
 
 const char* to_string(TracePreset preset) noexcept {
     switch (preset) {

@@ -47,6 +47,7 @@ struct TracedShot {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
+[[nodiscard]] terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan);
 /// Throws UserError: from there the tracer cannot see, or there is no memory.
 [[nodiscard]] TracedShot draw_traced_shot(const TracedGround& ground, const raytrace::TraceSettings& settings,
                                           const TracedShotPlan& plan, base::Workers& workers);

@@ -10,6 +10,7 @@
 #include "render_core/raytrace/picture/display_levels.hpp"
 #include "render_core/raytrace/picture/span_shader.hpp"
 #include "render_core/raytrace/stream/task.hpp"
+#include "render_core/raytrace/surface/pixel_footprint.hpp"
 
 namespace tedavis::raytrace {
 
@@ -75,6 +76,8 @@ public:
     /// Linear light, row by row.
     [[nodiscard]] base::Span<const glm::vec3> light() const { return {light_.data(), light_.size()}; }
     [[nodiscard]] const HitPicture& hits() const { return hits_; }
+    /// What a pixel covers where t is 1, for view_regions().
+    [[nodiscard]] double pixel_width_posts() const { return footprint_posts(1, pixel_width_m_, maps_.scale); }
 
 private:
     struct Variant {

@@ -32,6 +32,22 @@ TEST(Trace, LeavesThePictureAndWhatItTook) {
     EXPECT_THAT(run.notes, ::testing::HasSubstr("the sun is lower"));
 }
 
+TEST(Trace, ChoosesUnderADeadlineAndSaysWhereItFails) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = 128;
+    options.plan.height = 64;
+    options.choice = ChoicePlan{1e-6, 0, 2};
+    options.output = files.folder.file("chosen.png");
+    const auto run = test_support::run_command([&](Console& console) { return run_trace(options, console); }, true);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(run.json().at("preset"), "chosen");
+    EXPECT_EQ(run.json().at("choice").at("frames").size(), 2u);
+    EXPECT_EQ(run.json().at("choice").at("frames")[1].at("regions"), (std::vector<int>{4, 0, 0}));
+    EXPECT_THAT(run.notes, ::testing::HasSubstr("longer than the deadline"));
+}
+
 TEST(Trace, SaysWhenNothingIsSeen) {
     const test_support::FlownFiles files;
     TraceOptions options;

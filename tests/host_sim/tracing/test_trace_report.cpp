@@ -16,12 +16,12 @@ TEST(TraceReport, AddsUpBytes) {
     shot.items = {{"one", 1'000'000}, {"two", 500'000}};
     shot.picture_ms = 12.34;
     const auto settings = settings_of(TracePreset::memory);
-    const auto json = shot_json(ground, settings, shot, 3);
+    const auto json = shot_json(ground, describe(settings), shot, 3);
     EXPECT_EQ(json.at("bytes").at("all"), ground.bytes() + 1'500'000);
     EXPECT_EQ(json.at("bytes").at("two"), 500'000);
     EXPECT_EQ(json.at("workers"), 3);
     EXPECT_EQ(json.at("posts").at("columns"), ground.columns());
-    const std::string line = shot_line(ground, settings, shot);
+    const std::string line = shot_line(ground, describe(settings), shot);
     EXPECT_THAT(line, ::testing::HasSubstr("12.3 ms a picture"));
     EXPECT_THAT(line, ::testing::HasSubstr("two 0.5 MB"));
     EXPECT_EQ(megabytes(12'345'678), "12.3 MB");

@@ -1,0 +1,44 @@
+/// A picture of the ground whose settings are chosen region by region from what they cost, under a deadline or for a quality
+/// (render_core/raytrace/picture/choose_settings.hpp).
+///
+/// Every level is drawn once, for its time and its error against the best one. Then pictures follow as on a display: the last one
+/// says which regions are near and lit, its time corrects the costs, and the next one's settings are chosen.
+#pragma once
+
+#include "host_sim/tracing/traced_shot.hpp"
+
+namespace tedavis::host_sim {
+
+struct ChoicePlan {
+    double deadline_ms = 0;     ///< of a picture; 0: none
+    double most_error = 0;      ///< root mean square of linear light that is good enough; 0: as good as can be
+    std::uint32_t frames = 12;  ///< that follow; the last one is the picture. 1 or more
+};
+
+struct ChoiceLevel {
+    std::string operators;
+    double picture_ms = 0;
+    double error = 0;  ///< of the whole picture, against the best level's
+};
+
+struct ChosenFrame {
+    double picture_ms = 0, expected_ms = 0;
+    double error = 0;                    ///< against the best level's picture
+    std::vector<std::uint32_t> regions;  ///< how many have each level
+    bool keeps_deadline = true;          ///< false: not even the cheapest level does
+};
+
+struct ChosenShot {
+    TracedShot shot;  ///< of the last frame; its time is the median of the later half
+    std::vector<ChoiceLevel> levels;
+    std::vector<ChosenFrame> frames;
+};
+
+/// From the cheapest to the best: the time preset, one between, the quality preset.
+[[nodiscard]] std::vector<raytrace::TraceSettings> choice_levels();
+
+/// Throws UserError as draw_traced_shot().
+[[nodiscard]] ChosenShot draw_chosen_shot(const TracedGround& ground, const TracedShotPlan& plan, const ChoicePlan& choice,
+                                          base::Workers& workers);
+
+}  // namespace tedavis::host_sim

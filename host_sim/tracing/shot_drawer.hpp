@@ -1,0 +1,90 @@
+/// What draws pictures of the ground by the tracer, with the memory that it takes.
+#pragma once
+
+#include <algorithm>
+
+#include "host_sim/tracing/traced_shot.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/raytrace/picture/trace_picture.hpp"
+
+namespace tedavis::host_sim {
+
+/// At the row below the eye.
+inline raytrace::GridScale scale_at(const TracedGround& ground, const terrain::View& view) {
+    const raytrace::GroundSpace& space = ground.space();
+    const double row = std::clamp(space.place(view.eye).y, 0.0, ground.rows() - 1.0);
+    return {space.column_m(row), space.row_m(row), space.step_m()};
+}
+
+template <class Height>
+class ShotDrawer {
+public:
+    ShotDrawer(const TracedGround& ground, const std::vector<raytrace::TraceSettings>& settings, const TracedShotPlan& plan)
+        : settings_(settings), view_(view_of(ground, plan)) {
+        if (!raytrace::can_trace(ground.space(), view_))
+            throw UserError("the pose is too close to a pole, or too far from the terrain, for the tracer; name another one");
+        stream_.block_words = plan.block_words;
+        raytrace::SceneSize size;
+        size.width = plan.width;
+        size.height = plan.height;
+        const raytrace::HeightGrid<Height> grid = ground.grid<Height>();
+        memory_.resize((raytrace::TracedScene<Height>::bytes_needed(grid, settings_) +
+                        raytrace::TracePicture<Height>::bytes_needed(plan.width, plan.height, stream_)) /
+                           8 +
+                       64);
+        base::Arena arena(memory_.data(), memory_.size() * 8);
+        require(scene_.start(grid, scale_at(ground, view_), settings_, size, arena));
+        require(picture_.start(plan.width, plan.height, stream_, arena));
+        rgb_.resize(std::size_t{3} * plan.width * plan.height);
+    }
+
+    void build(const TracedGround& ground, base::Workers& workers) {
+        scene_.build(workers);
+        scene_.set_view(raytrace::PictureSight::of_world(ground.space(), view_), raytrace::view_kernels<Height>()[0],
+                        raytrace::view_kernels<float>()[0]);
+    }
+    /// Which of the settings each region gets, row by row; empty: the first everywhere. Gives the rounds of the stream, 0 where
+    /// the stages are called directly.
+    std::uint32_t draw(const raytrace::TraceLook& look, base::Span<const std::uint8_t> regions, bool is_direct,
+                       base::Workers& workers) {
+        if (!picture_.begin(scene_, look, {settings_, regions}, rgb_))
+            throw UserError("the token stream has no room; give it less");
+        if (is_direct) {
+            picture_.draw_directly(workers);
+            return 0;
+        }
+        const raytrace::StreamRewriter::Answer answer = picture_.rewrite(workers);
+        if (!answer.ok()) throw UserError(std::string(answer.error().view()));
+        return answer.value().rounds;
+    }
+    [[nodiscard]] const raytrace::TraceStages<Height>& stages() const { return picture_.stages(); }
+    void tell(TracedShot& shot) const {
+        for (const raytrace::PreparedItem& item : scene_.items())
+            shot.items.push_back({std::string(item.name.view()), item.bytes});
+        shot.kernel = raytrace::view_kernels<Height>()[0].name;
+        shot.pieces = static_cast<std::uint32_t>(raytrace::cut_view(view_).count);
+        std::size_t met = 0;
+        for (const std::int32_t cell : picture_.stages().hits().cell) met += cell >= 0 ? 1 : 0;
+        shot.ground_share = static_cast<double>(met) / (static_cast<double>(view_.width) * view_.height);
+        shot.pixels.width = view_.width;
+        shot.pixels.height = view_.height;
+        shot.pixels.pixels.resize(rgb_.size() / 3 * 4, 255);
+        for (std::size_t n = 0; n < rgb_.size() / 3; ++n) std::copy_n(&rgb_[3 * n], 3, &shot.pixels.pixels[4 * n]);
+    }
+
+private:
+    template <class Answer>
+    static void require(const Answer& answer) {
+        if (!answer.ok()) throw UserError(std::string(answer.error().view()));
+    }
+
+    std::vector<raytrace::TraceSettings> settings_;
+    terrain::View view_;
+    raytrace::StreamSettings stream_;
+    std::vector<std::uint64_t> memory_;
+    raytrace::TracedScene<Height> scene_;
+    raytrace::TracePicture<Height> picture_;
+    std::vector<std::uint8_t> rgb_;
+};
+
+}  // namespace tedavis::host_sim
