@@ -83,6 +83,10 @@ void add_trace(CLI::App& app, CommandLine& line) {
                                     [&o](Console& console) { return run_trace(o, console); });
     command->add_option("--terrain", o.terrain.database, "terrain database (.tdb); default: built from the shipped raster");
     command->add_option("--heights", o.terrain.heights, "raster of heights, which is built into a database first");
+    command->add_option("--scene", o.scene,
+                        "scene database (.sdb): one of its quantities colors the ground, the fainter the less sure");
+    command->add_option("--data", o.data, "which: a layer on a grid, or layer.attribute; default: the scene's first")
+        ->needs("--scene");
     command->add_option_function<std::string>(
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; default: over the south of the terrain, northwards");
@@ -121,7 +125,8 @@ void add_trace(CLI::App& app, CommandLine& line) {
         ->capture_default_str();
     command->add_option_function<std::string>(
         "--time", [&o](const std::string& text) { o.plan.time = time_from(text); },
-        "UTC such as 2026-06-01T14:00:00Z, by which the sun stands; default: light from the north-west");
+        "UTC such as 2026-06-01T14:00:00Z, by which the sun stands and data are valid; default: light from the north-west, data "
+        "of their own first time");
     command->add_option("--workers", o.workers, "threads; default: as many as there are processors")->check(CLI::Range(1u, 64u));
     command->add_option("--block-size", o.plan.block_words, "words in a block of the token stream: 64 to 4096, a power of two")
         ->capture_default_str();

@@ -1,5 +1,6 @@
 #include "host_sim/commands/trace.hpp"
 
+#include <cstdio>
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
@@ -33,15 +34,32 @@ void leave(const TraceOptions& options, const TracedGround& ground, const Traced
     console.result(options.output + ": " + line, json_text(json));
 }
 
+void add_data(const TracedData* data, nlohmann::ordered_json& json) {
+    if (data == nullptr) return;
+    json["data"] = {{"quantity", data->name()},
+                    {"unit", data->unit()},
+                    {"lowest", data->lowest()},
+                    {"highest", data->highest()},
+                    {"share", data->share()}};
+}
+
+std::string data_line(const TracedData* data) {
+    if (data == nullptr) return "";
+    char range[64];
+    std::snprintf(range, sizeof range, "%.3g to %.3g ", data->lowest(), data->highest());
+    return "; ground colored by " + data->name() + ", " + range + data->unit();
+}
+
 int trace_chosen(const TraceOptions& options, const TracedShotPlan& plan, const TracedGround& ground, base::Workers& workers,
                  Console& console) {
     const ChosenShot chosen = draw_chosen_shot(ground, plan, *options.choice, workers);
     nlohmann::ordered_json json = {{"picture", options.output}, {"preset", "chosen"}, {"pose", pose_json(plan.pose)}};
     json.update(shot_json(ground, "chosen by region", chosen.shot, workers.concurrency()));
+    add_data(plan.data, json);
     json["choice"] = choice_json(chosen, *options.choice);
     if (!chosen.frames.back().keeps_deadline)
         console.note("note: even the cheapest settings take longer than the deadline; the picture has them everywhere");
-    leave(options, ground, chosen.shot, json, choice_line(ground, chosen), console);
+    leave(options, ground, chosen.shot, json, choice_line(ground, chosen) + data_line(plan.data), console);
     return 0;
 }
 
@@ -77,14 +95,21 @@ int run_trace(const TraceOptions& options, Console& console) {
     const TracedGround ground(database_of(options.terrain, temporary.path(), console), *workers);
     TracedShotPlan plan = options.plan;
     plan.pose = options.pose.value_or(usual_pose(ground));
+    std::optional<TracedData> data;
+    if (!options.scene.empty()) plan.data = &data.emplace(ground, options.scene, options.data, plan.time);
+    if (data.has_value() && data->share() == 0)
+        console.note("note: " + options.scene + " has no values of " + data->name() + " over this terrain");
     if (options.choice.has_value()) return trace_chosen(options, plan, ground, *workers, console);
     const raytrace::TraceSettings settings = settings_of(options.preset);
     const TracedShot shot = draw_traced_shot(ground, settings, plan, *workers);
     nlohmann::ordered_json json = {
         {"picture", options.output}, {"preset", to_string(options.preset)}, {"pose", pose_json(plan.pose)}};
     json.update(shot_json(ground, describe(settings), shot, workers->concurrency()));
+    add_data(plan.data, json);
     leave(options, ground, shot, json,
-          std::string("preset ") + to_string(options.preset) + ": " + shot_line(ground, describe(settings), shot), console);
+          std::string("preset ") + to_string(options.preset) + ": " + shot_line(ground, describe(settings), shot) +
+              data_line(plan.data),
+          console);
     return 0;
 }
 

@@ -18,6 +18,8 @@ struct TraceTerrain {
 
 struct TraceOptions {
     TraceTerrain terrain;
+    std::string scene;                 ///< .sdb, of which a quantity colours the ground; empty: none
+    std::string data;                  ///< which: layer, or layer.attribute; empty: the first
     std::optional<AircraftPose> pose;  ///< nothing: over the south of the terrain, northwards
     TracePreset preset = TracePreset::time;
     std::optional<ChoicePlan> choice;  ///< in place of a preset: settings are chosen by region

@@ -23,7 +23,7 @@ public:
     ChosenFrames(const TracedGround& ground, const TracedShotPlan& plan, const ChoicePlan& choice, base::Workers& workers)
         : drawer_(ground, choice_levels(), plan),
           sun_(sun_at(plan.pose, plan.time)),
-          look_(ground, sun_),
+          look_(ground, sun_, plan.data),
           plan_(plan),
           workers_(workers),
           views_(std::size_t{PictureVariants::regions_across(plan.width)} * PictureVariants::regions_down(plan.height)),

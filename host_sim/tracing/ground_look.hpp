@@ -21,7 +21,8 @@ struct SunChoice {
 
 class GroundLook {
 public:
-    GroundLook(const TracedGround& ground, const SunChoice& sun);
+    /// `data`, if any, colours the ground where settings have data; borrowed.
+    GroundLook(const TracedGround& ground, const SunChoice& sun, const TracedData* data = nullptr);
     GroundLook(const GroundLook&) = delete;
     GroundLook& operator=(const GroundLook&) = delete;
     [[nodiscard]] const raytrace::TraceLook& look() const { return look_; }

@@ -21,6 +21,7 @@ class ShotDrawer {
 public:
     ShotDrawer(const TracedGround& ground, const std::vector<raytrace::TraceSettings>& settings, const TracedShotPlan& plan)
         : settings_(settings), view_(view_of(ground, plan)) {
+        for (raytrace::TraceSettings& each : settings_) each.has_data = plan.data != nullptr;
         if (!raytrace::can_trace(ground.space(), view_))
             throw UserError("the pose is too close to a pole, or too far from the terrain, for the tracer; name another one");
         stream_.block_words = plan.block_words;

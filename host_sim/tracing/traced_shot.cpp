@@ -31,7 +31,7 @@ TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, 
     shot.build_ms = milliseconds_since(begin);
     const SunChoice sun = sun_at(plan.pose, plan.time);
     shot.is_sun_too_low = sun.is_too_low;
-    const GroundLook look(ground, sun);
+    const GroundLook look(ground, sun, plan.data);
     std::vector<double> times;
     while (times.size() < plan.rounds && (times.empty() || times.front() < kLong_ms)) {
         const auto drawn = Clock::now();

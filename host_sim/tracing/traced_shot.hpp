@@ -7,6 +7,7 @@
 
 #include "host_sim/png_file.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
+#include "host_sim/tracing/traced_data.hpp"
 #include "host_sim/tracing/traced_ground.hpp"
 #include "render_core/raytrace/picture/trace_settings.hpp"
 
@@ -27,7 +28,8 @@ struct TracedShotPlan {
     double field_of_view_deg = 60;  ///< over the width
     std::uint32_t rounds = 3;  ///< drawn so many times, for the median of its times, but once where it takes over 2 s; 1 or more
     std::uint32_t block_words = 512;
-    bool is_direct = false;  ///< the stages are called directly, not by the token stream
+    const TracedData* data = nullptr;  ///< colours the ground; borrowed
+    bool is_direct = false;            ///< the stages are called directly, not by the token stream
 };
 
 struct TracedShot {
