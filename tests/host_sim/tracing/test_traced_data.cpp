@@ -98,7 +98,7 @@ TEST_F(TracedDataTest, ColoursTheGroundWhereThereAreDataAndNowhereElse) {
         }
         return count;
     };
-    EXPECT_GT(coloured(with, 0, 60), 200u);  // the west: the eye looks north
+    EXPECT_GT(coloured(with, 0, 60), 200u);   // the west: the eye looks north
     EXPECT_EQ(coloured(with, 100, 160), 0u);  // grey, so that no hue of the ground is taken for a value
     EXPECT_GT(coloured(without, 0, 160), 0u);
 }
