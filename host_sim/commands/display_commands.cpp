@@ -102,13 +102,13 @@ void add_trace(CLI::App& app, CommandLine& line) {
         ->add_option_function<double>(
             "--deadline", [chosen](double ms) { chosen().deadline_ms = ms; },
             "ms for a picture: settings are chosen region by region, near and lit ones first, from what they cost here")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->excludes("--preset");
     command
         ->add_option_function<double>(
             "--most-error", [chosen](double error) { chosen().most_error = error; },
             "how far the picture may be from the best, root mean square of light 0..1: the cheapest such settings are chosen")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->excludes("--preset");
     command
         ->add_option_function<std::string>(

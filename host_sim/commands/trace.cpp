@@ -1,5 +1,6 @@
 #include "host_sim/commands/trace.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -16,7 +17,19 @@
 namespace tedavis::host_sim {
 namespace {
 
-void note_faults(const TracedGround& ground, const TracedShot& shot, Console& console) {
+/// By the post next to it.
+template <class Height>
+bool is_below(const raytrace::HeightGrid<Height>& grid, const glm::dvec3& place) {
+    const double column = std::round(place.x), row = std::round(place.y);
+    if (!(column >= 0 && row >= 0 && column < grid.columns && row < grid.rows)) return false;
+    const Height height = grid.at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+    return height != raytrace::HeightGrid<Height>::kVoid && place.z < height;
+}
+
+void note_faults(const TracedGround& ground, const TracedShotPlan& plan, const TracedShot& shot, Console& console) {
+    const glm::dvec3 eye = ground.space().place(view_of(ground, plan).eye);
+    if (ground.is_whole() ? is_below(ground.grid<std::int16_t>(), eye) : is_below(ground.grid<float>(), eye))
+        console.note("note: the eye is below the ground, and sees it from below; name a higher --pose");
     if (shot.is_sun_too_low)
         console.note("note: the sun is lower than 3 degrees then; the picture is lit from the north-west, 45 degrees high");
     if (ground.void_posts() > 0)
@@ -26,11 +39,11 @@ void note_faults(const TracedGround& ground, const TracedShot& shot, Console& co
 
 std::string beside(const std::string& picture) { return std::filesystem::path(picture).replace_extension(".json").string(); }
 
-void leave(const TraceOptions& options, const TracedGround& ground, const TracedShot& shot, const nlohmann::ordered_json& json,
-           const std::string& line, Console& console) {
+void leave(const TraceOptions& options, const TracedShotPlan& plan, const TracedGround& ground, const TracedShot& shot,
+           const nlohmann::ordered_json& json, const std::string& line, Console& console) {
     write_png(options.output, view_of(shot.pixels));
     write_file_atomically(beside(options.output), json_text(json) + "\n");
-    note_faults(ground, shot, console);
+    note_faults(ground, plan, shot, console);
     console.result(options.output + ": " + line, json_text(json));
 }
 
@@ -59,7 +72,7 @@ int trace_chosen(const TraceOptions& options, const TracedShotPlan& plan, const 
     json["choice"] = choice_json(chosen, *options.choice);
     if (!chosen.frames.back().keeps_deadline)
         console.note("note: even the cheapest settings take longer than the deadline; the picture has them everywhere");
-    leave(options, ground, chosen.shot, json, choice_line(ground, chosen) + data_line(plan.data), console);
+    leave(options, plan, ground, chosen.shot, json, choice_line(ground, chosen) + data_line(plan.data), console);
     return 0;
 }
 
@@ -106,7 +119,7 @@ int run_trace(const TraceOptions& options, Console& console) {
         {"picture", options.output}, {"preset", to_string(options.preset)}, {"pose", pose_json(plan.pose)}};
     json.update(shot_json(ground, describe(settings), shot, workers->concurrency()));
     add_data(plan.data, json);
-    leave(options, ground, shot, json,
+    leave(options, plan, ground, shot, json,
           std::string("preset ") + to_string(options.preset) + ": " + shot_line(ground, describe(settings), shot) +
               data_line(plan.data),
           console);

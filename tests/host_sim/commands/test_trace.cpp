@@ -62,6 +62,23 @@ TEST(Trace, SaysWhenNothingIsSeen) {
     EXPECT_THAT(run.notes, ::testing::HasSubstr("no ray meets the terrain"));
 }
 
+TEST(Trace, SaysWhenTheEyeIsBelowTheGround) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = options.plan.height = 40;
+    base::SerialWorkers workers;
+    const TracedGround ground(files.terrain, workers);
+    options.pose = usual_pose(ground);
+    options.output = files.folder.file("below.png");
+    const auto notes = [&] {
+        return test_support::run_command([&](Console& console) { return run_trace(options, console); }).notes;
+    };
+    EXPECT_THAT(notes(), ::testing::Not(::testing::HasSubstr("below the ground")));
+    options.pose->altitude_msl_m = ground.lowest_m() - 20;
+    EXPECT_THAT(notes(), ::testing::HasSubstr("below the ground"));
+}
+
 TEST(Trace, RefusesTwoTerrainsAndNone) {
     const test_support::FlownFiles files;
     TraceOptions options;

@@ -36,8 +36,9 @@ protected:
         values.uncertainties.clear();
         values.states.clear();
         for (int n = 0; n < 12; ++n) {
+            const int row = n / 4;
             values.values.push_back(260 + 10.0f * static_cast<float>(n % 4));
-            values.uncertainties.push_back(scene::Uncertainty::from_level(0.5 * (n / 4)));
+            values.uncertainties.push_back(scene::Uncertainty::from_level(0.5 * row));
             values.states.push_back(scene::ValueState::valid);
         }
         SceneDraft draft = test_support::small_scene();
