@@ -58,7 +58,8 @@ TracedData::TracedData(const TracedGround& ground, const std::string& scene_path
     const double level_m = quantity.layer->levels_m.empty() ? 0.0 : double{quantity.layer->levels_m[0]};
     std::size_t known = 0;
     for (std::uint32_t n = 0; n < columns_ * rows_; ++n) {
-        const glm::dvec3 post(n % columns_ * step_x_, n / columns_ * step_y_, 0);
+        const std::uint32_t column = n % columns_, row = n / columns_;
+        const glm::dvec3 post(column * step_x_, row * step_y_, 0);
         const earth::Geodetic place = earth::from_ecef(ground.space().position(post));
         const scene::FieldValue value = field.at(place.latitude_rad, place.longitude_rad, level_m, at_ns);
         const bool is_known = value.state != scene::ValueState::missing;
