@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host_sim/scenario/posed_aircraft.hpp"
-#include "host_sim/tracing/traced_ground.hpp"
+#include "host_sim/tracing/traced_data.hpp"
 #include "render_core/raytrace/picture/trace_look.hpp"
 
 namespace tedavis::host_sim {

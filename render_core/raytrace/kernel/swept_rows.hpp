@@ -51,9 +51,10 @@ public:
     /// All that is left; from `place` on no ray has met anything.
     void finish(Int place) {
         const auto end = static_cast<std::int32_t>(job_.height);
-        std::int32_t places[V::kCount];
+        std::int32_t places[V::kCount] = {}, most = 0;
         V::store(places, place);
-        give_up_to(*std::max_element(places, places + columns_));
+        for (std::uint32_t n = 0; n < V::kCount && n < columns_; ++n) most = std::max(most, places[n]);
+        give_up_to(most);
         const std::uint32_t from = is_upwards_ ? 0 : static_cast<std::uint32_t>(first_);
         const std::uint32_t until = static_cast<std::uint32_t>(is_upwards_ ? end - first_ : end);
         clear_pixels(job_.picture, job_.width, left_, from, left_ + columns_, until);
@@ -74,7 +75,7 @@ private:
         for (; first_ < place; ++first_) give_row();
     }
     void give_row() {
-        const auto at = static_cast<std::size_t>((first_ & (kRows - 1)) * V::kCount);
+        const std::size_t at = static_cast<std::size_t>(first_ & (kRows - 1)) * V::kCount;
         const auto y = static_cast<std::uint32_t>(is_upwards_ ? static_cast<std::int32_t>(job_.height) - 1 - first_ : first_);
         const std::size_t to = std::size_t{y} * job_.width + left_;
         const HitPicture& picture = job_.picture;
