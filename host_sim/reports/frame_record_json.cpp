@@ -237,6 +237,9 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     }
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
+    json["stale"] = Json::array();
+    for (const display::StaleRecord& layer : record.stale)
+        json["stale"].push_back({{"layer", text(layer.layer.view())}, {"age_s", layer.age_s}});
     json["labels"] = {{"placed", record.labels.placed},
                       {"suppressed", record.labels.suppressed},
                       {"changed", record.labels.changed},

@@ -12,6 +12,7 @@ using flight::Signal;
 
 flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display) {
     flight::AircraftState state;
+    state.is_posed = true;
     flight::OwnShipEstimate& own = state.own_ship;
     own.position.latitude_rad = radians(pose.latitude_deg);
     own.position.longitude_rad = earth::wrap_longitude(radians(pose.longitude_deg));

@@ -87,20 +87,22 @@ double detail_of(const DataScale& scale) noexcept {
 
 double detail_of(const GroundUncertainty& uncertainty) noexcept {
     if (uncertainty.technique == IntrinsicUncertainty::none || uncertainty.strength <= 0) return 0;
-    return uncertainty.levels == 0 ? 1 : detail_of_gradations(uncertainty.levels);
+    return detail_of_levels(uncertainty.levels);
 }
 
 double detail_of(const GroundOverlay& overlay) noexcept {
     if (overlay.strength <= 0) return 0;
     switch (overlay.technique) {
         case UncertaintyOverlay::none: return 0;
-        case UncertaintyOverlay::fog: return overlay.levels == 0 ? 1 : detail_of_gradations(overlay.levels);
+        case UncertaintyOverlay::fog: return detail_of_levels(overlay.levels);
         case UncertaintyOverlay::grid: return detail_of_gradations(overlay.levels == 0 ? kOrdinaryMeshWidths : overlay.levels);
         case UncertaintyOverlay::contour:
         case UncertaintyOverlay::halo: return detail_of_gradations(2);
     }
     return 0;
 }
+
+double detail_of_levels(std::uint32_t levels) noexcept { return levels == 0 ? 1 : detail_of_gradations(levels); }
 
 double detail_of_members(std::uint32_t members) noexcept { return detail_of_gradations(std::max(members, 1u)); }
 

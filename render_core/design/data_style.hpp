@@ -100,6 +100,8 @@ void read_data_style(base::ConfigSection data, PaletteSource& palettes, DataStyl
 [[nodiscard]] double detail_of(const DataScale& scale) noexcept;
 [[nodiscard]] double detail_of(const GroundUncertainty& uncertainty) noexcept;
 [[nodiscard]] double detail_of(const GroundOverlay& overlay) noexcept;
+/// Of so many gradations of an uncertainty, 0 for a continuous one.
+[[nodiscard]] double detail_of_levels(std::uint32_t levels) noexcept;
 /// Of so many members one after the other or side by side, 1 .. scene::kMaxMembers.
 [[nodiscard]] double detail_of_members(std::uint32_t members) noexcept;
 /// The same look with no more than `detail` 0..1 in any of them: fewer classes (every second limit, and so on; equal steps where

@@ -162,5 +162,7 @@ static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
 /// The values of an empty file: the picture of a display that was given no design.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;
+/// Turns the warning colours on; with the EGPWS bands where the design's own would leave ground ahead as it is.
+void require_warning_colors(DesignSettings& design) noexcept;
 
 }  // namespace tedavis::design

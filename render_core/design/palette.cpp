@@ -117,7 +117,7 @@ Palette alpine_palette() noexcept {
     };
     Palette palette;
     palette.name = "alpine";
-    palette.title = "ELEVATION";
+    palette.title = "GROUND ELEV";
     for (const ColorStop& stop : kStops) {
         const bool added = palette.stops.try_push_back(stop);
         TEDAVIS_CHECK(added);

@@ -1,7 +1,7 @@
 /// Named colours for values of the terrain and of spatial data: one file of configs/palettes/ each.
 ///
 ///     name = "alpine"
-///     title = "ELEVATION"          over the legend, upper case, at most 11 characters
+///     title = "GROUND ELEV"        over the legend, upper case, at most 11 characters
 ///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle; "nominal":
 ///                                classes that have names and no order
 ///     unit = "m"                 of the values: "m", "deg", "m/s", "dBZ", "K" or "1"

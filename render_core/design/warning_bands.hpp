@@ -32,4 +32,7 @@ using WarningBands = base::FixedVector<WarningBand, kMaxWarningBands>;
 /// Index of the band of terrain so far above (+) or below (-) the aircraft; bands.size() for none.
 [[nodiscard]] std::size_t band_of(const WarningBands& bands, double terrain_above_aircraft_m, bool gear_down) noexcept;
 
+/// Whether they color ground as high as the aircraft, so that it can be told from the rest.
+[[nodiscard]] bool warn_of_ground_ahead(const WarningBands& bands) noexcept;
+
 }  // namespace tedavis::design

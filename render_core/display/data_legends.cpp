@@ -145,19 +145,19 @@ base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const s
     return text;
 }
 
-void add_uncertainty(const design::DesignSettings& design, const scene::AttributeEntry& attribute, Color color, Color plain,
+void add_uncertainty(const design::DesignSettings& design, const scene::Attribute& attribute, Color color, Color plain,
                      draw::DataLegend& legend) {
     const design::GroundData& ground = design.data.ground;
     const design::HeightUnit heights = design.symbology.legend_unit;
-    const bool is_known = attribute.uncertainty_kind != scene::UncertaintyKind::none;
+    const bool is_known = attribute.states_uncertainty();
     const bool has_look = ground.uncertainty.technique != IntrinsicUncertainty::none,
                has_overlay = ground.overlay.technique != UncertaintyOverlay::none;
     LegendSample overlay = overlay_sample(ground.overlay, color);
-    overlay.text = overlay_text(ground.overlay, attribute, heights).view();
+    overlay.text = overlay_text(ground.overlay, *attribute.entry, heights).view();
     if (is_known && (has_look || has_overlay)) {
         static_cast<void>(legend.uncertainty.try_push_back(sure_sample(ground, color)));
         LegendSample unsure = has_look ? unsure_sample(ground.uncertainty, color, plain) : overlay;
-        if (has_look) unsure.text = full_uncertainty_text(attribute, heights).view();
+        if (has_look) unsure.text = full_uncertainty_text(*attribute.entry, heights).view();
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, color, plain, SampleLook::cut_stripes)));
@@ -232,11 +232,12 @@ bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEn
     return unit != field_text(attribute.unit);
 }
 
-bool is_stale(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept {
+base::Duration stale_age(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept {
     draw::DataLegend legend;
     set_time(layer, time.utc.ns, legend);
-    if (legend.data_time_ns == scene::kNoTime || legend.is_forecast) return false;
-    return base::Duration{time.utc.ns - legend.data_time_ns} > base::Duration::from_seconds(stale_after_s);
+    if (legend.data_time_ns == scene::kNoTime || legend.is_forecast) return {};
+    const base::Duration age{time.utc.ns - legend.data_time_ns};
+    return age > base::Duration::from_seconds(stale_after_s) ? age : base::Duration();
 }
 
 draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& attribute, const flight::FlightTime& time,
@@ -340,7 +341,7 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     legend.scale = ground.scale;
     keep_named_classes(*slice->attribute(), slice->classes_in_use(), legend);
     if (plan.member != scene::kMean) legend.part = member_text(plan.member, slice->attribute()->member_count());
-    add_uncertainty(design, *slice->attribute()->entry, color, plain, legend);
+    add_uncertainty(design, *slice->attribute(), color, plain, legend);
     if (const base::FixedString<23> none = words_for_none(ground, legend); !none.empty())
         static_cast<void>(legend.signs.try_push_back(sample_of(none.view(), plain, plain, SampleLook::plain)));
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));

@@ -16,8 +16,9 @@ namespace tedavis::display {
                                          const flight::FlightTime& time, const design::DesignSettings& design,
                                          const scene::Layer* made_of = nullptr) noexcept;
 
-/// What the layer holds of this date was measured longer ago than that; forecasts, and what nobody dates, are not stale.
-[[nodiscard]] bool is_stale(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept;
+/// How long ago what the layer holds of this date was measured, where that is longer than `stale_after_s`; else 0. Forecasts, and
+/// what nobody dates, are not stale.
+[[nodiscard]] base::Duration stale_age(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept;
 
 /// The unit that pilots read: degrees of radians, degrees Celsius of kelvins, and where heights are feet, knots of metres per
 /// second, or feet per minute where the attribute's name says that they are vertical. Others as they are.

@@ -195,8 +195,10 @@ private:
     void show_look();
     class Raises;
     void note_epochs();
-    [[nodiscard]] Way way_of(const flight::OwnShipEstimate& own) const;
+    [[nodiscard]] PredictedTrack track_of(const flight::OwnShipEstimate& own) const;
     [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
+    [[nodiscard]] bool is_in_design(const scene::Layer& layer) const;
+    void note_stale_data();
     [[nodiscard]] effects::EffectSet asked() const;
     void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }
@@ -251,6 +253,7 @@ private:
     design::DesignSettings design_;                              ///< as the device can show it; where no phase has another
     design::PhaseDesigns phases_;                                ///< likewise
     design::AspectWeights weights_;                              ///< of the shown design, in the planned frame
+    bool shows_alert_ = false;                                   ///< terrain is ahead: the shown design has warning colours
     bool has_new_look_ = false;                                  ///< they have changed since the drawers were told
     effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
     std::size_t shown_ = 0, turns_to_ = 0;                       ///< places of designs
@@ -265,7 +268,7 @@ private:
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
     DataElements elements_;
-    bool has_epochs_ = false;  ///< some design has labels, or weights
+    bool has_epochs_ = false;  ///< there is terrain, or some design has labels or weights
     RaisedWeights raised_;
     FociPlan foci_;            ///< of the planned frame
     bool draws_foci_ = false;  ///< with what they change of the ground

@@ -9,6 +9,7 @@
 
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/fixed_vector.hpp"
+#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/signal.hpp"
 
 namespace tedavis::display {
@@ -57,12 +58,14 @@ struct DisplayDecisions {
     bool show_warning_colors = false;
     bool terrain_degraded = false;  ///< shown, but its position or height is not to be trusted
     bool plain_horizon = false;     ///< blue over brown by attitude, without terrain; never on the map
-    bool unusual_attitude = false;  ///< recovery picture: chevrons, decluttered; flagged
+    bool below_terrain = false;     ///< the own ship flies below the database's surface: the plain horizon is grey over red
+    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< said by a notice, and by the warning colours where they may be shown
+    bool unusual_attitude = false;                    ///< recovery picture: chevrons, decluttered; flagged
     /// Signal that turns the view: true_heading, magnetic_heading (plus variation), true_track or count_ (none: the view
     /// faces north and no terrain is drawn).
     flight::Signal view_heading = flight::Signal::count_;
     std::array<ElementDecision, kElementCount> elements{};
-    base::FixedVector<Notice, 14> notices;               ///< most urgent first
+    base::FixedVector<Notice, 16> notices;               ///< most urgent first
     base::FixedVector<base::FixedString<47>, 32> flags;  ///< "signal.state" or a name
 
     [[nodiscard]] const ElementDecision& operator[](Element element) const { return elements[static_cast<std::size_t>(element)]; }

@@ -12,7 +12,7 @@ void Display::set_elements() {
 
 /// Of other designs, or another scene.
 void Display::note_epochs() {
-    has_epochs_ = false;
+    has_epochs_ = terrain_.is_started();  // it may be ahead
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
         const design::DesignSettings& design = design_at(place);
         const bool has_labels =
@@ -59,6 +59,7 @@ void Display::plan_elements(const flight::FlownWay* way) {
     // Of a picture for each eye they are planned once more with the eye.
     if (shows_elements()) plan_signs(eye_, {});
     note_labels();
+    note_stale_data();
     if (!foci_.foci.regions.empty()) note_foci(foci_, elements_, element_frame(ground, seen_, way), record_);
 }
 
@@ -108,14 +109,16 @@ void Display::approach_epoch(const flight::AircraftState& state, const flight::P
     const DisplayDecisions decisions = decisions_;
     const ViewTransition transition = transition_;
     const design::AspectWeights weights = weights_;
+    const bool shows_alert = shows_alert_;
     const std::size_t shown = shown_;
     shown_ = phases_.place_of(phase.presented);
     if (shown_ != shown) take_weights();
     transition_ = ViewTransition();
     begin_update(state, phase, now);
-    const bool is_as_shown = shown_ == shown && weights_ == weights;
+    const bool is_as_shown = shown_ == shown && weights_ == weights && shows_alert_ == shows_alert;
     shown_ = shown;
     weights_ = weights;
+    shows_alert_ = shows_alert;
     if (!is_as_shown) take_weights();
     has_new_look_ = false;
     transition_ = transition;

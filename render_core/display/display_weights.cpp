@@ -4,6 +4,7 @@
 #include "render_core/design/weighted_design.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/display.hpp"
+#include "render_core/display/frame_notes.hpp"
 #include "render_core/display/hazard_watch.hpp"
 #include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
@@ -17,6 +18,7 @@ public:
 
     [[nodiscard]] WeightRaises raises_at(const WeighedInstant& instant) override {
         WeightRaises raises;
+        raises.terrain_ahead = terrain_ahead_at(instant);
         if (!priority_.is_stated) return raises;
         if (display_.data_are_stale(instant.time)) raise(raises, design::kUncertaintyAspect, 1, priority_.stale_uncertainty);
         if (display_.terrain_.is_started() && instant.own_ship.state == base::SignalState::valid) raise_hazards(instant, raises);
@@ -24,14 +26,23 @@ public:
     }
 
 private:
+    [[nodiscard]] TerrainAhead terrain_ahead_at(const WeighedInstant& instant) const {
+        if (!display_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid) return TerrainAhead::none;
+        const PredictedTrack track = display_.track_of(instant.own_ship);
+        TerrainGround ground(display_.terrain_, terrain::View());
+        base::Span<const scene::Layer> layers;
+        if (display_.data_.has_scene()) layers = display_.data_.scene().layers();
+        return TerrainWatch(track, instant.phase, layers, ground).ahead();
+    }
+
     void raise(WeightRaises& raises, std::size_t aspect, double share, double weight) const {
         raises.of[aspect] = std::fmax(raises.of[aspect], share * (weight - priority_.weights.of[aspect]));
     }
 
     void raise_hazards(const WeighedInstant& instant, WeightRaises& raises) const {
-        const Way way = display_.way_of(instant.own_ship);
+        const PredictedTrack track = display_.track_of(instant.own_ship);
         TerrainGround ground(display_.terrain_, terrain::View());
-        HazardWatch watch(priority_, way, ground, instant.time.utc.ns);
+        HazardWatch watch(priority_, track, ground, instant.time.utc.ns);
         // Where terrain comes first already it needs no focus of its own.
         if (priority_.weights.of[design::kTerrainAspect] < priority_.hazard_weight)
             raise(raises, design::kTerrainAspect, watch.terrain_share(), priority_.hazard_weight);
@@ -51,10 +62,10 @@ private:
     const design::PrioritySettings& priority_;
 };
 
-Way Display::way_of(const flight::OwnShipEstimate& own) const {
-    Way way{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
-    if (!own.height_is_geometric) way.from.height.m += undulation_m(own.position);
-    return way;
+PredictedTrack Display::track_of(const flight::OwnShipEstimate& own) const {
+    PredictedTrack track{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
+    if (!own.height_is_geometric) track.from.height.m += undulation_m(own.position);
+    return track;
 }
 
 /// Before anything of the frame is planned.
@@ -62,21 +73,26 @@ void Display::weigh(base::Time now) {
     design::AspectWeights weights = design_at(shown_).priority.weights;
     if (has_epochs_) {
         Raises raises(*this);
-        raised_.follow({now, flight::flight_time(state_.utc, now), state_.own_ship}, raises, shown_);
+        raised_.follow({now, flight::flight_time(state_.utc, now), state_.own_ship, conditions_.phase.presented}, raises, shown_);
         if (design_at(shown_).priority.is_stated) weights = raised_.above(weights);
     }
-    if (weights == weights_) return;
+    conditions_.terrain_ahead = raised_.terrain_ahead();
+    const bool shows_alert = conditions_.terrain_ahead != TerrainAhead::none;
+    if (weights == weights_ && shows_alert == shows_alert_) return;
     weights_ = weights;
+    shows_alert_ = shows_alert;
     take_weights();
     has_new_look_ = true;
 }
 
-/// At other weights than the stated ones it has the programs of the design as it was read.
+/// At other weights than the stated ones it has the programs of the design as it was read. While terrain is ahead it has warning
+/// colours, whatever it says of them.
 void Display::take_weights() {
     const design::PrioritySettings& priority = design_at(shown_).priority;
     settings_.design = design_at(shown_);
     design::weigh(weights_, settings_.design);
     if (!(weights_ == priority.weights)) design::keep_programs(design_at(shown_), settings_.design);
+    if (shows_alert_) design::require_warning_colors(settings_.design);
     if (elements_.is_started()) set_elements();
 }
 
@@ -89,24 +105,40 @@ void Display::show_look() {
 
 ObstaclePlaces Display::obstacles_ahead() {
     if (!shows_elements() || !data_.has_scene() || state_.own_ship.state != base::SignalState::valid) return {};
-    const Way way = way_of(state_.own_ship);
+    const PredictedTrack track = track_of(state_.own_ship);
     TerrainGround ground(terrain_, eye_.view);
-    HazardWatch watch(design_at(shown_).priority, way, ground, record_.flight_time.utc.ns);
+    HazardWatch watch(design_at(shown_).priority, track, ground, record_.flight_time.utc.ns);
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
     const draw::SignView eye{eye_.view, static_cast<float>(text_px(context(), settings_.width_px, settings_.height_px))};
     return obstacle_places({data_.scene(), record_.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},
                            watch);
 }
 
+bool Display::is_in_design(const scene::Layer& layer) const {
+    const design::DataStyle& data = design_at(shown_).data;
+    bool is_shown = data.ground.is_shown && data.ground.layer.view() == layer.entry->name;
+    for (const design::DataElement& element : data.elements) is_shown = is_shown || is_meant(element, layer);
+    return is_shown;
+}
+
+/// Each layer of the picture that is stale, with its age.
+void Display::note_stale_data() {
+    if (!data_.has_scene() || !record_.flight_time.is_confirmed || !decisions_.show_terrain) return;
+    for (const scene::Layer& layer : data_.scene().layers()) {
+        if (!is_in_design(layer) || !is_valid_at(layer, record_.flight_time)) continue;
+        const base::Duration age = stale_age(layer, record_.flight_time, design_at(shown_).data.stale_after_s);
+        if (age.ns == 0) continue;
+        flag("data.stale", record_);
+        static_cast<void>(record_.stale.try_push_back({layer.entry->name, age.to_seconds()}));
+    }
+}
+
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.
 bool Display::data_are_stale(const flight::FlightTime& time) const {
     if (!data_.has_scene() || !time.is_confirmed) return false;
-    const design::DataStyle& data = design_at(shown_).data;
-    for (const scene::Layer& layer : data_.scene().layers()) {
-        bool is_shown = data.ground.is_shown && data.ground.layer.view() == layer.entry->name;
-        for (const design::DataElement& element : data.elements) is_shown = is_shown || is_meant(element, layer);
-        if (is_shown && (!is_valid_at(layer, time) || is_stale(layer, time, data.stale_after_s))) return true;
-    }
+    const double stale_after_s = design_at(shown_).data.stale_after_s;
+    for (const scene::Layer& layer : data_.scene().layers())
+        if (is_in_design(layer) && (!is_valid_at(layer, time) || stale_age(layer, time, stale_after_s).ns > 0)) return true;
     return false;
 }
 

@@ -7,6 +7,8 @@ namespace tedavis::display {
 namespace {
 
 constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
+/// No calm blue and brown: who sees it flies below the surface.
+constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A, 0x0A}, kContactHorizon{0xC0, 0x18, 0x18};
 
 }  // namespace
 
@@ -46,6 +48,10 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
         sky.colors.ground = frame.design.terrain.unknown;
         sky.colors.ground_horizon = design::blended(frame.design.terrain.unknown, frame.design.sky.haze, 1 - frame.map_share);
+    } else if (frame.decisions.plain_horizon && frame.decisions.below_terrain) {
+        sky.colors.zenith = sky.colors.horizon = kContactSky;
+        sky.colors.ground = kContactGround;
+        sky.colors.ground_horizon = kContactHorizon;
     } else if (!frame.decisions.plain_horizon && !frame.is_free_view) {
         // Without attitude any horizon would be a wrong one.
         sky.colors.zenith = sky.colors.horizon = sky.colors.ground = sky.colors.ground_horizon = kNothingKnown;

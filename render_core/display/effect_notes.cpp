@@ -1,7 +1,8 @@
 #include "render_core/display/effect_notes.hpp"
 
-#include <cmath>
 #include <string_view>
+
+#include "render_core/display/frame_notes.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -36,37 +37,33 @@ void note(Effect effect, const effects::PlannedEffect& planned, FrameRecord& rec
     static_cast<void>(record.effects.try_push_back(noted));
 }
 
-void add_technique(std::string_view name, Name& technique) {
-    if (!technique.empty()) technique.append("+");
-    technique.append(name);
-}
-
 void state_data_aspects(const design::GroundData& ground, std::uint32_t members, FrameRecord& record) {
     const bool has_classes = ground.scale.palette.is_nominal() || !ground.scale.breaks.empty();
-    record.data_aspect = {Name(has_classes ? "ground_color_classes" : "ground_color"), detail_of(ground.scale)};
+    add_technique(has_classes ? "ground_color_classes" : "ground_color", detail_of(ground.scale), record.data_aspect);
     const bool has_members = ground.members == design::GroundMembers::animated;
-    Name technique(has_members ? "animated_members" : "");
+    AspectRecord& uncertainty = record.uncertainty_aspect;
+    if (has_members) add_technique("animated_members", design::detail_of_members(members), uncertainty);
     if (ground.uncertainty.technique != design::IntrinsicUncertainty::none)
-        add_technique(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(ground.uncertainty.technique)], technique);
+        add_technique(design::kIntrinsicUncertaintyNames[static_cast<std::size_t>(ground.uncertainty.technique)],
+                      detail_of(ground.uncertainty), uncertainty);
     if (ground.overlay.technique != design::UncertaintyOverlay::none)
-        add_technique(design::kUncertaintyOverlayNames[static_cast<std::size_t>(ground.overlay.technique)], technique);
-    if (technique.empty()) return;
-    const double of_members = has_members ? design::detail_of_members(members) : 0;
-    record.uncertainty_aspect = {technique,
-                                 std::fmax(of_members, std::fmax(detail_of(ground.uncertainty), detail_of(ground.overlay)))};
+        add_technique(design::kUncertaintyOverlayNames[static_cast<std::size_t>(ground.overlay.technique)],
+                      detail_of(ground.overlay), uncertainty);
 }
 
 void add_adjacent_aspect(const design::AdjacentView& adjacent, std::uint32_t maps, AspectRecord& aspect) {
     if (adjacent.shows == design::AdjacentShows::value) return;
     const bool has_members = adjacent.shows == design::AdjacentShows::members;
-    add_technique(has_members ? "adjacent_members" : "adjacent_map", aspect.technique);
-    aspect.detail = std::fmax(aspect.detail, has_members ? design::detail_of_members(maps) : detail_of(adjacent.scale));
+    if (has_members)
+        add_technique("adjacent_members", design::detail_of_members(maps), aspect);
+    else
+        add_technique("adjacent_map", detail_of(adjacent.scale), aspect);
 }
 
 void state_terrain_aspect(const EffectNotes& notes, AspectRecord& aspect) {
     design::TerrainStyle shown = notes.design.terrain.style;
     if (notes.plan.runs(Effect::plain_color)) shown.texture = design::TerrainTexture::plain;
-    aspect.technique = notes.decisions.show_terrain ? style_name(shown) : Name("none");
+    aspect.technique = notes.decisions.show_terrain ? style_name(shown).view() : std::string_view("none");
     aspect.detail = notes.decisions.show_terrain ? detail_of(shown) : 0;
 }
 

@@ -52,16 +52,18 @@ draw::LegendSample unknown_sample(const ElementReport& report, Color color, Colo
 }
 
 /// What fades, at its surest and at its least sure, and the unknown, which is neither.
-void add_fading(const ElementReport& report, const scene::AttributeEntry& attribute, const design::DesignSettings& design,
+void add_fading(const ElementReport& report, const scene::Attribute& attribute, const design::DesignSettings& design,
                 draw::DataLegend& legend) {
     const design::DataElement& element = *report.element;
     const bool greys = element.uncertainty == ElementUncertainty::saturation;
     if (!greys && element.uncertainty != ElementUncertainty::transparency) return;
     const Color color = middle_color(legend.scale);
     const Color faded = blended(color, greys ? grey_of(color) : design.terrain.style.plain, element.uncertainty_strength);
-    static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
-    static_cast<void>(legend.uncertainty.try_push_back(
-        sample_of(full_uncertainty_text(attribute, design.symbology.legend_unit).view(), faded)));
+    if (attribute.states_uncertainty()) {
+        static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
+        static_cast<void>(legend.uncertainty.try_push_back(
+            sample_of(full_uncertainty_text(*attribute.entry, design.symbology.legend_unit).view(), faded)));
+    }
     static_cast<void>(legend.uncertainty.try_push_back(unknown_sample(report, color, faded, design.terrain.style.plain)));
 }
 
@@ -73,7 +75,7 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     draw::DataLegend legend = legend_of(*report.layer, *attribute, frame.time, frame.design, frame.made_of(*attribute));
     legend.scale = encoding.scale;
     keep_named_classes(*attribute, UINT32_MAX, legend);
-    add_fading(report, *attribute->entry, frame.design, legend);
+    add_fading(report, *attribute, frame.design, legend);
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
     add_legend(legend, legends);
 }

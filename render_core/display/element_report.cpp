@@ -27,6 +27,15 @@ const char* reason_of(ElementState state) noexcept {
     return "unknown";
 }
 
+bool is_drawn(const ElementReport& report) noexcept {
+    return report.state == ElementState::shown && report.count.drawn + report.count.aggregated > 0;
+}
+
+bool shows_uncertainty(const ElementReport& report) noexcept {
+    return is_drawn(report) && report.element->uncertainty != design::ElementUncertainty::none && report.layer != nullptr &&
+           report.layer->states_uncertainty();
+}
+
 bool is_sign_technique(DataTechnique technique) noexcept {
     return is_billboard_technique(technique) || technique == DataTechnique::barbs;
 }

@@ -34,6 +34,10 @@ struct ElementReport {
     double detail_factor = 1;             ///< of the element's detail, as shown
     std::array<draw::CueCount, draw::kCues> cues{};
 };
+/// Whether the frame shows features of a layer by this element.
+[[nodiscard]] bool is_drawn(const ElementReport& report) noexcept;
+/// Whether it shows how unsure they are, too: the element has a technique for it, and the layer states an uncertainty.
+[[nodiscard]] bool shows_uncertainty(const ElementReport& report) noexcept;
 /// Whether an element faces the eye, in pixels: signs that are built every frame.
 [[nodiscard]] bool is_billboard_technique(design::DataTechnique technique) noexcept;
 /// Whether an element stands over the picture as signs, which take what room the symbology leaves.

@@ -161,6 +161,7 @@ private:
             if (rule.group != chain.group) continue;
             const SignalState state = state_of(rule.signal);
             std::uint8_t bits = consequences(rule, state);
+            if (state_.is_posed && state == SignalState::missing && (bits & kRemoveTerrain) == 0) bits = kNoConsequence;
             if (chain.group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
             if (conditions_.is_map && aims_view(chain.group)) bits &= ~kRemoveTerrain;
             if (!served) gathered_[static_cast<std::size_t>(chain.group)] |= bits;
@@ -243,6 +244,9 @@ private:
         out_.show_warning_colors =
             out_.show_terrain && design_.warning_colors && !out_.unusual_attitude && (all_gathered_ & kRemoveWarningColors) == 0;
         out_.plain_horizon = !conditions_.is_map && !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
+        out_.below_terrain = conditions_.terrain == TerrainSource::above_own_ship && !is_parked();
+        out_.terrain_ahead = knows_terrain_ahead() ? conditions_.terrain_ahead : TerrainAhead::none;
+        if (out_.terrain_ahead != TerrainAhead::none) flag("terrain", "ahead");
         if (out_.terrain_degraded) flag("terrain", "degraded");
         ElementDecision& ground = out_[Element::ground_height];
         if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::substituted;
@@ -257,6 +261,22 @@ private:
         if (is_flat()) flag("terrain", "flat");
         if (state_.traffic.is_cut) flag("traffic", "cut");
         if (out_.show_terrain && conditions_.data_are_out_of_date) flag("data", "out_of_date");
+    }
+
+    /// Heights of the database are known whatever is shown of it; the own ship's place and height must be trustworthy.
+    [[nodiscard]] bool knows_terrain_ahead() const {
+        const TerrainSource source = conditions_.terrain;
+        const bool has_heights = source == TerrainSource::ready || source == TerrainSource::too_coarse ||
+                                 source == TerrainSource::over_budget || source == TerrainSource::outside;
+        return has_heights && state_.own_ship.state == SignalState::valid && (all_gathered_ & kDegradeTerrain) == 0;
+    }
+
+    /// It stands on ground of which it or the database is a little off.
+    [[nodiscard]] bool is_parked() const {
+        constexpr double kFastest_mps = 15, kDeepest_m = 30;
+        const flight::OwnShipEstimate& own = state_.own_ship;
+        return std::hypot(own.velocity_north_mps, own.velocity_east_mps) < kFastest_mps &&
+               state_[Signal::height_above_terrain].value_or(0) >= -kDeepest_m;
     }
 
     [[nodiscard]] bool is_flat() const { return out_.show_terrain && design_.view.reference == design::Reference::flat; }
@@ -280,6 +300,9 @@ private:
 
     void add_notices() {
         if (conditions_.terrain == TerrainSource::failed) notice(NoticeLevel::warning, "TERRAIN FAIL");
+        if (out_.below_terrain) notice(NoticeLevel::warning, "BELOW TERRAIN");
+        if (out_.terrain_ahead != TerrainAhead::none)
+            notice(out_.terrain_ahead == TerrainAhead::warning ? NoticeLevel::warning : NoticeLevel::caution, "TERRAIN AHEAD");
         const SignalState position = state_.own_ship.state;
         if (position == SignalState::stale)
             notice(NoticeLevel::caution, "GPS POSITION STALE");
@@ -287,7 +310,8 @@ private:
             notice(NoticeLevel::caution, "NO GPS POSITION");
         if (conditions_.terrain == TerrainSource::none) notice(NoticeLevel::caution, "NO TERRAIN DATA");
         if (conditions_.terrain == TerrainSource::outside) notice(NoticeLevel::caution, "OUTSIDE DATABASE");
-        if (conditions_.terrain == TerrainSource::above_own_ship) notice(NoticeLevel::caution, "BELOW TERRAIN");
+        if (conditions_.terrain == TerrainSource::above_own_ship && !out_.below_terrain)
+            notice(NoticeLevel::caution, "BELOW TERRAIN");
         if (out_.terrain_degraded) notice(NoticeLevel::caution, "TERRAIN DEGRADED");
         if (out_.show_terrain && conditions_.terrain_is_coarse) notice(NoticeLevel::caution, "TERRAIN COARSE");
         const TerrainSource source = conditions_.terrain;

@@ -11,6 +11,7 @@
 #include "render_core/base/time.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/display_decisions.hpp"
+#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
@@ -36,7 +37,8 @@ struct DisplayConditions {
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
     bool is_reduced = false;            ///< for the frame's deadline, and the design asks that this is said
     bool shows_measure = false;         ///< of the picture, over it: its colours say something else
-    bool is_map = false;                ///< the picture is the map, which needs no attitude and, with north up, no heading
+    TerrainAhead terrain_ahead = TerrainAhead::none;
+    bool is_map = false;  ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 
 /// Signals that state the same information stand in one group, the first choice first.

@@ -31,11 +31,13 @@ void note_effect(const ElementReport& report, FrameRecord& record) {
 
 void note_aspects(const ElementReport& report, FrameRecord& record) {
     const design::DataElement& element = *report.element;
-    const double detail = element.detail * report.detail_factor;
-    if (report.state != ElementState::shown || detail <= record.data_aspect.detail) return;
-    record.data_aspect = {Name(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)]), detail};
-    if (element.uncertainty == design::ElementUncertainty::none) return;
-    record.uncertainty_aspect = {Name(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)]), detail};
+    if (!is_drawn(report)) return;
+    if (element.technique != design::DataTechnique::uncertainty_only)
+        add_technique(design::kDataTechniqueNames[static_cast<std::size_t>(element.technique)],
+                      element.detail * report.detail_factor, record.data_aspect);
+    if (shows_uncertainty(report))
+        add_technique(design::kElementUncertaintyNames[static_cast<std::size_t>(element.uncertainty)],
+                      design::detail_of_levels(element.uncertainty_levels), record.uncertainty_aspect);
 }
 
 /// What is out of view counts as nothing else; of what is not told apart, the drawn ones are taken to be out of it first.
@@ -59,6 +61,17 @@ void flag(std::string_view name, FrameRecord& record) {
         if (known.view() == name) return;
     // A full list has counted the refusal itself.
     static_cast<void>(record.flags.try_push_back(Name(name)));
+}
+
+void add_technique(std::string_view name, double detail, AspectRecord& aspect) {
+    aspect.detail = std::max(aspect.detail, detail);
+    for (std::string_view rest = aspect.technique.view(); !rest.empty();) {
+        const std::size_t end = std::min(rest.find('+'), rest.size());
+        if (rest.substr(0, end) == name) return;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (!aspect.technique.empty()) aspect.technique.append("+");
+    aspect.technique.append(name);
 }
 
 void note_terrain(const TerrainPlan& plan, FrameRecord& record) {

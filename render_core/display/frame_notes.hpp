@@ -14,11 +14,15 @@ namespace tedavis::display {
 /// Once, however often it is raised. A full list counts what it refuses.
 void flag(std::string_view name, FrameRecord& record);
 
+/// One more technique that shows an aspect, named once; the aspect's detail is that of the most detailed one.
+void add_technique(std::string_view name, double detail, AspectRecord& aspect);
+
 /// Asks for record.terrain.tau_px. Triangles are those planned until note_drawn().
 void note_terrain(const TerrainPlan& plan, FrameRecord& record);
 /// With the flag terrain.not_traced where rays were asked for and triangles are drawn.
 void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record);
-/// Counts by type, an effect an element ("data.tube"), and the aspects of the most detailed element that is shown.
+/// Counts by type, an effect an element ("data.tube"), and the techniques of all that is shown of the data and of their
+/// uncertainty.
 void note_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.
 /// The weight of each aspect, and of which one something has raised it.

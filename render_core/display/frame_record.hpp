@@ -33,8 +33,8 @@ struct EffectRecord {
 };
 
 struct AspectRecord {
-    Name technique;
-    double detail = 0;  ///< 0..1
+    base::FixedString<95> technique;  ///< all that show it, joined by "+"; empty: nothing does
+    double detail = 0;                ///< 0..1
     double weight = 0;
 };
 
@@ -73,6 +73,12 @@ struct DataRecord {
     std::uint32_t aggregated = 0;  ///< within what stands for several
     std::uint32_t hidden = 0;
     std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
+};
+
+/// A layer of the picture that was measured longer ago than the design's limit.
+struct StaleRecord {
+    base::FixedString<31> layer;
+    double age_s = 0;
 };
 
 /// Of icons and names; labels are names.
@@ -139,6 +145,7 @@ struct FrameRecord {
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
     base::FixedVector<DataRecord, 16> data;
+    base::FixedVector<StaleRecord, 16> stale;  ///< with the flag data.stale
     LabelRecord labels;
     base::FixedVector<FocusRecord, scene::kMaxFoci> foci;
     ByteRecord bytes;

@@ -22,13 +22,14 @@ double distance_m(double east, double north, double to_east, double to_north) {
 
 }  // namespace
 
-HazardWatch::HazardWatch(const design::PrioritySettings& settings, const Way& way, draw::Ground& ground, std::int64_t time_ns)
+HazardWatch::HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, draw::Ground& ground,
+                         std::int64_t time_ns)
     : settings_(settings),
-      way_(way),
+      track_(track),
       ground_(ground),
       time_ns_(time_ns),
-      metres_per_latitude_(earth::meridian_radius_m(way.from.latitude_rad)),
-      metres_per_longitude_(earth::prime_vertical_radius_m(way.from.latitude_rad) * std::cos(way.from.latitude_rad)) {}
+      metres_per_latitude_(track.metres_per_latitude_rad()),
+      metres_per_longitude_(track.metres_per_longitude_rad()) {}
 
 double HazardWatch::share_of(double seconds) const {
     const double left = 2 * (1 - seconds / settings_.hazard_ahead_s);
@@ -43,31 +44,24 @@ double HazardWatch::note(double seconds) {
 
 bool HazardWatch::first_met(earth::Geodetic& place) const {
     if (!(soonest_s_ < kNever)) return false;
-    place = geodetic_at(soonest_s_);
+    place = track_.at(soonest_s_);
     return true;
 }
 
-earth::Geodetic HazardWatch::geodetic_at(double seconds) const {
-    const Place at = way_at(seconds);
-    return {way_.from.latitude_rad + at.north_m / metres_per_latitude_,
-            way_.from.longitude_rad + at.east_m / metres_per_longitude_,
-            {way_.from.height.m + way_.up_mps * seconds}};
-}
-
 HazardWatch::Place HazardWatch::place_of(const scene::ScenePoint& point) const {
-    double east_rad = point.longitude_rad - way_.from.longitude_rad;
+    double east_rad = point.longitude_rad - track_.from.longitude_rad;
     if (std::fabs(east_rad) > base::kPi) east_rad -= std::copysign(2 * base::kPi, east_rad);
-    return {east_rad * metres_per_longitude_, (point.latitude_rad - way_.from.latitude_rad) * metres_per_latitude_};
+    return {east_rad * metres_per_longitude_, (point.latitude_rad - track_.from.latitude_rad) * metres_per_latitude_};
 }
 
 /// Between two steps nothing is flown past.
 double HazardWatch::reach_m() const {
-    return settings_.hazard_within_m + 0.5 * std::hypot(way_.east_mps, way_.north_mps) * settings_.hazard_ahead_s / kSteps;
+    return settings_.hazard_within_m + 0.5 * std::hypot(track_.east_mps, track_.north_mps) * settings_.hazard_ahead_s / kSteps;
 }
 
 /// Beyond one side of a box round the whole way.
 bool HazardWatch::is_aside(const scene::Layer& layer, scene::Run run, Place drift) const {
-    const Place end = way_at(settings_.hazard_ahead_s);
+    const Place end = track_at(settings_.hazard_ahead_s);
     double west = kNever, east = -kNever, south = kNever, north = -kNever;
     for (std::uint32_t n = 0; n < run.count; ++n) {
         const Place at = place_of(layer.points[run.first + n]);
@@ -91,13 +85,9 @@ double HazardWatch::terrain_share() {
 /// Below the way and aside of it, across its track.
 bool HazardWatch::is_at_terrain(double seconds) {
     constexpr int kAside = 2;
-    const double speed = std::hypot(way_.east_mps, way_.north_mps);
-    const earth::Geodetic way = geodetic_at(seconds);
     for (int n = -kAside; n <= kAside; ++n) {
-        const double aside = speed > 0 ? settings_.hazard_within_m * n / (kAside * speed) : 0;
-        const double ground_m = ground_.height_m(way.latitude_rad - aside * way_.east_mps / metres_per_latitude_,
-                                                 way.longitude_rad + aside * way_.north_mps / metres_per_longitude_);
-        if (way.height.m < ground_m + clearance_m()) return true;
+        const earth::Geodetic place = track_.at(seconds, settings_.hazard_within_m * n / kAside);
+        if (place.height.m < ground_.height_m(place.latitude_rad, place.longitude_rad) + clearance_m()) return true;
     }
     return false;
 }
@@ -122,7 +112,7 @@ double HazardWatch::seconds_to(const scene::Layer& layer, std::uint32_t feature)
 
 /// Within an area by how often its border is crossed to the east.
 bool HazardWatch::is_near(const scene::Layer& layer, scene::Run run, Place drift, double seconds) const {
-    const Place own = way_at(seconds);
+    const Place own = track_at(seconds);
     const double reach = reach_m();
     const bool is_area = layer.entry->shape == scene::LayerShape::areas;
     bool is_inside = false;
@@ -147,7 +137,7 @@ double HazardWatch::over_ellipsoid_m(double height_m, scene::HeightDatum datum, 
 
 /// Comparisons with what is not a number are false: it is in the way.
 bool HazardWatch::is_at_height(const scene::Layer& layer, std::uint32_t feature, double seconds) {
-    const earth::Geodetic at = geodetic_at(seconds);
+    const earth::Geodetic at = track_.at(seconds);
     if (layer.entry->shape != scene::LayerShape::areas) {
         const scene::Run run = layer.points_of(feature);
         double top_m = static_cast<double>(layer.points[run.first].height_m);

@@ -14,15 +14,10 @@
 #include <limits>
 
 #include "render_core/design/priority.hpp"
+#include "render_core/display/predicted_track.hpp"
 #include "render_core/draw/data/element_input.hpp"
-#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::display {
-
-struct Way {
-    earth::Geodetic from;  ///< height over the ellipsoid
-    double north_mps = 0, east_mps = 0, up_mps = 0;
-};
 
 /// Shares 0..1 by aspect; 0 of those that are no hazard.
 using HazardShares = std::array<double, design::kMaxAspects>;
@@ -31,7 +26,8 @@ class HazardWatch {
 public:
     static constexpr int kSteps = 24;
     /// All must stay while it is asked. `time_ns`: the frame's, for what moves.
-    HazardWatch(const design::PrioritySettings& settings, const Way& way, draw::Ground& ground, std::int64_t time_ns);
+    HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, draw::Ground& ground,
+                std::int64_t time_ns);
 
     [[nodiscard]] double terrain_share();
     [[nodiscard]] double layer_share(const scene::Layer& layer);
@@ -45,8 +41,7 @@ private:
         double east_m, north_m;
     };
     [[nodiscard]] double time_of(int step) const { return settings_.hazard_ahead_s * step / kSteps; }
-    [[nodiscard]] Place way_at(double seconds) const { return {way_.east_mps * seconds, way_.north_mps * seconds}; }
-    [[nodiscard]] earth::Geodetic geodetic_at(double seconds) const;
+    [[nodiscard]] Place track_at(double seconds) const { return {track_.east_mps * seconds, track_.north_mps * seconds}; }
     [[nodiscard]] Place place_of(const scene::ScenePoint& point) const;
     [[nodiscard]] double reach_m() const;
     [[nodiscard]] bool is_aside(const scene::Layer& layer, scene::Run run, Place drift) const;
@@ -59,7 +54,7 @@ private:
     [[nodiscard]] double over_ellipsoid_m(double height_m, scene::HeightDatum datum, const earth::Geodetic& at);
 
     const design::PrioritySettings& settings_;
-    const Way& way_;
+    const PredictedTrack& track_;
     draw::Ground& ground_;
     std::int64_t time_ns_;
     double soonest_s_ = std::numeric_limits<double>::infinity();

@@ -22,7 +22,9 @@ void RaisedWeights::follow(const WeighedInstant& instant, RaiseSource& source, s
     last_now_ = instant.now;
     last_own_ = instant.own_ship;
     if (is_decided_ && !leaps && design != design_) {
+        const TerrainAhead alert = raises_.terrain_ahead;
         raises_ = source.raises_at(instant_);
+        raises_.terrain_ahead = alert;
         is_anew_ = true;
     }
     design_ = design;
@@ -30,10 +32,12 @@ void RaisedWeights::follow(const WeighedInstant& instant, RaiseSource& source, s
     const std::int64_t passed = epoch - draw::LabelPlanner::epoch_of(instant_.now);
     if (is_decided_ && passed == 0 && !leaps) return;
     const WeightRaises asked = source.raises_at(instant);
-    if (!is_decided_ || leaps || passed < 0)
+    const bool begins = !is_decided_ || leaps || passed < 0;
+    if (begins)
         raises_ = asked;
     else
         approach(asked, passed);
+    follow_alert(asked.terrain_ahead, begins ? kHeldEpochs : passed);
     instant_ = instant;
     is_decided_ = true;
     is_anew_ = leaps;
@@ -50,6 +54,14 @@ void RaisedWeights::approach(const WeightRaises& asked, std::int64_t epochs) {
     if (!asked.has_hazard && is_falling) return;
     raises_.has_hazard = asked.has_hazard;
     raises_.hazard = asked.hazard;
+}
+
+void RaisedWeights::follow_alert(TerrainAhead asked, std::int64_t epochs) {
+    if (asked != TerrainAhead::none)
+        alert_epochs_left_ = kHeldEpochs;
+    else if (alert_epochs_left_ = std::max<std::int64_t>(alert_epochs_left_ - epochs, 0); alert_epochs_left_ > 0)
+        return;
+    raises_.terrain_ahead = asked;
 }
 
 design::AspectWeights RaisedWeights::above(const design::AspectWeights& stated) const {

@@ -1,8 +1,11 @@
-/// What raises the weights of aspects above those that a design states: hazards on the way, and stale data. Decided at the epochs
+/// What lies ahead of a frame's picture: whether terrain does (terrain_ahead.hpp), and what raises the weights of aspects above
+/// those that a design states: hazards on the way, and stale data. Decided at the epochs
 /// of labels (draw/data/label_planner.hpp) by what they ask for at the epoch's first instant, and approached little by little:
 /// what is only just reached neither flickers nor leaps.
 ///
 ///   follow(instant, source, design) each frame, and at every epoch that a replay passes over · above(stated)
+///
+/// The alert comes at once and stays for kHeldEpochs after the last epoch that asked for it, whatever design takes its turn.
 ///
 /// The place of a hazard is that of the epoch; it stays while what it raised is still falling. When another of the display's
 /// designs takes its turn the epoch is decided anew for that one, at its first instant and at once: the fade between both covers
@@ -16,6 +19,7 @@
 
 #include "render_core/base/time.hpp"
 #include "render_core/design/priority.hpp"
+#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_time.hpp"
 
@@ -26,12 +30,14 @@ struct WeighedInstant {
     base::Time now{0};  ///< the source's
     flight::FlightTime time;
     flight::OwnShipEstimate own_ship;
+    flight::FlightPhase phase;
 };
 
 struct WeightRaises {
     std::array<double, design::kMaxAspects> of{};  ///< 0..1, above the stated weights
     bool has_hazard = false;
     earth::Geodetic hazard;  ///< with it: where the first one is met; height over the ellipsoid
+    TerrainAhead terrain_ahead = TerrainAhead::none;
 };
 
 /// What is asked for at an instant.
@@ -49,6 +55,7 @@ protected:
 class RaisedWeights {
 public:
     static constexpr double kMostRise = 0.25, kMostFall = 0.125;  ///< of a weight, from one epoch to the next
+    static constexpr std::int64_t kHeldEpochs = 4;                ///< two seconds
 
     /// `design`: a number for each of the display's designs; `source` answers for that one.
     void follow(const WeighedInstant& instant, RaiseSource& source, std::size_t design);
@@ -56,14 +63,18 @@ public:
     [[nodiscard]] design::AspectWeights above(const design::AspectWeights& stated) const;
     /// Null where there is none.
     [[nodiscard]] const earth::Geodetic* hazard() const { return raises_.has_hazard ? &raises_.hazard : nullptr; }
+    [[nodiscard]] TerrainAhead terrain_ahead() const { return raises_.terrain_ahead; }
     /// The epoch was decided in one way, and then anew.
     [[nodiscard]] bool is_anew() const { return is_anew_; }
 
 private:
     void approach(const WeightRaises& asked, std::int64_t epochs);
 
+    void follow_alert(TerrainAhead asked, std::int64_t epochs);
+
     WeightRaises raises_;
-    WeighedInstant instant_;  ///< the epoch's first
+    std::int64_t alert_epochs_left_ = 0;  ///< the alert stays for them without being asked for
+    WeighedInstant instant_;              ///< the epoch's first
     base::Time last_now_{0};
     flight::OwnShipEstimate last_own_;
     std::size_t design_ = 0;

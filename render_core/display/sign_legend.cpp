@@ -221,14 +221,16 @@ private:
         const design::DataElement& element = *report.element;
         const LayerRole role = report.layer->entry->role;
         if (role == LayerRole::traffic) add_traffic(element);
-        add_rim(element);
+        add_rim(report);
         add_margin(report, "PLACE", element.color);
         if (role == LayerRole::obstacle) add_obstacles(report);
     }
 
-    void add_rim(const design::DataElement& element) {
+    /// Nothing is less sure than the rest where the layer states no uncertainty.
+    void add_rim(const ElementReport& report) {
+        const design::DataElement& element = *report.element;
         if (element.uncertainty == ElementUncertainty::none || element.uncertainty == ElementUncertainty::ellipsoid) return;
-        if (element.uncertainty == ElementUncertainty::dashed_rim) {
+        if (element.uncertainty == ElementUncertainty::dashed_rim && report.layer->states_uncertainty()) {
             begin("LESS SURE", SampleLook::dashed_rim, element.color).under = kUnderSigns;
             made_.share = 1 - (1 - draw::kLeastDashes) * element.uncertainty_strength;
             add_sample(made_);

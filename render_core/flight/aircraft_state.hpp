@@ -31,6 +31,7 @@ struct AircraftState {
     OwnShipEstimate own_ship;
     UtcEstimate utc;
     Traffic traffic;
+    bool is_posed = false;  ///< somebody states a place, nobody flies: signals that are missing have not failed
 
     [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const {
         return signals[static_cast<std::size_t>(signal)];

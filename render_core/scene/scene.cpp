@@ -51,6 +51,10 @@ ValueState Attribute::state(std::size_t n) const {
     return states.empty() ? ValueState::valid : states[n];
 }
 
+bool Attribute::states_uncertainty() const {
+    return entry->uncertainty_kind != UncertaintyKind::none && (!uncertainties.empty() || entry->uncertainty_all.is_known());
+}
+
 Uncertainty Attribute::uncertainty(std::size_t n) const {
     if (state(n) == ValueState::missing) return {};
     return uncertainties.empty() ? entry->uncertainty_all : uncertainties[n];
@@ -64,6 +68,12 @@ Run Layer::points_of(std::uint32_t feature) const {
 }
 
 std::string_view Layer::name_of(std::uint32_t feature) const { return text_of(names, feature); }
+
+bool Layer::states_uncertainty() const {
+    for (const Attribute& attribute : attributes)
+        if (attribute.states_uncertainty()) return true;
+    return false;
+}
 
 const Attribute* Layer::find(std::string_view attribute) const {
     for (const Attribute& a : attributes)

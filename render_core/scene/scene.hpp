@@ -42,6 +42,8 @@ struct Attribute {
     /// the ensemble's.
     [[nodiscard]] Attribute member(std::uint32_t number) const;
     [[nodiscard]] ValueState state(std::size_t n) const;
+    /// Whether the data state an uncertainty for any value; where not, none may be shown, sure least of all.
+    [[nodiscard]] bool states_uncertainty() const;
     /// As stated, without age. Unknown where the value is missing.
     [[nodiscard]] Uncertainty uncertainty(std::size_t n) const;
     [[nodiscard]] std::string_view class_name(std::uint32_t number) const;
@@ -65,6 +67,8 @@ struct Layer {
     [[nodiscard]] Run points_of(std::uint32_t feature) const;
     [[nodiscard]] std::string_view name_of(std::uint32_t feature) const;  ///< empty where it has none
     [[nodiscard]] const Attribute* find(std::string_view attribute) const;
+    /// Of any attribute.
+    [[nodiscard]] bool states_uncertainty() const;
 };
 
 class Scene {

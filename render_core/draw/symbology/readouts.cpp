@@ -70,12 +70,9 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     const bool radio = decision.source != flight::Signal::height_above_terrain;
     if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");
     const double feet = limited(input.ground_height_m / base::kMetresPerFoot, -999, 99'999);
-    const bool stale = decision.show == ElementShow::flagged;
-    labelled_number(painter, box,
-                    stale   ? "STALE FT"
-                    : radio ? "RADIO FT"
-                            : "TERRAIN FT",
-                    whole_number(feet).view(), decision.show);
+    base::FixedString<15> label(decision.show == ElementShow::flagged ? "STALE " : "");
+    label.append(radio ? "RA FT" : "AGL FT");
+    labelled_number(painter, box, label.view(), whole_number(feet).view(), decision.show);
 }
 
 void build_phase(const Painter& painter, const SymbologyInput& input) {

@@ -62,7 +62,7 @@ TEST_F(EffectNotesTest, ThePlanIsInTheRecordWithItsReasons) {
 
 TEST_F(EffectNotesTest, TheAspectOfTerrainIsItsStyle) {
     call(Effect::drape, Kind::called);
-    const Name with_image = noted().terrain_aspect.technique;
+    const auto with_image = noted().terrain_aspect.technique;
     EXPECT_EQ(noted().terrain_aspect.detail, 1);
     call(Effect::drape, Kind::no_input, "there is no image");
     EXPECT_NE(noted().terrain_aspect.technique.view(), with_image.view());

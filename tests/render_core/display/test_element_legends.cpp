@@ -78,6 +78,24 @@ TEST_F(ElementLegends, FadingSaysHowTheLeastSureLooks) {
     EXPECT_EQ(legends({surface})[0].uncertainty[2].look, draw::SampleLook::question);
 }
 
+TEST_F(ElementLegends, NothingIsSureWhereTheDataStateNoUncertainty) {
+    element_.uncertainty = design::ElementUncertainty::transparency;
+    host_sim::LayerDraft unstated = test_support::small_grid(), unknown = unstated;
+    unstated.attributes[0].uncertainty_kind = scene::UncertaintyKind::none;
+    unstated.attributes[0].uncertainties.clear();
+    unknown.attributes[0].uncertainties.clear();
+    unknown.attributes[0].uncertainty_all = scene::Uncertainty();
+    for (const host_sim::LayerDraft& layer : {unstated, unknown}) {
+        const test_support::LoadedScene scene({"one", "a test", 1, {layer}});
+        ElementReport one = report();
+        one.layer = &scene.scene().layers()[0];
+        const draw::DataLegends shown = legends({one});
+        ASSERT_EQ(shown[0].uncertainty.size(), 1u);
+        EXPECT_EQ(shown[0].uncertainty[0].text.view(), draw::kUnknownText);
+    }
+    EXPECT_EQ(legends({report()})[0].uncertainty[0].text.view(), "SURE") << "control";
+}
+
 TEST(ElementLegendsOf, ValuesThatWereMadeOfAnotherLayersHaveItsTimeAndSource) {
     constexpr std::int64_t kHour_ns = 3'600'000'000'000, kNow_ns = 472'000 * kHour_ns;
     host_sim::SceneDraft draft = test_support::small_scene();

@@ -229,6 +229,83 @@ TEST(FailurePolicy, TheDatabaseHasItsPictures) {
     }
 }
 
+TEST(FailurePolicy, APoseHasNoFailedSensors) {
+    AircraftState pose = everything_valid();
+    for (const Signal signal : {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed,
+                                Signal::ground_speed, Signal::vertical_speed, Signal::baro_setting})
+        put_signal(pose, signal, SignalState::missing);
+    EXPECT_EQ(decide_on(pose)[Element::airspeed].show, ElementShow::failed) << "control: a flight";
+    pose.is_posed = true;
+    EXPECT_EQ(decide_on(pose)[Element::airspeed].show, ElementShow::absent);
+    EXPECT_EQ(decide_on(pose)[Element::vertical_speed].show, ElementShow::absent);
+    EXPECT_TRUE(decide_on(pose).flags.empty());
+    put_signal(pose, Signal::pitch, SignalState::missing);
+    EXPECT_EQ(decide_on(pose)[Element::attitude].show, ElementShow::failed) << "without it there is no view";
+    EXPECT_FALSE(decide_on(pose).show_terrain);
+}
+
+NoticeLevel level_of(const DisplayDecisions& decisions, std::string_view text) {
+    for (const Notice& notice : decisions.notices)
+        if (notice.text.view() == text) return notice.level;
+    ADD_FAILURE() << text << " is not said";
+    return NoticeLevel::information;
+}
+
+TEST(FailurePolicy, BelowTerrainIsAWarningUnlessTheAircraftIsParked) {
+    DisplayConditions conditions = good_conditions();
+    conditions.terrain = TerrainSource::above_own_ship;
+    AircraftState state = everything_valid();
+    state[Signal::height_above_terrain] = {-3, kPolicyNow};
+    EXPECT_EQ(level_of(decide_on(state, conditions), "BELOW TERRAIN"), NoticeLevel::warning);
+    EXPECT_TRUE(decide_on(state, conditions).below_terrain);
+    state.own_ship.velocity_north_mps = 2;
+    EXPECT_EQ(level_of(decide_on(state, conditions), "BELOW TERRAIN"), NoticeLevel::caution) << "its height is a little off";
+    EXPECT_FALSE(decide_on(state, conditions).below_terrain);
+    state[Signal::height_above_terrain] = {-80, kPolicyNow};
+    EXPECT_EQ(level_of(decide_on(state, conditions), "BELOW TERRAIN"), NoticeLevel::warning);
+    EXPECT_FALSE(decide_on(state).below_terrain) << "control";
+}
+
+TEST(FailurePolicy, TerrainAheadIsSaidFirstWhateverIsShownOfIt) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "TERRAIN AHEAD")) << "control";
+    for (const TerrainAhead ahead : {TerrainAhead::caution, TerrainAhead::warning}) {
+        conditions.terrain_ahead = ahead;
+        for (const TerrainSource source : {TerrainSource::ready, TerrainSource::too_coarse, TerrainSource::over_budget})
+            for (const bool is_map : {false, true})
+                for (const double roll_deg : {0.0, 100.0}) {
+                    conditions.terrain = source;
+                    conditions.is_map = is_map;
+                    AircraftState state = everything_valid();
+                    state[Signal::roll] = {base::radians(roll_deg), kPolicyNow};
+                    put_signal(state, Signal::true_heading, SignalState::lost);
+                    const DisplayDecisions decisions = decide_on(state, conditions);
+                    EXPECT_EQ(decisions.notices[0].text.view(), "TERRAIN AHEAD");
+                    EXPECT_EQ(decisions.notices[0].level,
+                              ahead == TerrainAhead::warning ? NoticeLevel::warning : NoticeLevel::caution);
+                    EXPECT_TRUE(has_flag(decisions, "terrain.ahead"));
+                }
+    }
+}
+
+TEST(FailurePolicy, TerrainAheadOfAnUncertainPlaceIsNotSaid) {
+    DisplayConditions conditions = good_conditions();
+    conditions.terrain_ahead = TerrainAhead::warning;
+    AircraftState lost = everything_valid(), inaccurate = lost, barometric = lost;
+    lost.own_ship.state = SignalState::lost;
+    inaccurate[Signal::vertical_accuracy] = {5000, kPolicyNow};
+    barometric.own_ship.height_is_geometric = false;
+    put_signal(barometric, Signal::baro_setting, SignalState::lost);
+    for (const AircraftState& state : {lost, inaccurate, barometric}) {
+        EXPECT_FALSE(has_notice(decide_on(state, conditions), "TERRAIN AHEAD"));
+        EXPECT_FALSE(has_flag(decide_on(state, conditions), "terrain.ahead"));
+    }
+    for (const TerrainSource source : {TerrainSource::none, TerrainSource::failed}) {
+        conditions.terrain = source;
+        EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "TERRAIN AHEAD"));
+    }
+}
+
 TEST(FailurePolicy, UnusualAttitudesDeclutter) {
     const std::pair<double, double> unusual[] = {{31, 0}, {-21, 0}, {0, 61}, {0, -61}, {0, 179}};
     for (const auto& [pitch_deg, roll_deg] : unusual) {

@@ -18,6 +18,8 @@ struct LayerOf {
     explicit LayerOf(scene::LayerRole role) {
         entry.role = role;
         layer.entry = &entry;
+        attribute.entry = &attribute_entry;
+        layer.attributes = {&attribute, 1};
     }
     [[nodiscard]] ElementReport report(draw::ElementCount count, ElementState state = ElementState::shown) const {
         return {state, &element, &layer, count};
@@ -25,6 +27,8 @@ struct LayerOf {
 
     design::DataElement element;
     scene::LayerEntry entry{};
+    scene::AttributeEntry attribute_entry{};
+    scene::Attribute attribute;
     scene::Layer layer;
 };
 
@@ -153,6 +157,38 @@ TEST(FrameNotes, EveryElementIsAnEffectWithItsReason) {
     EXPECT_EQ(record.data_aspect.technique.view(), "prism");
     EXPECT_EQ(record.data_aspect.detail, 0.5);
     EXPECT_TRUE(record.uncertainty_aspect.technique.empty()) << "what is not shown says nothing";
+}
+
+/// Each with as much detail as the others, as in re-planning.
+TEST(FrameNotes, EveryTechniqueThatShowsAnAspectIsNamedOnce) {
+    LayerOf storm(scene::LayerRole::storm_cell), tracks(scene::LayerRole::trajectory), masts(scene::LayerRole::obstacle);
+    for (LayerOf* const layer : {&storm, &tracks}) {
+        layer->attribute_entry.uncertainty_kind = scene::UncertaintyKind::standard_deviation;
+        layer->attribute_entry.uncertainty_all = scene::Uncertainty::from_level(0.5);
+    }
+    storm.element.technique = tracks.element.technique = design::DataTechnique::prism;
+    storm.element.uncertainty = design::ElementUncertainty::transparency;
+    tracks.element.uncertainty = masts.element.uncertainty = design::ElementUncertainty::widening;
+    tracks.element.uncertainty_levels = 2;
+    ElementReports reports;
+    ASSERT_TRUE(reports.try_push_back(tracks.report({1, 0, 0})));
+    ASSERT_TRUE(reports.try_push_back(masts.report({3, 0, 0})));
+    ASSERT_TRUE(reports.try_push_back(storm.report({0, 0, 4})));
+    FrameRecord record;
+    note_elements(reports, record);
+    EXPECT_EQ(record.uncertainty_aspect.technique.view(), "widening") << "no storm is drawn";
+    EXPECT_EQ(record.uncertainty_aspect.detail, 0.25) << "two gradations of sixteen";
+    reports[2] = storm.report({0, 4, 0});
+    record = {};
+    note_elements(reports, record);
+    EXPECT_EQ(record.data_aspect.technique.view(), "prism+solid");
+    EXPECT_EQ(record.uncertainty_aspect.technique.view(), "widening+transparency");
+    EXPECT_EQ(record.uncertainty_aspect.detail, 1);
+    tracks.attribute_entry.uncertainty_all = scene::Uncertainty();
+    storm.attribute_entry.uncertainty_kind = scene::UncertaintyKind::none;
+    record = {};
+    note_elements(reports, record);
+    EXPECT_TRUE(record.uncertainty_aspect.technique.empty()) << "control: none of the layers states an uncertainty";
 }
 
 TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {

@@ -54,7 +54,7 @@ host_sim::LayerDraft area(const std::vector<scene::ScenePoint>& corners, float f
 struct Watched {
     design::PrioritySettings settings;  // 90 s, 500 m
     LevelGround ground;                 // 600 m, geoid 50 m over the ellipsoid
-    Way way{{base::radians(kLatitude_deg), base::radians(kLongitude_deg), {2050}}, kSpeed_mps, 0, 0};
+    PredictedTrack way{{base::radians(kLatitude_deg), base::radians(kLongitude_deg), {2050}}, kSpeed_mps, 0, 0};
 
     double layer(const host_sim::LayerDraft& draft) {
         const LoadedScene scene({"one", "a test", 1, {draft}});
@@ -155,7 +155,7 @@ TEST(HazardWatch, TerrainAsideIsOneAsFarAsAnythingElse) {
     for (const double east_m : {-300.0, 200.0, 450.0, 550.0, 900.0}) {
         ridge.from_rad = point(0, east_m, 0).longitude_rad;
         EXPECT_EQ(HazardWatch(watched.settings, watched.way, ridge, 0).terrain_share(), east_m < 500 ? 1 : 0) << east_m;
-        Way back = watched.way;  // it lies on the other side of who flies the other way
+        PredictedTrack back = watched.way;  // it lies on the other side of who flies the other way
         back.north_mps = -kSpeed_mps;
         EXPECT_EQ(HazardWatch(watched.settings, back, ridge, 0).terrain_share(), east_m < 500 ? 1 : 0) << east_m;
     }

@@ -77,7 +77,7 @@ private:
     LoadedScene scene_;
     design::PrioritySettings settings_;
     LevelGround ground_;
-    Way way_;
+    PredictedTrack way_;
     draw::SignView eye_;
     design::DataElement element_;
     ElementReports reports_;

@@ -138,7 +138,7 @@ std::vector<Row> rows() {
              state[Signal::horizontal_accuracy] = {5000, kHillsNow};
          },
          "horizontal_accuracy.above_limit", true, true, 0},
-        {"weather stale", Weather::stale, nothing, nullptr, true, true, 0.6},
+        {"weather stale", Weather::stale, nothing, "data.stale", true, true, 0.6},
         {"weather out of date", Weather::out_of_date, nothing, "data.missing", true, false, 0.6},
         {"weather of unknown quality", Weather::unsure, nothing, nullptr, true, true, 0},
         {"no weather", Weather::none, nothing, nullptr, true, false, 0},
@@ -159,6 +159,10 @@ void expect_cell(const Row& row, const PhaseCell& phase, const FrameRecord& reco
     const std::string where = std::string(row.input) + ", " + phase.design;
     EXPECT_TRUE(row.flag == nullptr || has_flag(record, row.flag)) << where;
     EXPECT_EQ(record.design.view(), phase.design) << where;
+    EXPECT_EQ(has_flag(record, "data.stale"), row.weather == Weather::stale && row.shows_terrain) << where;
+    ASSERT_EQ(record.stale.size(), has_flag(record, "data.stale") ? 1u : 0u) << where;
+    if (!record.stale.empty()) EXPECT_EQ(record.stale[0].layer.view(), "cells") << where;
+    if (!record.stale.empty()) EXPECT_NEAR(record.stale[0].age_s, 40 * 60, 1) << where;
     EXPECT_EQ(record.terrain_aspect.technique.view() != "none", row.shows_terrain) << where;
     if (std::string(phase.design) == "default") return;  // it states no weights
     EXPECT_EQ(record.weights[phase.first].stated, 1) << where;

@@ -148,5 +148,38 @@ TEST(RaisedWeights, NoWeightIsAboveOne) {
     EXPECT_EQ(flight.raised.hazard(), nullptr) << "what is stale lies nowhere";
 }
 
+TEST(RaisedWeights, AnAlertComesAtOnceAndStaysForTwoSeconds) {
+    Flight flight;
+    flight.follow(10);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none);
+    flight.asked.raises.terrain_ahead = TerrainAhead::caution;
+    flight.follow(10.5);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::caution);
+    flight.asked.raises.terrain_ahead = TerrainAhead::warning;
+    flight.follow(11);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::warning);
+    flight.asked.raises.terrain_ahead = TerrainAhead::none;
+    for (const double seconds : {11.5, 12.0, 12.5}) {
+        flight.follow(seconds);
+        EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::warning) << seconds;
+    }
+    flight.follow(13);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none) << "control";
+}
+
+TEST(RaisedWeights, AnotherDesignKeepsTheAlert) {
+    Flight flight;
+    flight.asked.raises.terrain_ahead = TerrainAhead::warning;
+    flight.follow(10);
+    flight.asked.raises.terrain_ahead = TerrainAhead::none;
+    flight.follow(10.5);
+    flight.design = 1;
+    flight.follow(10.6);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::warning);
+    flight.latitude_rad = 0.82;
+    flight.follow(10.6);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none) << "control: the same instant elsewhere is another flight";
+}
+
 }  // namespace
 }  // namespace tedavis::display::test_raised_weights

@@ -155,6 +155,11 @@ TEST(SignLegend, SignsOfObstaclesAndTraffic) {
     kind.values = {2, 0, 2};
     masts.attributes.push_back(kind);
     EXPECT_EQ(said(masts, element_of(DataTechnique::billboard)), "MAST;CRANE;") << "those that there are";
+    EXPECT_EQ(said(masts, element_of(DataTechnique::billboard, ElementUncertainty::dashed_rim)), "? UNKNOWN;MAST;CRANE;")
+        << "no uncertainty is stated";
+    masts.attributes[0].uncertainty_kind = scene::UncertaintyKind::percent;
+    masts.attributes[0].uncertainty_full = 100;
+    masts.attributes[0].uncertainty_all = scene::Uncertainty::from_level(0.3);
     EXPECT_EQ(said(masts, element_of(DataTechnique::billboard, ElementUncertainty::dashed_rim)),
               "LESS SURE;? UNKNOWN;MAST;CRANE;");
     EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard)),

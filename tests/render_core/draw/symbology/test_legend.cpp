@@ -37,9 +37,9 @@ std::string legend_text(const SymbologyInput& input) {
 
 TEST(Legend, NamesWhatIsOnThePicture) {
     SymbologyInput input = calm_input();
-    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATAOUTSIDERELATIVEFT+2000+1000-500-1000-2000");
+    EXPECT_EQ(legend_text(input), "GROUNDELEVFT0100020003000400050006000SEANODATAOUTSIDERELATIVEFT+2000+1000-500-1000-2000");
     input.legend.bands = false;
-    EXPECT_EQ(legend_text(input), "ELEVATIONFT0100020003000400050006000SEANODATAOUTSIDE");
+    EXPECT_EQ(legend_text(input), "GROUNDELEVFT0100020003000400050006000SEANODATAOUTSIDE");
     input.legend.tint = false;
     EXPECT_EQ(legend_text(input), "SEANODATAOUTSIDE") << "whatever gives the ground its colour";
     input.legend.bands = true;
@@ -72,7 +72,7 @@ TEST(Legend, SaysByHowMuchTheBandsAreLowered) {
 TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {
     SymbologyInput input = calm_input();
     input.legend.unit = design::HeightUnit::metres;
-    EXPECT_EQ(legend_text(input), "ELEVATIONM0500100015002000SEANODATAOUTSIDERELATIVEM+610+305-152-305-610");
+    EXPECT_EQ(legend_text(input), "GROUNDELEVM0500100015002000SEANODATAOUTSIDERELATIVEM+610+305-152-305-610");
     input.legend.bands = false;
     input.legend.lowest = input.legend.highest = 0;
     input.legend.palette = test_support::ShippedPalettes().find("slope").value();
@@ -90,8 +90,8 @@ TEST(Legend, ADesignCanSwitchItOff) {
     build_symbology(with.batch, input, layout);
     input.shown.legend = false;
     build_symbology(without.batch, input, layout);
-    EXPECT_NE(text_of(with.batch).find("ELEVATION"), std::string::npos);
-    EXPECT_EQ(text_of(without.batch).find("ELEVATION"), std::string::npos);
+    EXPECT_NE(text_of(with.batch).find("GROUND ELEV"), std::string::npos);
+    EXPECT_EQ(text_of(without.batch).find("GROUND ELEV"), std::string::npos);
 }
 
 /// Eight bands a thousand feet apart.

@@ -164,7 +164,7 @@ TEST(Symbology, NumbersAreInTheCockpitsUnitsWithTheirSource) {
                                                                      {build_vertical_speed, {"FT/MIN", "-500"}},
                                                                      {build_heading, {"HDGTRUE", "047"}},
                                                                      {build_baro_setting, {"QNHHPA", "1009"}},
-                                                                     {build_ground_height, {"RADIOFT", "1240"}},
+                                                                     {build_ground_height, {"RAFT", "1240"}},
                                                                      {build_phase, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
     for (const auto& [build, texts] : expected) {
         BatchStore store;

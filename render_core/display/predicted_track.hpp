@@ -1,0 +1,28 @@
+/// The own ship's track for the next seconds: straight ahead at the velocity of the instant.
+///
+/// Frame     places are geodetic, WGS84, heights over the ellipsoid in metres; velocities are in the local north, east, up frame.
+/// Range     some 100 km: metres become angles by the radii of curvature at its first place.
+/// Plain data; pure.
+#pragma once
+
+#include <cmath>
+
+#include "render_core/earth/geodetic.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::display {
+
+struct PredictedTrack {
+    earth::Geodetic from;  ///< where the own ship is
+    double north_mps = 0, east_mps = 0, up_mps = 0;
+
+    [[nodiscard]] double ground_speed_mps() const { return std::hypot(north_mps, east_mps); }
+    [[nodiscard]] double metres_per_latitude_rad() const { return earth::meridian_radius_m(from.latitude_rad); }
+    [[nodiscard]] double metres_per_longitude_rad() const {
+        return earth::prime_vertical_radius_m(from.latitude_rad) * std::cos(from.latitude_rad);
+    }
+    /// After so many seconds; `right_m` to the right of the track, where it has a direction.
+    [[nodiscard]] earth::Geodetic at(double seconds, double right_m = 0) const;
+};
+
+}  // namespace tedavis::display

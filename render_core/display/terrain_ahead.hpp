@@ -1,0 +1,72 @@
+/// Whether the own ship flies into terrain: what the notice TERRAIN AHEAD and the warning colours follow in every phase and design.
+///
+/// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires, within
+/// a minute, on five lines that lie 400 m wide across the track. The phase only sets the clearance; none switches the alert off.
+/// What lies below by less than the clearance already counts only where the track comes closer by a quarter, so that low flight
+/// over level ground is no alert.
+///
+/// No alert: below 15 m/s over the ground (taxiing); close to the ground near a runway of the scene; for ground round a runway that
+/// is as high as the runway; beyond the place where the track meets it. Without a scene with runways, a landing is an alert.
+/// Ground that is not known is no alert: the display says otherwise that it is missing. This is no certified alerting system.
+///
+/// Based on  Forward-looking terrain avoidance: required clearances of TSO-C151c table 3.1.1; 60 s and 30 s, and heights near a
+///           runway, of Garmin and Honeywell guides (190-00709, 060-4241-000).
+/// Bounded   kMaxSteps x kLines places of the track, every point of the runways for places that are too close. Pure, but for
+///           what the ground reads. Thread  the display's.
+#pragma once
+
+#include <cstdint>
+
+#include "render_core/base/span.hpp"
+#include "render_core/display/predicted_track.hpp"
+#include "render_core/flight/flight_phase.hpp"
+
+namespace tedavis::draw {
+class Ground;
+}
+namespace tedavis::scene {
+struct Layer;
+}
+
+namespace tedavis::display {
+
+enum class TerrainAhead : std::uint8_t {
+    none,
+    caution,  ///< within 60 s
+    warning,  ///< within 30 s
+};
+
+class TerrainWatch {
+public:
+    static constexpr double kLookAhead_s = 60, kWarning_s = 30;
+    static constexpr int kMaxSteps = 256, kLines = 5;
+
+    /// All must stay while it is asked. `layers`: of the scene, or empty.
+    TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
+                 draw::Ground& ground);
+
+    [[nodiscard]] TerrainAhead ahead();
+    /// Until the track is too close to the ground; infinite where it is not within kLookAhead_s.
+    [[nodiscard]] double seconds_to_terrain();
+
+private:
+    struct NearRunway {
+        double distance_m, height_m;  ///< to the nearest point of a runway, and over the ellipsoid there
+    };
+    [[nodiscard]] bool is_inhibited();
+    [[nodiscard]] bool lands(double seconds);
+    [[nodiscard]] bool is_too_close(double seconds);
+    [[nodiscard]] bool is_ground_of_runway(const earth::Geodetic& place, double ground_m);
+    [[nodiscard]] NearRunway nearest_runway(const earth::Geodetic& place);
+
+    const PredictedTrack& track_;
+    base::Span<const scene::Layer> layers_;
+    draw::Ground& ground_;
+    double height_above_ground_m_;  ///< of the own ship; infinite where the ground is not known
+    double clearance_m_;
+};
+
+/// What the phase requires, in metres, for level flight and for a descent of more than 500 ft/min.
+[[nodiscard]] double required_clearance_m(flight::FlightPhase phase, double up_mps) noexcept;
+
+}  // namespace tedavis::display

@@ -1,0 +1,139 @@
+// Terrain ahead in the pictures of the shipped designs: colored and said in every phase, whatever a design says of warning colors.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "render_core/display/display.hpp"
+#include "tests/support/drawn_pixels.hpp"
+#include "tests/support/hills_display.hpp"
+
+namespace tedavis::display::test_terrain_alert {
+namespace {
+
+using flight::FlightPhase;
+using flight::Scenario;
+using test_support::HeadlessDisplay;
+using test_support::kHillsNow;
+
+constexpr std::uint32_t kWidth = 240, kHeight = 180;
+
+/// Level, towards hills that are higher; there is a heading for it.
+flight::AircraftState towards_hills(double speed_mps = 60) {
+    flight::AircraftState state = test_support::aircraft_over_hills(1060, 30, 0);
+    state.own_ship.velocity_north_mps *= speed_mps / 60;
+    state.own_ship.velocity_east_mps *= speed_mps / 60;
+    return state;
+}
+
+/// In the colors of the EGPWS bands, which no design's own ground has: saturated red, yellow or green.
+double colored_share(const std::vector<std::uint8_t>& rgba) {
+    std::size_t colored = 0;
+    for (std::size_t n = 0; n < rgba.size(); n += 4) {
+        const int red = rgba[n], green = rgba[n + 1], blue = rgba[n + 2];
+        const bool is_warm = red > blue + 60 && green < red + 30;
+        const bool is_green = green > red + 25 && green > blue + 25;
+        colored += is_warm || is_green ? 1u : 0u;
+    }
+    return static_cast<double>(colored) * 4 / static_cast<double>(rgba.size());
+}
+
+double red_share(const std::vector<std::uint8_t>& rgba) {
+    std::size_t red = 0;
+    for (std::size_t n = 0; n < rgba.size(); n += 4) red += rgba[n] > 100 && rgba[n + 1] < 40 && rgba[n + 2] < 40 ? 1u : 0u;
+    return static_cast<double>(red) * 4 / static_cast<double>(rgba.size());
+}
+
+bool says_ahead(const FrameRecord& record) {
+    for (const Name& name : record.flags)
+        if (name.view() == "terrain.ahead") return true;
+    return false;
+}
+
+EffectState state_of_colors(const FrameRecord& record) {
+    for (const EffectRecord& effect : record.effects)
+        if (effect.name.view() == "warning_colors") return effect.state;
+    return EffectState::skipped;
+}
+
+struct Shown {
+    FrameRecord record;
+    double colored = 0, red = 0;
+};
+
+Shown shown(const design::DesignSettings& design, const flight::AircraftState& state, FlightPhase phase, const char* device) {
+    test_support::MemoryBytes terrain{test_support::hills().image};
+    HeadlessDisplay headless("egl", device, kWidth, kHeight, &terrain, design);
+    const auto pixels =
+        test_support::settled_pixels(headless, state, kHillsNow, flight::stated_phase(phase, flight::PhaseSource::motion));
+    return {headless.display().record(), colored_share(pixels), red_share(pixels)};
+}
+
+TEST(TerrainAlert, EveryShippedDesignTellsOfTerrainAhead) {
+    for (const char* name :
+         {"default", "takeoff", "cruise", "approach", "replanning", "priority", "map_north_up", "map_track_up", "focus/sphere"}) {
+        design::DesignSettings design = test_support::shipped_design(name);
+        design.symbology = {};
+        const Shown alert = shown(design, towards_hills(), {Scenario::cruise, 0}, "es3-mid");
+        const Shown calm = shown(design, towards_hills(10), {Scenario::cruise, 0}, "es3-mid");
+        EXPECT_TRUE(says_ahead(alert.record)) << name;
+        EXPECT_EQ(state_of_colors(alert.record), EffectState::run) << name;
+        EXPECT_FALSE(says_ahead(calm.record)) << name << ": control, it stands nearly still";
+        if (design.warning_colors) continue;
+        EXPECT_EQ(state_of_colors(calm.record), EffectState::skipped) << name;
+        EXPECT_GT(alert.colored, calm.colored + 0.1) << name;
+    }
+}
+
+TEST(TerrainAlert, NoPhaseDeviceWeightOrBandsOfADesignSilenceIt) {
+    for (const char* device : {"es3-mid", "es2-small"})
+        for (const FlightPhase phase : {FlightPhase{}, FlightPhase{Scenario::cruise, 0}, flight::kApproachLanding,
+                                        flight::kGoAroundReplanning, FlightPhase{Scenario::ground, 0}}) {
+            design::DesignSettings design = test_support::shipped_design("cruise");
+            design.priority.weights.of.fill(0);
+            design.priority.hazard_weight = 0;
+            design.priority.hazard_ahead_s = 10;
+            design.priority.hazard_within_m = 50;
+            design.warning_bands = {};
+            static_cast<void>(design.warning_bands.try_push_back({6000, 6000, {0xFF, 0, 0}, 0}));
+            const Shown alert = shown(design, towards_hills(), phase, device);
+            EXPECT_TRUE(says_ahead(alert.record)) << device << " " << int{phase.code()};
+            EXPECT_EQ(state_of_colors(alert.record), EffectState::run) << device << " " << int{phase.code()};
+            EXPECT_GT(alert.colored, 0.1) << device << " " << int{phase.code()};
+        }
+}
+
+TEST(TerrainAlert, OnlyTheFailurePolicySilencesIt) {
+    const design::DesignSettings design = test_support::shipped_design("cruise");
+    flight::AircraftState lost = towards_hills();
+    lost.own_ship.state = base::SignalState::stale;
+    const Shown silent = shown(design, lost, {Scenario::cruise, 0}, "es3-mid");
+    EXPECT_FALSE(says_ahead(silent.record));
+    EXPECT_EQ(state_of_colors(silent.record), EffectState::skipped);
+}
+
+/// The alert comes and goes; what a design shows without it is as before.
+TEST(TerrainAlert, TheDesignComesBackAsItWas) {
+    test_support::MemoryBytes terrain{test_support::hills().image};
+    HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &terrain, test_support::shipped_design("cruise"));
+    const auto picture = [&](const flight::AircraftState& state) {
+        return test_support::settled_pixels(headless, state, kHillsNow, flight::stated_phase({Scenario::cruise, 0}, flight::PhaseSource::can));
+    };
+    const auto before = picture(towards_hills(10)), alert = picture(towards_hills()), after = picture(towards_hills(10));
+    EXPECT_EQ(before, after);
+    EXPECT_NE(before, alert) << "control";
+}
+
+TEST(TerrainAlert, BelowTerrainIsNoCalmHorizon) {
+    const design::DesignSettings design = test_support::shipped_design("cruise");
+    flight::AircraftState below = test_support::aircraft_over_hills(900, 30, 0);
+    const Shown contact = shown(design, below, {Scenario::cruise, 0}, "es3-mid");
+    EXPECT_GT(contact.red, 0.25) << "red up to the horizon";
+    below.own_ship.velocity_north_mps = below.own_ship.velocity_east_mps = 0;
+    below[flight::Signal::height_above_terrain] = {-5, kHillsNow};
+    const Shown parked = shown(design, below, {Scenario::cruise, 0}, "es3-mid");
+    EXPECT_LT(parked.red, 0.02) << "control: parked, blue over brown";
+}
+
+}  // namespace
+}  // namespace tedavis::display::test_terrain_alert
