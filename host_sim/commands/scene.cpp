@@ -102,10 +102,13 @@ Json describe(const scene::Layer& layer) {
                  {"valid_until", time_or_null(entry.valid_until_ns, INT64_MAX)},
                  {"source", entry.source}};
     if (entry.shape == scene::LayerShape::grid)
-        json["grid"] = {{"columns", entry.grid.columns},
-                        {"rows", entry.grid.rows},
-                        {"levels", entry.grid.levels},
-                        {"times", entry.grid.times}};
+        json["grid"] = {
+            {"columns", entry.grid.columns},
+            {"rows", entry.grid.rows},
+            {"levels", entry.grid.levels},
+            {"times", entry.grid.times},
+            {"first_time", layer.times_ns.empty() ? Json(nullptr) : Json(iso8601(layer.times_ns[0]))},
+            {"last_time", layer.times_ns.empty() ? Json(nullptr) : Json(iso8601(layer.times_ns[layer.times_ns.size() - 1]))}};
     return json;
 }
 
@@ -119,7 +122,12 @@ Json describe(const scene::Scene& scene) {
             {"layers", layers}};
 }
 
-double hundredths(double level) { return std::round(100 * level) / 100; }
+/// In two digits, so that only what is 0 reads as 0.
+std::string level_text(double level) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", level);
+    return text;
+}
 
 std::string with_unit(double value, const char* unit) {
     std::ostringstream text;
@@ -150,22 +158,32 @@ void write_in_words(std::ostream& text, const scene::Attribute& attribute) {
     if (summary.missing > 0) text << ", " << summary.missing << " missing";
     if (summary.interpolated > 0) text << ", " << summary.interpolated << " interpolated";
     if (summary.has_levels())
-        text << "; " << kind_name(entry.uncertainty_kind) << " " << hundredths(summary.least) << " .. "
-             << hundredths(summary.greatest) << " of " << with_unit(double{entry.uncertainty_full}, unit_of_uncertainty(entry));
-    else
+        text << "; " << kind_name(entry.uncertainty_kind) << " " << level_text(summary.least) << " .. "
+             << level_text(summary.greatest) << " of " << with_unit(double{entry.uncertainty_full}, unit_of_uncertainty(entry));
+    else if (entry.uncertainty_kind == scene::UncertaintyKind::none || !summary.has_values())
         text << "; uncertainty not stated";
+    if (summary.unknown > 0 && entry.uncertainty_kind != scene::UncertaintyKind::none)
+        text << (summary.has_levels() ? ", " : "; uncertainty ") << "unknown for " << summary.unknown;
+}
+
+/// Whether it has times after that of its data, as the display tells a forecast from what was measured.
+bool has_forecast(const scene::Layer& layer) {
+    return !layer.times_ns.empty() && layer.entry->data_time_ns < layer.times_ns[layer.times_ns.size() - 1];
 }
 
 void write_in_words(std::ostream& text, const scene::Layer& layer) {
     const scene::LayerEntry& entry = *layer.entry;
     text << "\n  " << entry.name << " (" << scene::name_of(entry.role) << "): ";
-    if (entry.shape == scene::LayerShape::grid)
+    if (entry.shape != scene::LayerShape::grid)
+        text << entry.feature_count << " " << shape_name(entry.shape);
+    else
         text << entry.grid.columns << " x " << entry.grid.rows << " posts, " << entry.grid.levels << " levels, "
              << entry.grid.times << " times";
-    else
-        text << entry.feature_count << " " << shape_name(entry.shape);
+    if (!layer.times_ns.empty())
+        text << " from " << iso8601(layer.times_ns[0]) << " to " << iso8601(layer.times_ns[layer.times_ns.size() - 1]);
     if (entry.feature_count != entry.point_count) text << " of " << entry.point_count << " points";
-    if (entry.data_time_ns != scene::kNoTime) text << ", " << iso8601(entry.data_time_ns);
+    if (entry.data_time_ns != scene::kNoTime)
+        text << ", " << (has_forecast(layer) ? "computed " : "") << iso8601(entry.data_time_ns);
     text << ", from " << entry.source;
     for (const scene::Attribute& attribute : layer.attributes) write_in_words(text, attribute);
 }

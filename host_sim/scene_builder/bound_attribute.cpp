@@ -20,13 +20,18 @@ AttributeDraft bind_attribute(const AttributeRecipe& recipe) {
     return attribute;
 }
 
-float bound_value(const AttributeRecipe& recipe, double stated) {
-    constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-    double value = recipe.undetected && stated == *recipe.undetected ? recipe.undetected_value : stated;
+double stated_value(const AttributeRecipe& recipe, double stated) {
+    const double value = recipe.undetected && stated == *recipe.undetected ? recipe.undetected_value : stated;
     const bool is_missing = !std::isfinite(value) ||
                             std::find(recipe.missing.begin(), recipe.missing.end(), value) != recipe.missing.end() ||
                             (recipe.least && value < *recipe.least) || (recipe.most && value > *recipe.most);
-    if (is_missing) return kMissing;
+    return is_missing ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+float bound_value(const AttributeRecipe& recipe, double stated) {
+    constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+    double value = stated_value(recipe, stated);
+    if (std::isnan(value)) return kMissing;
     if (!recipe.class_values.empty()) {
         const auto found = std::find(recipe.class_values.begin(), recipe.class_values.end(), value);
         return found == recipe.class_values.end() ? kMissing : static_cast<float>(found - recipe.class_values.begin());
@@ -41,7 +46,7 @@ scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double state
     constexpr double kMostPercent = 100, kRounding = 1e-6;  // of a bound
     const UncertaintyRecipe& unsure = recipe.uncertainty;
     if (unsure.kind == scene::UncertaintyKind::none) return {};
-    const double in_unit = unsure.is_spread ? std::abs(recipe.factor) * stated : unsure.value.value_or(stated);
+    const double in_unit = unsure.value.value_or(stated);
     if (!(in_unit >= 0) || std::isinf(in_unit)) return {};
     const bool is_of_full = unsure.is_quality || unsure.kind == scene::UncertaintyKind::ordinal;
     if (is_of_full && in_unit > unsure.full * (1 + kRounding)) return {};

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "host_sim/scene_builder/bound_attribute.hpp"
+#include "host_sim/scene_builder/component_uncertainty.hpp"
 #include "host_sim/scene_builder/draft_grid.hpp"
 #include "host_sim/scene_builder/grid_speed.hpp"
 #include "host_sim/user_error.hpp"
@@ -101,8 +102,8 @@ private:
 /// A number with what is known of it.
 struct Derived {
     double value = kNothingDerived;
-    std::optional<double> unsure;  ///< in the value's unit
-    Uncertainty level;             ///< where there is no unit
+    std::optional<double> unsure;  ///< in the value's unit, or percent of it
+    Uncertainty level;             ///< of classes
     ValueState state = ValueState::missing;
 };
 
@@ -121,21 +122,15 @@ public:
         : time_ns_(recipe.wind_time_ns),
           grid_(wind),
           east_(require(recipe, attribute, "east")),
-          north_(require(recipe, attribute, "north")) {
+          north_(require(recipe, attribute, "north")),
+          scale_(shared_scale(scale_of(east_), scale_of(north_))) {
         if (!wind.levels_m.empty() && wind.height_datum != line.height_datum)
             refuse(recipe, attribute,
                    "needs heights over the same level as those of '" + wind.name +
                        "'; state 'height_datum' where the source's is another");
     }
 
-    [[nodiscard]] UncertaintyKind kind() const { return east_.entry->uncertainty_kind; }
-    [[nodiscard]] double full() const { return double{east_.entry->uncertainty_full}; }
-    [[nodiscard]] bool has_unit() const {
-        const auto is = [](const scene::Attribute& a, UncertaintyKind kind) { return a.entry->uncertainty_kind == kind; };
-        for (const UncertaintyKind kind : {UncertaintyKind::standard_deviation, UncertaintyKind::interval})
-            if (is(east_, kind) && is(north_, kind)) return true;
-        return false;
-    }
+    [[nodiscard]] const UncertaintyScale& scale() const { return scale_; }
 
     [[nodiscard]] Derived at(const scene::ScenePoint& point, double track_rad, DerivedQuantity quantity) const {
         const std::int64_t time_ns = time_ns_.value_or(point.time_ns);
@@ -156,10 +151,11 @@ public:
         derived.value = part_of(wind, speed, quantity);
         if (!std::isfinite(derived.value)) return {};
         derived.state = std::max(east.state, north.state);
-        derived.level = scene::worse(east.uncertainty, north.uncertainty);
-        if (has_unit() && derived.level.is_known())
-            derived.unsure =
-                std::hypot(in_unit(east_, east) * std::sin(toward_rad), in_unit(north_, north) * std::cos(toward_rad));
+        derived.level = worse_on(scale_, east.uncertainty, scale_of(east_), north.uncertainty, scale_of(north_));
+        if (scale_.kind == UncertaintyKind::ordinal || !derived.level.is_known()) return derived;
+        derived.unsure = std::hypot(in_unit(east_, east) * std::sin(toward_rad), in_unit(north_, north) * std::cos(toward_rad));
+        // A small part of a strong wind is not as sure as its percents are small.
+        if (scale_.kind == UncertaintyKind::percent) *derived.unsure /= std::abs(derived.value);
         return derived;
     }
 
@@ -175,13 +171,20 @@ private:
         const base::Span<const std::int64_t>& times = grid_.layer().times_ns;
         return times.empty() || (time_ns >= times[0] && time_ns <= times[times.size() - 1]);
     }
-    static double in_unit(const scene::Attribute& attribute, const FieldValue& value) {
-        return value.uncertainty.level() * double{attribute.entry->uncertainty_full};
+    static UncertaintyScale scale_of(const scene::Attribute& attribute) {
+        return {attribute.entry->uncertainty_kind, double{attribute.entry->uncertainty_full},
+                double{attribute.entry->uncertainty_growth_per_hour}};
+    }
+    /// Percents times the value.
+    [[nodiscard]] double in_unit(const scene::Attribute& attribute, const FieldValue& value) const {
+        const double stated = value.uncertainty.level() * double{attribute.entry->uncertainty_full};
+        return scale_.kind == UncertaintyKind::percent ? stated * std::abs(value.value) : stated;
     }
 
     const std::optional<std::int64_t> time_ns_;
     const DraftGrid grid_;
     const scene::Attribute &east_, &north_;
+    const UncertaintyScale scale_;
 };
 
 class DerivedMaker {
@@ -207,8 +210,9 @@ public:
         if (wind_ != nullptr) {
             made.derived_from = recipe_.wind_layer;
             made.derived_time_ns = recipe_.wind_time_ns;
-            made.uncertainty_kind = wind_->kind();
-            made.uncertainty_full = wind_->has_unit() ? wind_->full() * std::abs(attribute_.factor) : wind_->full();
+            const UncertaintyScale& scale = wind_->scale();
+            made.uncertainty_kind = scale.kind;
+            made.uncertainty_full = (is_in_unit_of_values(scale.kind) ? std::abs(attribute_.factor) : 1) * scale.full;
         } else {
             made.uncertainty_all = bound_uncertainty(attribute_, kNothingDerived);
         }
@@ -249,7 +253,7 @@ private:
     }
     [[nodiscard]] Uncertainty level_of(const Derived& derived) const {
         if (derived.state == ValueState::missing || !derived.unsure) return derived.level;
-        return Uncertainty::from_level(*derived.unsure / wind_->full());
+        return Uncertainty::from_level(*derived.unsure / wind_->scale().full);
     }
 
     const LayerRecipe& recipe_;

@@ -3,8 +3,8 @@
 /// Speeds and tracks are those between the points before and behind (at a line's ends, and beside points without a time, of what
 /// there is); a track needs at least kLeastTrack_m of way. Wind is interpolated (scene/grid_field.hpp) in the layer that
 /// `wind_layer` names, at each point's place, height and time, or at `wind_time`; outside of that grid, and of its times where it
-/// has several, it is missing. Its uncertainty comes along: of standard deviations and intervals by their parts along and across
-/// the track, of others the worse.
+/// has several, it is missing. Its uncertainty comes along: of standard deviations, intervals and percents by their parts along
+/// and across the track, of classes the worse; of two kinds it is unknown.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ EnsembleMean mean_of(const Members& members) {
         const auto count = static_cast<double>(members.size()), mean = sum / count;
         for (const std::vector<float>& member : members) squares += (double{member[n]} - mean) * (double{member[n]} - mean);
         joined.mean[n] = static_cast<float>(mean);
-        joined.spread[n] = static_cast<float>(std::sqrt(squares / std::max(count - 1, 1.0)));
+        joined.spread[n] = static_cast<float>(std::sqrt(squares / (count - 1)));  // of one: 0 / 0
     }
     return joined;
 }

@@ -9,7 +9,8 @@ namespace tedavis::host_sim {
 /// A field of as many posts each; NaN where missing.
 using Members = std::vector<std::vector<float>>;
 
-/// By post; missing where one of the members is. The spread is the standard deviation of the sample: divided by n - 1.
+/// By post; missing where one of the members is. The spread is the standard deviation of the sample: divided by n - 1. One member
+/// alone has none: NaN.
 struct EnsembleMean {
     std::vector<float> mean, spread;
 };

@@ -52,7 +52,7 @@ float value_from(const AttributeRecipe& recipe, double number, const SourceFeatu
 
 scene::Uncertainty uncertainty_from(const AttributeRecipe& recipe, double number) {
     const std::size_t classes = recipe.uncertainty.classes.size();
-    if (classes < 2) return bound_uncertainty(recipe, number);
+    if (classes < 2 || recipe.uncertainty.kind == scene::UncertaintyKind::none) return bound_uncertainty(recipe, number);
     const auto last = static_cast<double>(classes - 1);
     return number <= last ? scene::Uncertainty::from_level(number / last) : scene::Uncertainty();
 }

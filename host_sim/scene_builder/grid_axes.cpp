@@ -55,4 +55,13 @@ GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& ch
     return axes;
 }
 
+std::optional<std::int64_t> data_time_of(const GridAxes& axes) {
+    if (axes.times_ns.empty()) return std::nullopt;
+    std::optional<std::int64_t> computed_ns;
+    for (const std::vector<GridPlane>& members : axes.members)
+        for (const GridPlane& plane : members)
+            if (plane.computed_ns) computed_ns = std::max(computed_ns.value_or(*plane.computed_ns), *plane.computed_ns);
+    return axes.times_ns.size() > 1 && computed_ns ? computed_ns : axes.times_ns.back();
+}
+
 }  // namespace tedavis::host_sim

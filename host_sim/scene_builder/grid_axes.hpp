@@ -25,6 +25,11 @@ struct PlaneChoice {
     bool has_members = false;                       ///< planes of one time and level belong together
 };
 
+/// When they were measured or computed. Of planes of several times the last time for which the file states that one of them was
+/// computed then; where it states none they are of their own times, and this is the last. A single time is that for which the
+/// plane holds, as its age counts from there. Empty: the file states none.
+[[nodiscard]] std::optional<std::int64_t> data_time_of(const GridAxes& axes);
+
 /// Throws UserError, beginning with `file`, where none is left, a level is missing at a
 /// time, or several planes share one while the recipe wants no members.
 [[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file);

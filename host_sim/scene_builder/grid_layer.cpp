@@ -38,7 +38,7 @@ public:
     GridLayer make() {
         if (recipe_.attributes.empty()) throw UserError(recipe_.name + ": a grid needs an [[layer.attribute]]; bind one");
         const AttributeRecipe& first = recipe_.attributes.front();
-        const GridSource source(file_, first.variable, recipe_.crs, is_blendable(first));
+        const GridSource source(file_, first.variable, recipe_.crs, may_be_warped_smoothly(first));
         places_ = source.places();
         window_ = window_of(places_, recipe_.prepare.region);
         if (window_.columns.empty())
@@ -56,6 +56,10 @@ public:
 private:
     [[nodiscard]] static bool is_blendable(const AttributeRecipe& attribute) {
         return attribute.scale == scene::AttributeScale::quantitative;
+    }
+    /// Numbers that stand for something else must not be mixed with values where a raster is warped.
+    [[nodiscard]] static bool may_be_warped_smoothly(const AttributeRecipe& attribute) {
+        return is_blendable(attribute) && attribute.missing.empty() && !attribute.undetected;
     }
 
     void note(const std::string& sentence) { notes_.push_back(recipe_.name + ": " + sentence); }
@@ -78,7 +82,7 @@ private:
                        static_cast<std::uint32_t>(axes_.level_count()),
                        static_cast<std::uint32_t>(axes_.time_count())};
         if (axes_.times_ns.size() > 1) layer_.times_ns = axes_.times_ns;
-        layer_.data_time_ns = recipe_.data_time_ns.value_or(axes_.times_ns.empty() ? scene::kNoTime : axes_.times_ns.front());
+        layer_.data_time_ns = recipe_.data_time_ns.value_or(data_time_of(axes_).value_or(scene::kNoTime));
         if (!axes_.times_ns.empty() && recipe_.valid_hours > 0)
             layer_.valid_until_ns =
                 axes_.times_ns.back() +
@@ -145,27 +149,50 @@ private:
                 take(members);
             }
     }
-    Planes read_planes(const std::string& file, const std::string& variable, bool may_blend, bool keeps_members) {
+    /// Of the values: a member is bound before it counts, so that what means that there is none has no part in a mean.
+    Planes bound_planes(const AttributeRecipe& recipe) {
         Planes planes;
-        for_each_plane(file, variable, may_blend, [&](const Members& members) {
+        for_each_plane(file_, recipe.variable, may_be_warped_smoothly(recipe), [&](Members& members) {
+            require_mean(recipe, members.size());
+            for (std::vector<float>& member : members)
+                for (float& value : member) value = bound_value(recipe, double{value});
             EnsembleMean joined = mean_of(members);
             planes.mean.push_back(std::move(joined.mean));
             planes.spread.push_back(std::move(joined.spread));
-            if (kept_.empty() || !keeps_members) return;
-            require_members(members.size(), variable);
+            if (kept_.empty() || !is_blendable(recipe)) return;
+            require_members(members.size(), recipe.variable);
             planes.kept.emplace_back();
             for (const std::size_t n : kept_) planes.kept.back().push_back(members[n]);
         });
         return planes;
+    }
+    /// Of the variable that says how unsure they are. Where it is warped none is mixed with another: one that is beyond its range
+    /// is unknown, and so must stay its part of the ground.
+    std::vector<std::vector<float>> stated_planes(const std::string& file, const std::string& variable) {
+        std::vector<std::vector<float>> planes;
+        for_each_plane(file, variable, false, [&](Members& members) { planes.push_back(mean_of(members).mean); });
+        return planes;
+    }
+    void require_mean(const AttributeRecipe& recipe, std::size_t members) const {
+        if (recipe.uncertainty.is_spread && members < 2)
+            throw UserError(recipe_.name + ": '" + recipe.variable + "' of " + file_ +
+                            " has one member at a time and level, and a spread is that of two or more; leave out 'is_spread', or "
+                            "say how unsure it is by 'value' or 'variable'");
+        if (!is_blendable(recipe) && members > 1)
+            throw UserError(recipe_.name + ": '" + recipe.name + "' has " + std::to_string(members) +
+                            " members at a time and level of " + file_ +
+                            ", and classes have no mean; choose one with variable = \"band N\"");
     }
 
     /// By the first attribute, so that a member is the same in all.
     void choose_members() {
         const AttributeRecipe& first = recipe_.attributes.front();
         std::vector<double> sums;
-        for_each_plane(file_, first.variable, is_blendable(first), [&](const Members& members) {
+        for_each_plane(file_, first.variable, may_be_warped_smoothly(first), [&](Members& members) {
             if (members_ == 0) members_ = members.size();
             require_members(members.size(), first.variable);
+            for (std::vector<float>& member : members)
+                for (float& value : member) value = static_cast<float>(stated_value(first, double{value}));
             add_to_sums(members, sums);
         });
         kept_ = evenly_by_rank(sums, recipe_.keep_members);
@@ -179,28 +206,17 @@ private:
 
     void add(const AttributeRecipe& recipe) {
         AttributeDraft attribute = bind_attribute(recipe);
-        const Planes stated = read_planes(file_, recipe.variable, is_blendable(recipe), is_blendable(recipe));
-        const UncertaintyRecipe& unsure = recipe.uncertainty;
-        Planes levels;
-        if (!unsure.variable.empty())
-            levels =
-                read_planes(unsure.source.empty() ? file_ : source_path(folder_, unsure.source), unsure.variable, true, false);
+        const Planes planes = bound_planes(recipe);
+        const std::vector<std::vector<float>> levels = levels_of(recipe.uncertainty);
         if (is_blendable(recipe)) attribute.members.resize(kept_.size());
-        for (std::size_t n = 0; n < stated.mean.size(); ++n) {
-            PreparedPlane plane;
-            plane.columns = static_cast<int>(window_.columns.size());
-            plane.rows = static_cast<int>(window_.rows.size());
-            for (std::size_t post = 0; post < stated.mean[n].size(); ++post) {
-                plane.values.push_back(bound_value(recipe, double{stated.mean[n][post]}));
-                const double of_variable = levels.mean.empty() ? 0 : double{levels.mean[n][post]};
-                plane.uncertainties.push_back(
-                    bound_uncertainty(recipe, unsure.is_spread ? double{stated.spread[n][post]} : of_variable));
-                plane.states.push_back(std::isnan(plane.values.back()) ? ValueState::missing : ValueState::valid);
-            }
-            const PreparedPlane bound = plane;
+        for (std::size_t n = 0; n < planes.mean.size(); ++n) {
+            const std::vector<float>* const unsure =
+                recipe.uncertainty.is_spread ? &planes.spread[n] : (levels.empty() ? nullptr : &levels[n]);
+            const PreparedPlane bound = bound_plane(recipe, planes.mean[n], unsure);
+            PreparedPlane plane = bound;
             prepare(plane, is_blendable(recipe));
             for (std::size_t member = 0; member < attribute.members.size(); ++member)
-                add_member(recipe, stated.kept[n][member], bound, plane, attribute.members[member]);
+                add_member(planes.kept[n][member], bound, attribute.members[member]);
             attribute.values.insert(attribute.values.end(), plane.values.begin(), plane.values.end());
             attribute.uncertainties.insert(attribute.uncertainties.end(), plane.uncertainties.begin(), plane.uncertainties.end());
             attribute.states.insert(attribute.states.end(), plane.states.begin(), plane.states.end());
@@ -210,19 +226,32 @@ private:
             note("'" + recipe.variable + "' has no values; nothing but what is missing is shown");
         layer_.attributes.push_back(std::move(attribute));
     }
-    /// A member's plane, prepared as the mean's is: from `bound` to `mean`. Where it is not of the mean's state it is missing, so
-    /// that it can share the mean's states.
-    void add_member(const AttributeRecipe& recipe, const std::vector<float>& stated, const PreparedPlane& bound,
-                    const PreparedPlane& mean, std::vector<float>& values) const {
-        constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-        PreparedPlane plane = bound;
-        for (std::size_t post = 0; post < stated.size(); ++post) {
-            plane.values[post] = bound.states[post] == ValueState::missing ? kMissing : bound_value(recipe, double{stated[post]});
-            if (std::isnan(plane.values[post])) plane.states[post] = ValueState::missing;
+    /// Of the variable that holds them; empty: there is none.
+    std::vector<std::vector<float>> levels_of(const UncertaintyRecipe& unsure) {
+        if (unsure.variable.empty()) return {};
+        return stated_planes(unsure.source.empty() ? file_ : source_path(folder_, unsure.source), unsure.variable);
+    }
+    /// `unsure`: what is stated of each value; null: nothing is.
+    PreparedPlane bound_plane(const AttributeRecipe& recipe, const std::vector<float>& values,
+                              const std::vector<float>* unsure) const {
+        PreparedPlane plane;
+        plane.columns = static_cast<int>(window_.columns.size());
+        plane.rows = static_cast<int>(window_.rows.size());
+        plane.values = values;
+        for (std::size_t post = 0; post < values.size(); ++post) {
+            const double stated = unsure != nullptr ? double{(*unsure)[post]} : std::numeric_limits<double>::quiet_NaN();
+            plane.uncertainties.push_back(bound_uncertainty(recipe, stated));
+            plane.states.push_back(std::isnan(values[post]) ? ValueState::missing : ValueState::valid);
         }
+        return plane;
+    }
+    /// A member's plane, prepared as that of the mean `bound` is, and missing where it is.
+    void add_member(const std::vector<float>& member, const PreparedPlane& bound, std::vector<float>& values) const {
+        PreparedPlane plane = bound;
+        for (std::size_t post = 0; post < member.size(); ++post)
+            if (bound.states[post] != ValueState::missing) plane.values[post] = member[post];
         prepare(plane, true);
-        for (std::size_t post = 0; post < stated.size(); ++post)
-            values.push_back(plane.states[post] == mean.states[post] ? plane.values[post] : kMissing);
+        values.insert(values.end(), plane.values.begin(), plane.values.end());
     }
     void prepare(PreparedPlane& plane, bool may_blend) const {
         if (!may_blend) return;

@@ -164,11 +164,11 @@ void GridSource::list_planes(const std::string& variable) {
     const int bands = dataset_->GetRasterCount();
     if (only && (*only < 1 || *only > bands))
         throw UserError(file_ + ": has no " + variable + "; its bands are 1 to " + std::to_string(bands));
-    const GridTimes times(unwarped_ != nullptr ? *unwarped_ : *dataset_);
+    const GridTimes times(unwarped_ != nullptr ? *unwarped_ : *dataset_, file_);
     for (int b = 1; b <= bands; ++b) {
         if (only && b != *only) continue;
         GDALRasterBand& band = *(unwarped_ != nullptr ? unwarped_ : dataset_)->GetRasterBand(b);  // the warped one says less
-        planes_.push_back({b, times.of(band), level_of(band)});
+        planes_.push_back({b, times.of(band), level_of(band), times.reference_of(band)});
         if (unit_.empty()) unit_ = band.GetUnitType();
     }
 }
@@ -182,8 +182,13 @@ std::vector<float> GridSource::read(const GridPlane& plane) const {
                       0) != CE_None)
         throw UserError(file_ + ": band " + std::to_string(plane.band) + " cannot be read (" + QuietGdal::last_message() +
                         "); get a whole copy");
-    int has_missing = 0, has_scale = 0, has_offset = 0;
-    const double missing = band.GetNoDataValue(&has_missing);
+    std::vector<std::uint8_t> mask(stated.size(), 1);
+    if ((band.GetMaskFlags() & GMF_ALL_VALID) == 0 &&
+        band.GetMaskBand()->RasterIO(GF_Read, 0, 0, places_.columns, places_.rows, mask.data(), places_.columns, places_.rows,
+                                     GDT_Byte, 0, 0) != CE_None)
+        throw UserError(file_ + ": the mask of band " + std::to_string(plane.band) + " cannot be read (" +
+                        QuietGdal::last_message() + "); get a whole copy");
+    int has_scale = 0, has_offset = 0;
     double scale = band.GetScale(&has_scale), offset = band.GetOffset(&has_offset);
     if (has_scale == 0) scale = 1;
     if (has_offset == 0) offset = 0;
@@ -192,7 +197,7 @@ std::vector<float> GridSource::read(const GridPlane& plane) const {
         for (std::size_t i = 0; i < columns; ++i) {
             const std::size_t row = flips_rows_ ? rows - 1 - j : j, column = flips_columns_ ? columns - 1 - i : i;
             const double value = stated[row * columns + column];
-            const bool is_missing = std::isnan(value) || (has_missing != 0 && value == missing);
+            const bool is_missing = std::isnan(value) || mask[row * columns + column] == 0;
             values[j * columns + i] =
                 is_missing ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value * scale + offset);
         }

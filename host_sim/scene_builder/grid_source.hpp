@@ -17,7 +17,8 @@ namespace tedavis::host_sim {
 struct GridPlane {
     int band = 1;
     std::optional<std::int64_t> time_ns;
-    std::optional<double> level;  ///< as the file states it: hPa, m, ...
+    std::optional<double> level;                   ///< as the file states it: hPa, m, ...
+    std::optional<std::int64_t> computed_ns = {};  ///< a forecast's reference time
 };
 
 /// Degrees; of posts, which are pixels' centres.
@@ -34,7 +35,7 @@ public:
 
     [[nodiscard]] const GridPlaces& places() const { return places_; }
     [[nodiscard]] const std::vector<GridPlane>& planes() const { return planes_; }
-    /// Values with scale and offset applied, row by row; NaN where the file says that there is none.
+    /// Values with scale and offset applied, row by row; NaN where the file says that there is none, by a number or by a mask.
     [[nodiscard]] std::vector<float> read(const GridPlane& plane) const;
     /// True where neither file nor recipe names a reference system or its units, and the file's numbers can be degrees.
     [[nodiscard]] bool is_assumed() const { return is_assumed_; }

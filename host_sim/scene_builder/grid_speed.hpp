@@ -1,5 +1,6 @@
 /// The speed of wind at the posts of a grid: `variable = "derived:wind_speed"` beside the attributes 'east' and 'north' of its
-/// own layer. Missing where one of them is; as unsure as the less sure of the two.
+/// own layer. Missing where one of them is; as unsure as the less sure of the two, unknown where these state two kinds of
+/// uncertainty.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"

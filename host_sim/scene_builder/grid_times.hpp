@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tedavis::host_sim {
@@ -21,13 +22,23 @@ struct TimeUnit {
 
 class GridTimes {
 public:
-    explicit GridTimes(GDALDataset& dataset);
-    /// Empty where the file does not say.
+    /// `file` is what the dataset was opened from; it must outlive this.
+    GridTimes(GDALDataset& dataset, const std::string& file);
+    /// For which the band holds. Empty where the file does not say.
     [[nodiscard]] std::optional<std::int64_t> of(GDALRasterBand& band) const;
+    /// When it was computed, as GRIB and the CF conventions (forecast_reference_time) state of forecasts and of analyses. Empty
+    /// where the file does not say.
+    [[nodiscard]] std::optional<std::int64_t> reference_of(GDALRasterBand& band) const;
 
 private:
+    [[nodiscard]] std::optional<std::int64_t> axis_time_of(GDALRasterBand& band) const;
+    /// How far ahead the band looks.
+    [[nodiscard]] std::optional<std::int64_t> lead_of(GDALRasterBand& band) const;
+
+    GDALDataset& dataset_;
     std::optional<TimeUnit> unit_;
-    std::optional<std::int64_t> all_ns_;  ///< of the whole file
+    std::optional<std::int64_t> all_ns_, reference_ns_;  ///< of the whole file
+    bool times_are_references_ = false;                  ///< the axis of times says when forecasts were computed
 };
 
 }  // namespace tedavis::host_sim

@@ -60,6 +60,15 @@ Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string
     }
 }
 
+/// Of data of an unknown time nobody knows how far their uncertainty has grown.
+void require_time_of_growth(const LayerRecipe& recipe, const LayerDraft& layer) {
+    if (layer.data_time_ns != scene::kNoTime || !layer.times_ns.empty()) return;
+    for (const AttributeDraft& attribute : layer.attributes)
+        if (attribute.uncertainty_growth_per_hour > 0)
+            throw UserError(recipe.name + ": 'growth_per_hour' of '" + attribute.name + "' counts from the data's time, and " +
+                            recipe.source + " states none; give it as data_time");
+}
+
 /// What the recipe says of the layer as a whole, whatever its source.
 void finish(const LayerRecipe& recipe, LayerDraft& layer) {
     layer.source = std::filesystem::path(recipe.source).filename().string();
@@ -69,6 +78,7 @@ void finish(const LayerRecipe& recipe, LayerDraft& layer) {
     layer.position_accuracy_m = recipe.position_accuracy_m;
     layer.height_accuracy_m = recipe.height_accuracy_m;
     if (recipe.height_datum) layer.height_datum = *recipe.height_datum;
+    require_time_of_growth(recipe, layer);
     if (!(recipe.valid_hours > 0) || layer.valid_until_ns != INT64_MAX) return;
     if (layer.data_time_ns == scene::kNoTime)
         throw UserError(recipe.name + ": 'valid_hours' counts from the data's time, and " + recipe.source +

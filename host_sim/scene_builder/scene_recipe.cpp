@@ -59,7 +59,20 @@ RegionRecipe read_region(ConfigSection section) {
     return region;
 }
 
-UncertaintyRecipe read_uncertainty(ConfigSection section) {
+/// A spread is what members have; nothing else may be taken for it.
+void hold_to_spread(ConfigSection& section, const UncertaintyRecipe& uncertainty, const LayerRecipe& layer) {
+    if (!uncertainty.is_spread) return;
+    if (layer.members == kMembers[0])
+        section.fault(
+            "is_spread",
+            "'is_spread' is that of an ensemble's members, and the layer names none; give members = \"bands\", or say how "
+            "unsure it is by 'value' or 'variable'");
+    if (uncertainty.kind != scene::UncertaintyKind::standard_deviation)
+        section.fault("is_spread", "'is_spread' is a standard deviation; give kind = \"standard_deviation\"");
+    if (uncertainty.is_quality) section.fault("is_quality", "'is_spread' says how unsure, not how sure; leave 'is_quality' out");
+}
+
+UncertaintyRecipe read_uncertainty(ConfigSection section, const LayerRecipe& layer) {
     UncertaintyRecipe uncertainty;
     if (!section.present()) return uncertainty;
     uncertainty.kind = static_cast<scene::UncertaintyKind>(section.choice("kind", Texts(kKinds.data(), kKinds.size()), 0));
@@ -77,6 +90,9 @@ UncertaintyRecipe read_uncertainty(ConfigSection section) {
     const int stated = (uncertainty.variable.empty() ? 0 : 1) + (uncertainty.value ? 1 : 0) + (uncertainty.is_spread ? 1 : 0);
     if (uncertainty.kind != scene::UncertaintyKind::none && stated != 1)
         section.fault("kind", "one of 'value', 'variable' and 'is_spread = true' must say how large it is");
+    if (uncertainty.is_quality && !uncertainty.classes.empty())
+        section.fault("is_quality", "'classes' stand from certain to wholly unsure already; leave 'is_quality' out");
+    hold_to_spread(section, uncertainty, layer);
     return uncertainty;
 }
 
@@ -100,7 +116,7 @@ void hold_to_unit(ConfigSection& section, scene::LayerRole role, AttributeRecipe
                               "'; give unit = \"" + unit + "\" and " + advice);
 }
 
-AttributeRecipe read_attribute(ConfigSection section, scene::LayerRole role) {
+AttributeRecipe read_attribute(ConfigSection section, const LayerRecipe& layer) {
     AttributeRecipe attribute;
     attribute.name = std::string(section.text("name"));
     // A longer name than a title may be has none, and legends show the name itself.
@@ -119,6 +135,7 @@ AttributeRecipe read_attribute(ConfigSection section, scene::LayerRole role) {
     if (!attribute.class_values.empty() && attribute.class_values.size() != attribute.classes.size())
         section.fault("class_values", "one number for each name in 'classes' is needed");
     attribute.factor = section.number("factor", -kLarge, kLarge, 1);
+    if (attribute.factor == 0) section.fault("factor", "must not be 0, for all values and their spread would be lost");
     attribute.offset = section.number("offset", -kLarge, kLarge, 0);
     attribute.missing.resize(section.element_count("missing"));
     section.numbers("missing", -kLarge, kLarge, {attribute.missing.data(), attribute.missing.size()});
@@ -126,8 +143,8 @@ AttributeRecipe read_attribute(ConfigSection section, scene::LayerRole role) {
     if (attribute.undetected) attribute.undetected_value = section.number("undetected_value", -kLarge, kLarge);
     attribute.least = number(section, "least");
     attribute.most = number(section, "most");
-    hold_to_unit(section, role, attribute);
-    attribute.uncertainty = read_uncertainty(section.section("uncertainty"));
+    hold_to_unit(section, layer.role, attribute);
+    attribute.uncertainty = read_uncertainty(section.section("uncertainty"), layer);
     return attribute;
 }
 
@@ -194,7 +211,7 @@ LayerRecipe read_layer(ConfigSection section) {
     if (section.has("raster_m")) layer.raster_m = section.number("raster_m", 1, 100'000);
     layer.prepare = read_preparation(section.section("prepare"));
     for (std::size_t n = 0; n < section.table_count("attribute"); ++n)
-        layer.attributes.push_back(read_attribute(section.table_at("attribute", n), layer.role));
+        layer.attributes.push_back(read_attribute(section.table_at("attribute", n), layer));
     return layer;
 }
 

@@ -10,7 +10,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view stripped(std::string_view text) {
     constexpr std::string_view kSpaces = " \t\r\n";
     text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
     text.remove_suffix(text.size() - std::min(text.find_last_not_of(kSpaces) + 1, text.size()));
@@ -30,7 +30,7 @@ std::string as_iso8601(std::string_view text) {
 }  // namespace
 
 std::optional<double> stated_number(std::string_view text) {
-    text = trimmed(text);
+    text = stripped(text);
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -39,7 +39,7 @@ std::optional<double> stated_number(std::string_view text) {
 }
 
 std::optional<std::int64_t> stated_instant_ns(std::string_view text) {
-    text = trimmed(text);
+    text = stripped(text);
     if (const auto date = parse_iso8601(as_iso8601(text))) return date->ns;
     const auto seconds = parse_unix_seconds(text);
     return seconds ? std::optional(seconds->ns) : std::nullopt;

@@ -46,6 +46,7 @@ TEST(Weather, Era5WindOnPressureLevels) {
     EXPECT_NEAR(layer.levels_m.back(), 9200, 400) << "300 hPa";
     ASSERT_EQ(layer.times_ns.size(), 3u);
     EXPECT_EQ(layer.times_ns[0], *recipe.from_ns);
+    EXPECT_EQ(layer.data_time_ns, *recipe.until_ns) << "a reanalysis is no forecast of its first hour";
 
     GDALAllRegister();
     const host_sim::GdalDataset u(
@@ -73,6 +74,7 @@ TEST(Weather, EcmwfEnsembleAsMeanAndSpread) {
     const LayerDraft layer = make_grid_layer(recipe, kFolder).draft;
     ASSERT_EQ(layer.times_ns.size(), 3u);
     EXPECT_EQ(layer.times_ns[1] - layer.times_ns[0], 6 * kHour_ns);
+    EXPECT_EQ(layer.data_time_ns, layer.times_ns[0] - 72 * kHour_ns) << "GRIB_FORECAST_SECONDS=259200 of the first";
     const AttributeDraft& gust = layer.attributes[0];
 
     const host_sim::GdalDataset file(GDALDataset::Open((kFolder + "/" + recipe.source).c_str(), GDAL_OF_RASTER));

@@ -73,4 +73,17 @@ private:
     }
 };
 
+/// Gives the file a mask that covers one column of pixels.
+inline void mask_out(const std::string& path, int column) {
+    const std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter> file(GDALDataset::Open(path.c_str(), GDAL_OF_UPDATE));
+    ASSERT_NE(file, nullptr);
+    ASSERT_EQ(file->CreateMaskBand(GMF_PER_DATASET), CE_None);
+    std::vector<unsigned char> line(static_cast<std::size_t>(file->GetRasterXSize()), 255);
+    line[static_cast<std::size_t>(column)] = 0;
+    for (int row = 0; row < file->GetRasterYSize(); ++row)
+        ASSERT_EQ(file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, row, file->GetRasterXSize(), 1, line.data(),
+                                                                  file->GetRasterXSize(), 1, GDT_Byte, 0, 0),
+                  CE_None);
+}
+
 }  // namespace tedavis::test_support

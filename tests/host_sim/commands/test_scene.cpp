@@ -82,7 +82,7 @@ TEST_F(SceneCommand, WordsSayTheSame) {
     const std::string text = build().results;
     EXPECT_THAT(text, HasSubstr("s.sdb: scene masts, revision 1, 1 layers, "));
     EXPECT_THAT(text, HasSubstr("\n  masts (obstacle): 3 points, 2020-04-12T09:47:00Z, from masts.csv"));
-    EXPECT_THAT(text, HasSubstr("\n    height: 12.5 .. 40 m, 1 missing; standard_deviation 0.25 .. 0.25 of 4 m"));
+    EXPECT_THAT(text, HasSubstr("\n    height: 12.5 .. 40 m, 1 missing; standard_deviation 0.25 .. 0.25 of 4 m, unknown for 1"));
     EXPECT_THAT(text, HasSubstr("\n    kind: 2 classes; uncertainty not stated"));
 }
 
@@ -98,7 +98,8 @@ TEST_F(SceneCommand, EveryShapeIsDescribed) {
     EXPECT_EQ(layers[3]["shape"], "meshes");
     EXPECT_TRUE(layers[3]["data_time"].is_null());
     const std::string text = info(path).results;
-    EXPECT_THAT(text, HasSubstr("air (field): 4 x 3 posts, 2 levels, 2 times, from made for a test"));
+    EXPECT_THAT(text, HasSubstr("air (field): 4 x 3 posts, 2 levels, 2 times from 1970-01-01T00:00:00Z to 1970-01-01T01:00:00Z, "
+                                "from made for a test"));
     EXPECT_THAT(text, HasSubstr("zones (no_go): 2 areas of 7 points"));
 }
 

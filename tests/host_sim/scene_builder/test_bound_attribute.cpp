@@ -70,11 +70,18 @@ TEST(BoundAttribute, UncertaintiesBecomeLevels) {
     recipe.uncertainty.kind = scene::UncertaintyKind::percent;
     recipe.uncertainty.is_quality = true;
     EXPECT_NEAR(bound_uncertainty(recipe, 0.9).level(), 0.1, 1.0 / 254) << "how sure, instead of how unsure";
-    recipe.uncertainty.is_quality = false;
-    recipe.uncertainty.is_spread = true;
-    recipe.uncertainty.full = 8;
-    recipe.factor = -2;
-    EXPECT_NEAR(bound_uncertainty(recipe, 1).level(), 0.25, 1.0 / 254) << "a spread is scaled with its values";
+}
+
+TEST(BoundAttribute, WhatIsStatedKeepsItsUnit) {
+    AttributeRecipe recipe;
+    recipe.factor = 2;
+    recipe.missing = {-9999};
+    recipe.most = 50;
+    recipe.undetected = -8888;
+    recipe.undetected_value = -32;
+    EXPECT_EQ(stated_value(recipe, 20), 20);
+    EXPECT_EQ(stated_value(recipe, -8888), -32);
+    for (const double none : {-9999.0, 51.0, std::nan("")}) EXPECT_TRUE(std::isnan(stated_value(recipe, none))) << none;
 }
 
 TEST(BoundAttribute, UncertaintiesBeyondTheirRangeAreUnknown) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 
 #include "tests/support/expect_user_error.hpp"
@@ -146,7 +147,7 @@ TEST(DerivedAttribute, OutsideOfTheWindThereIsNone) {
 TEST(DerivedAttribute, WhatIsNotSureOfTheWindIsNotSureOfItsParts) {
     LayerDraft field = wind();
     for (AttributeDraft& a : field.attributes) {
-        a.uncertainty_kind = scene::UncertaintyKind::percent;
+        a.uncertainty_kind = scene::UncertaintyKind::ordinal;
         a.states.assign(a.values.size(), ValueState::interpolated);
     }
     const Made cross = derive(recipe_of("cross_wind"), flights(), field);
@@ -154,6 +155,41 @@ TEST(DerivedAttribute, WhatIsNotSureOfTheWindIsNotSureOfItsParts) {
     EXPECT_EQ(cross.attribute.states[3], ValueState::interpolated);
     field.attributes[1].uncertainty_all = Uncertainty();
     EXPECT_FALSE(derive(recipe_of("cross_wind"), flights(), field).attribute.uncertainties[3].is_known());
+}
+
+/// Of 10 percent of 20 m/s from either side a small cross wind has more than 10 percent.
+TEST(DerivedAttribute, PercentsOfASmallPartAreMany) {
+    LayerDraft field = wind();
+    for (AttributeDraft& a : field.attributes) {
+        a.uncertainty_kind = scene::UncertaintyKind::percent;
+        a.uncertainty_full = 100;
+        a.uncertainty_all = Uncertainty::from_level(0.1);
+    }
+    LayerRecipe knots = recipe_of("head_wind");
+    knots.attributes[0].factor = 2;
+    const Made head = derive(knots, flights(), field);
+    EXPECT_NEAR(unsure_mps(head, 1), 10, 0.5) << "eastwards the head wind is the east wind, and percents are not scaled";
+    const Made cross = derive(recipe_of("cross_wind"), flights(), field);
+    EXPECT_NEAR(unsure_mps(cross, 1), 10, 0.5) << "control";
+    LayerDraft diagonal = flights();
+    // North-east over the ground such that the wind's two parts nearly cancel across the track.
+    const double track_rad = std::atan2(kEast, kNorth) - 0.01;
+    for (std::size_t n = 0; n < 3; ++n) {
+        const glm::dvec2 gone = 1000.0 * static_cast<double>(n) * glm::dvec2(std::sin(track_rad), std::cos(track_rad));
+        diagonal.points[n] = test_support::scene_point(46.5 + gone.y / 111'200, 9.2 + gone.x / 76'700, 2000);
+        diagonal.points[n].time_ns = flights().points[n].time_ns;
+    }
+    const Made across = derive(recipe_of("cross_wind"), diagonal, field);
+    EXPECT_LT(std::abs(value(across, 1)), 1);
+    EXPECT_GT(unsure_mps(across, 1), 50) << "percent";
+}
+
+TEST(DerivedAttribute, OfTwoKindsOfUncertaintyNobodyKnows) {
+    LayerDraft field = wind();
+    field.attributes[1].uncertainty_kind = scene::UncertaintyKind::percent;
+    const Made mixed = derive(recipe_of("cross_wind"), flights(), field);
+    EXPECT_EQ(mixed.attribute.uncertainty_kind, scene::UncertaintyKind::none);
+    EXPECT_FALSE(mixed.attribute.uncertainties[1].is_known());
 }
 
 TEST(DerivedAttribute, SpeedsAreThoseOfThePoints) {

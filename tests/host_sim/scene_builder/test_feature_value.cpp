@@ -85,6 +85,9 @@ TEST(FeatureValue, UncertaintyIsANumberAVariableOrAClass) {
     height.uncertainty.classes = {"sure", "likely", "guessed", "unlikely", "impossible"};
     EXPECT_EQ(feature_uncertainty(height, mast(), misfits).level(), 0.5);
     EXPECT_EQ(point_uncertainty(height, mast(), 2, misfits).level(), 0.5);
+    AttributeRecipe unstated = height;
+    unstated.uncertainty.kind = scene::UncertaintyKind::none;
+    EXPECT_FALSE(feature_uncertainty(unstated, mast(), misfits).is_known()) << "words without a kind say nothing";
     EXPECT_EQ(misfits.count, 0u);
     for (const char* const beyond : {"5", "-1"}) {
         SourceFeature other = mast();

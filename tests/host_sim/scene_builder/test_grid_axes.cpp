@@ -37,6 +37,16 @@ TEST(GridAxes, MembersShareATime) {
     EXPECT_EQ(sort_planes({{1, {}, {}}}, {}, "f").members.size(), 1u) << "a file without times or levels";
 }
 
+TEST(GridAxes, DataAreOfTheirOwnTimesOrOfTheirLastRun) {
+    const auto data_time = [](const std::vector<GridPlane>& planes) { return data_time_of(sort_planes(planes, {}, "f")); };
+    EXPECT_EQ(data_time({{1, 10, {}}, {2, 20, {}}, {3, 30, {}}}), 30) << "a series of measurements";
+    EXPECT_EQ(data_time({{1, 10, {}, 5}, {2, 20, {}, 5}, {3, 30, {}, 5}}), 5) << "one forecast";
+    EXPECT_EQ(data_time({{1, 10, {}, 10}, {2, 20, {}, 20}}), 20) << "analyses, computed when they hold";
+    EXPECT_EQ(data_time({{1, 10, {}, 5}, {2, 20, {}, 15}, {3, 30, {}, 15}}), 15) << "the last of two runs";
+    EXPECT_EQ(data_time({{1, 10, {}, 5}}), 10) << "one time: its age counts from there";
+    EXPECT_EQ(data_time({{1, {}, {}, 5}}), std::nullopt);
+}
+
 TEST(GridAxes, AMissingLevelIsSaid) {
     expect_user_error(
         [] {

@@ -69,7 +69,35 @@ TEST(GridSpeed, IsAsUnsureAsTheLessSureComponent) {
     EXPECT_EQ(draft.states[8], scene::ValueState::valid);
 }
 
+TEST(GridSpeed, IsNotSurerThanAComponentOnAScaleOfItsOwn) {
+    LayerDraft layer = wind();
+    for (AttributeDraft& attribute : layer.attributes) attribute.uncertainty_kind = scene::UncertaintyKind::standard_deviation;
+    layer.attributes[1].uncertainty_full = 3 * layer.attributes[0].uncertainty_full;
+    layer.attributes[1].uncertainty_growth_per_hour = 0.5;
+    const AttributeDraft draft = made(speed(), layer);
+    EXPECT_EQ(draft.uncertainty_full, layer.attributes[0].uncertainty_full);
+    EXPECT_NEAR(draft.uncertainties[0].level(), 0.75, 1.0 / 100) << "0.25 of three times as much";
+    EXPECT_EQ(draft.uncertainty_growth_per_hour, 0.5);
+    layer.attributes[1].uncertainty_kind = scene::UncertaintyKind::percent;
+    const AttributeDraft mixed = made(speed(), layer);
+    EXPECT_EQ(mixed.uncertainty_kind, scene::UncertaintyKind::none);
+    EXPECT_FALSE(mixed.uncertainties[0].is_known());
+}
+
+TEST(GridSpeed, PercentsAreNotScaledWithTheValues) {
+    LayerDraft layer = wind();
+    for (AttributeDraft& attribute : layer.attributes) attribute.uncertainty_kind = scene::UncertaintyKind::percent;
+    AttributeRecipe half = speed();
+    half.factor = 0.5;
+    EXPECT_EQ(made(half, layer).uncertainty_full, layer.attributes[0].uncertainty_full);
+}
+
 TEST(GridSpeed, OtherQuantitiesAndGridsAreRefused) {
+    AttributeRecipe own = speed();
+    own.uncertainty.kind = scene::UncertaintyKind::percent;
+    own.uncertainty.value = 3;
+    expect_user_error([&] { static_cast<void>(made(own)); }, "has the uncertainty of the wind");
+
     AttributeRecipe cross = speed();
     cross.variable = "derived:cross_wind";
     expect_user_error([&] { static_cast<void>(made(cross)); }, "is for lines");

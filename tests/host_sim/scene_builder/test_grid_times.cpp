@@ -54,19 +54,36 @@ TEST(GridTimes, OfNetcdfGribAndRadarFiles) {
     Dataset netcdf;
     netcdf.say("time#units", "hours since 1970-01-01");
     netcdf.band().SetMetadataItem("NETCDF_DIM_time", "2");
-    EXPECT_EQ(GridTimes(*netcdf).of(netcdf.band()), utc_ns(1970, 1, 1, 2));
+    EXPECT_EQ(GridTimes(*netcdf, "").of(netcdf.band()), utc_ns(1970, 1, 1, 2));
     Dataset grib;
     grib.band().SetMetadataItem("GRIB_VALID_TIME", "1382918400");
-    EXPECT_EQ(GridTimes(*grib).of(grib.band()), utc_ns(2013, 10, 28));
+    EXPECT_EQ(GridTimes(*grib, "").of(grib.band()), utc_ns(2013, 10, 28));
     Dataset radar;
     radar.say("what_date", "20241126");
     radar.say("what_time", "010000");
-    EXPECT_EQ(GridTimes(*radar).of(radar.band()), utc_ns(2024, 11, 26, 1));
+    EXPECT_EQ(GridTimes(*radar, "").of(radar.band()), utc_ns(2024, 11, 26, 1));
     Dataset silent;
-    EXPECT_EQ(GridTimes(*silent).of(silent.band()), std::nullopt);
+    EXPECT_EQ(GridTimes(*silent, "").of(silent.band()), std::nullopt);
     silent.say("what_date", "2024");
     silent.say("what_time", "01");
-    EXPECT_EQ(GridTimes(*silent).of(silent.band()), std::nullopt);
+    EXPECT_EQ(GridTimes(*silent, "").of(silent.band()), std::nullopt);
+}
+
+TEST(GridTimes, WhenForecastsWereComputed) {
+    Dataset grib;
+    EXPECT_EQ(GridTimes(*grib, "").reference_of(grib.band()), std::nullopt);
+    grib.band().SetMetadataItem("GRIB_REF_TIME", "1382659200");
+    EXPECT_EQ(GridTimes(*grib, "").reference_of(grib.band()), utc_ns(2013, 10, 25));
+    Dataset steps;
+    steps.say("time#units", "hours since 1970-01-01");
+    steps.say("step#units", "hours");
+    steps.band().SetMetadataItem("NETCDF_DIM_time", "2");
+    steps.band().SetMetadataItem("NETCDF_DIM_step", "5");
+    EXPECT_EQ(GridTimes(*steps, "").of(steps.band()), utc_ns(1970, 1, 1, 2)) << "control: plain times are those of the data";
+    EXPECT_EQ(GridTimes(*steps, "").reference_of(steps.band()), std::nullopt);
+    steps.say("time#standard_name", "forecast_reference_time");
+    EXPECT_EQ(GridTimes(*steps, "").of(steps.band()), utc_ns(1970, 1, 1, 7));
+    EXPECT_EQ(GridTimes(*steps, "").reference_of(steps.band()), utc_ns(1970, 1, 1, 2));
 }
 
 }  // namespace

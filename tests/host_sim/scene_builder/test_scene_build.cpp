@@ -187,6 +187,12 @@ TEST_F(SceneFiles, BadInputLeavesWhatWasThere) {
     expect_refused(head + "source = 'none.csv'\n", "none.csv");
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\nvalid_hours = 3\n",
                    "a: 'valid_hours' counts from the data's time");
+    const std::string grows =
+        "[[layer.attribute]]\nname = 'value'\nvariable = 'band 1'\n[layer.attribute.uncertainty]\n"
+        "kind = 'interval'\nvalue = 1\nfull = 10\ngrowth_per_hour = 0.2\n";
+    expect_refused(head + "source = 'grid.tif'\n" + grows, "a: 'growth_per_hour' of 'value' counts from the data's time");
+    build(head + "source = 'grid.tif'\ndata_time = '2020-04-12T09:00:00Z'\n" + grows);
+    std::filesystem::remove(folder_.file("x.sdb"));
     expect_refused(head + "source = 'masts.csv'\nrole = 'place'\naircraft = 'HB1'\n", "a: 'aircraft' chooses one");
     expect_refused(head + "source = 'masts.csv'\nrole = 'model'\nmodel = 'none.gltf'\n",
                    "none.gltf: cannot be read as a 3D model");

@@ -72,6 +72,21 @@ TEST(SceneRecipe, MembersAreKeptOfAnEnsembleOnly) {
     expect_fault(layer("members = 'bands'\nkeep_members = 17\n"), "keep_members");
 }
 
+TEST(SceneRecipe, ASpreadIsThatOfMembers) {
+    const auto layer = [](const std::string& members, const std::string& keys) {
+        return "name = 's'\n[[layer]]\nname = 'a'\nsource = 'a.tif'\n" + members +
+               "[[layer.attribute]]\nname = 'v'\n[layer.attribute.uncertainty]\n" + keys;
+    };
+    const std::string bands = "members = 'bands'\n", spread = "kind = 'standard_deviation'\nis_spread = true\n";
+    EXPECT_TRUE(parse_scene(layer(bands, spread), "s.toml").layers[0].attributes[0].uncertainty.is_spread);
+    expect_fault(layer("", spread), "s.toml:9: 'is_spread'");
+    expect_fault(layer("", spread), "give members = \"bands\"");
+    expect_fault(layer(bands, "kind = 'percent'\nis_spread = true\n"), "'is_spread' is a standard deviation");
+    expect_fault(layer(bands, spread + "is_quality = true\n"), "how unsure, not how sure");
+    expect_fault(layer("", "kind = 'ordinal'\nvariable = 'q'\nclasses = ['sure', 'guessed']\nis_quality = true\n"),
+                 "from certain to wholly unsure already");
+}
+
 TEST(SceneRecipe, EveryKeyIsRead) {
     const SceneRecipe scene = parse_scene(kWhole, "s.toml");
     EXPECT_EQ(scene.name, "davos");
@@ -182,6 +197,7 @@ TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
     expect_fault(with(kWhole, "value = 2\n", ""), "must say how large it is");
     expect_fault(with(kWhole, "value = 2\n", "value = 2\nvariable = \"e\"\n"), "must say how large it is");
     expect_fault(with(kWhole, "full = 8", "full = 0"), "'full' must be");
+    expect_fault(with(kWhole, "unit = \"m/s\"\n", "unit = \"m/s\"\nfactor = 0\n"), "must not be 0");
     expect_fault(with(kWhole, "source = \"era5.nc\"\n", ""), "source");
     expect_fault(with(kWhole, "least = -150", "leest = -150"), "unknown key");
 }
