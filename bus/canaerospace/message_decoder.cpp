@@ -151,6 +151,8 @@ void MessageDecoder::finish_phase(const TypedValue& value, DecodedMessage& messa
     } else if (!parsed.ok || !confidence_good) {
         ++counts_.out_of_range;
         message.healthy = false;
+        if (!parsed.ok && counts_.impossible_phases++ == 0)
+            counts_.first_impossible_phase = static_cast<std::uint8_t>(value.parts[0]);
     } else {
         message.phase = parsed.phase;
         message.confidence = static_cast<std::uint8_t>(value.parts[3]);

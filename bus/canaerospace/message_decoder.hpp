@@ -64,6 +64,8 @@ struct DecoderCounts {
     std::uint64_t halves_dropped = 0;
     std::uint64_t out_of_range = 0;  ///< refused values: implausible, not a number, or an impossible code
     std::uint64_t stated_invalid = 0;
+    std::uint64_t impossible_phases = 0;      ///< phase messages whose code is not in the table; out of range as well
+    std::uint8_t first_impossible_phase = 0;  ///< the code of the first
 };
 
 class MessageDecoder {

@@ -85,7 +85,22 @@ void CandumpLogSource::report(LineFault fault) {
     if (!known && !reports_.full()) (void)reports_.try_push_back({position_.lines.lines, fault});
 }
 
+void CandumpLogSource::note_order(base::Time stamp) {
+    LogLineCounts& lines = position_.lines;
+    const base::Duration back = position_.last_stamp - stamp;
+    if (position_.any_frame && back > base::Duration{}) {
+        if (lines.runs_back == 0) {
+            lines.first_back_line = lines.lines;
+            lines.first_back = back;
+        }
+        if (back > lines.longest_back) lines.longest_back = back;
+        ++lines.runs_back;
+    }
+    position_.last_stamp = stamp;
+}
+
 void CandumpLogSource::settle_stamp(CanFrame& frame) {
+    note_order(frame.time);
     frame.time = shifted(frame.time, position_.shift);
     if (!position_.any_frame) {
         position_.any_frame = true;

@@ -38,14 +38,18 @@ struct LogLineCounts {
     std::uint64_t out_of_order = 0;  ///< frames stamped before an earlier line
     std::uint64_t clock_steps = 0;   ///< steps back that were re-anchored
     std::uint64_t leaping_stamps = 0;
+    std::uint64_t runs_back = 0;              ///< frames stamped before the frame before them, by whatever time
+    std::uint64_t first_back_line = 0;        ///< of them; 0: none
+    base::Duration first_back, longest_back;  ///< by how much
 };
 
 /// A place in the log together with all that reading up to it has counted: going on from here gives the same frames and
 /// the same counts as reading everything before it.
 struct LogPosition {
     std::uint64_t offset = 0;
-    base::Time newest;     ///< newest stamp handed out so far, after re-anchoring
-    base::Duration shift;  ///< added to the stamps that follow
+    base::Time newest;      ///< newest stamp handed out so far, after re-anchoring
+    base::Time last_stamp;  ///< of the frame before, as the file has it
+    base::Duration shift;   ///< added to the stamps that follow
     bool any_frame = false;
     SourceStatistics statistics;
     LogLineCounts lines;
@@ -73,6 +77,7 @@ private:
     [[nodiscard]] bool parse_next_frame(CanFrame& frame);
     void count_line(const CandumpLine& line);
     void report(LineFault fault);
+    void note_order(base::Time stamp);
     void settle_stamp(CanFrame& frame);
     [[nodiscard]] bool leaps_and_returns(base::Time stamp);
     [[nodiscard]] std::uint8_t channel_of(std::string_view name);

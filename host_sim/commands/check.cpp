@@ -8,9 +8,10 @@
 #include <string_view>
 
 #include "bus/canaerospace/bus_settings.hpp"
-#include "bus/candump/candump_log_source.hpp"
 #include "bus/switches/switch_config.hpp"
-#include "bus/switches/switch_log_source.hpp"
+#include "host_sim/commands/check_log.hpp"
+#include "host_sim/commands/check_raster.hpp"
+#include "host_sim/commands/check_switch_log.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
 #include "host_sim/contract/contract.hpp"
@@ -19,12 +20,11 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
 #include "host_sim/replay/load_design.hpp"
-#include "host_sim/replay/read_switch_log.hpp"
+#include "host_sim/reports/height_findings.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "host_sim/scene_builder/scene_build.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/design/design_settings.hpp"
@@ -128,57 +128,10 @@ std::string check_sheet(const std::string& path) {
     return "a contact sheet of " + std::to_string(plan.picture_count()) + " pictures";
 }
 
-std::string check_log(const std::string& path) {
-    const std::string text = read_file_unpacked(path);
-    bus::CandumpLogSource source({text.data(), text.size()});
-    std::array<bus::CanFrame, 256> frames;
-    constexpr base::Time kEndOfTime{INT64_MAX};
-    while (source.read(kEndOfTime, {frames.data(), frames.size()}) > 0) {
-    }
-    const auto& statistics = source.statistics();
-    if (statistics.frames == 0) {
-        const std::string first = source.reports().empty() ? ""
-                                                           : " (line " + std::to_string(source.reports()[0].line) + ": " +
-                                                                 bus::describe(source.reports()[0].fault) + ")";
-        throw UserError(path + ": no line of it is a frame of a candump log" + first + "; record with candump -l or -L");
-    }
-    std::string found = "a candump log of " + std::to_string(statistics.frames) + " frames";
-    if (statistics.malformed > 0)
-        found += ", " + std::to_string(statistics.malformed) + " broken lines (first: line " +
-                 std::to_string(source.reports()[0].line) + ")";
-    if (source.line_counts().other > 0)
-        found += ", " + std::to_string(source.line_counts().other) + " lines that do not begin with '('";
-    if (statistics.dropped > 0) found += ", " + std::to_string(statistics.dropped) + " frames lost by the recorder";
-    return found;
-}
-
-/// The log names its lines; without its panel only the form can be judged, so every shipped panel is tried.
-std::string check_switch_log(const std::string& path) {
-    const std::string text = read_switch_log(path);
-    std::uint64_t best_edges = 0, malformed = 0;
-    std::string panel;
-    for (const auto& entry : std::filesystem::directory_iterator(shipped_root() + "/configs/switches")) {
-        if (entry.path().extension() != ".toml") continue;
-        const auto config = bus::load_switch_config(read_file(entry.path().string()), entry.path().string());
-        if (!config.ok()) continue;
-        bus::SwitchLogSource source(text, config.value());
-        std::array<bus::SwitchEdge, 64> edges;
-        while (source.read(base::Time{INT64_MAX}, {edges.data(), edges.size()}) > 0) {
-        }
-        malformed = source.statistics().malformed;
-        if (malformed > 0)
-            throw UserError(path + ":" + std::to_string(source.reports()[0].line) + ": " +
-                            bus::describe(source.reports()[0].fault) + "; correct the line");
-        if (source.statistics().edges > best_edges) panel = entry.path().stem().string();
-        best_edges = std::max(best_edges, source.statistics().edges);
-    }
-    return "a switch log" + (panel.empty() ? " of a panel that is not shipped"
-                                           : " of the panel " + panel + ", " + std::to_string(best_edges) + " edges");
-}
-
-std::string check_terrain(const std::string& path) {
-    verify_database(OpenDatabase(path), [](std::uint64_t, std::uint64_t) {});
-    return "a terrain database, every checksum right";
+CheckedFile check_terrain(const std::string& path) {
+    const OpenDatabase open(path);
+    verify_database(open, [](std::uint64_t, std::uint64_t) {});
+    return {"a terrain database, every checksum right", height_findings(path, height_counts(open.database().header()))};
 }
 
 std::string check_scene_database(const std::string& path) {
@@ -203,26 +156,6 @@ std::string check_orderings(const std::string& path) {
 std::string check_contract(const std::string& path) {
     const std::size_t count = read_contract(path).conditions.size();
     return "a contract of " + std::to_string(count) + (count == 1 ? " condition" : " conditions");
-}
-
-/// Read to its last post, as the terrain builder does.
-std::string check_raster(const std::string& path) {
-    constexpr std::uint32_t kRowsAtOnce = 64;
-    PostSource posts({path}, {});
-    std::vector<float> heights_m(std::size_t{posts.columns()} * kRowsAtOnce);
-    std::vector<terrain::PostClass> classes(heights_m.size());
-    std::uint64_t voids = 0;
-    for (std::uint32_t j = 0; j < posts.rows(); j += kRowsAtOnce) {
-        const std::uint32_t rows = std::min(kRowsAtOnce, posts.rows() - j);
-        const std::size_t count = std::size_t{posts.columns()} * rows;
-        posts.read(0, j, posts.columns(), rows, {heights_m.data(), count}, {classes.data(), count});
-        voids += static_cast<std::uint64_t>(
-            std::count(classes.begin(), classes.begin() + static_cast<std::ptrdiff_t>(count), terrain::PostClass::void_));
-    }
-    if (voids == std::uint64_t{posts.columns()} * posts.rows())
-        throw UserError(path + ": no post has a height from -500 to 9000 m; check the file or its void value");
-    return "a height raster of " + std::to_string(posts.columns()) + " x " + std::to_string(posts.rows()) + " posts, " +
-           std::to_string(voids) + " of them void";
 }
 
 struct FolderKind {
@@ -264,13 +197,13 @@ FileChecker config_checker(const std::string& path) {
         "scenarios, scenes, sheets, orderings or contracts");
 }
 
-std::string check_file(const std::string& path) {
+CheckedFile check_file(const std::string& path, const CheckOptions& options) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (extension == ".toml") return config_checker(path)(path);
     if (extension == ".tdb") return check_terrain(path);
     if (extension == ".sdb") return check_scene_database(path);
-    if (extension == ".switches") return check_switch_log(path);
-    if (extension == ".log" || extension == ".gz") return check_log(path);
+    if (extension == ".switches") return check_switch_log(path, options.switch_config);
+    if (extension == ".log" || extension == ".gz") return check_log(path, options.bus);
     if (is_raster_name(extension)) return check_raster(path);
     (void)read_file(path);
     if (extension == ".dbc")
@@ -281,25 +214,37 @@ std::string check_file(const std::string& path) {
         "' is no kind of file that is checked here; known are .toml, .tdb, .sdb, .log, .log.gz, .switches and height rasters");
 }
 
+/// ", but: ..."; the line has named the file already.
+std::string but_words(const std::string& path, const Findings& findings) {
+    std::string words;
+    for (const Finding& finding : findings) {
+        const bool names_it = finding.text.compare(0, path.size() + 2, path + ": ") == 0;
+        words += (words.empty() ? ", but: " : "; ") + (names_it ? finding.text.substr(path.size() + 2) : finding.text);
+    }
+    return words;
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options, Console& console) {
     Json results = Json::array();
     std::string text;
     bool all_sound = true;
+    Findings warnings;
     for (const std::string& path : options.files) {
         try {
-            const std::string kind = check_file(path);
-            results.push_back({{"file", path}, {"sound", true}, {"is", kind}});
-            text += path + ": sound, " + kind + "\n";
+            const CheckedFile file = check_file(path, options);
+            results.push_back({{"file", path}, {"sound", true}, {"is", file.is}, {"warnings", findings_json(file.warnings)}});
+            text += path + ": sound, " + file.is + but_words(path, file.warnings) + "\n";
+            append(warnings, file.warnings);
         } catch (const UserError& error) {
             all_sound = false;
-            results.push_back({{"file", path}, {"sound", false}, {"fault", error.what()}});
+            results.push_back({{"file", path}, {"sound", false}, {"fault", error.what()}, {"warnings", Json::array()}});
             console.note(error.what());
         }
     }
     if (!text.empty() || console.json()) console.result(text, json_text(results));
-    return all_sound ? 0 : 2;
+    return all_sound ? exit_code_of(warnings, options.strict) : kFaultyInputExitCode;
 }
 
 }  // namespace tedavis::host_sim

@@ -59,6 +59,9 @@ struct CommandLine {
 [[nodiscard]] CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
                                     std::function<int(Console&)> run);
 
+/// --strict: warnings end the command with kCheckFailedExitCode.
+void add_strict(CLI::App* command, bool& strict);
+
 template <class T>
 CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
     return command->add_option_function<T>(

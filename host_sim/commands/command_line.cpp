@@ -21,6 +21,10 @@ CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& na
     return command;
 }
 
+void add_strict(CLI::App* command, bool& strict) {
+    command->add_flag("--strict", strict, "exit code 1 where there is a warning");
+}
+
 namespace {
 
 constexpr int kDone = 0, kWrongUsage = 2;
@@ -35,6 +39,10 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs",
                                   [&c](Console& console) { return run_check(c, console); });
     check->add_option("FILE", c.files, "any file that the programs read")->required();
+    check->add_option("--bus", c.bus, "bus file or shipped name: how the frames of logs are read")->capture_default_str();
+    check->add_option("--switch-config", c.switch_config,
+                      "panel of switch logs, file or shipped name; default: the shipped one that fits best");
+    add_strict(check, c.strict);
     EvaluateOptions& e = line.evaluate;
     CLI::App* evaluate = add_command(app, line, "evaluate", "clutter and saliency of pictures, of a flight, or of two designs",
                                      [&e](Console& console) { return run_evaluate(e, console); });

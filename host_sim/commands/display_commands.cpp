@@ -74,6 +74,7 @@ void add_shot(CLI::App& app, CommandLine& line) {
         "flight phase, as if a switch stated it; default: none is stated");
     command->add_option("-o", o.output, "the picture to write (.png)")->required();
     command->add_flag("--layers", o.layers, kLayersText);
+    add_strict(command, o.strict);
     add_picture_options(command, o.picture);
 }
 
@@ -231,6 +232,7 @@ void use_replay_config(CommandLine& line) {
     line.replay = load_replay_config(line.replay_config);
     line.replay.output = given.output;
     line.replay.window = given.window;
+    line.replay.strict = given.strict;
     line.replay.tour = given.tour;
     line.replay.save_config = given.save_config;
 }
@@ -270,6 +272,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     line.replay_config_holds = command->get_options(
         [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
     command->add_option("-o", o.output, "folder to write to")->required();
+    add_strict(command, o.strict);
     command->add_option("--save-config", o.save_config,
                         "writes data, design and parameters of this replay to a file, after --window with its switches");
     CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
@@ -277,7 +280,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
                               ->excludes(layers);
     command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
     command->add_option("--config", line.replay_config,
-                        "a file that --save-config wrote; beside it only -o, --save-config, --window and --tour");
+                        "a file that --save-config wrote; beside it only -o, --strict, --save-config, --window and --tour");
     command->footer(window_keys_help());
 }
 

@@ -56,7 +56,8 @@ int run_batch(const ReplayOptions& options, Console& console) {
     }
     console.progress_done();
     const int code = recorder.finish(interrupt.requested(), console);
-    if (options.ledger && code == 0) price_effects(ledger, options, session, interrupt, console);
+    if (options.ledger && (code == 0 || code == kCheckFailedExitCode))
+        price_effects(ledger, options, session, interrupt, console);
     return code;
 }
 

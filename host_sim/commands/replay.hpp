@@ -58,6 +58,7 @@ struct ReplayOptions {
     std::optional<double> step_s;        ///< nothing: one frame of the device's rate; negative: backwards
     std::optional<FrameOutput> frames;   ///< nothing: pictures, in the window hashes
     bool window = false;
+    bool strict = false;      ///< findings end it with kCheckFailedExitCode
     bool layers = false;      ///< beside every picture which layer each of its pixels is of; not with window
     bool ledger = false;      ///< adds the price of every effect that was replaced or left out; not with window
     std::string tour;         ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only

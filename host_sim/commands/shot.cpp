@@ -7,7 +7,9 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
+#include "host_sim/replay/pose_findings.hpp"
 #include "host_sim/replay/posed_frame.hpp"
+#include "host_sim/replay/scene_findings.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -50,17 +52,21 @@ int run_shot(const ShotOptions& options, Console& console) {
     FrameResult result = posed_frame(session, pose, phase);
     result.has_layers = options.layers;
     if (options.layers) result.obstacles = session.display().obstacles_ahead();
+    result.warnings = pose_findings(pose, result.record, options.picture.terrain, session.display());
+    append(*result.warnings,
+           scene_findings(options.picture.scene, {pose.latitude_deg, pose.latitude_deg, pose.longitude_deg, pose.longitude_deg}));
     const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
     if (options.layers) write_drawn_layers(options.output, session);
     write_file_atomically(record_path(options.output), json + "\n");
+    print_warnings(*result.warnings, console);
     console.result(options.output + ": " + std::to_string(session.width()) + " x " + std::to_string(session.height()) +
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
                        hash_text(result.hash),
                    json);
     note_hidden_foci(result.record, options.picture.foci.size(), console);
     const std::string fault = session.terrain_fault();
-    if (fault.empty()) return 0;
+    if (fault.empty()) return exit_code_of(*result.warnings, options.strict);
     console.note("note: " + fault);
     return kFaultyInputExitCode;
 }

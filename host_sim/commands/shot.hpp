@@ -15,11 +15,13 @@ struct ShotOptions {
     std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
+    bool strict = false;  ///< findings end it with kCheckFailedExitCode
     bool layers = false;  ///< also X.layers.png: which layer each pixel is of
     std::string output;   ///< X.png; the record goes beside it as X.json; without an extension the same
 };
 
-/// Returns the exit code, 2 also for a picture whose terrain failed; throws UserError.
+/// Returns the exit code, 2 also for a picture whose terrain failed, 1 where it is strict and there are findings; throws
+/// UserError.
 [[nodiscard]] int run_shot(const ShotOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -14,6 +14,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/number_list.hpp"
+#include "host_sim/reports/height_findings.hpp"
 #include "host_sim/terrain_builder/file_sources.hpp"
 #include "host_sim/terrain_builder/fractal_geotiff.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
@@ -135,6 +136,7 @@ TerrainSources sources_of(const TerrainBuildOptions& options, Console& console) 
     std::vector<std::string> notes;
     TerrainSources sources = sources_of_files(options.rasters, raster_options(options), notes);
     for (const std::string& note : notes) console.note("note: " + note);
+    for (const std::string& file : options.rasters) print_warnings(value_findings(file, raster_options(options)), console);
     sources.drape = drape_options(options);
     return sources;
 }
@@ -158,7 +160,7 @@ Json describe_levels(const std::vector<LevelSummary>& levels) {
     return json;
 }
 
-Json describe(const OpenDatabase& open) {
+Json describe(const OpenDatabase& open, const std::string& name) {
     const terrain::FileHeader& h = open.database().header();
     Json json;
     json["source"] = h.source;
@@ -179,6 +181,7 @@ Json describe(const OpenDatabase& open) {
     json["tolerance_m"] = std::vector<float>(h.tolerance_m, h.tolerance_m + h.levels);
     json["drape"] = nullptr;
     if (h.drape_posts != 0) json["drape"] = {{"texel_deg", drape_texel_deg(h)}, {"finest_level", h.drape_level}};
+    json["warnings"] = findings_json(height_findings(name, height_counts(h)));
     json["by_level"] = describe_levels(summarise_levels(open));
     return json;
 }
@@ -208,6 +211,13 @@ std::string describe_in_words(const OpenDatabase& open, const std::string& name)
     return text.str();
 }
 
+/// A database as a command's result, with what does not look like ground.
+void state(const std::string& name, Console& console) {
+    const OpenDatabase open(name);
+    print_warnings(height_findings(name, height_counts(open.database().header())), console);
+    console.result(describe_in_words(open, name), json_text(describe(open, name)));
+}
+
 }  // namespace
 
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
@@ -217,8 +227,7 @@ int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     require_replaceable(options.output, {terrain::kTdbMagic, sizeof terrain::kTdbMagic}, "terrain database");
     build_terrain(sources, options.output, build_options(options, interrupt, console, "the same command goes on from here"));
     console.progress_done();
-    const OpenDatabase built(options.output);
-    console.result(describe_in_words(built, options.output), json_text(describe(built)));
+    state(options.output, console);
     return 0;
 }
 
@@ -247,8 +256,7 @@ int run_terrain_check(const TerrainCheckOptions& options, Console& console) {
 }
 
 int run_terrain_info(const TerrainInfoOptions& options, Console& console) {
-    const OpenDatabase open(options.database);
-    console.result(describe_in_words(open, options.database), json_text(describe(open)));
+    state(options.database, console);
     return 0;
 }
 

@@ -22,17 +22,50 @@ std::vector<LayerShare> mean_layers(const EvaluatedFlight& flight, std::size_t f
     return sums;
 }
 
+MainWeights mean_weights(const std::vector<FlightFrame>& frames, std::size_t first, std::size_t end) {
+    MainWeights mean;
+    for (std::size_t n = first; n < end; ++n) {
+        for (std::size_t aspect = 0; aspect < mean.size(); ++aspect) {
+            mean[aspect].weight += frames[n].weights[aspect].weight / static_cast<double>(end - first);
+            mean[aspect].stated += frames[n].weights[aspect].stated / static_cast<double>(end - first);
+        }
+    }
+    return mean;
+}
+
+std::string first_words(const std::vector<std::string>& aspects) {
+    if (aspects.empty()) return "none";
+    std::string words = aspects.front();
+    for (std::size_t n = 1; n < aspects.size(); ++n) words += (n + 1 == aspects.size() ? " and " : ", ") + aspects[n];
+    return words + (aspects.size() > 1 ? " alike" : "");
+}
+
+/// Of contiguous frames, phase by phase: hazards on the way raise weights for a while, and that is no other order of a design.
+void add_priority(const std::vector<FlightFrame>& frames, SpanSummary& span) {
+    for (std::size_t begin = span.first; begin < span.end;) {
+        std::size_t next = begin;
+        while (next < span.end && frames[next].phase == frames[begin].phase) ++next;
+        const std::vector<std::string> aspects = first_aspects(mean_weights(frames, begin, next));
+        const std::string words = first_words(aspects);
+        const bool is_another = begin > span.first && words != span.comes_first;
+        span.comes_first = is_another ? std::string() : words;
+        span.prioritized = is_another || aspects.size() != 1 ? std::string() : aspects.front();
+        if (is_another) return;
+        begin = next;
+    }
+}
+
 }  // namespace
 
 SpanSummary summary_of(const EvaluatedFlight& flight, std::size_t first, std::size_t end) {
-    SpanSummary span{flight.run.frames[first].phase, first, end, 0, 0, first, {}, flight.run.frames[first].prioritized};
+    SpanSummary span{flight.run.frames[first].phase, first, end, 0, 0, first, {}, {}, {}};
     for (std::size_t n = first; n < end; ++n) {
         const double clutter = flight.measures[n].clutter;
         span.mean += clutter / static_cast<double>(end - first);
         if (clutter > span.highest) span.highest = clutter, span.highest_at = n;
-        if (flight.run.frames[n].prioritized != span.prioritized) span.prioritized.clear();
     }
     span.layers = mean_layers(flight, first, end);
+    add_priority(flight.run.frames, span);
     return span;
 }
 

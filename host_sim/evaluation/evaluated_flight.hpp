@@ -50,7 +50,10 @@ struct SpanSummary {
     double mean = 0, highest = 0;    ///< clutter
     std::size_t highest_at = 0;      ///< index
     std::vector<LayerShare> layers;  ///< means of the frames that have them; empty where none has
-    std::string prioritized;         ///< empty where it changes or none is
+    /// The aspect that comes first by its mean weight, and of equal ones by what the design states; empty where it is another one
+    /// in another phase, or several are alike.
+    std::string prioritized;
+    std::string comes_first;  ///< the same in words: "terrain and data alike", "none"; empty where it is another in another phase
 };
 
 [[nodiscard]] SpanSummary summary_of(const EvaluatedFlight& flight, std::size_t first, std::size_t end);

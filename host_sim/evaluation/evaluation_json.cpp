@@ -74,6 +74,7 @@ Json phases_json(const EvaluatedFlight& flight) {
                           {"clutter_mean", span.mean},
                           {"clutter_highest", span.highest},
                           {"highest_s", flight.run.frames[span.highest_at].time_s},
+                          {"comes_first", span.comes_first},
                           {"prioritized", span.prioritized.empty() ? Json() : Json(span.prioritized)},
                           {"prioritized_share", share ? Json(*share) : Json()},
                           {"layer_shares", shares_json(span.layers)}});

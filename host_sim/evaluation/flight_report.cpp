@@ -155,10 +155,7 @@ std::string phase_row(const EvaluatedFlight& flight, const SpanSummary& span, co
            html_aside(decimal(frames[span.first].time_s, 1)) + html_aside(decimal(frames[span.end - 1].time_s, 1)) +
            html_aside(std::to_string(span.end - span.first)) + html_number(clutter_text(span.mean)) +
            html_number(clutter_text(span.highest)) + html_aside(decimal(frames[span.highest_at].time_s, 1)) +
-           html_cell(!span.prioritized.empty() ? span.prioritized
-                     : is_all                  ? ""
-                                               : "none") +
-           "</tr>\n";
+           html_cell(span.comes_first) + "</tr>\n";
 }
 
 std::string phase_table(const EvaluatedFlight& flight) {

@@ -18,23 +18,34 @@ std::string text_of(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::string();
 }
 
-std::string prioritized_aspect(const Json& record) {
-    static constexpr std::array<const char*, 3> kAspects = {"terrain", "data", "uncertainty"};
-    if (!record.contains("presentation") || !record["presentation"].is_object()) return {};
-    std::string best;
-    double highest = 0;
-    for (const char* aspect : kAspects) {
-        const Json& shown = record["presentation"].value(aspect, Json::object());
-        const double weight =
-            shown.is_object() && shown.contains("weight") && shown["weight"].is_number() ? shown["weight"].get<double>() : 0.0;
-        if (weight == highest) best.clear();
-        if (weight > highest) best = aspect, highest = weight;
-    }
-    return best;
-}
-
 double record_number(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0.0;
+}
+
+Json object_of(const Json& json, const char* key) {
+    return json.is_object() && json.contains(key) && json[key].is_object() ? json[key] : Json::object();
+}
+
+/// A record that does not say what its design states takes its own weights for that.
+MainWeights main_weights(const Json& record) {
+    MainWeights weights;
+    const Json presentation = object_of(record, "presentation"), all = object_of(presentation, "weights");
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+        const Json stated = object_of(all, kMainAspectNames[n]);
+        weights[n].weight = record_number(object_of(presentation, kMainAspectNames[n]), "weight");
+        weights[n].stated = stated.contains("stated") ? record_number(stated, "stated") : weights[n].weight;
+    }
+    return weights;
+}
+
+std::string prioritized_aspect(const MainWeights& weights) {
+    std::string best;
+    double highest = 0;
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+        if (weights[n].weight == highest) best.clear();
+        if (weights[n].weight > highest) best = kMainAspectNames[n], highest = weights[n].weight;
+    }
+    return best;
 }
 
 FrameObstacle frame_obstacle(const Json& json) {
@@ -63,7 +74,8 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     const std::string sub = text_of(record, "sub_phase");
     frame.phase = text_of(record, "phase") + (sub.empty() ? "" : "." + sub);
     frame.phase_source = text_of(record, "phase_source");
-    frame.prioritized = prioritized_aspect(record);
+    frame.weights = main_weights(record);
+    frame.prioritized = prioritized_aspect(frame.weights);
     frame.layers = layer_names(record);
     if (record.contains("presentation") && record["presentation"].is_object())
         frame.design = text_of(record["presentation"], "design");
@@ -87,6 +99,20 @@ void read_summary(FlightRun& run) {
 }
 
 }  // namespace
+
+std::vector<std::string> first_aspects(const MainWeights& weights) {
+    constexpr double kEqual = 1e-9;
+    AspectWeight highest;
+    for (const AspectWeight& one : weights) highest.weight = std::max(highest.weight, one.weight);
+    const auto has_highest = [&](const AspectWeight& one) { return one.weight > highest.weight - kEqual; };
+    for (const AspectWeight& one : weights)
+        if (has_highest(one)) highest.stated = std::max(highest.stated, one.stated);
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < weights.size(); ++n)
+        if (highest.weight > 0 && has_highest(weights[n]) && weights[n].stated > highest.stated - kEqual)
+            names.emplace_back(kMainAspectNames[n]);
+    return names;
+}
 
 std::vector<std::string> layer_names(const Json& record) {
     std::vector<std::string> names;

@@ -18,6 +18,17 @@ struct FrameObstacle {
     std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; of "drawn"
 };
 
+/// Of an aspect, 0 to 1: in the frame, and as its design states it, below what hazards on the way raise it to.
+struct AspectWeight {
+    double weight = 0, stated = 0;
+};
+inline constexpr std::array<const char*, 3> kMainAspectNames = {"terrain", "data", "uncertainty"};
+using MainWeights = std::array<AspectWeight, kMainAspectNames.size()>;
+
+/// Of aspects, those that come first: with the greatest weight, and among equal ones with the greatest stated one. Empty where
+/// every weight is 0.
+[[nodiscard]] std::vector<std::string> first_aspects(const MainWeights& weights);
+
 struct FlightFrame {
     std::uint64_t frame = 0;
     double time_s = 0;
@@ -25,6 +36,7 @@ struct FlightFrame {
     std::string phase_source;  ///< as in the record
     /// The aspect with the greatest weight, where one is greater than the others: "terrain", "data", "uncertainty".
     std::string prioritized;
+    MainWeights weights;
     std::vector<std::string> layers;  ///< names by the values of the layer mask beside the picture; empty: there is none
     std::string picture;              ///< path
     std::string design;               ///< by which it was drawn, as the design calls itself

@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr char kMagic[] = "TEDAVIS flight index 2\n";
+constexpr char kMagic[] = "TEDAVIS flight index 3\n";
 
 class ByteWriter {
 public:
@@ -86,6 +86,49 @@ std::vector<bus::LineReport> get_reports(ByteReader& reader) {
     return reports;
 }
 
+std::vector<LogInterface> get_interfaces(ByteReader& reader) {
+    std::vector<LogInterface> interfaces;
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && reader.good(); --left) {
+        const std::string name(reader.get_text());
+        interfaces.push_back({name, reader.get<std::uint64_t>()});
+    }
+    return interfaces;
+}
+
+void put_facts(const LogFacts& facts, ByteWriter& writer) {
+    writer.put(facts.first);
+    writer.put(facts.last);
+    writer.put(facts.counters);
+    writer.put(facts.decoder);
+    writer.put(facts.lines);
+    writer.put(facts.broken_lines);
+    writer.put(facts.has_position);
+    writer.put(std::uint64_t{facts.reports.size()});
+    for (const bus::LineReport& report : facts.reports) {
+        writer.put(report.line);
+        writer.put(report.fault);
+    }
+    writer.put(std::uint64_t{facts.interfaces.size()});
+    for (const LogInterface& one : facts.interfaces) {
+        writer.put_text(one.name);
+        writer.put(one.frames);
+    }
+}
+
+LogFacts get_facts(ByteReader& reader) {
+    LogFacts facts;
+    facts.first = reader.get<base::Time>();
+    facts.last = reader.get<base::Time>();
+    facts.counters = reader.get<bus::BusCounters>();
+    facts.decoder = reader.get<bus::DecoderCounts>();
+    facts.lines = reader.get<bus::LogLineCounts>();
+    facts.broken_lines = reader.get<std::uint64_t>();
+    facts.has_position = reader.get<bool>();
+    facts.reports = get_reports(reader);
+    facts.interfaces = get_interfaces(reader);
+    return facts;
+}
+
 }  // namespace
 
 std::string pack_index(const FlightIndex& index, const IndexKey& key) {
@@ -93,16 +136,7 @@ std::string pack_index(const FlightIndex& index, const IndexKey& key) {
     writer.put(kMagic);
     writer.put(std::uint64_t{sizeof(FlightProgress)});
     writer.put(key);
-    writer.put(index.first);
-    writer.put(index.last);
-    writer.put(index.counters);
-    writer.put(index.broken_lines);
-    writer.put(index.other_lines);
-    writer.put(std::uint64_t{index.reports.size()});
-    for (const bus::LineReport& report : index.reports) {
-        writer.put(report.line);
-        writer.put(report.fault);
-    }
+    put_facts(index.facts, writer);
     writer.put(index.track.stride());
     writer.put(std::uint64_t{index.track.checkpoints().size()});
     for (const PackedCheckpoint& checkpoint : index.track.checkpoints()) {
@@ -127,12 +161,7 @@ UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const Ch
     if (const char* other = first_difference(reader.get<IndexKey>(), key))
         return {{}, std::string("was made when ") + other + " was another"};
     FlightIndex index;
-    index.first = reader.get<base::Time>();
-    index.last = reader.get<base::Time>();
-    index.counters = reader.get<bus::BusCounters>();
-    index.broken_lines = reader.get<std::uint64_t>();
-    index.other_lines = reader.get<std::uint64_t>();
-    index.reports = get_reports(reader);
+    index.facts = get_facts(reader);
     const auto stride = reader.get<std::uint64_t>();
     index.track = CheckpointTrack(spacing, stride, get_checkpoints(reader));
     if (!reader.good() || reader.left() != 0 || index.track.checkpoints().empty()) return {{}, "is damaged"};

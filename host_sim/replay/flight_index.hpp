@@ -16,10 +16,7 @@
 namespace tedavis::host_sim {
 
 struct FlightIndex {
-    base::Time first, last;  ///< stamps of the log's first and newest frame
-    bus::BusCounters counters;
-    std::uint64_t broken_lines = 0, other_lines = 0;  ///< begun like a frame and none; not begun like one
-    std::vector<bus::LineReport> reports;             ///< the first of the broken lines
+    LogFacts facts;
     CheckpointTrack track;
 };
 

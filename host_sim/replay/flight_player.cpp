@@ -5,11 +5,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "bus/switches/switch_log.hpp"
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
-#include "host_sim/replay/read_switch_log.hpp"
+#include "host_sim/replay/open_log.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -47,6 +46,7 @@ FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, 
     open_bus(files);
     open_log(files);
     open_switches(files);
+    bus_name_ = files.bus;
     key_.parts[IndexKey::program] = program_identity();
     key_.parts[IndexKey::terrain] = terrain_identity(display.terrain_database());
     const base::Time opened = wall_clock_now();
@@ -56,8 +56,9 @@ FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, 
         make_index();
         keep_index(log, opened);
     }
-    first_ = index_.first;
-    last_ = index_.last;
+    first_ = index_.facts.first;
+    last_ = index_.facts.last;
+    append(switch_findings_, switch_time_findings(files.switches, edges_, first_, last_));
     start_from_checkpoint(first_);
 }
 
@@ -73,11 +74,9 @@ void FlightPlayer::open_bus(const PlayerFiles& files) {
 
 void FlightPlayer::open_log(const PlayerFiles& files) {
     log_name_ = files.log;
-    auto file = platform::open_file(files.log.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
-    log_file_ = std::move(file.value());
+    log_bytes_ = host_sim::open_log(files.log);
     window_.resize(kWindowBytes);
-    source_ = std::make_unique<bus::CandumpLogSource>(log_file_, base::Span<char>(window_.data(), window_.size()));
+    source_ = std::make_unique<bus::CandumpLogSource>(*log_bytes_, base::Span<char>(window_.data(), window_.size()));
     start_ = source_->position();
 }
 
@@ -91,20 +90,17 @@ void FlightPlayer::open_switches(const PlayerFiles& files) {
     if (files.switches.empty()) return;
     const std::string text = read_switch_log(files.switches);
     key_.parts[IndexKey::switch_log] = text_identity(text);
-    bus::SwitchLogSource log(text, switch_config_);
-    bus::SwitchEdge batch[kFramesAtOnce];
-    for (std::size_t count = 1; count > 0;) {
-        count = log.read(kEnd, base::Span<bus::SwitchEdge>(batch));
-        edges_.insert(edges_.end(), batch, batch + count);
-    }
-    for (const bus::SwitchLineReport& report : log.reports())
+    PanelReading reading = read_panel(text, switch_config_);
+    for (const bus::SwitchLineReport& report : reading.reports)
         switch_notes_.push_back(line_note(files.switches, report.line, bus::describe(report.fault)));
+    switch_findings_ = switch_findings(files.switches, text, files.switch_config, switch_config_, reading);
+    edges_ = std::move(reading.edges);
 }
 
-FileIdentity FlightPlayer::identify_log() { return file_identity(log_name_, log_file_); }
+FileIdentity FlightPlayer::identify_log() { return file_identity(log_name_, *log_bytes_); }
 
 bool FlightPlayer::take_kept_index() {
-    if (log_file_.size() < policy_.smallest_kept_log) return false;
+    if (log_bytes_->size() < policy_.smallest_kept_log) return false;
     const std::string path = index_name(log_name_);
     std::error_code error;
     const auto bytes = std::filesystem::file_size(path, error);
@@ -121,7 +117,7 @@ bool FlightPlayer::take_kept_index() {
 
 /// A replay that cannot keep its index is as good as one that can, only slower to start.
 void FlightPlayer::keep_index(const FileIdentity& log, base::Time opened) {
-    if (log_file_.size() < policy_.smallest_kept_log) return;
+    if (log_bytes_->size() < policy_.smallest_kept_log) return;
     if (log.changed_ns > opened.ns - policy_.rest.ns || identify_log().hash != log.hash)
         return say(log_name_ + ": it has just been changed; its index is not kept");
     try {
@@ -135,21 +131,17 @@ void FlightPlayer::make_index() {
     bus::CanFrame frame;
     if (source_->read(kEnd, {&frame, 1}) == 0)
         throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
-    first_ = index_.first = frame.time;
+    first_ = frame.time;
     index_.track = CheckpointTrack(policy_.spacing);
     start();
     const InterruptGuard interrupt;
     while (source_->health() != bus::SourceHealth::ended && next_step_is_by(kEnd)) {
         run_step();
-        if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_file_.size());
+        if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_bytes_->size());
         if (interrupt.requested()) throw Interrupted(log_name_ + ": interrupted while it was indexed; nothing was written");
     }
     if (console_ != nullptr) console_->progress_done();
-    index_.last = source_->position().newest;
-    index_.counters = progress_.assembler.snapshot(index_.last).counters;
-    index_.broken_lines = source_->statistics().malformed;
-    index_.other_lines = source_->line_counts().other;
-    for (const bus::LineReport& report : source_->reports()) index_.reports.push_back(report);
+    index_.facts = facts_of(*source_, progress_.assembler, progress_.frames_of, first_);
 }
 
 void FlightPlayer::start() {
@@ -198,6 +190,7 @@ void FlightPlayer::feed_until(base::Time time) {
     for (std::size_t count = kFramesAtOnce; count == kFramesAtOnce;) {
         count = source_->read(time, base::Span<bus::CanFrame>(batch));
         progress_.assembler.feed({batch, count});
+        for (std::size_t n = 0; n < count; ++n) ++progress_.frames_of[batch[n].channel];
         if (count > 0) progress_.newest_frame = batch[count - 1].time;
     }
     if (source_->health() == bus::SourceHealth::failed)
@@ -256,16 +249,23 @@ void FlightPlayer::replace_switches_after(base::Time kept_until, const std::vect
     if (progress_.reached > kept_until) start_from_checkpoint(kept_until);
 }
 
+Findings FlightPlayer::findings() const {
+    Findings findings = log_findings(log_name_, bus_name_, index_.facts);
+    append(findings, switch_findings_);
+    return findings;
+}
+
 std::vector<std::string> FlightPlayer::notes() const {
     std::vector<std::string> notes = switch_notes_;
-    for (const bus::LineReport& report : index_.reports)
+    const LogFacts& facts = index_.facts;
+    for (const bus::LineReport& report : facts.reports)
         notes.push_back(line_note(log_name_, report.line, bus::describe(report.fault)));
-    if (index_.broken_lines > index_.reports.size())
-        notes.push_back(log_name_ + ": " + std::to_string(index_.broken_lines) + " broken lines in all; only the first " +
-                        std::to_string(index_.reports.size()) + " are named");
-    if (index_.other_lines > 0)
-        notes.push_back(log_name_ + ": " + std::to_string(index_.other_lines) +
-                        (index_.other_lines == 1 ? " line does" : " lines do") +
+    if (facts.broken_lines > facts.reports.size())
+        notes.push_back(log_name_ + ": " + std::to_string(facts.broken_lines) + " broken lines in all; only the first " +
+                        std::to_string(facts.reports.size()) + " are named");
+    if (facts.lines.other > 0)
+        notes.push_back(log_name_ + ": " + std::to_string(facts.lines.other) +
+                        (facts.lines.other == 1 ? " line does" : " lines do") +
                         " not begin with '(' as candump's do, passed over");
     return notes;
 }

@@ -4,7 +4,8 @@
 /// grid from the log's first frame. Where the recording pauses until every value is lost, the steps pause as well.
 ///
 /// Opening plays the whole log once and leaves checkpoints, so that every instant is near. Of a long log they are kept in
-/// LOG.tdx (flight_index.hpp) for the next time. Memory  some megabytes, however long the log.
+/// LOG.tdx (flight_index.hpp) for the next time. Memory  some megabytes, however long the log; a gzip-compressed one lies
+/// unpacked in memory.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,9 @@
 #include <vector>
 
 #include "bus/candump/candump_log_source.hpp"
-#include "bus/switches/switch_log_source.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/replay/flight_index.hpp"
-#include "platform/files/file_byte_source.hpp"
+#include "host_sim/replay/read_switch_log.hpp"
 #include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
@@ -62,10 +62,10 @@ public:
 
     /// Sentences about broken and foreign lines, for the report.
     [[nodiscard]] std::vector<std::string> notes() const;
-    [[nodiscard]] bus::BusCounters counters_of_whole_log() const { return index_.counters; }
-    /// Lines of the whole log that begin like a frame and are none, and that do not begin like one.
-    [[nodiscard]] std::uint64_t broken_lines() const { return index_.broken_lines; }
-    [[nodiscard]] std::uint64_t other_lines() const { return index_.other_lines; }
+    /// Of the whole log.
+    [[nodiscard]] const LogFacts& facts() const { return index_.facts; }
+    /// What is wrong with the log and the switch log.
+    [[nodiscard]] Findings findings() const;
 
 private:
     void open_bus(const PlayerFiles& files);
@@ -88,8 +88,8 @@ private:
     display::Display& display_;
     Console* console_;
     IndexPolicy policy_;
-    std::string log_name_;
-    platform::FileByteSource log_file_;
+    std::string log_name_, bus_name_;
+    std::unique_ptr<base::ByteSource> log_bytes_;
     std::vector<char> window_;
     std::unique_ptr<bus::CandumpLogSource> source_;
     bus::LogPosition start_;
@@ -98,6 +98,7 @@ private:
     std::vector<bus::SwitchEdge> edges_;
     bus::SwitchConfig switch_config_;
     std::vector<std::string> switch_notes_;
+    Findings switch_findings_;  ///< of the log that was given
     IndexKey key_;
     base::Time first_, last_;
     FlightProgress progress_;

@@ -9,9 +9,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "bus/candump/candump_log_source.hpp"
-#include "bus/state/state_assembler.hpp"
 #include "bus/switches/switch_to_phase.hpp"
+#include "host_sim/replay/log_facts.hpp"
 #include "render_core/display/phase_monitor.hpp"
 #include "render_core/flight/flown_way.hpp"
 
@@ -20,6 +19,7 @@ namespace tedavis::host_sim {
 struct FlightProgress {
     bus::LogPosition position;
     bus::StateAssembler assembler;
+    InterfaceFrames frames_of{};                 ///< fed, by interface
     std::optional<bus::SwitchToPhase> switches;  ///< there from the start on; optional because it has no default
     std::size_t next_edge = 0;
     display::PhaseMonitor monitor;

@@ -8,6 +8,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
+#include "host_sim/replay/scene_findings.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
@@ -59,7 +60,8 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
       session_(session),
       player_(player),
       records_(made_folder(options), player.first()),
-      story_(player.first()) {}
+      story_(player.first()),
+      tally_(player.first()) {}
 
 const FrameResult& RunRecorder::draw(base::Time time) {
     instant_ = player_.at(time);
@@ -89,8 +91,8 @@ void RunRecorder::keep() {
     records_.write(result_);
     total_ms_.push_back(result_.timing.total_ms);
     deadline_.add(result_);
-    worst_error_px_ = std::max(worst_error_px_, result_.record.terrain.worst_error_px);
     const double above = instant_.aircraft[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
+    tally_.add(result_.record, above);
     if (story_.add(result_, above, instant_.aircraft[Signal::ground_speed].value_or(0)))
         story_.add_picture(result_, session_.pixels());
     if (options_.frame_output() == FrameOutput::png)
@@ -104,18 +106,20 @@ int RunRecorder::finish(bool interrupted, Console& console) {
     const base::BudgetTable& memory = session_.display().budget();
     write_run_reports(options_.output, done, story_, memory);
     char line[200];
-    std::snprintf(line, sizeof line, ": %llu frames%s, %.1f frames/s median, worst terrain error %.2f px",
-                  static_cast<unsigned long long>(done.frames), interrupted ? " (interrupted)" : "", done.fps_median,
+    std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, worst terrain error %.2f px",
+                  counted(done.frames, "frame").c_str(), interrupted ? " (interrupted)" : "", done.fps_median,
                   done.worst_error_px);
     if (!done.notes.empty())
         console.note("note: " + std::to_string(done.notes.size()) + (done.notes.size() == 1 ? " note" : " notes") +
                      " in summary.json, the first: " + done.notes.front());
     const gl::DeniedReport& denied = session_.display().gl().denied();
     if (denied.total > 0) console.note(denied_text(denied, done.device));
-    console.result(options_.output + line + deadline_text(done.deadline), run_summary_json(done, memory));
+    print_warnings(done.warnings, console);
+    console.result(options_.output + line + start_error_text(done) + deadline_text(done.deadline),
+                   run_summary_json(done, memory));
     if (interrupted) return kInterruptedExitCode;
     if (!session_.terrain_fault().empty()) return kFaultyInputExitCode;
-    return denied.total > 0 ? kCheckFailedExitCode : 0;
+    return denied.total > 0 ? kCheckFailedExitCode : exit_code_of(done.warnings, options_.strict);
 }
 
 RunSummary RunRecorder::summary(bool interrupted) {
@@ -124,7 +128,8 @@ RunSummary RunRecorder::summary(bool interrupted) {
     const FrameTimes times = frame_times(total_ms_);
     s.fps_median = times.median_ms > 0 ? 1000 / times.median_ms : 0;
     s.ms_p99 = times.p99_ms;
-    s.worst_error_px = worst_error_px_;
+    s.worst_error_px = tally_.worst_error_px();
+    s.worst_start_error_px = tally_.worst_start_error_px();
     s.heap_allocations_after_start = heap_allocations_;
     s.gl_calls_outside_device = session_.display().gl().denied().total;
     s.device = options_.picture.device;
@@ -138,9 +143,12 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.costs = options_.picture.costs;
     s.deadline = deadline_.summary();
     s.gl = session_.gl_description();
-    const bus::BusCounters counters = player_.counters_of_whole_log();
-    s.can = {counters.frames,  counters.decoded,       counters.alien,        counters.errors,
-             counters.dropped, player_.broken_lines(), player_.other_lines(), counters.traffic};
+    const LogFacts& log = player_.facts();
+    s.can = {log.counters.frames,  log.counters.decoded, log.counters.alien, log.counters.errors,
+             log.counters.dropped, log.broken_lines,     log.lines.other,    log.counters.traffic};
+    s.warnings = player_.findings();
+    append(s.warnings, tally_.findings(s.terrain, session_.display().terrain_database()));
+    append(s.warnings, scene_findings(s.scene, tally_.extent()));
     s.interrupted = interrupted;
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
     if (options_.picture.deadline_ms && options_.picture.costs.empty())

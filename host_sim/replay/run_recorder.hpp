@@ -8,6 +8,7 @@
 
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "host_sim/reports/flight_tally.hpp"
 #include "host_sim/reports/frame_record_writer.hpp"
 #include "host_sim/reports/run_story.hpp"
 #include "host_sim/reports/run_summary.hpp"
@@ -30,9 +31,9 @@ public:
     void note(const std::string& sentence) { notes_.push_back(sentence); }
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
-    /// Writes the records, the summary and the report, and states the command's result. Once, at the end. Returns the exit
-    /// code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call was made that the device
-    /// does not have, else 0.
+    /// Writes the records, the summary and the report, and states the command's result and what was found. Once, at the end.
+    /// Returns the exit code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call was
+    /// made that the device does not have or where --strict is asked for and there are findings, else 0.
     [[nodiscard]] int finish(bool interrupted, Console& console);
 
 private:
@@ -49,7 +50,7 @@ private:
     std::vector<double> total_ms_;
     DeadlineTally deadline_;
     std::vector<std::string> notes_;
-    double worst_error_px_ = 0;
+    FlightTally tally_;
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };
 

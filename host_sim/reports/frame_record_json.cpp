@@ -262,6 +262,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["clutter"] = clutter_json(record);
     json["ms"] = {{"plan", result.timing.plan_ms}, {"draw", result.timing.draw_ms}, {"total", result.timing.total_ms}};
     json["latency_ms"] = result.latency_ms;
+    if (result.warnings) json["warnings"] = findings_json(*result.warnings);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

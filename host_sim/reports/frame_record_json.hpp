@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/obstacle_places.hpp"
@@ -21,7 +23,8 @@ struct FrameResult {
     FrameTiming timing;
     bool has_layers = false;  ///< beside its picture lies which layer each pixel is of; with it, `obstacles` are known
     display::ObstaclePlaces obstacles;
-    double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
+    std::optional<Findings> warnings;  ///< of a single picture
+    double latency_ms = 0;             ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,

@@ -59,6 +59,8 @@ std::string summary_table(const RunSummary& s) {
     row("frames a second, median", decimal(s.fps_median, 1));
     row("frame time, 99th percentile", decimal(s.ms_p99, 2) + " ms");
     row("worst terrain error", decimal(s.worst_error_px, 3) + " px");
+    if (s.worst_start_error_px > 0)
+        row("worst terrain error while its first chunks arrived", decimal(s.worst_start_error_px, 3) + " px");
     row("heap allocations after start", std::to_string(s.heap_allocations_after_start), s.heap_allocations_after_start > 0);
     row("GL calls outside the device's list", std::to_string(s.gl_calls_outside_device), s.gl_calls_outside_device > 0);
     row("bus frames", std::to_string(s.can.frames) + ": " + std::to_string(s.can.decoded) + " decoded, " +
@@ -67,6 +69,12 @@ std::string summary_table(const RunSummary& s) {
     row("lines of the log that are no frames",
         std::to_string(s.can.broken_lines) + " broken, " + std::to_string(s.can.other_lines) + " other", s.can.broken_lines > 0);
     return "<div class='wide'><table>" + rows + "</table></div>";
+}
+
+std::string warnings_list(const RunSummary& summary) {
+    std::string items;
+    for (const Finding& finding : summary.warnings) items += "<li class='bad'>" + escaped_html(finding.text) + "</li>";
+    return items.empty() ? items : section("Warnings", "<ul>" + items + "</ul>");
 }
 
 std::string notes_list(const RunSummary& summary) {
@@ -160,7 +168,7 @@ std::string html_report(const RunSummary& summary, const RunStory& story, const 
                "content='width=device-width,initial-scale=1'>"
                "<title>TEDAVIS run</title><style>") +
            kStyle + "</style></head><body>\n<header><h1>TEDAVIS run: " + escaped_html(summary.log) + "</h1><p>Version " +
-           version() + ". A simulation; not certified for use in flight.</p></header>\n" +
+           version() + ". A simulation; not certified for use in flight.</p></header>\n" + warnings_list(summary) +
            section("Summary", summary_table(summary)) + notes_list(summary) + strip(story) + charts(story) + phase_table(story) +
            flag_table(story) + memory_table(memory) + "</body></html>\n";
 }

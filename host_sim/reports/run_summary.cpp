@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/reports/line_chart.hpp"
 #include "host_sim/version.hpp"
 
 namespace tedavis::host_sim {
@@ -53,6 +54,11 @@ FrameTimes frame_times(std::vector<double> total_ms) {
     return {median, total_ms[rank - 1]};
 }
 
+std::string start_error_text(const RunSummary& summary) {
+    if (!(summary.worst_start_error_px > 0)) return {};
+    return "; while its first chunks arrived, " + decimal(summary.worst_start_error_px, 2) + " px";
+}
+
 std::string run_summary_json(const RunSummary& summary, const base::BudgetTable& memory) {
     Json json;
     json["frames"] = summary.frames;
@@ -60,6 +66,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["ms_p99"] = summary.ms_p99;
     json["heap_allocations_after_start"] = summary.heap_allocations_after_start;
     json["worst_error_px"] = summary.worst_error_px;
+    json["worst_start_error_px"] = summary.worst_start_error_px;
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
     json["device"] = summary.device;
     json["design"] = summary.design;
@@ -81,6 +88,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
                    {"other_lines", summary.can.other_lines},
                    {"traffic", traffic_json(summary.can.traffic)}};
     json["interrupted"] = summary.interrupted;
+    json["warnings"] = findings_json(summary.warnings);
     json["notes"] = summary.notes;
     json["memory"] = memory_json(memory);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,6 +7,7 @@
 
 #include "bus/state/traffic_table.hpp"
 #include "host_sim/reports/deadline_tally.hpp"
+#include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/memory_budget.hpp"
 
 namespace tedavis::host_sim {
@@ -23,7 +24,7 @@ struct RunSummary {
     double fps_median = 0;  ///< 1000 / median of `ms.total`
     double ms_p99 = 0;
     std::uint64_t heap_allocations_after_start = 0;
-    double worst_error_px = 0;
+    double worst_error_px = 0, worst_start_error_px = 0;  ///< FlightTally
     std::uint64_t gl_calls_outside_device = 0;
     std::string device, design, terrain, scene, log, switches;  ///< as they were named
     std::uint32_t width = 0, height = 0;
@@ -33,6 +34,7 @@ struct RunSummary {
     CanCounts can;
     bool interrupted = false;
     std::vector<std::string> notes;  ///< what the reader should know: broken lines, synthetic data
+    Findings warnings;
 };
 
 /// Median (mean of the middle two) and the 99th percentile (nearest rank) of frame times; zeros for none.
@@ -40,6 +42,9 @@ struct FrameTimes {
     double median_ms = 0, p99_ms = 0;
 };
 [[nodiscard]] FrameTimes frame_times(std::vector<double> total_ms);
+
+/// "; while its first chunks arrived, 35.20 px"; empty where all had arrived with the first picture.
+[[nodiscard]] std::string start_error_text(const RunSummary& summary);
 
 /// Every key of the contract, in a fixed order, with the budget table as `memory`.
 [[nodiscard]] std::string run_summary_json(const RunSummary& summary, const base::BudgetTable& memory);

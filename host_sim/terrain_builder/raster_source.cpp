@@ -12,6 +12,7 @@
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/binary_terrain_header.hpp"
 #include "host_sim/terrain_builder/height_encoding.hpp"
+#include "host_sim/terrain_builder/stated_quantity.hpp"
 #include "host_sim/terrain_builder/vertical_reference.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -153,6 +154,12 @@ void settle_encoding(RasterSource& source, const RasterOptions& options) {
     }
 }
 
+void require_heights(const RasterSource& source) {
+    if (const auto other = other_quantity(*source.dataset))
+        throw UserError(source.file + ": says that it holds " + *other +
+                        ", which is no height; give a height raster (other data are for 'tedavis scene build')");
+}
+
 /// Asked of the coordinates themselves: other names for WGS84, and systems that agree with it, need no interpolation.
 bool is_plain(const RasterSource& source) {
     const auto& t = source.transform;
@@ -222,6 +229,7 @@ RasterSource open_raster_source(const std::string& file, const RasterOptions& op
     source.columns = source.dataset->GetRasterXSize();
     source.rows = source.dataset->GetRasterYSize();
     settle_encoding(source, options);
+    require_heights(source);
     read_transform(source, options);
     const OGRSpatialReference crs = read_crs(source, options);
     const VerticalReference reference = read_vertical_reference(source, crs);

@@ -35,7 +35,8 @@ struct PostWindow {
 };
 
 /// Opens a raster (see open_raster_file). Throws UserError for what is no height raster with a place on Earth: no
-/// raster, not georeferenced, no or an unknown coordinate system, a colour picture, values that are no lengths, depths, a
+/// raster, not georeferenced, no or an unknown coordinate system, a colour picture, what says that it holds another
+/// quantity, values that are no lengths, depths, a
 /// vertical datum that contradicts the options.
 [[nodiscard]] RasterSource open_raster_source(const std::string& file, const RasterOptions& options);
 

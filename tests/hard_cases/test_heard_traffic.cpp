@@ -140,7 +140,7 @@ public:
         const RgbaView pixels = session_.pixels();
         return {{pixels.pixels, pixels.pixels + std::size_t{kWidth} * kHeight * 4}, session_.display().record()};
     }
-    [[nodiscard]] bus::TrafficCounts counts() { return player_.counters_of_whole_log().traffic; }
+    [[nodiscard]] bus::TrafficCounts counts() { return player_.facts().counters.traffic; }
 
 private:
     static PictureOptions options(const std::string& bus, const std::string& device) {

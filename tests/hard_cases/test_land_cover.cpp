@@ -8,6 +8,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/scene_builder/scene_recipe.hpp"
+#include "platform/files/file_byte_source.hpp"
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "tests/support/data_legend_samples.hpp"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
+#include "platform/files/file_byte_source.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/temporary_folder.hpp"

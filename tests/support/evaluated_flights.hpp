@@ -51,6 +51,8 @@ inline host_sim::EvaluatedFlight made_flight(std::size_t frames, double level = 
         frame.phase = n < frames / 2 ? "cruise" : "approach.final";
         frame.phase_source = "can";
         frame.prioritized = n < frames / 2 ? "data" : "terrain";
+        frame.weights = n < frames / 2 ? host_sim::MainWeights{{{0.4, 0.4}, {1, 1}, {0.7, 0.7}}}
+                                       : host_sim::MainWeights{{{1, 1}, {0.5, 0.5}, {0.5, 0.5}}};
         frame.picture = "run/frames/" + std::to_string(n) + ".png";
         flight.run.frames.push_back(frame);
         host_sim::PictureMeasures measures;

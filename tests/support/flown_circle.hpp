@@ -39,6 +39,16 @@ public:
     }
 };
 
+/// The same, five degrees farther south.
+class FlownAway final : public FlownCircle {
+public:
+    std::optional<host_sim::SignalSample> at(base::Time time) const override {
+        auto sample = FlownCircle::at(time);
+        if (sample) (*sample)[flight::Signal::latitude] -= base::radians(5);
+        return sample;
+    }
+};
+
 /// The files in a folder of their own, and options that replay them in small.
 struct FlownFiles {
     TemporaryFolder folder;

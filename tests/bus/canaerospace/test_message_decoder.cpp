@@ -114,6 +114,18 @@ TEST(MessageDecoder, ImplausibleValuesAreRefusedAndCounted) {
     expect_signal("13F#01020000447D5000", Signal::baro_setting, 101325, 1e-6);
 }
 
+TEST(MessageDecoder, CodesThatAreNoPhaseAreCountedApart) {
+    MessageDecoder decoder{BusSettings()};
+    EXPECT_TRUE(decoder.decode(frame_of("726#011000011E0002FF")).healthy) << "30: cruise";
+    EXPECT_FALSE(decoder.decode(frame_of("726#011000021E0002C8")).healthy) << "a confidence of 200 %";
+    EXPECT_EQ(decoder.counts().impossible_phases, 0u);
+    EXPECT_FALSE(decoder.decode(frame_of("726#01100003630002FF")).healthy) << "99";
+    EXPECT_FALSE(decoder.decode(frame_of("726#01100004070002FF")).healthy) << "7";
+    EXPECT_EQ(decoder.counts().impossible_phases, 2u);
+    EXPECT_EQ(decoder.counts().first_impossible_phase, 99);
+    EXPECT_EQ(decoder.counts().out_of_range, 3u);
+}
+
 TEST(MessageDecoder, ServiceCodeSaysInvalidUnlessTheDialectIgnoresIt) {
     EXPECT_FALSE(decode_one("137#0102012A40A00000").healthy);
     BusSettings ignoring;

@@ -104,6 +104,23 @@ TEST(CandumpLogSource, OutOfOrderStampsKeepTheirTimeAndAreCounted) {
     EXPECT_EQ(source.line_counts().out_of_order, 1u);
 }
 
+TEST(CandumpLogSource, TellsWhereTimeRunsBackAndByHowMuch) {
+    const std::string text = line(10) + line(11) + "prose\n" + line(10.25) + line(10.5) + line(7) + line(8);
+    CandumpLogSource source(span_of(text));
+    (void)source.read(at(9), base::Span<CanFrame>());
+    EXPECT_EQ(read_all(source).size(), 6u);
+    const LogLineCounts& lines = source.line_counts();
+    EXPECT_EQ(lines.runs_back, 2u);
+    EXPECT_EQ(lines.first_back_line, 4u);
+    EXPECT_EQ(lines.first_back, base::Duration::milliseconds(750));
+    EXPECT_EQ(lines.longest_back, base::Duration::milliseconds(3500));
+    const std::string forwards = line(10) + line(10) + line(11);
+    CandumpLogSource sound(span_of(forwards));
+    EXPECT_EQ(read_all(sound).size(), 3u);
+    EXPECT_EQ(sound.line_counts().runs_back, 0u) << "equal stamps do not run back";
+    EXPECT_EQ(sound.line_counts().first_back_line, 0u);
+}
+
 TEST(CandumpLogSource, AClockSetBackIsReanchored) {
     const std::string text = line(5000) + line(5000.1) + line(100) + line(100.1);
     CandumpLogSource source(span_of(text));

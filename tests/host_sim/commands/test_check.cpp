@@ -21,8 +21,11 @@ using ::testing::HasSubstr;
 
 const std::string kConfigs = TEDAVIS_SOURCE_DIR "/configs/";
 
-CommandRun check(const std::vector<std::string>& files, bool json = false) {
-    return run_command([&](Console& console) { return run_check({files}, console); }, json);
+CommandRun check(const std::vector<std::string>& files, bool json = false, bool strict = false) {
+    CheckOptions options;
+    options.files = files;
+    options.strict = strict;
+    return run_command([&](Console& console) { return run_check(options, console); }, json);
 }
 
 TEST(CheckCommand, EveryShippedFileIsSound) {
@@ -98,9 +101,39 @@ TEST(CheckCommand, LogsAreCountedAndTheirBrokenLinesNamed) {
     const CommandRun run = check({log});
     EXPECT_EQ(run.code, 0);
     EXPECT_THAT(run.results,
-                HasSubstr("a candump log of 2 frames, 1 broken lines (first: line 2), 1 lines that do not begin with '('"));
+                HasSubstr("x.log: sound, a candump log of 2 frames, of which the bus canaerospace decodes 0, 1 line that "
+                          "does not begin with '(', but: 1 broken line (the first: line 2, "));
+    EXPECT_THAT(run.results, HasSubstr("; none of 2 frames can be decoded by the bus canaerospace"));
     const std::string panel = place.write("x.switches", "words\n");
     EXPECT_THAT(check({panel}).notes, HasSubstr("x.switches:1: not a switch log"));
+}
+
+TEST(CheckCommand, FindingsStandBesideTheFileAndFailWhereItIsStrict) {
+    const test_support::TemporaryFolder place;
+    const std::string car = place.write("car.log", "(1.000000) can0 1F5#01000020000100FE\n");
+    const std::string sound = kConfigs + "devices/es2-small.toml";
+    EXPECT_EQ(check({car}).code, 0);
+    EXPECT_EQ(check({car}, false, true).code, 1);
+    EXPECT_EQ(check({sound}, false, true).code, 0) << "the control";
+    EXPECT_EQ(check({car, place.file("none.toml")}, false, true).code, 2) << "what is unsound weighs more";
+    const auto json = check({sound, car}, true).json();
+    EXPECT_TRUE(json[0]["warnings"].empty());
+    ASSERT_EQ(json[1]["warnings"].size(), 1u);
+    EXPECT_EQ(json[1]["warnings"][0]["name"], "bus.nothing_decoded");
+    EXPECT_EQ(json[1]["sound"], true);
+}
+
+TEST(CheckCommand, CompressedFilesThatAreNoLogsAreRefused) {
+    const test_support::TemporaryFolder place;
+    for (const char* text : {"", "It was a dark and stormy night.\n", "\x1f\x8b\x08"}) {
+        const CommandRun run = check({place.write("x.log.gz", text)}, false, true);
+        EXPECT_EQ(run.code, 2);
+        EXPECT_THAT(run.notes, HasSubstr("x.log.gz: "));
+        EXPECT_EQ(std::count(run.notes.begin(), run.notes.end(), '\n'), 1);
+    }
+    const CommandRun folder = check({place.path()});
+    EXPECT_EQ(folder.code, 2);
+    EXPECT_THAT(folder.notes, HasSubstr("is a folder; name a file"));
 }
 
 TEST(CheckCommand, DatabasesAreReadToTheirLastByte) {

@@ -136,6 +136,7 @@ TEST(Replay, ASwitchLogStatesThePhase) {
         }
     }
     EXPECT_THAT(summary_of(options.output).at("notes").dump(), HasSubstr("cruise.switches:9"));
+    EXPECT_EQ(summary_of(options.output).at("warnings")[0].at("name"), "switches.broken_lines");
 }
 
 /// Standard frames of identifiers that CANaerospace does not use for what the display shows, among the flight's own.
@@ -193,6 +194,63 @@ TEST(Replay, LinesThatAreNoFramesAreCountedAndSaid) {
     EXPECT_THAT(summary.at("notes").dump(), HasSubstr("2 lines do not begin with '('"));
     EXPECT_THAT(files().folder.read("broken/report.html"), HasSubstr("40 broken, 2 other"));
     EXPECT_EQ(hashes_by_time(options.output), whole());
+}
+
+/// Names of the findings that a run's summary has.
+std::vector<std::string> warnings_of(const std::string& folder) {
+    std::vector<std::string> names;
+    const auto summary = summary_of(folder);
+    for (const auto& one : summary.at("warnings")) names.push_back(one.at("name"));
+    return names;
+}
+
+test_support::CommandRun run_of(const ReplayOptions& options) {
+    return test_support::run_command([&](Console& console) { return run_replay(options, console); });
+}
+
+TEST(Replay, AFlightElsewhereIsSaidAndFailsWhereItIsStrict) {
+    ReplayOptions options = files().options("elsewhere");
+    const test_support::FlownFiles elsewhere{test_support::FlownAway()};
+    options.log = elsewhere.log;
+    const test_support::CommandRun run = run_of(options);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(warnings_of(options.output), ::testing::ElementsAre("terrain.outside"));
+    EXPECT_THAT(run.notes, HasSubstr("warning: 16 of 17 frames lie outside " + options.picture.terrain + ": it covers "));
+    EXPECT_THAT(files().folder.read("elsewhere/report.html"), HasSubstr("frames lie outside"));
+    options.strict = true;
+    EXPECT_EQ(run_of(options).code, 1);
+    ReplayOptions sound = files().options("sound");
+    sound.strict = true;
+    const test_support::CommandRun control = run_of(sound);
+    EXPECT_EQ(control.code, 0) << control.notes;
+    EXPECT_TRUE(warnings_of(sound.output).empty());
+    EXPECT_THAT(control.notes, ::testing::Not(HasSubstr("warning")));
+}
+
+TEST(Replay, WhatIsWrongWithALogIsSaid) {
+    std::vector<std::string> lines;
+    std::istringstream text(files().folder.read("flight.log"));
+    for (std::string line; std::getline(text, line);) lines.push_back(line + "\n");
+    ReplayOptions options = files().options("wrong");
+    options.frames = FrameOutput::none;
+    const auto found = [&](const std::string& log) {
+        options.log = files().folder.write("wrong.log", log);
+        static_cast<void>(run_of(options));
+        return warnings_of(options.output);
+    };
+    const auto joined = [](auto begin, auto end) {
+        std::string all;
+        for (; begin != end; ++begin) all += *begin;
+        return all;
+    };
+    EXPECT_THAT(found(joined(lines.rbegin(), lines.rend())), ::testing::Contains("log.reversed"));
+    EXPECT_THAT(found(joined(lines.begin(), lines.end()) + lines[10]), ::testing::ElementsAre("log.time_runs_back"));
+    EXPECT_THAT(found(joined(lines.begin(), lines.end()) + "(1700000008.500000) can1 123#00\n"),
+                ::testing::ElementsAre("log.interfaces"));
+    EXPECT_THAT(found(joined(lines.begin(), lines.end()) + "(1700000008.500000) can0 726#01100001630002FF\n"),
+                ::testing::ElementsAre("bus.impossible_phase"));
+    EXPECT_THAT(found("(1700000000.000000) can0 1F5#01000020000100FE\n(1700000001.000000) can0 1F5#01\n"),
+                ::testing::ElementsAre("bus.nothing_decoded", "flight.no_position"));
 }
 
 /// Presses Ctrl-C when the progress line shows a number.

@@ -131,6 +131,24 @@ TEST(Shot, ADamagedChunkLeavesThePictureAndEndsWithTwo) {
     EXPECT_TRUE(std::filesystem::exists(files().folder.file("damaged.json")));
 }
 
+TEST(Shot, APoseElsewhereIsSaidAndFailsWhereItIsStrict) {
+    ShotOptions options = shot();
+    EXPECT_TRUE(taken(options).at("warnings").empty());
+    std::swap(options.pose.latitude_deg, options.pose.longitude_deg);
+    const auto run = [&] {
+        return test_support::run_command([&](Console& console) { return run_shot(options, console); }, true);
+    };
+    const test_support::CommandRun swapped = run();
+    EXPECT_EQ(swapped.code, 0);
+    EXPECT_THAT(swapped.notes, ::testing::StartsWith("warning: the pose 9.6800,47.0300 lies outside "));
+    EXPECT_EQ(swapped.json().at("warnings")[0].at("name"), "terrain.outside");
+    EXPECT_EQ(json::parse(read_file(files().folder.file("shot.json"))), swapped.json());
+    options.strict = true;
+    EXPECT_EQ(run().code, 1);
+    options.pose = shot().pose;
+    EXPECT_EQ(run().code, 0) << "the control";
+}
+
 TEST(Shot, AFocusThatIsNowhereIsSaid) {
     ShotOptions options = shot();
     options.picture.foci = {"at = \"place\", place = \"DAVOS\"", "at = \"own_ship\""};

@@ -23,7 +23,9 @@ TEST(EvaluatedFlight, SummariesAreThoseOfTheirFrames) {
     EXPECT_EQ(phases[1].highest, highest);
     EXPECT_EQ(flight.measures[phases[1].highest_at].clutter, highest);
     EXPECT_EQ(phases[0].prioritized, "data");
+    EXPECT_EQ(phases[0].comes_first, "data");
     EXPECT_EQ(summary_of(flight, 0, 90).prioritized, "") << "it changes";
+    EXPECT_EQ(summary_of(flight, 0, 90).comes_first, "");
     EXPECT_FALSE(prioritized_share(phases[0]).has_value());
     EXPECT_FALSE(mean_prioritized_share(flight).has_value());
     test_support::give_layers(flight);
@@ -31,6 +33,25 @@ TEST(EvaluatedFlight, SummariesAreThoseOfTheirFrames) {
     EXPECT_NEAR(*prioritized_share(summaries_by_phase(flight)[0]), 0.3, 1e-12);
     EXPECT_NEAR(*mean_prioritized_share(flight), (44 * 0.3 + 45 * 0.5) / 89, 1e-12) << "data in cruise, terrain in the approach";
     EXPECT_NEAR(summary_of(flight, 0, 90).layers[0].area, 0.7, 1e-12);
+}
+
+TEST(EvaluatedFlight, AHazardThatRaisesAWeightForAWhileChangesNotWhatComesFirst) {
+    EvaluatedFlight flight = test_support::made_flight(90);
+    for (std::size_t n = 0; n < 45; ++n) flight.run.frames[n].weights = {{{n < 20 ? 1.0 : 0.3, 0.3}, {0.5, 0.5}, {1, 1}}};
+    const auto cruise = [&] { return summaries_by_phase(flight)[0]; };
+    EXPECT_EQ(cruise().comes_first, "uncertainty");
+    EXPECT_EQ(cruise().prioritized, "uncertainty");
+    for (std::size_t n = 0; n < 45; ++n) flight.run.frames[n].weights = {{{1, 0.3}, {0.5, 0.5}, {1, 1}}};
+    EXPECT_EQ(cruise().comes_first, "uncertainty") << "alike in every frame, and stated higher";
+    for (std::size_t n = 0; n < 45; ++n) flight.run.frames[n].weights = {{{0.8, 0.8}, {0.8, 0.8}, {0.5, 0.5}}};
+    EXPECT_EQ(cruise().comes_first, "terrain and data alike");
+    EXPECT_EQ(cruise().prioritized, "");
+    for (std::size_t n = 0; n < 45; ++n) flight.run.frames[n].weights = {{{1, 1}, {1, 1}, {1, 1}}};
+    EXPECT_EQ(cruise().comes_first, "terrain, data and uncertainty alike");
+    for (std::size_t n = 0; n < 45; ++n) flight.run.frames[n].weights = {};
+    EXPECT_EQ(cruise().comes_first, "none");
+    for (std::size_t n = 0; n < 90; ++n) flight.run.frames[n].weights = {{{0.8, 0.8}, {0.8, 0.8}, {0.5, 0.5}}};
+    EXPECT_EQ(summary_of(flight, 0, 90).comes_first, "terrain and data alike") << "the same in both phases";
 }
 
 TEST(EvaluatedFlight, MomentsAreThePeaksOrTheHighestValue) {

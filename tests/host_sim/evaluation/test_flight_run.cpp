@@ -83,6 +83,35 @@ TEST(FlightRun, ObstaclesAreKnownWhereTheRunRecordedThem) {
     EXPECT_FALSE(read(false).obstacles.has_value());
 }
 
+TEST(FlightRun, OfEqualWeightsTheOneThatTheDesignStatesHigherComesFirst) {
+    EXPECT_THAT(first_aspects({{{0.3, 0.3}, {0.5, 0.5}, {1, 1}}}), ElementsAre("uncertainty"));
+    EXPECT_THAT(first_aspects({{{1, 0.3}, {0.5, 0.5}, {1, 1}}}), ElementsAre("uncertainty")) << "terrain is raised by a hazard";
+    EXPECT_THAT(first_aspects({{{1, 0.3}, {0.5, 0.5}, {0.9, 0.9}}}), ElementsAre("terrain")) << "raised above it";
+    EXPECT_THAT(first_aspects({{{1, 1}, {1, 1}, {0.5, 0.5}}}), ElementsAre("terrain", "data"));
+    EXPECT_TRUE(first_aspects({}).empty());
+}
+
+TEST(FlightRun, WeightsAreReadFromTheRecord) {
+    const test_support::TemporaryFolder place;
+    test_support::write_run(
+        place, "run",
+        [](FrameResult& result) {
+            result.record.terrain_aspect.weight = 1;
+            result.record.data_aspect.weight = 0.5;
+            result.record.uncertainty_aspect.weight = 1;
+            for (const auto& [name, stated] : {std::pair{"terrain", 0.3}, {"uncertainty", 1.0}})
+                EXPECT_TRUE(result.record.weights.try_push_back({display::Name(name), 1, stated}));
+        },
+        1);
+    test_support::write_picture(place, "run", 0, test_support::striped_picture(4, 4, 2));
+    const FlightFrame frame = read_flight_run(place.file("run")).frames[0];
+    EXPECT_EQ(frame.weights[0].weight, 1);
+    EXPECT_EQ(frame.weights[0].stated, 0.3);
+    EXPECT_EQ(frame.weights[1].stated, 0.5) << "not stated apart";
+    EXPECT_EQ(frame.prioritized, "") << "of this frame none weighs most";
+    EXPECT_THAT(first_aspects(frame.weights), ElementsAre("uncertainty"));
+}
+
 TEST(FlightRun, PhasesAreContiguous) {
     std::vector<FlightFrame> frames(5);
     for (std::size_t n = 0; n < 5; ++n) frames[n].phase = n == 2 ? "b" : "a";

@@ -17,7 +17,7 @@ std::string words_of(const PlanLines& lines, const std::string& term) {
 TEST(PlanLines, TellWhatARecordHolds) {
     FrameResult result = test_support::frame_result(3, 1.5);
     result.record.design = display::Name("cruise");
-    result.record.terrain_aspect.technique = "plain_sketch";
+    result.record.terrain_aspect.technique = base::FixedString<95>("plain_sketch");
     result.record.terrain_aspect.weight = 0.25f;
     result.record.labels.placed = 4;
     result.record.labels.suppressed = 7;

@@ -17,12 +17,17 @@ IndexKey key_of(std::uint64_t log) {
 
 FlightIndex example() {
     FlightIndex index;
-    index.first = base::Time{1'700'000'000'000'000'001};
-    index.last = base::Time{1'700'000'099'999'999'999};
-    index.counters = {1, 2, 3, 4, 5, {6, 7, 8, 9, 10, 11}};
-    index.broken_lines = 6;
-    index.other_lines = 7;
-    index.reports = {{7, bus::LineFault::too_long}, {1ull << 40, bus::LineFault::none}};
+    index.facts.first = base::Time{1'700'000'000'000'000'001};
+    index.facts.last = base::Time{1'700'000'099'999'999'999};
+    index.facts.counters = {1, 2, 3, 4, 5, {6, 7, 8, 9, 10, 11}};
+    index.facts.decoder.impossible_phases = 12;
+    index.facts.decoder.first_impossible_phase = 99;
+    index.facts.broken_lines = 6;
+    index.facts.lines.other = 7;
+    index.facts.lines.first_back = base::Duration{8};
+    index.facts.reports = {{7, bus::LineFault::too_long}, {1ull << 40, bus::LineFault::none}};
+    index.facts.interfaces = {{"can0", 13}, {"vcan1", 14}};
+    index.facts.has_position = true;
     index.track = CheckpointTrack(kSpacing);
     for (std::int64_t n = 0; n < 20; ++n) {
         FlightProgress progress;
@@ -39,19 +44,27 @@ TEST(FlightIndex, ComesBackAsItWas) {
     const UnpackedIndex unpacked = unpack_index(pack_index(index, key_of(1)), key_of(1), kSpacing);
     ASSERT_TRUE(unpacked.index) << unpacked.refusal;
     const FlightIndex& back = *unpacked.index;
-    EXPECT_EQ(back.first, index.first);
-    EXPECT_EQ(back.last, index.last);
-    EXPECT_EQ(back.counters.frames, 1u);
-    EXPECT_EQ(back.counters.decoded, 2u);
-    EXPECT_EQ(back.counters.alien, 3u);
-    EXPECT_EQ(back.counters.errors, 4u);
-    EXPECT_EQ(back.counters.dropped, 5u);
-    EXPECT_EQ(back.counters.traffic.no_room, 11u);
-    EXPECT_EQ(back.broken_lines, 6u);
-    EXPECT_EQ(back.other_lines, 7u);
-    ASSERT_EQ(back.reports.size(), 2u);
-    EXPECT_EQ(back.reports[1].line, 1ull << 40);
-    EXPECT_EQ(back.reports[0].fault, bus::LineFault::too_long);
+    const LogFacts& facts = back.facts;
+    EXPECT_EQ(facts.first, index.facts.first);
+    EXPECT_EQ(facts.last, index.facts.last);
+    EXPECT_EQ(facts.counters.frames, 1u);
+    EXPECT_EQ(facts.counters.decoded, 2u);
+    EXPECT_EQ(facts.counters.alien, 3u);
+    EXPECT_EQ(facts.counters.errors, 4u);
+    EXPECT_EQ(facts.counters.dropped, 5u);
+    EXPECT_EQ(facts.counters.traffic.no_room, 11u);
+    EXPECT_EQ(facts.decoder.impossible_phases, 12u);
+    EXPECT_EQ(facts.decoder.first_impossible_phase, 99);
+    EXPECT_EQ(facts.broken_lines, 6u);
+    EXPECT_EQ(facts.lines.other, 7u);
+    EXPECT_EQ(facts.lines.first_back, base::Duration{8});
+    ASSERT_EQ(facts.reports.size(), 2u);
+    EXPECT_EQ(facts.reports[1].line, 1ull << 40);
+    EXPECT_EQ(facts.reports[0].fault, bus::LineFault::too_long);
+    ASSERT_EQ(facts.interfaces.size(), 2u);
+    EXPECT_EQ(facts.interfaces[1].name, "vcan1");
+    EXPECT_EQ(facts.interfaces[1].frames, 14u);
+    EXPECT_TRUE(facts.has_position);
     EXPECT_EQ(back.track.stride(), index.track.stride());
     ASSERT_EQ(back.track.checkpoints().size(), index.track.checkpoints().size());
     for (std::size_t n = 0; n < back.track.checkpoints().size(); ++n) {

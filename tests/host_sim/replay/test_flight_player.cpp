@@ -6,12 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <zlib.h>
 
 #include <csignal>
 #include <map>
 #include <random>
 #include <sstream>
 
+#include "platform/files/file_byte_source.hpp"
 #include "tests/host_sim/replay/played_text.hpp"
 #include "tests/support/default_flight.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -99,9 +101,49 @@ TEST(FlightPlayer, KnowsExtentAndCountsOfTheLog) {
                                         "(1700000003.000000) can0 137#0902000100000000\n")));
     EXPECT_EQ(played.player.first(), base::Time{1'700'000'000'000'000'000});
     EXPECT_EQ(played.player.last(), base::Time{1'700'000'003'250'000'000});
-    EXPECT_EQ(text_of(played.player.counters_of_whole_log()), "4 frames 2 decoded 1 alien 1 errors 0 dropped\n");
+    EXPECT_EQ(text_of(played.player.facts().counters), "4 frames 2 decoded 1 alien 1 errors 0 dropped\n");
     ASSERT_EQ(played.player.notes().size(), 1u);
     EXPECT_THAT(played.player.notes()[0], HasSubstr("a.log:2: "));
+}
+
+TEST(FlightPlayer, ACompressedLogIsPlayedAsWhatItHolds) {
+    const TemporaryFolder folder;
+    const std::string text = first_seconds(20), plain = folder.write("a.log", text), packed = folder.file("b.log.gz");
+    gzFile file = gzopen(packed.c_str(), "wb");
+    ASSERT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())), static_cast<int>(text.size()));
+    gzclose(file);
+    Played straight(files_of(plain), without_index()), unpacked(files_of(packed), without_index());
+    EXPECT_EQ(unpacked.player.last(), straight.player.last());
+    for (const double t : {19.5, 3.0}) EXPECT_EQ(unpacked.text(t), straight.text(t)) << t;
+    test_support::expect_user_error(
+        [&] { Played cut(files_of(folder.write("c.log.gz", folder.read("b.log.gz").substr(0, 900)))); },
+        "c.log.gz: the compressed data break off");
+}
+
+TEST(FlightPlayer, FindsWhatIsWrongAndAKeptIndexFindsTheSame) {
+    const TemporaryFolder folder;
+    const std::string good = first_seconds(6);
+    const auto names = [&](const PlayerFiles& files) {
+        std::string all;
+        for (int time = 0; time < 2; ++time) {
+            Played played(files);
+            for (const Finding& finding : played.player.findings()) all += finding.name + " ";
+        }
+        return all;
+    };
+    EXPECT_EQ(names(files_of(folder.write("good.log", good), folder.write("a.switches", recorded().switch_log))), "");
+    std::string merged = good;
+    for (std::size_t at = merged.find(" can0 ", merged.size() / 2); at != std::string::npos; at = merged.find(" can0 ", at + 1))
+        merged.replace(at, 6, " can1 ");
+    EXPECT_EQ(names(files_of(folder.write("merged.log", merged))), "log.interfaces log.interfaces ");
+    EXPECT_EQ(names(files_of(folder.write("twice.log", good + good))), "log.time_runs_back log.time_runs_back ");
+    std::string typo = recorded().switch_log;
+    typo.replace(typo.find("panel.CRUISE"), 12, "panel.CRUZE_");
+    EXPECT_EQ(names(files_of(folder.file("good.log"), folder.write("b.switches", typo))),
+              "switches.unknown_line switches.unknown_line ");
+    EXPECT_EQ(names(files_of(folder.file("good.log"),
+                             folder.write("c.switches", test_support::seconds_later(recorded().switch_log, 1'000'000)))),
+              "switches.another_time switches.another_time ");
 }
 
 TEST(FlightPlayer, RefusesWhatIsNoFlight) {
@@ -165,7 +207,7 @@ TEST(FlightPlayer, AKeptIndexGivesTheSameStates) {
     EXPECT_EQ(first.notes.str() + second.notes.str(), "");
     EXPECT_EQ(second.player.first(), plain.player.first());
     EXPECT_EQ(second.player.last(), plain.player.last());
-    EXPECT_EQ(text_of(second.player.counters_of_whole_log()), text_of(plain.player.counters_of_whole_log()));
+    EXPECT_EQ(text_of(second.player.facts().counters), text_of(plain.player.facts().counters));
     for (const double t : {390.0, 12.5, 200.01, 398.9}) EXPECT_EQ(second.text(t), plain.text(t)) << t;
 }
 
@@ -183,11 +225,11 @@ TEST(FlightPlayer, IsInUseWhereItFits) {
     key.parts[IndexKey::switch_config] = text_identity(test_support::source_file("configs/switches/one_hot.toml"));
     UnpackedIndex unpacked = unpack_index(bytes, key, dense().spacing);
     ASSERT_TRUE(unpacked.index) << unpacked.refusal;
-    unpacked.index->counters.alien = 77;
+    unpacked.index->facts.counters.alien = 77;
     static_cast<void>(folder.write("a.log.tdx", pack_index(*unpacked.index, key)));
     Played second(files);
     EXPECT_EQ(second.notes.str(), "");
-    EXPECT_EQ(second.player.counters_of_whole_log().alien, 77u);
+    EXPECT_EQ(second.player.facts().counters.alien, 77u);
 }
 
 TEST(FlightPlayer, DoesNotTrustAnIndexOfOtherInputs) {

@@ -43,8 +43,23 @@ TEST(RunRecorder, KeepsOnlyWhatItIsToldToKeep) {
     EXPECT_EQ(summary.at("frames"), 2);
     EXPECT_EQ(summary.at("interrupted"), true);
     EXPECT_THAT(summary.at("notes").dump(), ::testing::HasSubstr("a remark"));
-    EXPECT_EQ(r.notes.str(), "note: 1 note in summary.json, the first: a remark\n");
+    EXPECT_THAT(r.notes.str(), ::testing::StartsWith("note: 1 note in summary.json, the first: a remark\n"));
     EXPECT_EQ(nlohmann::json::parse(r.results.str()), summary) << "the same on stdout with --json";
+}
+
+TEST(RunRecorder, AStartWithoutAnApproachShowsCoarseTerrainAndSaysSo) {
+    Recording r;
+    r.options.strict = true;
+    RunRecorder recorder(r.options, r.session, r.player);
+    static_cast<void>(recorder.draw(r.at(1)));
+    recorder.keep();
+    EXPECT_EQ(recorder.finish(false, r.console), 1);
+    const auto summary = test_support::summary_of(r.options.output);
+    EXPECT_GT(summary.at("worst_start_error_px"), 4);
+    EXPECT_EQ(summary.at("worst_error_px"), 0) << "no other frame has terrain";
+    ASSERT_EQ(summary.at("warnings").size(), 1u);
+    EXPECT_EQ(summary.at("warnings")[0].at("name"), "terrain.start_error");
+    EXPECT_THAT(r.notes.str(), ::testing::StartsWith("warning: while the first chunks of "));
 }
 
 TEST(RunRecorder, TheHashIsThatOfThePicture) {

@@ -77,6 +77,18 @@ TEST(HtmlReport, MarksWhatMustNotBe) {
     EXPECT_THAT(html_report(bad, short_story(), {}), HasSubstr("class='bad'>2"));
 }
 
+TEST(HtmlReport, WarningsStandBeforeTheSummary) {
+    RunSummary warned = summary();
+    EXPECT_THAT(html_report(warned, short_story(), {}), Not(HasSubstr("Warnings")));
+    EXPECT_THAT(html_report(warned, short_story(), {}), Not(HasSubstr("chunks arrived")));
+    warned.warnings = {{"terrain.outside", "60 of 107 frames lie outside <X>.tdb", 60}};
+    warned.worst_start_error_px = 35.25;
+    const std::string html = html_report(warned, short_story(), {});
+    EXPECT_THAT(html, HasSubstr("60 of 107 frames lie outside &lt;X&gt;.tdb"));
+    EXPECT_LT(html.find("60 of 107"), html.find("<h2>Summary"));
+    EXPECT_THAT(html, HasSubstr("worst terrain error while its first chunks arrived</th><td>35.250 px"));
+}
+
 TEST(HtmlReport, WritesBothFilesWhole) {
     const test_support::TemporaryFolder folder;
     write_run_reports(folder.path(), summary(), short_story(), {});

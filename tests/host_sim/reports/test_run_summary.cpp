@@ -33,14 +33,17 @@ RunSummary full_summary() {
     s.can = {1000, 900, 80, 15, 5, 2, 3, {21, 22, 23, 24, 25, 26}};
     s.interrupted = true;
     s.notes = {"line 7 is broken"};
+    s.warnings = {{"terrain.outside", "all 17 frames lie outside", 17}};
+    s.worst_error_px = 0.5;
+    s.worst_start_error_px = 431299;
     return s;
 }
 
 TEST(RunSummary, HasEveryKeyOfTheContract) {
     const Json json = Json::parse(run_summary_json(full_summary(), {}));
-    for (const char* key :
-         {"frames", "fps_median", "ms_p99", "heap_allocations_after_start", "worst_error_px", "gl_calls_outside_device", "device",
-          "design", "terrain", "scene", "log", "switches", "size", "costs", "governor", "gl", "version", "can"})
+    for (const char* key : {"frames", "fps_median", "ms_p99", "heap_allocations_after_start", "worst_error_px",
+                            "worst_start_error_px", "gl_calls_outside_device", "device", "design", "terrain", "scene", "log",
+                            "switches", "size", "costs", "governor", "gl", "version", "can"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["frames"], 17);
     EXPECT_EQ(json["fps_median"], 31.5);
@@ -61,6 +64,16 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     EXPECT_EQ(json["governor"]["frames_on_rung"].size(), effects::kRungs);
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
+    EXPECT_EQ(json["warnings"].size(), 1u);
+    EXPECT_EQ(json["warnings"][0], Json({{"name", "terrain.outside"}, {"text", "all 17 frames lie outside"}, {"count", 17}}));
+    EXPECT_EQ(Json::parse(run_summary_json({}, {}))["warnings"], Json::array());
+    EXPECT_EQ(json["worst_error_px"], 0.5);
+    EXPECT_EQ(json["worst_start_error_px"], 431299);
+}
+
+TEST(RunSummary, TheStartsErrorIsSaidBesideTheWorst) {
+    EXPECT_EQ(start_error_text(full_summary()), "; while its first chunks arrived, 431299.00 px");
+    EXPECT_EQ(start_error_text({}), "");
 }
 
 TEST(RunSummary, ListsTheBudgetLineByLine) {

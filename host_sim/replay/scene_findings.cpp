@@ -1,0 +1,20 @@
+#include "host_sim/replay/scene_findings.hpp"
+
+#include "host_sim/scene_builder/open_scene.hpp"
+
+namespace tedavis::host_sim {
+
+constexpr double kInReach_deg = 2;  // some 200 km: farther away nothing is seen
+
+Findings scene_findings(const std::string& scene, const GeoExtent& flown) {
+    if (scene.empty()) return {};
+    const OpenScene open(scene);
+    const GeoExtent extent = extent_of(open.scene());
+    if (!are_apart(extent, flown, kInReach_deg)) return {};
+    return {
+        {"scene.elsewhere",
+         "none of the data of " + scene + " lie near the flight: they cover " + extent.words() + ", the flight " + flown.words(),
+         1}};
+}
+
+}  // namespace tedavis::host_sim

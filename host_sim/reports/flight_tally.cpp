@@ -1,0 +1,105 @@
+#include "host_sim/reports/flight_tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/reports/line_chart.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr std::size_t kMostSpans = 3;
+
+bool has_flag(const display::FrameRecord& record, std::string_view name) {
+    return std::any_of(record.flags.begin(), record.flags.end(), [&](const display::Name& flag) { return flag.view() == name; });
+}
+
+bool has_place(const display::FrameRecord& record) {
+    return record.own_ship.state == base::SignalState::valid || record.own_ship.state == base::SignalState::stale;
+}
+
+}  // namespace
+
+void FlightTally::add(const display::FrameRecord& record, double height_above_terrain_m) {
+    const double time_s = (record.time - origin_).to_seconds();
+    ++frames_;
+    add_place(record, time_s);
+    add_error(record, time_s);
+    if (!has_flag(record, "terrain.above_own_ship")) return;
+    if (below_++ == 0) first_below_s_ = time_s;
+    if (height_above_terrain_m < 0) deepest_m_ = std::max(deepest_m_, -height_above_terrain_m);
+}
+
+void FlightTally::add_place(const display::FrameRecord& record, double time_s) {
+    const bool is_outside = has_flag(record, "terrain.outside_database");
+    const bool is_inside = has_place(record) && !is_outside;
+    without_position_ += has_place(record) ? 0 : 1;
+    outside_ += is_outside ? 1 : 0;
+    if (has_place(record))
+        extent_.include(base::degrees(record.own_ship.position.latitude_rad),
+                        base::degrees(record.own_ship.position.longitude_rad));
+    if (is_inside && !was_inside_ && spans_in_all_++ < kMostSpans) spans_.push_back({time_s, time_s});
+    if (is_inside && spans_in_all_ <= kMostSpans) spans_.back().last_s = time_s;
+    was_inside_ = is_inside;
+}
+
+void FlightTally::add_error(const display::FrameRecord& record, double time_s) {
+    const display::TerrainRecord& terrain = record.terrain;
+    const bool is_planned = !terrain.limit.empty();
+    is_starting_ = !is_planned || (is_starting_ && terrain.pending > 0);
+    if (!is_planned) return;
+    if (!is_starting_) {
+        worst_error_px_ = std::max(worst_error_px_, terrain.worst_error_px);
+        return;
+    }
+    worst_start_error_px_ = std::max(worst_start_error_px_, terrain.worst_error_px);
+    if (!has_flag(record, "terrain.coarse")) return;
+    if (coarse_starts_++ == 0) first_coarse_s_ = time_s;
+    worst_coarse_px_ = std::max(worst_coarse_px_, terrain.worst_error_px);
+}
+
+std::string FlightTally::inside_words() const {
+    std::string words;
+    for (const Span& span : spans_) {
+        const auto [from_s, to_s] = std::minmax(span.first_s, span.last_s);
+        words += (words.empty() ? "" : ", ") + decimal(from_s, 0) + " - " + decimal(to_s, 0) + " s";
+    }
+    if (spans_in_all_ > spans_.size()) words += " and " + counted(spans_in_all_ - spans_.size(), "more span");
+    return words;
+}
+
+void FlightTally::find_places(const std::string& terrain, const terrain::TerrainDatabase& database, Findings& findings) const {
+    if (outside_ > 0) {
+        const std::string inside = inside_words();
+        findings.push_back({"terrain.outside",
+                            part_of(outside_, frames_) + (outside_ == 1 ? " frames lies" : " frames lie") + " outside " +
+                                terrain +
+                                (inside.empty() ? ": it covers " + extent_of(database).words() + ", the flight " + extent_.words()
+                                                : "; inside: " + inside),
+                            outside_});
+    }
+    if (below_ > 0)
+        findings.push_back({"terrain.above_own_ship",
+                            part_of(below_, frames_) + (below_ == 1 ? " frames lies" : " frames lie") + " below the ground of " +
+                                terrain + ", first at " + decimal(first_below_s_, 1) + " s, at most by " +
+                                decimal(deepest_m_, 0) + " m",
+                            below_});
+    if (coarse_starts_ > 0)
+        findings.push_back({"terrain.start_error",
+                            "while the first chunks of " + terrain + " arrived, " + counted(coarse_starts_, "frame") + " from " +
+                                decimal(first_coarse_s_, 1) + " s on showed terrain coarser than the design allows, up to " +
+                                decimal(worst_coarse_px_, 0) + " px wrong",
+                            coarse_starts_});
+}
+
+Findings FlightTally::findings(const std::string& terrain, const terrain::TerrainDatabase* database) const {
+    Findings findings;
+    if (frames_ > 0 && without_position_ == frames_)
+        findings.push_back(
+            {"flight.no_position", "the own ship's position is not known in any of " + counted(frames_, "frame"), frames_});
+    if (database != nullptr) find_places(terrain, *database, findings);
+    return findings;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,53 @@
+/// Where a run's frames were and how wrong their terrain was, gathered frame by frame: what of it misleads is found at the end.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/reports/geo_extent.hpp"
+#include "host_sim/reports/run_findings.hpp"
+#include "render_core/display/frame_record.hpp"
+
+namespace tedavis::host_sim {
+
+class FlightTally {
+public:
+    explicit FlightTally(base::Time origin) : origin_(origin) {}
+
+    /// `height_above_terrain_m` may be NaN.
+    void add(const display::FrameRecord& record, double height_above_terrain_m);
+
+    /// Upper bound of the terrain's error in all frames but those at a start.
+    [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
+    /// The same of the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive.
+    [[nodiscard]] double worst_start_error_px() const { return worst_start_error_px_; }
+
+    /// Of the own ship; empty where its position was never known.
+    [[nodiscard]] const GeoExtent& extent() const { return extent_; }
+
+    /// `terrain`: as the user named it; `database`: null where there is none.
+    [[nodiscard]] Findings findings(const std::string& terrain, const terrain::TerrainDatabase* database) const;
+
+private:
+    /// Consecutive frames inside the terrain, in seconds; backwards where the run goes so.
+    struct Span {
+        double first_s = 0, last_s = 0;
+    };
+
+    void add_place(const display::FrameRecord& record, double time_s);
+    void add_error(const display::FrameRecord& record, double time_s);
+    [[nodiscard]] std::string inside_words() const;
+    void find_places(const std::string& terrain, const terrain::TerrainDatabase& database, Findings& findings) const;
+
+    base::Time origin_;
+    std::uint64_t frames_ = 0, without_position_ = 0, outside_ = 0, below_ = 0, coarse_starts_ = 0;
+    std::uint64_t spans_in_all_ = 0;
+    std::vector<Span> spans_;  ///< the first of them
+    bool was_inside_ = false, is_starting_ = true;
+    GeoExtent extent_;
+    double first_below_s_ = 0, deepest_m_ = 0, first_coarse_s_ = 0;
+    double worst_error_px_ = 0, worst_start_error_px_ = 0, worst_coarse_px_ = 0;
+};
+
+}  // namespace tedavis::host_sim

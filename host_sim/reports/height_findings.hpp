@@ -1,0 +1,27 @@
+/// Whether heights look like ground: what a raster or a database of something else would show as terrain without a word.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host_sim/reports/run_findings.hpp"
+#include "host_sim/terrain_builder/impossible_values.hpp"
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::host_sim {
+
+struct HeightCounts {
+    std::uint64_t posts = 0, void_posts = 0;
+    double lowest_m = 0, highest_m = 0;  ///< of the posts that are not void
+    bool is_eight_bit = false;           ///< the file has no more than 256 values
+};
+
+/// Of a terrain database.
+[[nodiscard]] HeightCounts height_counts(const terrain::FileHeader& header);
+
+[[nodiscard]] Findings height_findings(const std::string& file, const HeightCounts& counts);
+
+/// Of a raster that is meant to be ground, by a sample of its posts. Throws UserError as open_raster_source does.
+[[nodiscard]] Findings value_findings(const std::string& file, const RasterOptions& options);
+
+}  // namespace tedavis::host_sim
