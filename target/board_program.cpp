@@ -7,6 +7,7 @@
 #include "target/display_application.hpp"
 #include "target/run_report.hpp"
 #include "target/self_test.hpp"
+#include "target/self_test/board_checks.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -35,13 +36,14 @@ int run_display(const CommandLine& line, std::FILE* out) {
     return report.end == RunEnd::stopped ? kDone : kFailed;
 }
 
-/// With a board file its own files are checked first.
+/// With a board file its own set-up is tested first.
 int test_machine(const CommandLine& line, std::FILE* out) {
     SelfTestReport report;
     if (line.config != nullptr) {
         const auto settings = load_board_settings(line.config);
         if (!settings.ok()) return refuse(settings.error());
         report.add("board_file", true, settings.value().title.view());
+        check_board(settings.value(), report);
     }
     run_self_test(embedded_inputs(), report);
     print_self_test(report, line.json, out);

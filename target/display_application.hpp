@@ -1,21 +1,18 @@
-/// The display of one board from start to stop: reservation, surface, terrain, core, bus and panel, and the frame loop.
+/// The display of one board from start to stop: the drawing half, bus and panel, and the frame loop.
 ///
 /// start() takes everything; afterwards nothing allocates outside drivers. A bus or a panel that is missing never ends
-/// the program: the core shows what it does not know. A drawing surface that is lost does, and the service is restarted.
+/// the program, nor do terrain or a scene: the core shows what it does not know. A drawing surface that is lost does, and the
+/// service is restarted.
 ///
 /// Thread  one. Failure  start() gives one sentence; run() says how it ended.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 
-#include "platform/files/file_byte_source.hpp"
-#include "platform/reservation/memory_reservation.hpp"
-#include "render_core/base/ports/surface.hpp"
-#include "render_core/display/display.hpp"
 #include "target/board_clocks.hpp"
 #include "target/board_config.hpp"
+#include "target/board_display.hpp"
 #include "target/event_log.hpp"
 #include "target/live_flight.hpp"
 #include "target/scene_watch.hpp"
@@ -56,32 +53,22 @@ public:
     /// One frame of the state at `now`; after start().
     [[nodiscard]] base::SurfaceState draw_frame(base::Time now);
 
-    [[nodiscard]] display::Display& display() { return display_; }
+    [[nodiscard]] display::Display& display() { return board_.core(); }
     [[nodiscard]] const BoardSettings& settings() const { return settings_; }
+    [[nodiscard]] const BoardError& terrain_fault() const { return board_.terrain_fault(); }
     [[nodiscard]] const LiveFlight& flight() const { return flight_; }
-    [[nodiscard]] const base::Surface& surface() const { return *surface_; }
+    [[nodiscard]] const base::Surface& surface() const { return board_.surface(); }
 
 private:
-    [[nodiscard]] BoardError open_surface();
-    [[nodiscard]] BoardError open_terrain();
-    [[nodiscard]] BoardError start_workers(const display::DisplaySettings& settings);
-    [[nodiscard]] BoardError start_display();
-    [[nodiscard]] BoardError start_scene();
-    [[nodiscard]] BoardError hold_deadline();
+    void start_scene();
     void take_new_scene();
 
     BoardSettings settings_;
     BoardPorts ports_;
     LiveFlight flight_;
     Watchdog watchdog_;
-    std::unique_ptr<base::Surface> surface_;
-    platform::MemoryReservation reservation_;
-    platform::FileByteSource terrain_file_;
-    std::unique_ptr<base::AsyncReader> terrain_reader_;
-    std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
-    display::Display display_;
-    SceneWatch scene_watch_;
-    bool started_ = false;
+    BoardDisplay board_;
+    SceneWatch scene_watch_;  ///< reads into the display's memory
 };
 
 }  // namespace tedavis::target

@@ -89,10 +89,13 @@ bool SceneWatch::are_alike(const Stamp& a, const Stamp& b) {
            a.changed.tv_nsec == b.changed.tv_nsec;
 }
 
-/// A file that is not there is none to speak of: it may come.
+/// A file that is not there may come, and is spoken of once, at the start.
 void SceneWatch::look() {
     struct stat status {};
-    if (stat(path_, &status) != 0) return;
+    const bool is_there = stat(path_, &status) == 0, is_first = is_first_look_;
+    is_first_look_ = false;
+    if (!is_there && is_first) refuse("is not there yet");
+    if (!is_there) return;
     const Stamp stamp{status.st_ino, status.st_size, status.st_mtim};
     if (are_alike(stamp, seen_)) return;
     seen_ = stamp;
@@ -113,7 +116,7 @@ void SceneWatch::refuse(std::string_view what) {
     fault_ = base::FixedString<383>(path_);
     fault_.append(": ");
     fault_.append(what);
-    fault_.append("; the scene that is shown stays");
+    fault_.append(shown_ == 0 ? "; there are no data until a sound scene is in its place" : "; the scene that is shown stays");
     pthread_mutex_unlock(&mutex_);
 }
 

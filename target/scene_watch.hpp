@@ -2,7 +2,8 @@
 ///
 /// A file counts when it is another one than was looked at before (inode, size or time of change), whole, and of a larger
 /// revision. Whoever writes it must rename a finished file into place, as `tedavis scene build` does. While a loaded scene waits
-/// to be taken over the thread looks at nothing. A file that is not sound is said once, and the scene that is shown stays.
+/// to be taken over the thread looks at nothing. A file that is not sound is said once, and the scene that is shown stays; so is
+/// one that is not there at the start.
 ///
 /// Memory    the arena that it is lent; nothing else after start(). Thread  all calls from one; its own does the reading.
 #pragma once
@@ -61,7 +62,7 @@ private:
     base::Arena* room_ = nullptr;
     std::uint64_t shown_ = 0;
     scene::Scene scene_;
-    bool is_loaded_ = false;
+    bool is_loaded_ = false, is_first_look_ = true;
     Stamp seen_;
     base::FixedString<383> fault_;
 };

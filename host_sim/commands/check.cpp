@@ -14,6 +14,7 @@
 #include "host_sim/commands/check_switch_log.hpp"
 #include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
+#include "host_sim/commands/start_trial.hpp"
 #include "host_sim/contract/contract.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"
 #include "host_sim/input_file.hpp"
@@ -35,6 +36,8 @@ namespace tedavis::host_sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kDevice = "a device";
 
 /// What a sound file is, in a few words; throws UserError otherwise.
 using FileChecker = std::string (*)(const std::string& path);
@@ -83,7 +86,7 @@ std::string check_palette(const std::string& path) {
 
 std::string check_device(const std::string& path) {
     require(effects::read_device_settings(read_file(path), path));
-    return "a device";
+    return kDevice;
 }
 
 std::string check_costs(const std::string& path) {
@@ -224,6 +227,32 @@ std::string but_words(const std::string& path, const Findings& findings) {
     return words;
 }
 
+/// Of the files those that a checker finds sound.
+std::vector<std::string> sound_among(const std::vector<std::string>& files, FileChecker checker) {
+    std::vector<std::string> sound;
+    for (const std::string& path : files) {
+        if (std::filesystem::path(path).extension() != ".toml") continue;
+        try {
+            if (config_checker(path) != checker) continue;
+            static_cast<void>(checker(path));
+            sound.push_back(path);
+        } catch (const UserError&) {
+            continue;  // said where it is checked itself
+        }
+    }
+    return sound;
+}
+
+/// A device that no start would take is not sound. It must start with the designs that are checked beside it; of several devices
+/// each, and one that is checked without a design, with what is shown where nobody names one.
+void require_starts(const std::string& device, const std::vector<std::string>& files) {
+    std::vector<std::string> designs;
+    if (sound_among(files, check_device).size() == 1) designs = sound_among(files, check_design);
+    if (designs.empty()) designs.push_back(PictureOptions().design);
+    StartTrial trial;
+    for (const std::string& design : designs) trial.require(device, design);
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options, Console& console) {
@@ -234,6 +263,7 @@ int run_check(const CheckOptions& options, Console& console) {
     for (const std::string& path : options.files) {
         try {
             const CheckedFile file = check_file(path, options);
+            if (file.is == kDevice) require_starts(path, options.files);
             results.push_back({{"file", path}, {"sound", true}, {"is", file.is}, {"warnings", findings_json(file.warnings)}});
             text += path + ": sound, " + file.is + but_words(path, file.warnings) + "\n";
             append(warnings, file.warnings);

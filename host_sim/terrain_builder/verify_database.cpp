@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "host_sim/user_error.hpp"
-#include "render_core/terrain/chunk_payload.hpp"
+#include "render_core/terrain/verify_page.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,14 +18,6 @@ platform::FileByteSource opened(const std::string& path) {
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
     return std::move(file.value());
-}
-
-void verify_chunk(const OpenDatabase& open, const ChunkEntry& entry) {
-    const std::vector<std::uint8_t> payload = open.read_part(entry.payload);
-    if (!payload_holds(open.database().lattice(), entry, {payload.data(), payload.size()}))
-        open.refuse({TdbError::chunk_damaged, entry.payload.offset});
-    for (const PartPlace& place : {entry.attributes, entry.drape})
-        if (place.bytes != 0) (void)open.read_part(place);
 }
 
 template <class Action>
@@ -70,15 +62,10 @@ std::vector<std::uint8_t> OpenDatabase::read_part(const PartPlace& place) const 
 void OpenDatabase::refuse(const TdbFailure& failure) const { refuse_database(path_, failure); }
 
 std::uint64_t verify_page(const OpenDatabase& open, std::uint32_t page_index) {
-    if (!open.database().has_page(page_index)) return 0;
-    const auto page = std::make_unique<DirectoryPage>();
-    open.read_page(page_index, *page);
+    const auto room = std::make_unique<VerifyRoom>();
     std::uint64_t chunks = 0;
-    for (const ChunkEntry& entry : page->entries) {
-        if (entry.vertex_count == 0) continue;
-        verify_chunk(open, entry);
-        ++chunks;
-    }
+    const TdbFailure failure = terrain::verify_page(open.database(), page_index, *room, chunks);
+    if (failure.error != TdbError::none) open.refuse(failure);
     return chunks;
 }
 

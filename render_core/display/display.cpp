@@ -145,7 +145,7 @@ base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimat
 }
 
 TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
-    if (!terrain_.is_started()) return TerrainSource::none;
+    if (!terrain_.is_started()) return settings_.terrain_failed_at_start ? TerrainSource::failed : TerrainSource::none;
     if (terrain_failed_) return TerrainSource::failed;
     const bool inside =
         terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;

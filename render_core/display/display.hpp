@@ -48,6 +48,7 @@ struct DisplaySettings {
     std::uint32_t width_px = 0, height_px = 0;
     bool generated_flight = false;           ///< said on the display
     bool expects_scene = false;              ///< one may come later, by take_scene()
+    bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
 };
 

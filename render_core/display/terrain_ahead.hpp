@@ -1,12 +1,13 @@
-/// Whether the own ship flies into terrain: what the notice TERRAIN AHEAD and the warning colours follow in every phase and design.
+/// Whether the own ship flies into terrain: what the notice TERRAIN AHEAD and the warning colours follow in every phase and
+/// design.
 ///
-/// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires, within
-/// a minute, on five lines that lie 400 m wide across the track. The phase only sets the clearance; none switches the alert off.
-/// What lies below by less than the clearance already counts only where the track comes closer by a quarter, so that low flight
-/// over level ground is no alert.
+/// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires,
+/// within a minute, on five lines that lie 400 m wide across the track. The phase only sets the clearance; none switches the
+/// alert off. What lies below by less than the clearance already counts only where the track comes closer by a quarter, so that
+/// low flight over level ground is no alert.
 ///
-/// No alert: below 15 m/s over the ground (taxiing); close to the ground near a runway of the scene; for ground round a runway that
-/// is as high as the runway; beyond the place where the track meets it. Without a scene with runways, a landing is an alert.
+/// No alert: below 15 m/s over the ground (taxiing); close to the ground near a runway of the scene; for ground round a runway
+/// that is as high as the runway; beyond the place where the track meets it. Without a scene with runways, a landing is an alert.
 /// Ground that is not known is no alert: the display says otherwise that it is missing. This is no certified alerting system.
 ///
 /// Based on  Forward-looking terrain avoidance: required clearances of TSO-C151c table 3.1.1; 60 s and 30 s, and heights near a

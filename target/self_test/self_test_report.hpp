@@ -12,7 +12,7 @@ namespace tedavis::target {
 struct SelfCheck {
     base::FixedString<31> name;
     bool holds = false;
-    base::FixedString<255> finding;  ///< what was found, and what was expected where it is not that
+    base::FixedString<511> finding;  ///< what was found, and what was expected where it is not that
 };
 
 /// Thread  one. Memory  inside. A check too many counts as one that does not hold.

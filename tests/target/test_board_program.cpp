@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "host_sim/input_file.hpp"
+#include "target/self_test.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
 
@@ -52,15 +55,85 @@ TEST(BoardProgram, WrongUsageAndInputEndWithTwoAndOneSentence) {
         EXPECT_THAT(ran.err, StartsWith("tedavis-display: " + says));
         EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1);
     }
-    const std::string no_terrain = "[terrain]\ndatabase = 'absent.tdb'\n[can]\ninterface = 'can9'\n";
-    const std::string configs = std::string(TEDAVIS_SOURCE_DIR) + "/configs/";
-    const std::string board =
-        folder.write("board.toml", "device = '" + configs + "devices/es2-small.toml'\ndesign = '" + configs +
-                                       "designs/default.toml'\npalettes = '" + configs + "palettes'\nbus = '" + configs +
-                                       "buses/canaerospace.toml'\n" + no_terrain);
-    const Ran ran = run({"--config", board.c_str()});
+}
+
+/// An integrator's own board in a folder of its own: with the shipped settings, and the terrain that the self-test has.
+class OwnBoard : public ::testing::Test {
+protected:
+    OwnBoard() {
+        terrain_.assign(embedded_inputs().terrain.begin(), embedded_inputs().terrain.end());
+        folder_.write("area.tdb", terrain_);
+    }
+    std::string board(const std::string& tables = "", const std::string& device = kConfigs + "devices/es2-small.toml") {
+        return folder_.write("board.toml", "device = '" + device + "'\ndesign = '" + kConfigs +
+                                               "designs/default.toml'\npalettes = '" + kConfigs + "palettes'\nbus = '" +
+                                               kConfigs +
+                                               "buses/canaerospace.toml'\n[terrain]\ndatabase = 'area.tdb'\n[can]\ninterface = "
+                                               "'can9'\n[memory]\ntouch = false\n" +
+                                               tables);
+    }
+    Ran self_test(const std::string& board) { return run({"--self-test", "--config", board.c_str()}); }
+    Ran flown(const std::string& board) { return run({"--config", board.c_str(), "--frames", "2"}); }
+    void expect_found(const std::string& board, const std::string& line) {
+        const Ran ran = self_test(board);
+        EXPECT_EQ(ran.code, 1) << "a check does not hold";
+        EXPECT_THAT(ran.out, HasSubstr(line));
+        EXPECT_THAT(ran.out, HasSubstr("self-test: FAILED"));
+    }
+
+    static inline const std::string kConfigs = std::string(TEDAVIS_SOURCE_DIR) + "/configs/";
+    test_support::TemporaryFolder folder_;
+    std::string terrain_;
+};
+
+TEST_F(OwnBoard, IsSoundAsItIs) {
+    const Ran ran = self_test(board());
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_THAT(ran.out, HasSubstr("ok      board_terrain  "));
+    EXPECT_EQ(flown(board()).code, 0);
+}
+
+TEST_F(OwnBoard, ItsTerrainIsTestedAndItFliesWithoutIt) {
+    const std::string path = folder_.file("area.tdb");
+    std::filesystem::remove(path);
+    expect_found(board(), "FAILED  board_terrain            " + path + ": cannot be read");
+    const Ran ran = flown(board());
+    EXPECT_EQ(ran.code, 0) << "the service does not start again after 2";
+    EXPECT_THAT(ran.err,
+                HasSubstr(path + ": cannot be read (No such file or directory); check the path; the display shows TERRAIN "
+                                 "FAIL"));
+    EXPECT_THAT(ran.out, HasSubstr("terrain FAILED"));
+    folder_.write("area.tdb", terrain_.substr(0, terrain_.size() / 2));
+    expect_found(board(), "FAILED  board_terrain            " + path + ": is shorter than its header says");
+    EXPECT_EQ(flown(board()).code, 0);
+    terrain_[terrain_.size() / 2] = static_cast<char>(terrain_[terrain_.size() / 2] ^ 1);
+    folder_.write("area.tdb", terrain_);
+    expect_found(board(), "FAILED  board_terrain            " + path + ": ");
+}
+
+TEST_F(OwnBoard, ItsSceneAndCostsAreTested) {
+    expect_found(board("[scene]\ndatabase = 'area.sdb'\n"), "FAILED  board_scene              " + folder_.file("area.sdb"));
+    EXPECT_EQ(flown(board("[scene]\ndatabase = 'area.sdb'\n")).code, 0) << "it may come later";
+    folder_.write("area.sdb", "no scene");
+    EXPECT_EQ(flown(board("[scene]\ndatabase = 'area.sdb'\n")).code, 0);
+    folder_.write("board.costs.toml", "device = 'another'\n");
+    expect_found(board("[costs]\nfile = 'board.costs.toml'\n"),
+                 "FAILED  board_costs              " + folder_.file("board.costs.toml"));
+    EXPECT_EQ(flown(board("[costs]\nfile = 'board.costs.toml'\n")).code, 2) << "a wrong file of settings";
+}
+
+TEST_F(OwnBoard, ADeviceThatIsTooSmallIsRefusedByBoth) {
+    std::string device = host_sim::read_file(kConfigs + "devices/es2-small.toml");
+    const std::size_t line = device.find("bytes", device.find("\"lod_scratch\""));
+    ASSERT_NE(line, std::string::npos);
+    device.replace(line, device.find('\n', line) - line, "bytes = 4096");
+    const std::string small = board("", folder_.write("small.toml", device));
+    expect_found(small, "the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+    const Ran ran = flown(small);
     EXPECT_EQ(ran.code, 2);
-    EXPECT_THAT(ran.err, HasSubstr(folder.file("absent.tdb")));
+    EXPECT_THAT(ran.err,
+                HasSubstr("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file"));
+    EXPECT_EQ(self_test(board("nonsense = 1\n")).code, 2) << "what is no board file is not tested";
 }
 
 TEST(BoardProgram, RunsWithoutItsBus) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -10,12 +11,17 @@
 #include "render_core/gl/readback.hpp"
 #include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/target/board_costs.hpp"
 #include "tests/target/fake_board.hpp"
 
 namespace tedavis::target::test_display_application {
 namespace {
 
 using ::testing::HasSubstr;
+
+bool has_flag(const display::FrameRecord& record, std::string_view name) {
+    return std::any_of(record.flags.begin(), record.flags.end(), [name](const auto& flag) { return flag.view() == name; });
+}
 
 /// What the sleep between frames does; plain functions cannot carry it.
 PairPort* the_port = nullptr;
@@ -103,19 +109,6 @@ TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
     EXPECT_THAT(lines.str(), HasSubstr("area.sdb: shows revision 3\n"));
 }
 
-/// Every cost is the same.
-std::string costs_for(const BoardSettings& settings, const std::string& renderer) {
-    std::string text = "device = '" + std::string(settings.device.name.view()) + "'\nrenderer = '" + renderer +
-                       "'\nwidth_px = " + std::to_string(settings.width_px) +
-                       "\nheight_px = " + std::to_string(settings.height_px) + "\n";
-    const auto line = [&](std::string_view name) {
-        text += "[cost." + std::string(name) + "]\nfixed_ms = 9\nms_per_megapixel = 0\nms_per_thousand = 0\n";
-    };
-    for (std::size_t n = 0; n < effects::kEffectCount; ++n) line(effects::entry_of(static_cast<effects::Effect>(n)).name);
-    for (const std::string_view name : effects::kOverheadNames) line(name);
-    return text;
-}
-
 TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
     const test_support::TemporaryFolder folder;
     settings.device.deadline_ms = 5;
@@ -123,12 +116,12 @@ TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
     EXPECT_EQ(application->display().record().governor.why.view(), "the cost is not known: calibrate this device");
     const std::string renderer(application->display().calibration_subject().renderer.view());
     application.reset();
-    settings.costs = Path(folder.write("costs.toml", costs_for(settings, renderer)));
+    settings.costs = Path(folder.write("costs.toml", costs_of(settings, renderer)));
     (void)start().run(3, stop);
     EXPECT_GT(application->display().record().governor.predicted_ms, 0);
     EXPECT_EQ(application->display().record().governor.deadline_ms, 5);
     application.reset();
-    settings.costs = Path(folder.write("costs.toml", costs_for(settings, "another")));
+    settings.costs = Path(folder.write("costs.toml", costs_of(settings, "another")));
     EXPECT_THAT(refusal(), HasSubstr("'another', not for"));
     settings.costs = Path(folder.file("none.toml"));
     EXPECT_THAT(refusal(), HasSubstr("none.toml"));
@@ -179,26 +172,47 @@ TEST_F(DisplayApplicationTest, LateFramesAreCounted) {
 }
 
 TEST_F(DisplayApplicationTest, WhatCannotStartSaysWhy) {
-    const test_support::TemporaryFolder folder;
-    settings.terrain = Path(folder.file("absent.tdb"));
-    EXPECT_THAT(refusal(), HasSubstr(folder.file("absent.tdb")));
-    settings.terrain =
-        Path(folder.write("text.tdb", "this is no terrain database, but it is long enough for a header" + std::string(500, '.')));
-    EXPECT_EQ(refusal(),
-              folder.file("text.tdb") + ": is not a terrain database (offset 0); name a file that 'tedavis terrain build' wrote");
-    std::string damaged(embedded_inputs().terrain.begin(), embedded_inputs().terrain.end());
-    damaged[100] = static_cast<char>(damaged[100] ^ 8);
-    settings.terrain = Path(folder.write("damaged.tdb", damaged));
-    EXPECT_EQ(refusal(), folder.file("damaged.tdb") +
-                             ": has a damaged header (offset 0); get a whole copy, or build it again "
-                             "with 'tedavis terrain build'");
-    settings = board_settings();
     settings.surface = base::FixedString<15>("kms");
     EXPECT_EQ(refusal(), "[surface]: the surface 'kms' is not known; use egl or osmesa");
     settings = board_settings();
     settings.device.budget.find(effects::kLodScratch)->bytes = 8;
     EXPECT_EQ(refusal(),
               "device 'es2-small': the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+}
+
+TEST_F(DisplayApplicationTest, WithoutTerrainThatThereShouldBeItFliesAndSaysSo) {
+    const test_support::TemporaryFolder folder;
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    settings.terrain = Path(folder.file("absent.tdb"));
+    const RunReport report = start().run(90, stop);
+    EXPECT_EQ(report.frames, 90u);
+    EXPECT_EQ(report.end, RunEnd::stopped);
+    const display::FrameRecord& record = application->display().record();
+    EXPECT_EQ(record.own_ship.state, base::SignalState::valid) << "symbology goes on";
+    EXPECT_TRUE(has_flag(record, "terrain.failed"));
+    EXPECT_EQ(lines.str().substr(0, lines.str().find('\n') + 1),
+              "tedavis-display: " + folder.file("absent.tdb") +
+                  ": cannot be read (No such file or directory); check the path; the display shows TERRAIN FAIL "
+                  "until it is started again with sound terrain\n");
+    EXPECT_GT(red_pixels(), 50u) << "the notice";
+}
+
+TEST_F(DisplayApplicationTest, ASceneThatCannotBeReadIsSaidAndItsDataAreMissing) {
+    const test_support::TemporaryFolder folder;
+    settings.scene = Path(folder.write("area.sdb", "no scene at all"));
+    settings.design.data.ground.is_shown = true;
+    settings.design.data.ground.layer = "radar";
+    settings.design.data.ground.attribute = "reflectivity";
+    start();
+    for (int n = 0; n < 500 && lines.str().find("area.sdb") == std::string::npos; ++n) {
+        (void)application->run(1, stop);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_THAT(lines.str(), HasSubstr("area.sdb: is not a scene database"));
+    EXPECT_THAT(lines.str(), HasSubstr("; there are no data until a sound scene is in its place\n"));
+    EXPECT_TRUE(has_flag(application->display().record(), "ground_data.missing"));
 }
 
 TEST_F(DisplayApplicationTest, WithoutTerrainItRuns) {

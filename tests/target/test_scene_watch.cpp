@@ -49,8 +49,12 @@ protected:
 TEST_F(SceneWatchTest, ASceneMayComeLaterAndBeFollowedByNewerOnes) {
     ASSERT_TRUE(start(0));
     EXPECT_EQ(watch_.loaded(), nullptr);
+    base::FixedString<383> said;
+    ASSERT_TRUE(comes_true([&] { return !(said = watch_.take_fault()).empty(); }));
+    EXPECT_EQ(std::string(said.view()), path_ + ": is not there yet; there are no data until a sound scene is in its place");
     put(3);
     ASSERT_TRUE(has_loaded(3));
+    EXPECT_TRUE(watch_.take_fault().empty());
     EXPECT_EQ(watch_.loaded()->layers().size(), 4u);
     put(4);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

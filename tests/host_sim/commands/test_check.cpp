@@ -172,6 +172,31 @@ TEST(CheckCommand, RastersAreReadAndForeignFilesAreKnown) {
     EXPECT_THAT(check({kConfigs + "buses/canaerospace.dbc"}).notes, HasSubstr("a CAN database for other tools"));
 }
 
+/// What a start refuses, a check refuses with the same words.
+TEST(CheckCommand, ADeviceMustStartWithItsDesign) {
+    const test_support::TemporaryFolder place;
+    const std::string shipped = read_file(kConfigs + "devices/es2-small.toml");
+    const auto with_line = [&](const std::string& name, const std::string& bytes) {
+        std::string text = shipped;
+        const std::size_t line = text.find("bytes = ", text.find("name = \"" + name + "\""));
+        text.replace(line, text.find('\n', line) - line, "bytes = " + bytes);
+        return place.write("small.toml", text);
+    };
+    const std::string small = with_line("lod_scratch", "4096");
+    const CommandRun alone = check({small});
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_EQ(alone.notes, small +
+                               ": does not start with the design default: the budget line 'lod_scratch' is too small for "
+                               "max_chunk_slots; raise it in the device file\n");
+    EXPECT_THAT(check({with_line("render_targets", "4096")}).notes, HasSubstr("the budget line 'render_targets'"));
+    const std::string plain = place.write("plain.toml", "name = 'plain'\n[view]\n");
+    const std::string enough = with_line("scene_glyphs", "4096");
+    EXPECT_EQ(check({enough}).code, 2) << "the default design shows data";
+    EXPECT_EQ(check({enough, plain}).code, 0) << "with the design that it is meant for it starts";
+    EXPECT_EQ(check({plain, enough}).code, 0) << "in whatever order";
+    EXPECT_EQ(check({enough, plain, kConfigs + "designs/default.toml"}).code, 2) << "every design that is named";
+}
+
 TEST(CheckCommand, LooksAtEveryFileAndIsTwoWhenOneIsUnsound) {
     const test_support::TemporaryFolder place;
     const std::string sound = kConfigs + "devices/es2-small.toml", none = place.file("none.toml"), odd = place.write("x.xyz", "");

@@ -181,7 +181,9 @@ TEST(TerrainAhead, ATakeOffIsNoneUntilAMountainIsInItsWay) {
 /// Cones and tracks by chance, against a walk along the track by the metre, which shares nothing with the watch but its rule.
 TEST(TerrainAhead, NoMountainIsMissed) {
     std::mt19937 chance(7);
-    const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(chance() % 100'001) / 1e5; };
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(chance() % 100'001) / 1e5;
+    };
     int met = 0, missed = 0, free = 0;
     for (int n = 0; n < 400; ++n) {
         struct Cone {
@@ -199,7 +201,10 @@ TEST(TerrainAhead, NoMountainIsMissed) {
         MadeGround ground(height);
         const double speed = between(40, 200), angle = between(0, 2 * base::kPi);
         Flown flown;
-        flown.track = {{kLatitude, kLongitude, {height(0, 0) + between(100, 1000)}}, speed * std::cos(angle), speed * std::sin(angle), between(-4, 4)};
+        flown.track = {{kLatitude, kLongitude, {height(0, 0) + between(100, 1000)}},
+                       speed * std::cos(angle),
+                       speed * std::sin(angle),
+                       between(-4, 4)};
         const double clearance_m =
             std::fmin((flown.track.up_mps < -2.54 ? 500 : 700) * 0.3048, 0.75 * (flown.track.from.height.m - height(0, 0)));
         double first_m = 60 * speed + 1;

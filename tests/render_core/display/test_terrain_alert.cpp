@@ -1,4 +1,5 @@
-// Terrain ahead in the pictures of the shipped designs: colored and said in every phase, whatever a design says of warning colors.
+// Terrain ahead in the pictures of the shipped designs: colored and said in every phase, whatever a design says of warning
+// colors.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -117,7 +118,8 @@ TEST(TerrainAlert, TheDesignComesBackAsItWas) {
     test_support::MemoryBytes terrain{test_support::hills().image};
     HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &terrain, test_support::shipped_design("cruise"));
     const auto picture = [&](const flight::AircraftState& state) {
-        return test_support::settled_pixels(headless, state, kHillsNow, flight::stated_phase({Scenario::cruise, 0}, flight::PhaseSource::can));
+        return test_support::settled_pixels(headless, state, kHillsNow,
+                                            flight::stated_phase({Scenario::cruise, 0}, flight::PhaseSource::can));
     };
     const auto before = picture(towards_hills(10)), alert = picture(towards_hills()), after = picture(towards_hills(10));
     EXPECT_EQ(before, after);

@@ -1,0 +1,25 @@
+/// Starts displays on trial, as replays and boards start them, so that a check refuses what a start would.
+///
+/// Thread  one; draws without a screen, over a small generated terrain in a temporary folder.
+#pragma once
+
+#include <string>
+
+#include "host_sim/temporary_folder.hpp"
+
+namespace tedavis::host_sim {
+
+class StartTrial {
+public:
+    /// A device file with a design (a shipped one may have its short name), each sound by itself. Throws UserError: the sentence
+    /// of the start, behind the device's file and the design.
+    void require(const std::string& device, const std::string& design);
+
+private:
+    [[nodiscard]] const std::string& terrain();
+
+    TemporaryFolder folder_;
+    std::string terrain_;
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,137 @@
+#include "target/self_test/board_checks.hpp"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+
+#include "platform/programs/program_folder.hpp"
+#include "render_core/gl/program.hpp"
+#include "render_core/terrain/verify_page.hpp"
+#include "target/board_display.hpp"
+#include "target/file_text.hpp"
+
+namespace tedavis::target {
+namespace {
+
+constexpr std::uint64_t kMostTableBytes = 128u << 20;  // page table and undulation of the largest database
+constexpr std::uint64_t kSlackBytes = 1u << 20;        // for what a reader keeps beside the bytes
+constexpr double kMegabyte = 1e6;
+
+class BoardChecks {
+public:
+    BoardChecks(const BoardSettings& settings, SelfTestReport& report)
+        : settings_(settings), report_(report), display_(settings) {}
+
+    void run() {
+        if (!settings_.terrain.empty()) check_terrain();
+        if (!settings_.programs.empty()) check_programs();
+        const bool is_started = check_start();
+        if (!settings_.costs.empty()) check_costs(is_started);
+        if (!settings_.scene.empty()) check_scene(is_started);
+    }
+
+private:
+    void add(std::string_view name, const BoardError& error, std::string_view found) {
+        report_.add(name, error.sentence.empty(), error.sentence.empty() ? found : error.sentence.view());
+    }
+    void fail(std::string_view name, std::initializer_list<std::string_view> parts) {
+        report_.add(name, false, make_board_error(parts).sentence.view());
+    }
+
+    void check_terrain() {
+        auto file = platform::open_file(settings_.terrain.c_str());
+        if (!file.ok()) return fail("board_terrain", {file.error().sentence.view()});
+        const std::uint64_t most = std::min(file.value().size() + kSlackBytes, kMostTableBytes);
+        const auto memory = platform::reserve_memory(most, platform::Residency::lazy);
+        if (!memory.ok()) return fail("board_terrain", {memory.error().sentence.view()});
+        base::Arena arena = memory.value().arena();
+        const auto database = terrain::TerrainDatabase::open(file.value(), arena);
+        std::uint64_t chunks = 0;
+        const terrain::TdbFailure failure = database.ok() ? read_all(database.value(), chunks) : database.error();
+        if (failure.error != terrain::TdbError::none)
+            return fail("board_terrain", {settings_.terrain.view(), ": ", terrain::describe(failure).view()});
+        char found[64];
+        std::snprintf(found, sizeof found, "%" PRIu64 " chunks, every checksum right", chunks);
+        report_.add("board_terrain", true, found);
+    }
+    static terrain::TdbFailure read_all(const terrain::TerrainDatabase& database, std::uint64_t& chunks) {
+        const auto room = std::make_unique<terrain::VerifyRoom>();
+        for (std::uint32_t page = 0; page < database.lattice().page_count(); ++page)
+            if (const auto failure = terrain::verify_page(database, page, *room, chunks);
+                failure.error != terrain::TdbError::none)
+                return failure;
+        if (chunks != database.header().chunk_count) return {terrain::TdbError::directory_damaged, 0};
+        return {};
+    }
+
+    /// Each program of a device without a compiler is read by the start.
+    void check_programs() {
+        const auto folder = platform::open_program_folder(settings_.programs.view());
+        if (!folder.ok()) return fail("board_programs", {folder.error().sentence.view()});
+        report_.add(
+            "programs", true,
+            gl::has_compiler(settings_.device.capability) ? "are not read: the device has a compiler" : "the folder is there");
+    }
+
+    /// False where there is no display.
+    [[nodiscard]] bool check_start() {
+        const BoardError surface = display_.open_surface();
+        add("board_surface", surface, settings_.surface.view());
+        if (!surface.sentence.empty()) return false;
+        BoardError error = display_.start();
+        const bool is_started = error.sentence.empty();
+        // A fault of terrain whose bytes are right: it does not fit the device.
+        const SelfCheck* const terrain = report_.find("board_terrain");
+        if (is_started && terrain != nullptr && terrain->holds) error = display_.terrain_fault();
+        add("board_display", error, is_started ? budgets().view() : std::string_view());
+        return is_started;
+    }
+    [[nodiscard]] base::FixedString<127> budgets() {
+        const base::BudgetTable& table = display_.core().budget();
+        const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / kMegabyte; };
+        char text[128];
+        std::snprintf(text, sizeof text, "%u x %u, %.1f MB of the processor's and %.1f MB of the GPU's memory",
+                      display_.surface().width(), display_.surface().height(), megabytes(table.total(base::MemoryKind::cpu)),
+                      megabytes(table.total(base::MemoryKind::gpu)));
+        return base::FixedString<127>(text);
+    }
+
+    /// Whose they are only a display can say.
+    void check_costs(bool is_started) {
+        if (is_started) return add("board_costs", display_.hold_deadline(), "measured on this board");
+        const auto text = read_file_text(settings_.costs.c_str());
+        if (!text.ok()) return add("board_costs", text.error(), {});
+        const auto read = effects::read_calibration(text.value().view(), settings_.costs.view());
+        report_.add("board_costs", read.ok(),
+                    read.ok() ? "well-formed; whose they are is not known without a display" : read.error().sentence.view());
+    }
+
+    /// Into the room that the display has for it, as in flight; without a display into as much as the file may need.
+    void check_scene(bool is_started) {
+        auto file = platform::open_file(settings_.scene.c_str());
+        if (!file.ok()) return fail("board_scene", {file.error().sentence.view()});
+        const auto memory = platform::reserve_memory(2 * file.value().size() + kSlackBytes, platform::Residency::lazy);
+        if (!memory.ok()) return fail("board_scene", {memory.error().sentence.view()});
+        base::Arena own = memory.value().arena();
+        const auto scene = scene::Scene::load(file.value(), is_started ? display_.core().spare_scene_memory() : own);
+        if (!scene.ok()) return fail("board_scene", {settings_.scene.view(), ": ", scene::describe(scene.error()).view()});
+        if (is_started && !display_.core().take_scene(scene.value()))
+            return fail("board_scene",
+                        {settings_.scene.view(), ": is not taken over; build it again with 'tedavis scene build'"});
+        char found[96];
+        std::snprintf(found, sizeof found, "%zu layers, revision %" PRIu64 ", every checksum right",
+                      scene.value().layers().size(), scene.value().header().revision);
+        report_.add("board_scene", true, found);
+    }
+
+    const BoardSettings& settings_;
+    SelfTestReport& report_;
+    BoardDisplay display_;
+};
+
+}  // namespace
+
+void check_board(const BoardSettings& settings, SelfTestReport& report) { BoardChecks(settings, report).run(); }
+
+}  // namespace tedavis::target

@@ -1,0 +1,52 @@
+#include "host_sim/commands/start_trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host_sim/input_file.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tedavis::host_sim::test_start_trial {
+namespace {
+
+using test_support::expect_user_error;
+
+const std::string kDevices = std::string(TEDAVIS_SOURCE_DIR) + "/configs/devices/";
+
+/// The shipped small device with another size of a budget line.
+std::string small_device(const test_support::TemporaryFolder& place, const std::string& name, const std::string& bytes) {
+    std::string text = read_file(kDevices + "es2-small.toml");
+    const std::size_t line = text.find("bytes = ", text.find("name = \"" + name + "\""));
+    text.replace(line, text.find('\n', line) - line, "bytes = " + bytes);
+    return place.write("small.toml", text);
+}
+
+TEST(StartTrial, ShippedDevicesStart) {
+    StartTrial trial;
+    for (const char* const device : {"es2-small", "es3-mid", "sc2"})
+        EXPECT_NO_THROW(trial.require(kDevices + device + ".toml", "default")) << device;
+}
+
+/// Lines of the processor's memory and of the GPU's, of terrain and of the picture; each is named as a start names it.
+TEST(StartTrial, EveryLineThatIsTooSmallIsNamed) {
+    const test_support::TemporaryFolder place;
+    StartTrial trial;
+    for (const char* const line :
+         {"lod_scratch", "terrain_heights", "terrain_vertices", "render_targets", "symbology", "staging"}) {
+        const std::string device = small_device(place, line, "4096");
+        expect_user_error([&] { trial.require(device, "default"); },
+                          device + ": does not start with the design default: the budget line '" + line + "'");
+    }
+}
+
+TEST(StartTrial, TheDesignDecidesWhatADeviceNeeds) {
+    const test_support::TemporaryFolder place;
+    StartTrial trial;
+    const std::string plain = place.write("plain.toml", "name = 'plain'\n[view]\n"),
+                      device = small_device(place, "scene_glyphs", "4096");
+    expect_user_error([&] { trial.require(device, "default"); }, "'scene_glyphs'");
+    EXPECT_NO_THROW(trial.require(device, plain)) << "which shows no data";
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_start_trial
