@@ -229,12 +229,12 @@ RasterSource open_raster_source(const std::string& file, const RasterOptions& op
     source.columns = source.dataset->GetRasterXSize();
     source.rows = source.dataset->GetRasterYSize();
     settle_encoding(source, options);
-    require_heights(source);
     read_transform(source, options);
     const OGRSpatialReference crs = read_crs(source, options);
     const VerticalReference reference = read_vertical_reference(source, crs);
     settle_datum(source, reference, options);
     read_scale(source, reference);
+    require_heights(source);
     source.crs = horizontal_part(crs);
     source.plain = is_plain(source);
     const int bands = source.dataset->GetRasterCount();

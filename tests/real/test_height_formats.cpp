@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "host_sim/commands/check_raster.hpp"
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "tests/support/expect_user_error.hpp"
@@ -133,6 +134,17 @@ TEST(HeightFormats, WeatherIsNotTerrain) {
     options.crs = "EPSG:4326";
     test_support::expect_user_error([&] { (void)load_rasters({"NETCDF:\"" + weather + "\":z"}, options); },
                                     "values are in 'm**2 s**-2', which is no length");
+    for (const char* name : {"dbz", "quality"}) {
+        const std::string radar = kData + "/weather/opera_20241126_0100_" + name + "_alps_0.01deg.tif";
+        test_support::expect_user_error([&] { (void)load_rasters({radar}, {}); }, "says that it holds 'DBZH'");
+    }
+}
+
+TEST(HeightFormats, GroundHasNoFindings) {
+    for (const std::string& file :
+         {kData + kSrtm, kData + "/terrain/N42E001_pyrenees_andorra_srtm3.hgt.zip", kData + "/formats/davos_1025.hf2",
+          kData + "/formats/swisstopo_dhm25_interlaken_25m_350x240_lv03.bt"})
+        for (const host_sim::Finding& finding : host_sim::check_raster(file).warnings) ADD_FAILURE() << finding.text;
 }
 
 }  // namespace
