@@ -39,8 +39,7 @@ void DisplayApplication::take_new_scene() {
     const scene::Scene* const loaded = scene_watch_.loaded();
     if (loaded == nullptr) return;
     const std::uint64_t revision = loaded->header().revision;
-    if (display().take_scene(*loaded))
-        ports_.log.write({settings_.scene.view(), ": shows revision ", gl::digits(revision).view()});
+    if (display().take_scene(*loaded)) ports_.log.write({settings_.scene.view(), ": has revision ", gl::digits(revision).view()});
     scene_watch_.go_on(display().spare_scene_memory(), revision);
 }
 

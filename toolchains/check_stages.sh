@@ -1,4 +1,4 @@
-# The stages of ./check, sourced by it. Uses its variables: full, logs, jobs, shards, passed, failed, summary.
+# The stages of ./check, sourced by it. Uses its variables: full, joint, logs, jobs, shards, passed, failed, summary.
 
 held=true
 
@@ -100,7 +100,8 @@ test_targets() {
 # build_targets PRESET PATTERN [EXCEPT [TARGET...]]: configures the preset and builds its matching test programs, and the targets.
 build_targets() {
     local targets
-    cmake --preset "$1" || return 1
+    # Each source alone proves that it includes what it needs.
+    cmake --preset "$1" -DTEDAVIS_JOINT="$joint" || return 1
     mapfile -t targets < <(test_targets "build/$1" "$2" "${3:-^$}")
     if [ ${#targets[@]} -eq 0 ]; then
         echo "no test program matches $2"
@@ -124,14 +125,23 @@ self_test_cross() {
     GALLIUM_DRIVER=$driver timeout 300 "$emulator" -L "build/sysroots/$1" "build/$1/bin/tedavis-display" --self-test
 }
 
-# C++ files that differ from the commit before this one (TEDAVIS_CHECK_BASE names another), or all.
+# changed_sources FULL COMPILED: sources to read, of those listed in the file COMPILED: all of them with FULL; else those that the last
+# 60 commits changed, and for each changed header one that includes it, the newest first.
 changed_sources() {
-    local base=${TEDAVIS_CHECK_BASE:-HEAD~1}
-    if [ "${1:-}" = true ] || ! git rev-parse -q --verify "$base" >/dev/null; then
-        git ls-files '*.cpp' '*.hpp'
-    else
-        git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'
+    if [ "$1" = true ]; then
+        cat "$2"
+        return
     fi
+    { git diff --name-only HEAD; git log -60 --format= --name-only; } 2>/dev/null | awk '/\.[ch]pp$/ && !seen[$0]++' |
+        while read -r file; do
+            if [ "${file%.hpp}" = "$file" ]; then
+                echo "$file"
+            elif grep -qxF "${file%.hpp}.cpp" "$2"; then
+                echo "${file%.hpp}.cpp"
+            else
+                xargs grep -lF "#include \"$file\"" <"$2" 2>/dev/null | head -n 1
+            fi
+        done | awk '!seen[$0]++' | grep -xF -f "$2"
 }
 
 check_layout() {
@@ -144,12 +154,15 @@ check_layout() {
     }
 }
 
-# check_tidy FULL: the changed sources that the host build compiles, at most 12 unless FULL is true.
+# check_tidy FULL: the changed sources that the host build compiles, at most 40 unless FULL is true.
 check_tidy() {
-    local files
-    mapfile -t files < <(changed_sources "$1" | grep '\.cpp$' | grep -xF -f <(compiled_sources))
+    local files compiled most=40
+    compiled=$(mktemp)
+    compiled_sources | sort -u | while read -r file; do [ ! -f "$file" ] || echo "$file"; done >"$compiled"
+    mapfile -t files < <(changed_sources "$1" "$compiled")
+    rm -f "$compiled"
     local all=${#files[@]}
-    if [ "$1" != true ]; then files=("${files[@]:0:12}"); fi
+    if [ "$1" != true ]; then files=("${files[@]:0:$most}"); fi
     echo "remark: ${#files[@]} of $all changed sources"
     export -f tidy_source
     [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" bash -c 'tidy_source "$0"'

@@ -5,11 +5,14 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 find_program(TEDAVIS_CCACHE ccache)
 if(TEDAVIS_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${TEDAVIS_CCACHE})
+  # Objects are the same in every clone and every preset's folder, so the cache must not see where these lie.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${TEDAVIS_CCACHE})
 endif()
 
 add_library(tedavis_settings INTERFACE)
 target_include_directories(tedavis_settings INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
+# Names of files are those from the root, wherever it lies.
+target_compile_options(tedavis_settings INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=)
 # No fused multiply-add: shared edges must be bit-equal on every machine.
 target_compile_options(tedavis_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                        -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Werror=return-type)

@@ -10,6 +10,7 @@
 #include "host_sim/replay/pose_findings.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/replay/scene_findings.hpp"
+#include "host_sim/reports/height_findings.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -53,8 +54,13 @@ int run_shot(const ShotOptions& options, Console& console) {
     result.has_layers = options.layers;
     if (options.layers) result.obstacles = session.display().obstacles_ahead();
     result.warnings = pose_findings(pose, result.record, options.picture.terrain, session.display());
-    append(*result.warnings,
-           scene_findings(options.picture.scene, {pose.latitude_deg, pose.latitude_deg, pose.longitude_deg, pose.longitude_deg}));
+    append(*result.warnings, scene_findings(options.picture.scene, extent_of_scene(options.picture.scene),
+                                            {pose.latitude_deg, pose.latitude_deg, pose.longitude_deg, pose.longitude_deg}));
+    for (const display::StaleRecord& stale : result.record.stale)
+        result.warnings->push_back(
+            {"data.stale", "the layer " + std::string(stale.layer.view()) + " is stale, " + age_words(stale.age_s) + " old", 1});
+    if (const terrain::TerrainDatabase* const database = session.display().terrain_database(); database != nullptr)
+        append(*result.warnings, height_findings(options.picture.terrain, height_counts(database->header())));
     const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
     if (options.layers) write_drawn_layers(options.output, session);

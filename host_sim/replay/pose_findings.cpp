@@ -34,12 +34,14 @@ Findings pose_findings(const AircraftPose& pose, const display::FrameRecord& rec
     if (!lies_inside(*database, pose.latitude_deg, pose.longitude_deg)) return {outside_finding(pose, terrain, *database)};
     const base::Stamped<double> above = display.height_above_terrain(record.own_ship, record.time);
     if (!above.received()) return {{"terrain.no_height", "the ground below the pose has no height in " + terrain + " (void)", 1}};
-    if (above.value_or(0) < 0)
+    constexpr double kRounding_m = 0.5;
+    if (above.value_or(0) < -kRounding_m)
         return {{"terrain.above_own_ship",
                  "the pose lies " + decimal(-above.value_or(0), 0) + " m below the ground of " + terrain + ", which is " +
                      decimal(record.altitude_msl_m - above.value_or(0), 0) + " m high there",
                  1}};
-    if (record.terrain.triangles == 0)
+    const bool is_traced = record.terrain.renderer.view() == "trace";
+    if (record.terrain.triangles == 0 && !is_traced)
         return {{"terrain.not_in_view", "no terrain of " + terrain + " is in the picture of this pose", 1}};
     return {};
 }

@@ -9,6 +9,7 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/replay/scene_findings.hpp"
+#include "host_sim/reports/height_findings.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
@@ -61,7 +62,8 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
       player_(player),
       records_(made_folder(options), player.first()),
       story_(player.first()),
-      tally_(player.first()) {}
+      tally_(player.first()),
+      scene_extent_(extent_of_scene(options.picture.scene)) {}
 
 const FrameResult& RunRecorder::draw(base::Time time) {
     instant_ = player_.at(time);
@@ -106,16 +108,15 @@ int RunRecorder::finish(bool interrupted, Console& console) {
     const base::BudgetTable& memory = session_.display().budget();
     write_run_reports(options_.output, done, story_, memory);
     char line[200];
-    std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, worst terrain error %.2f px",
-                  counted(done.frames, "frame").c_str(), interrupted ? " (interrupted)" : "", done.fps_median,
-                  done.worst_error_px);
+    std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, ", counted(done.frames, "frame").c_str(),
+                  interrupted ? " (interrupted)" : "", done.fps_median);
     if (!done.notes.empty())
         console.note("note: " + std::to_string(done.notes.size()) + (done.notes.size() == 1 ? " note" : " notes") +
                      " in summary.json, the first: " + done.notes.front());
     const gl::DeniedReport& denied = session_.display().gl().denied();
     if (denied.total > 0) console.note(denied_text(denied, done.device));
     print_warnings(done.warnings, console);
-    console.result(options_.output + line + start_error_text(done) + deadline_text(done.deadline),
+    console.result(options_.output + line + error_text(done) + start_error_text(done) + deadline_text(done.deadline),
                    run_summary_json(done, memory));
     if (interrupted) return kInterruptedExitCode;
     if (!session_.terrain_fault().empty()) return kFaultyInputExitCode;
@@ -128,6 +129,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     const FrameTimes times = frame_times(total_ms_);
     s.fps_median = times.median_ms > 0 ? 1000 / times.median_ms : 0;
     s.ms_p99 = times.p99_ms;
+    s.terrain_frames = tally_.frames_with_terrain();
     s.worst_error_px = tally_.worst_error_px();
     s.worst_start_error_px = tally_.worst_start_error_px();
     s.heap_allocations_after_start = heap_allocations_;
@@ -148,7 +150,9 @@ RunSummary RunRecorder::summary(bool interrupted) {
              log.counters.dropped, log.broken_lines,     log.lines.other,    log.counters.traffic};
     s.warnings = player_.findings();
     append(s.warnings, tally_.findings(s.terrain, session_.display().terrain_database()));
-    append(s.warnings, scene_findings(s.scene, tally_.extent()));
+    if (const terrain::TerrainDatabase* const database = session_.display().terrain_database(); database != nullptr)
+        append(s.warnings, height_findings(s.terrain, height_counts(database->header())));
+    append(s.warnings, scene_findings(s.scene, scene_extent_, tally_.extent()));
     s.interrupted = interrupted;
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
     if (options_.picture.deadline_ms && options_.picture.costs.empty())

@@ -51,6 +51,7 @@ private:
     DeadlineTally deadline_;
     std::vector<std::string> notes_;
     FlightTally tally_;
+    GeoExtent scene_extent_;              ///< read before the run: afterwards the file may be another one
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };
 

@@ -6,11 +6,10 @@ namespace tedavis::host_sim {
 
 constexpr double kInReach_deg = 2;  // some 200 km: farther away nothing is seen
 
-Findings scene_findings(const std::string& scene, const GeoExtent& flown) {
-    if (scene.empty()) return {};
-    const OpenScene open(scene);
-    const GeoExtent extent = extent_of(open.scene());
-    if (!are_apart(extent, flown, kInReach_deg)) return {};
+GeoExtent extent_of_scene(const std::string& path) { return path.empty() ? GeoExtent() : extent_of(OpenScene(path).scene()); }
+
+Findings scene_findings(const std::string& scene, const GeoExtent& extent, const GeoExtent& flown) {
+    if (scene.empty() || !are_apart(extent, flown, kInReach_deg)) return {};
     return {
         {"scene.elsewhere",
          "none of the data of " + scene + " lie near the flight: they cover " + extent.words() + ", the flight " + flown.words(),

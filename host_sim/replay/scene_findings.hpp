@@ -8,8 +8,10 @@
 
 namespace tedavis::host_sim {
 
-/// `scene`: path of a scene database, or empty; `flown`: where the own ship was. Throws UserError where the database cannot be
-/// read.
-[[nodiscard]] Findings scene_findings(const std::string& scene, const GeoExtent& flown);
+/// Of the data of a scene database; empty without a path. Throws UserError where it cannot be read.
+[[nodiscard]] GeoExtent extent_of_scene(const std::string& path);
+
+/// `scene`: path of a scene database with this extent, or empty; `flown`: where the own ship was.
+[[nodiscard]] Findings scene_findings(const std::string& scene, const GeoExtent& extent, const GeoExtent& flown);
 
 }  // namespace tedavis::host_sim

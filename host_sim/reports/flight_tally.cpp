@@ -26,6 +26,9 @@ void FlightTally::add(const display::FrameRecord& record, double height_above_te
     ++frames_;
     add_place(record, time_s);
     add_error(record, time_s);
+    add_stale(record);
+    const bool is_over_ground = record.own_ship.state == base::SignalState::valid && was_inside_;
+    without_height_ += is_over_ground && std::isnan(height_above_terrain_m) ? 1 : 0;
     if (!has_flag(record, "terrain.above_own_ship")) return;
     if (below_++ == 0) first_below_s_ = time_s;
     if (height_above_terrain_m < 0) deepest_m_ = std::max(deepest_m_, -height_above_terrain_m);
@@ -44,11 +47,26 @@ void FlightTally::add_place(const display::FrameRecord& record, double time_s) {
     was_inside_ = is_inside;
 }
 
+void FlightTally::add_stale(const display::FrameRecord& record) {
+    for (const display::StaleRecord& stale : record.stale) {
+        StaleLayer& layer = stale_[std::string(stale.layer.view())];
+        ++layer.frames;
+        layer.oldest_s = std::max(layer.oldest_s, stale.age_s);
+    }
+}
+
 void FlightTally::add_error(const display::FrameRecord& record, double time_s) {
     const display::TerrainRecord& terrain = record.terrain;
-    const bool is_planned = !terrain.limit.empty();
-    is_starting_ = !is_planned || (is_starting_ && terrain.pending > 0);
-    if (!is_planned) return;
+    constexpr double kLongestStart_s = 2;
+    if (terrain.limit.empty()) {  // none was planned
+        is_starting_ = true;
+        start_s_ = time_s;
+        return;
+    }
+    with_terrain_ += record.terrain_aspect.technique.view() != "none" ? 1 : 0;
+    if (frames_ == 1) start_s_ = time_s;
+    is_starting_ = is_starting_ && terrain.pending > 0 && std::abs(time_s - start_s_) <= kLongestStart_s &&
+                   !has_flag(record, "terrain.failing");
     if (!is_starting_) {
         worst_error_px_ = std::max(worst_error_px_, terrain.worst_error_px);
         return;
@@ -57,6 +75,11 @@ void FlightTally::add_error(const display::FrameRecord& record, double time_s) {
     if (!has_flag(record, "terrain.coarse")) return;
     if (coarse_starts_++ == 0) first_coarse_s_ = time_s;
     worst_coarse_px_ = std::max(worst_coarse_px_, terrain.worst_error_px);
+}
+
+std::string FlightTally::frames_of(std::uint64_t count) const {
+    if (frames_ == 1) return "the only frame lies";
+    return part_of(count, frames_) + (count == 1 ? " frames lies" : " frames lie");
 }
 
 std::string FlightTally::inside_words() const {
@@ -73,17 +96,22 @@ void FlightTally::find_places(const std::string& terrain, const terrain::Terrain
     if (outside_ > 0) {
         const std::string inside = inside_words();
         findings.push_back({"terrain.outside",
-                            part_of(outside_, frames_) + (outside_ == 1 ? " frames lies" : " frames lie") + " outside " +
-                                terrain +
+                            frames_of(outside_) + " outside " + terrain +
                                 (inside.empty() ? ": it covers " + extent_of(database).words() + ", the flight " + extent_.words()
                                                 : "; inside: " + inside),
                             outside_});
     }
+    if (without_height_ > 0)
+        findings.push_back({"terrain.no_height",
+                            frames_of(without_height_) + " over ground without a height in " + terrain + " (void or damaged)",
+                            without_height_});
+    if (with_terrain_ == 0 && outside_ < frames_)
+        findings.push_back({"terrain.never_shown",
+                            "no terrain of " + terrain + " is shown in any frame; the flags of the records say why", frames_});
     if (below_ > 0)
         findings.push_back({"terrain.above_own_ship",
-                            part_of(below_, frames_) + (below_ == 1 ? " frames lies" : " frames lie") + " below the ground of " +
-                                terrain + ", first at " + decimal(first_below_s_, 1) + " s, at most by " +
-                                decimal(deepest_m_, 0) + " m",
+                            frames_of(below_) + " below the ground of " + terrain + ", first at " + decimal(first_below_s_, 1) +
+                                " s, at most by " + decimal(deepest_m_, 0) + " m",
                             below_});
     if (coarse_starts_ > 0)
         findings.push_back({"terrain.start_error",
@@ -93,12 +121,21 @@ void FlightTally::find_places(const std::string& terrain, const terrain::Terrain
                             coarse_starts_});
 }
 
+void FlightTally::find_stale(Findings& findings) const {
+    for (const auto& [name, layer] : stale_)
+        findings.push_back({"data.stale",
+                            "the layer " + name + " is stale in " + counted(layer.frames, "frame") + " of " +
+                                std::to_string(frames_) + ", at most " + age_words(layer.oldest_s) + " old",
+                            layer.frames});
+}
+
 Findings FlightTally::findings(const std::string& terrain, const terrain::TerrainDatabase* database) const {
     Findings findings;
     if (frames_ > 0 && without_position_ == frames_)
         findings.push_back(
             {"flight.no_position", "the own ship's position is not known in any of " + counted(frames_, "frame"), frames_});
     if (database != nullptr) find_places(terrain, *database, findings);
+    find_stale(findings);
     return findings;
 }
 

@@ -1,7 +1,9 @@
-/// Where a run's frames were and how wrong their terrain was, gathered frame by frame: what of it misleads is found at the end.
+/// Where a run's frames were, how wrong their terrain and how old their data, gathered frame by frame: what of it misleads is
+/// found at the end.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,9 +20,12 @@ public:
     /// `height_above_terrain_m` may be NaN.
     void add(const display::FrameRecord& record, double height_above_terrain_m);
 
+    /// Frames that show terrain.
+    [[nodiscard]] std::uint64_t frames_with_terrain() const { return with_terrain_; }
     /// Upper bound of the terrain's error in all frames but those at a start.
     [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
-    /// The same of the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive.
+    /// The same of the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for
+    /// two seconds at most and not where chunks cannot be had.
     [[nodiscard]] double worst_start_error_px() const { return worst_start_error_px_; }
 
     /// Of the own ship; empty where its position was never known.
@@ -36,17 +41,28 @@ private:
     };
 
     void add_place(const display::FrameRecord& record, double time_s);
+    void add_stale(const display::FrameRecord& record);
     void add_error(const display::FrameRecord& record, double time_s);
     [[nodiscard]] std::string inside_words() const;
+    /// "6 of 10 frames lie".
+    [[nodiscard]] std::string frames_of(std::uint64_t count) const;
+    void find_stale(Findings& findings) const;
     void find_places(const std::string& terrain, const terrain::TerrainDatabase& database, Findings& findings) const;
 
+    struct StaleLayer {
+        std::uint64_t frames = 0;
+        double oldest_s = 0;
+    };
+
     base::Time origin_;
-    std::uint64_t frames_ = 0, without_position_ = 0, outside_ = 0, below_ = 0, coarse_starts_ = 0;
+    std::map<std::string, StaleLayer> stale_;  ///< by the layer's name
+    std::uint64_t frames_ = 0, with_terrain_ = 0, without_height_ = 0, without_position_ = 0, outside_ = 0, below_ = 0,
+                  coarse_starts_ = 0;
     std::uint64_t spans_in_all_ = 0;
     std::vector<Span> spans_;  ///< the first of them
     bool was_inside_ = false, is_starting_ = true;
     GeoExtent extent_;
-    double first_below_s_ = 0, deepest_m_ = 0, first_coarse_s_ = 0;
+    double start_s_ = 0, first_below_s_ = 0, deepest_m_ = 0, first_coarse_s_ = 0;
     double worst_error_px_ = 0, worst_start_error_px_ = 0, worst_coarse_px_ = 0;
 };
 

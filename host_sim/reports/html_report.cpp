@@ -58,7 +58,7 @@ std::string summary_table(const RunSummary& s) {
     row("frames", std::to_string(s.frames) + (s.interrupted ? " (interrupted)" : ""), s.interrupted);
     row("frames a second, median", decimal(s.fps_median, 1));
     row("frame time, 99th percentile", decimal(s.ms_p99, 2) + " ms");
-    row("worst terrain error", decimal(s.worst_error_px, 3) + " px");
+    row("worst terrain error", s.terrain_frames > 0 ? decimal(s.worst_error_px, 3) + " px" : "no terrain was drawn");
     if (s.worst_start_error_px > 0)
         row("worst terrain error while its first chunks arrived", decimal(s.worst_start_error_px, 3) + " px");
     row("heap allocations after start", std::to_string(s.heap_allocations_after_start), s.heap_allocations_after_start > 0);

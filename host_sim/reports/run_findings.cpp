@@ -1,5 +1,6 @@
 #include "host_sim/reports/run_findings.hpp"
 
+#include "host_sim/reports/line_chart.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -25,6 +26,12 @@ std::string counted(std::uint64_t count, const std::string& what) {
 
 std::string part_of(std::uint64_t count, std::uint64_t all) {
     return (count == all ? "all " : std::to_string(count) + " of ") + std::to_string(all);
+}
+
+std::string age_words(double seconds) {
+    constexpr double kMinute_s = 60, kHour_s = 3600, kDay_s = 86400;
+    if (seconds < 2 * kHour_s) return decimal(seconds / kMinute_s, 0) + " min";
+    return seconds < 2 * kDay_s ? decimal(seconds / kHour_s, 1) + " h" : decimal(seconds / kDay_s, 0) + " d";
 }
 
 }  // namespace tedavis::host_sim

@@ -33,5 +33,7 @@ void print_warnings(const Findings& findings, Console& console);
 [[nodiscard]] std::string counted(std::uint64_t count, const std::string& what);
 /// "1 of 5", "all 5".
 [[nodiscard]] std::string part_of(std::uint64_t count, std::uint64_t all);
+/// "40 min", "3.5 h", "74 d".
+[[nodiscard]] std::string age_words(double seconds);
 
 }  // namespace tedavis::host_sim

@@ -54,6 +54,11 @@ FrameTimes frame_times(std::vector<double> total_ms) {
     return {median, total_ms[rank - 1]};
 }
 
+std::string error_text(const RunSummary& summary) {
+    if (summary.terrain_frames == 0) return "no terrain drawn";
+    return "worst terrain error " + decimal(summary.worst_error_px, 2) + " px";
+}
+
 std::string start_error_text(const RunSummary& summary) {
     if (!(summary.worst_start_error_px > 0)) return {};
     return "; while its first chunks arrived, " + decimal(summary.worst_start_error_px, 2) + " px";
@@ -65,6 +70,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["fps_median"] = summary.fps_median;
     json["ms_p99"] = summary.ms_p99;
     json["heap_allocations_after_start"] = summary.heap_allocations_after_start;
+    json["terrain_frames"] = summary.terrain_frames;
     json["worst_error_px"] = summary.worst_error_px;
     json["worst_start_error_px"] = summary.worst_start_error_px;
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;

@@ -24,6 +24,7 @@ struct RunSummary {
     double fps_median = 0;  ///< 1000 / median of `ms.total`
     double ms_p99 = 0;
     std::uint64_t heap_allocations_after_start = 0;
+    std::uint64_t terrain_frames = 0;                     ///< that show terrain
     double worst_error_px = 0, worst_start_error_px = 0;  ///< FlightTally
     std::uint64_t gl_calls_outside_device = 0;
     std::string device, design, terrain, scene, log, switches;  ///< as they were named
@@ -43,6 +44,8 @@ struct FrameTimes {
 };
 [[nodiscard]] FrameTimes frame_times(std::vector<double> total_ms);
 
+/// "worst terrain error 0.71 px", or that none was drawn.
+[[nodiscard]] std::string error_text(const RunSummary& summary);
 /// "; while its first chunks arrived, 35.20 px"; empty where all had arrived with the first picture.
 [[nodiscard]] std::string start_error_text(const RunSummary& summary);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRadiusShare = 0.3;
 constexpr double kSecondHarmonic = 0.18, kThirdHarmonic = 0.08;
 constexpr double kShortestTexture_m = 800, kLongestTexture_m = 3'000, kTextureHeight_m = 10'000;
-constexpr double kSigma_db = 5, kSigmaSpread_db = 2, kFullSigma_db = 12, kGrowth_per_hour = 0.6;
+constexpr double kSigma_db = 5, kSigmaSpread_db = 2, kFullSigma_db = 12, kStormGrowth_per_hour = 0.6;
 constexpr double kSpeedSigma_mps = 1.5, kFullSpeedSigma_mps = 10;
 constexpr double kPositionAccuracy_m = 400, kHeightAccuracy_m = 500;
 constexpr int kCorners = 24;
@@ -92,7 +92,7 @@ std::vector<StormCell> draw_storm_cells(const StormSettings& settings, SeededRan
 LayerDraft make_storm_layer(const std::vector<StormCell>& cells, const LocalPlane& plane, base::Time start) {
     LayerDraft layer = empty_layer(start);
     AttributeDraft intensity = generated_attribute("intensity", "INTENSITY", "dBZ", kFullSigma_db);
-    intensity.uncertainty_growth_per_hour = kGrowth_per_hour;
+    intensity.uncertainty_growth_per_hour = kStormGrowth_per_hour;
     AttributeDraft speed = generated_attribute("speed", "CELL SPEED", "m/s", kFullSpeedSigma_mps);
     AttributeDraft toward = generated_attribute("toward", "TOWARD", "rad", 0);
     AttributeDraft floor = generated_attribute("floor", "FLOOR", "m", 0);

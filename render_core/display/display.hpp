@@ -200,6 +200,7 @@ private:
     [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
     [[nodiscard]] bool is_in_design(const scene::Layer& layer) const;
     void note_stale_data();
+    void note_stale_source(const scene::Layer& source, const scene::AttributeEntry& made, double stale_after_s);
     [[nodiscard]] effects::EffectSet asked() const;
     void decide_labels();
     [[nodiscard]] bool is_map() const { return transition_.map_share() >= 1; }

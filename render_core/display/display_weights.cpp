@@ -29,10 +29,20 @@ private:
     [[nodiscard]] TerrainAhead terrain_ahead_at(const WeighedInstant& instant) const {
         if (!display_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid) return TerrainAhead::none;
         const PredictedTrack track = display_.track_of(instant.own_ship);
+        if (is_above_all(track)) return TerrainAhead::none;
         TerrainGround ground(display_.terrain_, terrain::View());
         base::Span<const scene::Layer> layers;
         if (display_.data_.has_scene()) layers = display_.data_.scene().layers();
         return TerrainWatch(track, instant.phase, layers, ground).ahead();
+    }
+
+    /// So that nothing need be read of the database.
+    [[nodiscard]] bool is_above_all(const PredictedTrack& track) const {
+        constexpr double kMargin_m = 50;  // by which the geoid differs along the track at most
+        const double lowest_m = std::fmin(track.from.height.m, track.at(TerrainWatch::kLookAhead_s).height.m);
+        const double highest_m =
+            double{display_.terrain_.database().header().max_height_m} + display_.undulation_m(track.from) + kMargin_m;
+        return lowest_m > highest_m + required_clearance_m({flight::Scenario::cruise, 0}, 0);
     }
 
     void raise(WeightRaises& raises, std::size_t aspect, double share, double weight) const {
@@ -114,23 +124,46 @@ ObstaclePlaces Display::obstacles_ahead() {
                            watch);
 }
 
+namespace {
+
+/// A map beside the picture that names no layer has the first grid of its role.
+bool shows_beside(const design::AdjacentView& maps, const scene::Layer& layer) {
+    if (!maps.layer.empty()) return maps.layer.view() == layer.entry->name;
+    return layer.entry->shape == scene::LayerShape::grid && layer.entry->role == maps.role;
+}
+
+}  // namespace
+
 bool Display::is_in_design(const scene::Layer& layer) const {
     const design::DataStyle& data = design_at(shown_).data;
-    bool is_shown = data.ground.is_shown && data.ground.layer.view() == layer.entry->name;
+    bool is_shown = (data.ground.is_shown && data.ground.layer.view() == layer.entry->name) ||
+                    (data.adjacent.is_shown && shows_beside(data.adjacent, layer));
     for (const design::DataElement& element : data.elements) is_shown = is_shown || is_meant(element, layer);
     return is_shown;
 }
 
-/// Each layer of the picture that is stale, with its age.
+/// Each layer of the picture that is stale, and each that values of it were made of.
 void Display::note_stale_data() {
     if (!data_.has_scene() || !record_.flight_time.is_confirmed || !decisions_.show_terrain) return;
+    const double stale_after_s = design_at(shown_).data.stale_after_s;
     for (const scene::Layer& layer : data_.scene().layers()) {
         if (!is_in_design(layer) || !is_valid_at(layer, record_.flight_time)) continue;
-        const base::Duration age = stale_age(layer, record_.flight_time, design_at(shown_).data.stale_after_s);
-        if (age.ns == 0) continue;
-        flag("data.stale", record_);
-        static_cast<void>(record_.stale.try_push_back({layer.entry->name, age.to_seconds()}));
+        note_stale(layer.entry->name, stale_age(layer, record_.flight_time, stale_after_s), record_);
+        for (const scene::Attribute& attribute : layer.attributes)
+            if (const std::uint8_t from = attribute.entry->derived_from; from > 0)
+                note_stale_source(data_.scene().layers()[from - 1], *attribute.entry, stale_after_s);
     }
+}
+
+/// Of one instant of a layer that an attribute was made of, or of what the layer holds of this date.
+void Display::note_stale_source(const scene::Layer& source, const scene::AttributeEntry& made, double stale_after_s) {
+    constexpr std::int64_t kMinute_ns = 60'000'000'000;
+    base::Duration age = stale_age(source, record_.flight_time, stale_after_s);
+    if (made.derived_minute > 0) {
+        age.ns = record_.flight_time.utc.ns - made.derived_minute * kMinute_ns;
+        if (age.to_seconds() <= stale_after_s) return;
+    }
+    note_stale(source.entry->name, age, record_);
 }
 
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.

@@ -63,6 +63,14 @@ void flag(std::string_view name, FrameRecord& record) {
     static_cast<void>(record.flags.try_push_back(Name(name)));
 }
 
+void note_stale(std::string_view layer, base::Duration age, FrameRecord& record) {
+    if (age.ns <= 0) return;
+    flag("data.stale", record);
+    for (const StaleRecord& known : record.stale)
+        if (known.layer.view() == layer) return;
+    static_cast<void>(record.stale.try_push_back({layer, age.to_seconds()}));
+}
+
 void add_technique(std::string_view name, double detail, AspectRecord& aspect) {
     aspect.detail = std::max(aspect.detail, detail);
     for (std::string_view rest = aspect.technique.view(); !rest.empty();) {

@@ -14,6 +14,9 @@ namespace tedavis::display {
 /// Once, however often it is raised. A full list counts what it refuses.
 void flag(std::string_view name, FrameRecord& record);
 
+/// Once a layer, with the flag data.stale; an age of 0 is none.
+void note_stale(std::string_view layer, base::Duration age, FrameRecord& record);
+
 /// One more technique that shows an aspect, named once; the aspect's detail is that of the most detailed one.
 void add_technique(std::string_view name, double detail, AspectRecord& aspect);
 

@@ -69,7 +69,8 @@ double required_clearance_m(flight::FlightPhase phase, double up_mps) noexcept {
 
 TerrainWatch::TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
                            draw::Ground& ground)
-    : track_(track), layers_(layers), ground_(ground) {
+    : track_(track), ground_(ground) {
+    find_runways(layers);
     const double below_m = ground_.height_m(track.from.latitude_rad, track.from.longitude_rad);
     height_above_ground_m_ = std::isnan(below_m) ? kInfinite : track.from.height.m - below_m;
     clearance_m_ = std::fmin(required_clearance_m(phase, track.up_mps), kCloser * height_above_ground_m_);
@@ -125,19 +126,26 @@ bool TerrainWatch::is_ground_of_runway(const earth::Geodetic& place, double grou
     return runway.distance_m < kRunwayRound_nm * kMetresPerNauticalMile && ground_m < runway.height_m + kRunwayGround_m;
 }
 
-TerrainWatch::NearRunway TerrainWatch::nearest_runway(const earth::Geodetic& place) {
-    PlaceOnLine nearest{kInfinite, {}};
-    for (const scene::Layer& layer : layers_) {
+void TerrainWatch::find_runways(base::Span<const scene::Layer> layers) {
+    const double reach_m = track_.ground_speed_mps() * kLookAhead_s + kRunwayRound_nm * kMetresPerNauticalMile;
+    for (const scene::Layer& layer : layers) {
         if (layer.entry->role != scene::LayerRole::runway || layer.entry->shape == scene::LayerShape::grid) continue;
         for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
             const scene::Run run = layer.points_of(feature);
             for (std::uint32_t n = 0; n < run.count; ++n) {
-                const std::uint32_t next = std::min(n + 1, run.count - 1);
-                const PlaceOnLine on = nearest_on(layer.points[run.first + n], layer.points[run.first + next], place, track_);
-                if (on.distance_m < nearest.distance_m) nearest = on;
+                const RunwayLine line{&layer.points[run.first + n], &layer.points[run.first + std::min(n + 1, run.count - 1)]};
+                if (nearest_on(*line.from, *line.to, track_.from, track_).distance_m < reach_m)
+                    static_cast<void>(runways_.try_push_back(line));
             }
         }
     }
+}
+
+TerrainWatch::NearRunway TerrainWatch::nearest_runway(const earth::Geodetic& place) {
+    PlaceOnLine nearest{kInfinite, {}};
+    for (const RunwayLine& line : runways_)
+        if (const PlaceOnLine on = nearest_on(*line.from, *line.to, place, track_); on.distance_m < nearest.distance_m)
+            nearest = on;
     if (!(nearest.distance_m < kRunwayRound_nm * kMetresPerNauticalMile)) return {nearest.distance_m, -kInfinite};
     return {nearest.distance_m, ground_.height_m(nearest.at.latitude_rad, nearest.at.longitude_rad)};
 }

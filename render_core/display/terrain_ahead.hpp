@@ -12,12 +12,13 @@
 ///
 /// Based on  Forward-looking terrain avoidance: required clearances of TSO-C151c table 3.1.1; 60 s and 30 s, and heights near a
 ///           runway, of Garmin and Honeywell guides (190-00709, 060-4241-000).
-/// Bounded   kMaxSteps x kLines places of the track, every point of the runways for places that are too close. Pure, but for
-///           what the ground reads. Thread  the display's.
+/// Bounded   kMaxSteps x kLines places of the track, and kMaxRunways for each that is too close. Pure, but for what the ground
+///           reads. Thread  the display's.
 #pragma once
 
 #include <cstdint>
 
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/display/predicted_track.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -27,7 +28,8 @@ class Ground;
 }
 namespace tedavis::scene {
 struct Layer;
-}
+struct ScenePoint;
+}  // namespace tedavis::scene
 
 namespace tedavis::display {
 
@@ -41,8 +43,10 @@ class TerrainWatch {
 public:
     static constexpr double kLookAhead_s = 60, kWarning_s = 30;
     static constexpr int kMaxSteps = 256, kLines = 5;
+    static constexpr std::size_t kMaxRunways = 32;
 
-    /// All must stay while it is asked. `layers`: of the scene, or empty.
+    /// All must stay while it is asked. `layers`: of the scene, or empty; of more than kMaxRunways runways near the track the
+    /// others are taken for ground.
     TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
                  draw::Ground& ground);
 
@@ -54,6 +58,10 @@ private:
     struct NearRunway {
         double distance_m, height_m;  ///< to the nearest point of a runway, and over the ellipsoid there
     };
+    struct RunwayLine {
+        const scene::ScenePoint *from, *to;
+    };
+    void find_runways(base::Span<const scene::Layer> layers);
     [[nodiscard]] bool is_inhibited();
     [[nodiscard]] bool lands(double seconds);
     [[nodiscard]] bool is_too_close(double seconds);
@@ -61,9 +69,9 @@ private:
     [[nodiscard]] NearRunway nearest_runway(const earth::Geodetic& place);
 
     const PredictedTrack& track_;
-    base::Span<const scene::Layer> layers_;
     draw::Ground& ground_;
-    double height_above_ground_m_;  ///< of the own ship; infinite where the ground is not known
+    base::FixedVector<RunwayLine, kMaxRunways> runways_;  ///< that the track can come near to
+    double height_above_ground_m_;                        ///< of the own ship; infinite where the ground is not known
     double clearance_m_;
 };
 

@@ -70,7 +70,7 @@ private:
         const auto folder = platform::open_program_folder(settings_.programs.view());
         if (!folder.ok()) return fail("board_programs", {folder.error().sentence.view()});
         report_.add(
-            "programs", true,
+            "board_programs", true,
             gl::has_compiler(settings_.device.capability) ? "are not read: the device has a compiler" : "the folder is there");
     }
 

@@ -14,6 +14,7 @@
 #include "tests/bench/bench_result.hpp"
 #include "tests/bench/reference_triangulation.hpp"
 #include "tests/support/memory_bytes.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/terrain_image.hpp"
 
 namespace {
@@ -153,7 +154,7 @@ std::vector<BenchResult> compare_file(const std::string& path) {
 
 std::vector<BenchResult> compare_shipped() {
     std::vector<std::uint8_t> image =
-        test_support::build_image_of_file(std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif");
+        test_support::build_image_of_file(test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif");
     test_support::MemoryBytes source(image);
     Terrain terrain(source, "shipped terrain");
     return compare(terrain);

@@ -9,6 +9,7 @@
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "tests/support/budget_flight.hpp"
 #include "tests/support/fractal_posts.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::test_budget_flight {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::uint64_t kLeastBytes = 12'000'000'000, kBytesNeeded = 15'000'000'
 
 std::filesystem::path big_folder() {
     const char* named = std::getenv("TEDAVIS_BIG_FOLDER");
-    return named != nullptr ? named : TEDAVIS_BINARY_DIR "/big";
+    return named != nullptr ? named : test_support::binary_dir() + "/big";
 }
 
 std::uint64_t bytes_in(const std::filesystem::path& folder) {

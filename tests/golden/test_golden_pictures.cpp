@@ -20,6 +20,7 @@
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/terrain_builder/generated_image.hpp"
 #include "tests/support/command_run.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_golden_pictures {
@@ -33,7 +34,7 @@ constexpr host_sim::PictureSize kSize{256, 192};
 constexpr double kMatchingShare = 0.999;
 constexpr int kTolerance = 1;
 
-std::string root() { return TEDAVIS_SOURCE_DIR; }
+std::string root() { return test_support::source_dir(); }
 std::string golden_path(const SheetPlan::Picture& picture) { return root() + "/tests/golden/pictures/" + picture.file; }
 
 SheetPlan plan() {

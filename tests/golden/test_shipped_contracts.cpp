@@ -15,6 +15,7 @@
 #include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/input_file.hpp"
 #include "tests/support/command_run.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_shipped_contracts {
@@ -23,7 +24,7 @@ namespace {
 using test_support::CommandRun;
 using Names = std::vector<std::string>;
 
-std::string root() { return TEDAVIS_SOURCE_DIR; }
+std::string root() { return test_support::source_dir(); }
 
 /// What is replaced in a shipped design, all of it.
 struct Change {

@@ -10,6 +10,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "render_core/base/hash.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/program_words.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -48,7 +49,7 @@ TEST_P(EveryNumber, OfTheShippedFilesIsBounded) {
     const test_support::TemporaryFolder place;
     std::filesystem::create_directory(place.file(GetParam()));
     std::size_t tried = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(TEDAVIS_SOURCE_DIR "/configs/") + GetParam())) {
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/" + GetParam())) {
         if (entry.path().extension() != ".toml") continue;
         const std::vector<std::string> lines = lines_of(host_sim::read_file(entry.path().string()));
         const std::string name = std::string(GetParam()) + "/" + entry.path().filename().string();

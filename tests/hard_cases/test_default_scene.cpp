@@ -9,6 +9,7 @@
 #include "host_sim/scenario/scenario_scene.hpp"
 #include "host_sim/scene_builder/sdb_writer.hpp"
 #include "tests/support/drawn_pixels.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_default_scene {
@@ -27,7 +28,7 @@ struct Moment {
 };
 
 std::vector<std::uint8_t> scene_bytes() {
-    const std::string path = TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml";
+    const std::string path = test_support::source_dir() + "/configs/scenarios/default.toml";
     const host_sim::Scenario scenario =
         host_sim::parse_scenario(test_support::source_file("configs/scenarios/default.toml"), path);
     const host_sim::ScenarioFlight flight(scenario, scenario.seed, host_sim::GeoidEgm96::installed());

@@ -13,6 +13,7 @@
 #include "render_core/display/spatial_data.hpp"
 #include "tests/support/data_legend_samples.hpp"
 #include "tests/support/loaded_scene.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scene_files.hpp"
 
 namespace tedavis::tests::test_land_cover {
@@ -212,7 +213,7 @@ TEST(LandCoverLegend, NamesTheKindsInUse) {
 
 /// What is shipped belongs together: the palette has a colour for each kind of the scene.
 TEST(LandCover, TheShippedPaletteNamesTheShippedKinds) {
-    const std::string path = TEDAVIS_SOURCE_DIR "/configs/scenes/jacksboro.toml";
+    const std::string path = test_support::source_dir() + "/configs/scenes/jacksboro.toml";
     const design::Palette palette = test_support::ShippedPalettes().find("data_land_cover").value();
     std::size_t kinds = 0;
     for (const host_sim::LayerRecipe& layer : host_sim::parse_scene(host_sim::read_file(path), path).layers)

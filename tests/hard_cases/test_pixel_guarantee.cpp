@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/pose_proof.hpp"
 #include "tests/support/terrain_image.hpp"
 
@@ -19,7 +20,7 @@ constexpr std::uint32_t kPoses = 3000, kControlPoses = 32;
 constexpr unsigned kThreads = 2;
 
 struct DefaultGround {
-    std::string file = std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif";
+    std::string file = test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif";
     GdalTerrain truth{file};
     MemoryTerrain drawn{test_support::build_image_of_file(file)};
 };

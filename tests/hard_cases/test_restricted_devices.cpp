@@ -14,6 +14,7 @@
 #include "tests/support/command_run.hpp"
 #include "tests/support/default_flight.hpp"
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_restricted_devices {
@@ -23,7 +24,8 @@ using ::testing::HasSubstr;
 
 std::string default_scene() {
     const std::string name = "configs/scenarios/default.toml";
-    const host_sim::Scenario scenario = host_sim::parse_scenario(test_support::source_file(name), TEDAVIS_SOURCE_DIR "/" + name);
+    const host_sim::Scenario scenario =
+        host_sim::parse_scenario(test_support::source_file(name), test_support::source_dir() + "/" + name);
     const host_sim::ScenarioFlight flight(scenario, scenario.seed, host_sim::GeoidEgm96::installed());
     const auto bytes =
         host_sim::sdb_bytes(host_sim::make_scenario_scene(scenario, flight, scenario.seed, [](auto, auto, auto) {}).draft);

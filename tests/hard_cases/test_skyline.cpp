@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host_sim/replay/flight_player.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/skyline.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -48,7 +49,7 @@ TEST(Skyline, OfTheDefaultFlightIsThatOfARayCast) {
     test_support::HeadlessDisplay headless("egl", "es3-mid", 1024, 768, &terrain.bytes, test_support::garish_design());
     host_sim::FlightPlayer player({folder.write("flight.log", flight.log), "canaerospace", "", "one_hot"}, headless.display());
     const host_sim::Raster raster =
-        host_sim::load_rasters({std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif"}, {});
+        host_sim::load_rasters({test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif"}, {});
     const test_support::RasterRayCaster caster(raster);
 
     Count all, control;

@@ -6,6 +6,7 @@
 
 #include "tests/support/damaged_terrain.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/picture_proof.hpp"
 
 namespace tedavis::test_skyline_bound {
@@ -21,7 +22,7 @@ using test_support::TerrainPicture;
 constexpr std::uint32_t kWidth = 512, kHeight = 384, kSeed = 77, kPoses = 32;
 
 const GdalTerrain& truth() {
-    static const GdalTerrain terrain(std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif");
+    static const GdalTerrain terrain(test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif");
     return terrain;
 }
 test_support::DefaultTerrain& database() {

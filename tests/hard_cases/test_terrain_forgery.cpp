@@ -2,13 +2,14 @@
 // ones.
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/terrain_forgery.hpp"
 
 namespace tedavis::test_terrain_forgery {
 namespace {
 
 TEST(TerrainForgery, OfAMetreIsFoundInTheDefaultTerrain) {
-    test_support::expect_check_finds_a_metre(std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif");
+    test_support::expect_check_finds_a_metre(test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif");
 }
 
 }  // namespace

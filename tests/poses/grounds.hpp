@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.hpp"
+
 namespace tedavis {
 
 struct Ground {
@@ -17,8 +19,8 @@ struct Ground {
 inline void PrintTo(const Ground& ground, std::ostream* out) { *out << ground.name; }
 
 inline std::vector<Ground> grounds() {
-    const std::string folder = std::string(TEDAVIS_REAL_DATA) + "/terrain/";
-    std::vector<Ground> all{{"default", std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif", 320}};
+    const std::string folder = test_support::real_data_dir() + "/terrain/";
+    std::vector<Ground> all{{"default", test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif", 320}};
     for (const Ground& real : {Ground{"davos", folder + "davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif", 48},
                                Ground{"pyrenees_with_voids", folder + "N42E001_pyrenees_andorra_srtm3.hgt.zip", 320}})
         if (std::filesystem::exists(real.file)) all.push_back(real);

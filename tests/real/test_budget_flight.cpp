@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tests/support/budget_flight.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -74,7 +75,7 @@ protected:
         EXPECT_EQ(proof.too_high + proof.too_low + proof.cracks + proof.unsettled, 0) << proof.text();
     }
 
-    std::string file_ = std::string(TEDAVIS_REAL_DATA) + "/terrain/" + GetParam().file;
+    std::string file_ = test_support::real_data_dir() + "/terrain/" + GetParam().file;
     test_support::TemporaryFolder folder_;
     GdalTerrain truth_{file_};
 };

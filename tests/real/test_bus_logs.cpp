@@ -11,12 +11,13 @@
 
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::bus::test_bus_logs {
 namespace {
 
 std::string read_log(const char* name) {
-    std::ifstream file(std::string(TEDAVIS_REAL_DATA "/can/") + name, std::ios::binary);
+    std::ifstream file(test_support::real_data_dir() + "/can/" + name, std::ios::binary);
     EXPECT_TRUE(file.is_open()) << name;
     std::ostringstream read;
     read << file.rdbuf();

@@ -17,6 +17,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_converted_flights {
@@ -27,7 +28,7 @@ using test_support::CommandRun;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kFlights = TEDAVIS_REAL_DATA "/flights/";
+const std::string kFlights = test_support::real_data_dir() + "/flights/";
 
 class ConvertedFlight : public ::testing::Test {
 protected:

@@ -7,6 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/free_view.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/picture_proof.hpp"
 #include "tests/support/watched_surface.hpp"
 
@@ -31,7 +32,7 @@ terrain::View view_at(int n) {
 }
 
 TEST(FlightAlong46North, EveryPitchIsWithoutAHoleAndWithinTau) {
-    const std::string file = std::string(TEDAVIS_REAL_DATA) + "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif";
+    const std::string file = test_support::real_data_dir() + "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif";
     const GdalTerrain truth(file);
     const std::vector<std::uint8_t> image = test_support::build_image_of_file(file);
     test_support::MemoryBytes bytes(image);

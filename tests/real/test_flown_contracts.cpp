@@ -8,6 +8,7 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "tests/support/command_run.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_flown_contracts {
@@ -20,7 +21,7 @@ void run(Command command) {
 
 /// While it crosses the raster of Davos northbound. There are no data but terrain: conditions on data have nothing to measure.
 TEST(FlownContracts, TheDefaultDesignsHoldsOverAFlightOverDavos) {
-    const std::string data = TEDAVIS_REAL_DATA;
+    const std::string data = test_support::real_data_dir();
     const test_support::TemporaryFolder folder;
     host_sim::TerrainBuildOptions build;
     build.rasters = {data + "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif"};

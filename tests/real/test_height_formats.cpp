@@ -9,6 +9,7 @@
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_height_formats {
@@ -18,7 +19,7 @@ using host_sim::load_rasters;
 using host_sim::Raster;
 using host_sim::RasterOptions;
 
-const std::string kData = TEDAVIS_REAL_DATA;
+const std::string kData = test_support::real_data_dir();
 constexpr const char* kSrtm = "/terrain/davos_engadin_srtm1_1arcsec_2160x2160_wgs84.tif";
 
 /// Bilinear, in a raster without voids.

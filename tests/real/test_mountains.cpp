@@ -7,6 +7,7 @@
 
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/skyline.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/terrain_image.hpp"
@@ -98,7 +99,7 @@ int matched(const std::vector<Direction>& seen, const std::vector<Direction>& kn
 }
 
 TEST(Mountains, OfAFlightOverDavosLieWhereGeodesyPutsThem) {
-    const std::string data = TEDAVIS_REAL_DATA;
+    const std::string data = test_support::real_data_dir();
     const test_support::TemporaryFolder folder;
     std::ostringstream results, notes;
     host_sim::Console console(results, notes, false, false);

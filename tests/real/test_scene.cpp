@@ -13,6 +13,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/scene/scene.hpp"
 #include "tests/support/davos_files.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::test_scene {
 namespace {
@@ -67,7 +68,7 @@ protected:
     }
 };
 
-std::string text_of(const std::string& file) { return host_sim::read_file_unpacked(std::string(TEDAVIS_REAL_DATA) + file); }
+std::string text_of(const std::string& file) { return host_sim::read_file_unpacked(test_support::real_data_dir() + file); }
 
 std::size_t lines_with(const std::string& text, const std::function<bool(const std::string&)>& wanted) {
     std::istringstream lines(text);

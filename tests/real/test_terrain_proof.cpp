@@ -9,6 +9,7 @@
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "render_core/base/hash.hpp"
 #include "tests/support/damaged_terrain.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_terrain_proof {
@@ -21,8 +22,8 @@ protected:
     RealTerrain() {
         const std::string name = GetParam();
         const bool shipped = name == "default";
-        const std::string file = shipped ? std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif"
-                                         : std::string(TEDAVIS_REAL_DATA) + "/terrain/" + name;
+        const std::string file = shipped ? test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif"
+                                         : test_support::real_data_dir() + "/terrain/" + name;
         RasterOptions options;
         if (name.rfind("davos", 0) == 0) options.bounds = GeoBounds{9.75, 46.6, 9.95, 46.8};
         if (name.rfind("N42", 0) == 0) options.bounds = GeoBounds{1.0, 42.5, 1.5, 43.0};  // with 2744 voids

@@ -9,6 +9,7 @@
 
 #include "host_sim/scene_builder/grid_layer.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::test_weather {
 namespace {
@@ -18,7 +19,7 @@ using host_sim::AttributeRecipe;
 using host_sim::LayerDraft;
 using host_sim::LayerRecipe;
 
-const std::string kFolder = std::string(TEDAVIS_REAL_DATA) + "/weather";
+const std::string kFolder = test_support::real_data_dir() + "/weather";
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 constexpr std::int64_t kJanuary2020_ns = 1'577'836'800'000'000'000;
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_support {
@@ -14,7 +15,7 @@ class DavosFiles {
 public:
     DavosFiles() {
         namespace fs = std::filesystem;
-        const fs::path from = TEDAVIS_SOURCE_DIR "/tests/real/davos";
+        const fs::path from = test_support::source_dir() + "/tests/real/davos";
         for (const auto& entry : fs::recursive_directory_iterator(from)) {
             const std::string name = fs::relative(entry.path(), from).string();
             if (entry.is_directory()) {
@@ -28,7 +29,7 @@ public:
     }
     [[nodiscard]] static std::string with_real_data(std::string text, const std::string& as_stated) {
         for (std::size_t at = 0; (at = text.find(as_stated)) != std::string::npos;)
-            text.replace(at, as_stated.size(), TEDAVIS_REAL_DATA);
+            text.replace(at, as_stated.size(), test_support::real_data_dir());
         return text;
     }
 

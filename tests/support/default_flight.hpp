@@ -15,6 +15,7 @@
 #include "render_core/display/display.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/memory_bytes.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/sent_traffic.hpp"
 #include "tests/support/terrain_image.hpp"
 
@@ -68,7 +69,7 @@ struct DefaultTerrain {
 
 private:
     static std::vector<std::uint8_t> build() {
-        const std::string raster = std::string(TEDAVIS_SOURCE_DIR) + "/configs/data/jacksboro_srtm3.tif";
+        const std::string raster = test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif";
         host_sim::BuildOptions options;
         options.le90_m = 16;
         return build_image_of_file(raster, options);

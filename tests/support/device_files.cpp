@@ -1,4 +1,5 @@
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,7 +9,7 @@
 namespace tedavis::test_support {
 
 std::string source_file(const std::string& path_from_root) {
-    const std::string path = std::string(TEDAVIS_SOURCE_DIR) + "/" + path_from_root;
+    const std::string path = test_support::source_dir() + "/" + path_from_root;
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         std::fprintf(stderr, "the test needs %s\n", path.c_str());

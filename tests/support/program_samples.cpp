@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "render_core/base/hash.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/running_program.hpp"
 
 namespace tedavis::test_support {
@@ -106,7 +107,7 @@ void run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string ProgramSamples::program() { return TEDAVIS_BINARY_DIR "/bin/tedavis"; }
+std::string ProgramSamples::program() { return test_support::binary_dir() + "/bin/tedavis"; }
 
 void ProgramSamples::make(const std::string& name) const {
     static const std::map<std::string, std::string> kShipped = {
@@ -118,7 +119,7 @@ void ProgramSamples::make(const std::string& name) const {
         {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image},  {"tour.csv", tour},
         {"masts.csv", masts},          {"scene.toml", scene}, {"gaze.csv", gaze}};
     if (const auto shipped = kShipped.find(name); shipped != kShipped.end()) {
-        std::filesystem::copy_file(TEDAVIS_SOURCE_DIR "/configs/" + shipped->second, folder_.file(name));
+        std::filesystem::copy_file(test_support::source_dir() + "/configs/" + shipped->second, folder_.file(name));
     } else if (const auto written = kWritten.find(name); written != kWritten.end()) {
         folder_.write(name, written->second());
         if (name == "scene.toml") (void)path("masts.csv");  // which it names

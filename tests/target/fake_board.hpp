@@ -16,6 +16,7 @@
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 #include "target/self_test.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::target {
 
@@ -115,7 +116,7 @@ struct LogLines {
 };
 
 inline BoardSettings board_settings() {
-    const std::string board = std::string(TEDAVIS_SOURCE_DIR) + "/tests/target/boards/fake_board.toml";
+    const std::string board = test_support::source_dir() + "/tests/target/boards/fake_board.toml";
     auto settings = load_board_settings(board.c_str());
     EXPECT_TRUE(settings.ok()) << settings.error().sentence.view();
     return settings.ok() ? settings.value() : BoardSettings{};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bus/canaerospace/identifier_table.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::target::test_board_config {
@@ -14,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const std::string kRoot = TEDAVIS_SOURCE_DIR;
+const std::string kRoot = test_support::source_dir();
 
 /// A board file in a folder of its own, whose first lines name the shipped files.
 struct Board {

@@ -9,6 +9,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "target/self_test.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const std::string kBoard = std::string(TEDAVIS_SOURCE_DIR) + "/tests/target/boards/fake_board.toml";
+const std::string kBoard = test_support::source_dir() + "/tests/target/boards/fake_board.toml";
 
 struct Ran {
     int code = -1;
@@ -81,7 +82,7 @@ protected:
         EXPECT_THAT(ran.out, HasSubstr("self-test: FAILED"));
     }
 
-    static inline const std::string kConfigs = std::string(TEDAVIS_SOURCE_DIR) + "/configs/";
+    static inline const std::string kConfigs = test_support::source_dir() + "/configs/";
     test_support::TemporaryFolder folder_;
     std::string terrain_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bus/canaerospace/message_encoder.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/sent_traffic.hpp"
 #include "tests/target/fake_board.hpp"
 
@@ -56,7 +57,7 @@ struct LiveFlightTest : testing::Test {
         settings = board_settings();
         settings.has_switches = with_panel;
         if (with_panel) {
-            const std::string path = std::string(TEDAVIS_SOURCE_DIR) + "/configs/switches/one_hot.toml";
+            const std::string path = test_support::source_dir() + "/configs/switches/one_hot.toml";
             std::string text;
             {
                 std::FILE* file = std::fopen(path.c_str(), "rb");

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::target::test_palette_files {
@@ -40,7 +41,7 @@ TEST(PaletteFiles, FaultsNameTheFile) {
 
 TEST(PaletteFiles, TheBoardFileSaysInWhichFolder) {
     const test_support::TemporaryFolder place;
-    const std::string root = TEDAVIS_SOURCE_DIR;
+    const std::string root = test_support::source_dir();
     place.write("own.toml", "name = 'own'\n[terrain]\npalette = 'mine'\n");
     const std::string rest = "device = '" + root + "/configs/devices/es3-mid.toml'\nbus = '" + root +
                              "/configs/buses/canaerospace.toml'\ndesign = 'own.toml'\n";

@@ -1,4 +1,5 @@
 #include "bus/canaerospace/bus_settings.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace tedavis::bus::test_bus_settings {
 namespace {
 
 std::string shipped(const char* name) {
-    std::ifstream file(std::string(TEDAVIS_SOURCE_DIR "/configs/buses/") + name);
+    std::ifstream file(test_support::source_dir() + "/configs/buses/" + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "render_core/base/units.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::bus::test_identifier_table {
 namespace {
@@ -82,7 +83,7 @@ TEST(IdentifierTable, DialectsChangeUnitsSignsAndReferences) {
 
 /// The shipped .dbc says the same as the table: every identifier of the standard's, its unit, and a float value.
 TEST(IdentifierTable, ShippedDbcAgrees) {
-    std::ifstream file(TEDAVIS_SOURCE_DIR "/configs/buses/canaerospace.dbc");
+    std::ifstream file(test_support::source_dir() + "/configs/buses/canaerospace.dbc");
     ASSERT_TRUE(file.is_open());
     std::map<int, std::string> names;
     std::map<int, std::string> units;

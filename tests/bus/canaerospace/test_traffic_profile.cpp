@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/sent_traffic.hpp"
 
 namespace tedavis::bus::test_traffic_profile {
@@ -125,7 +126,7 @@ TEST(TrafficProfile, WhatCannotBeSaidIsNotSent) {
 /// The shipped .dbc and README name all parts, with their identifiers from the shipped bus file's on, units and types.
 TEST(TrafficProfile, ShippedDescriptionsAgree) {
     const auto text_of = [](const char* name) {
-        std::ifstream file(std::string(TEDAVIS_SOURCE_DIR "/configs/buses/") + name);
+        std::ifstream file(test_support::source_dir() + "/configs/buses/" + name);
         std::ostringstream text;
         text << file.rdbuf();
         return text.str();

@@ -10,6 +10,7 @@
 
 #include "bus/switches/switch_config.hpp"
 #include "bus/switches/switch_edge.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::bus {
 
@@ -20,7 +21,7 @@ inline SwitchConfig config_from(const std::string& text) {
 }
 
 inline std::string shipped_text(const std::string& name) {
-    std::ifstream file(std::string(TEDAVIS_SOURCE_DIR) + "/configs/switches/" + name);
+    std::ifstream file(test_support::source_dir() + "/configs/switches/" + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

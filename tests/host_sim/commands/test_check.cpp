@@ -9,6 +9,7 @@
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
 #include "tests/support/command_run.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -19,7 +20,7 @@ using test_support::CommandRun;
 using test_support::run_command;
 using ::testing::HasSubstr;
 
-const std::string kConfigs = TEDAVIS_SOURCE_DIR "/configs/";
+const std::string kConfigs = test_support::source_dir() + "/configs/";
 
 CommandRun check(const std::vector<std::string>& files, bool json = false, bool strict = false) {
     CheckOptions options;
@@ -161,7 +162,7 @@ TEST(CheckCommand, RastersAreReadAndForeignFilesAreKnown) {
     const std::string bytes = place.read("r.TIF");
     EXPECT_THAT(check({place.write("short.tif", bytes.substr(0, bytes.size() / 2))}).notes, HasSubstr("short.tif: "));
     for (const char* name : {"desk_vcan.toml", "arm_board.toml"}) {
-        const std::string board = std::string(TEDAVIS_SOURCE_DIR "/target/boards/") + name;
+        const std::string board = test_support::source_dir() + "/target/boards/" + name;
         const std::string elsewhere = place.write(name, read_file(board));
         for (const std::string& path : {board, elsewhere}) {
             const CommandRun run = check({path});

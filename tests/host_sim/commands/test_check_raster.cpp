@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,7 +18,7 @@ TEST(CheckRaster, GroundIsSoundWithoutAWord) {
     const CheckedFile ground = check_raster(test_support::RasterFile().write(place.file("r.tif")));
     EXPECT_EQ(ground.is, "a height raster of 20 x 15 posts, 0 of them void");
     EXPECT_TRUE(ground.warnings.empty());
-    EXPECT_TRUE(check_raster(TEDAVIS_SOURCE_DIR "/configs/data/jacksboro_srtm3.tif").warnings.empty());
+    EXPECT_TRUE(check_raster(test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif").warnings.empty());
 }
 
 TEST(CheckRaster, AnImageOfSomethingElseIsSaid) {

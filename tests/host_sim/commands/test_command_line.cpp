@@ -9,6 +9,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "tests/support/flown_circle.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_command_line {
@@ -97,7 +98,8 @@ TEST(CommandLine, AWrongWordOrNumberIsToldInAShortSentence) {
 
 TEST(CommandLine, ReplayTakesABusByNameOrFile) {
     const test_support::FlownFiles files;
-    const std::string own = files.folder.write("own.toml", read_file(TEDAVIS_SOURCE_DIR "/configs/buses/canaerospace.toml"));
+    const std::string own =
+        files.folder.write("own.toml", read_file(test_support::source_dir() + "/configs/buses/canaerospace.toml"));
     const auto replayed = [&](const char* bus, const std::string& folder) {
         return run({"replay", files.log.c_str(), "-o", folder.c_str(), "--bus", bus, "--frames", "hash", "--step", "4", "--size",
                     "64x48"});

@@ -8,6 +8,7 @@
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_scenario {
@@ -24,7 +25,7 @@ CommandRun build(const ScenarioBuildOptions& options) {
 /// The shipped scenario with another scene file.
 std::string replaced_scene(const std::string& name) {
     const std::string shipped = "scene = \"jacksboro\"";
-    std::string text = read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml");
+    std::string text = read_file(test_support::source_dir() + "/configs/scenarios/default.toml");
     return text.replace(text.find(shipped), shipped.size(), "scene = \"" + name + "\"");
 }
 
@@ -92,7 +93,7 @@ TEST(ScenarioCommand, ReplacesItsOwnFilesOnly) {
 
 TEST(ScenarioCommand, LeavesNothingWhereItRefuses) {
     const test_support::TemporaryFolder place;
-    std::string text = read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml");
+    std::string text = read_file(test_support::source_dir() + "/configs/scenarios/default.toml");
     text.replace(text.find("\"one_hot\""), 9, "\"nowhere\"");
     const std::string path = place.write("s.toml", text);
     expect_user_error(

@@ -4,6 +4,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_start_trial {
@@ -11,7 +12,7 @@ namespace {
 
 using test_support::expect_user_error;
 
-const std::string kDevices = std::string(TEDAVIS_SOURCE_DIR) + "/configs/devices/";
+const std::string kDevices = test_support::source_dir() + "/configs/devices/";
 
 /// The shipped small device with another size of a budget line.
 std::string small_device(const test_support::TemporaryFolder& place, const std::string& name, const std::string& bytes) {

@@ -8,6 +8,7 @@
 #include "host_sim/evaluation/picture_meter.hpp"
 #include "host_sim/evaluation/subband_entropy.hpp"
 #include "tests/support/golden_pictures.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/rank_correlation.hpp"
 #include "tests/support/rgba_of.hpp"
 
@@ -38,7 +39,7 @@ TEST(ClutterOpinions, AreToldInWords) {
 // Over pictures of the display three measures of the same thing go together, as the README says.
 TEST(ClutterOpinions, GoWithTheEdgesOverThePicturesOfTheDisplay) {
     std::vector<double> edges, congestion, entropy;
-    for (const auto& [name, picture] : test_support::golden_pictures(TEDAVIS_SOURCE_DIR)) {
+    for (const auto& [name, picture] : test_support::golden_pictures(test_support::source_dir())) {
         const RgbaPicture rgba = test_support::rgba_of(picture);
         PictureMeter meter({});
         edges.push_back(meter.measure(rgba, name, nullptr, {}).clutter);

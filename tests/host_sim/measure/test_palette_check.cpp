@@ -8,6 +8,7 @@
 #include "host_sim/measure/color_vision.hpp"
 #include "render_core/design/color_difference.hpp"
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_palette_check {
 namespace {
@@ -40,14 +41,14 @@ std::vector<std::string> in_default_design(const Palette& palette) {
 
 TEST(PaletteCheck, EveryShippedPaletteHoldsByItselfAndInEveryShippedDesign) {
     std::size_t palettes = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/configs/palettes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/palettes")) {
         const Palette palette = shipped(entry.path().stem().string());
         EXPECT_THAT(palette_faults(palette, "p"), IsEmpty()) << entry.path();
         EXPECT_THAT(in_default_design(palette), IsEmpty()) << entry.path();
         ++palettes;
     }
     EXPECT_GE(palettes, 15u);
-    const std::filesystem::path designs = TEDAVIS_SOURCE_DIR "/configs/designs";
+    const std::filesystem::path designs = test_support::source_dir() + "/configs/designs";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(designs)) {
         if (entry.path().extension() != ".toml") continue;
         const std::filesystem::path name = std::filesystem::relative(entry.path(), designs).replace_extension();

@@ -30,18 +30,19 @@ protected:
 };
 
 TEST_F(SceneFindings, AFlightNearTheDataHasNone) {
-    EXPECT_TRUE(scene_findings(database_, {46.5, 47, 9, 10}).empty());
-    EXPECT_TRUE(scene_findings(database_, {48, 48, 9, 10}).empty()) << "in reach";
-    EXPECT_TRUE(scene_findings(database_, GeoExtent()).empty()) << "a flight without a position is another finding";
-    EXPECT_TRUE(scene_findings("", {46.5, 47, 9, 10}).empty());
+    EXPECT_TRUE(scene_findings(database_, extent_of_scene(database_), {46.5, 47, 9, 10}).empty());
+    EXPECT_TRUE(scene_findings(database_, extent_of_scene(database_), {48, 48, 9, 10}).empty()) << "in reach";
+    EXPECT_TRUE(scene_findings(database_, extent_of_scene(database_), GeoExtent()).empty())
+        << "a flight without a position is another finding";
+    EXPECT_TRUE(scene_findings("", extent_of_scene(""), {46.5, 47, 9, 10}).empty());
 }
 
 TEST_F(SceneFindings, DataElsewhereAreSaid) {
-    const Findings found = scene_findings(database_, {36.4, 36.7, -84.4, -84});
+    const Findings found = scene_findings(database_, extent_of_scene(database_), {36.4, 36.7, -84.4, -84});
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].name, "scene.elsewhere");
     EXPECT_THAT(found[0].text, HasSubstr("they cover 46.800 .. 46.900 N, 9.800 .. 10.000 E, the flight 36.400 .. 36.700 N"));
-    test_support::expect_user_error([&] { (void)scene_findings(folder_.file("none.sdb"), {0, 0, 0, 0}); }, "none.sdb");
+    test_support::expect_user_error([&] { (void)extent_of_scene(folder_.file("none.sdb")); }, "none.sdb");
 }
 
 }  // namespace

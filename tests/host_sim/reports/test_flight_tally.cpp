@@ -42,7 +42,7 @@ TEST(FlightTally, FramesOutsideAreCountedAndTheTimeInsideIsTold) {
     FlightTally tally(base::Time{});
     for (int n = 0; n < 10; ++n) {
         const bool is_outside = n < 3 || n > 6;
-        tally.add(is_outside ? frame(100 + n, {"terrain.outside_database"}) : frame(100 + n), kUnknown);
+        tally.add(is_outside ? frame(100 + n, {"terrain.outside_database"}) : frame(100 + n), 300);
     }
     const Findings findings = found(tally);
     ASSERT_EQ(findings.size(), 1u);
@@ -54,7 +54,7 @@ TEST(FlightTally, FramesOutsideAreCountedAndTheTimeInsideIsTold) {
 
 TEST(FlightTally, ARunBackwardsTellsTheSameTime) {
     FlightTally tally(base::Time{});
-    for (int n = 9; n >= 0; --n) tally.add(n < 3 ? frame(n, {"terrain.outside_database"}) : frame(n), kUnknown);
+    for (int n = 9; n >= 0; --n) tally.add(n < 3 ? frame(n, {"terrain.outside_database"}) : frame(n), 300);
     EXPECT_THAT(found(tally)[0].text, HasSubstr("3 of 10 frames lie outside X.tdb; inside: 3 - 9 s"));
 }
 
@@ -69,7 +69,7 @@ TEST(FlightTally, AFlightWhollyOutsideSaysWhereBothLie) {
 
 TEST(FlightTally, ManySpansAreCountedBeyondTheThird) {
     FlightTally tally(base::Time{});
-    for (int n = 0; n < 12; ++n) tally.add(n % 2 == 0 ? frame(n, {"terrain.outside_database"}) : frame(n), kUnknown);
+    for (int n = 0; n < 12; ++n) tally.add(n % 2 == 0 ? frame(n, {"terrain.outside_database"}) : frame(n), 300);
     EXPECT_THAT(found(tally)[0].text, HasSubstr("inside: 1 - 1 s, 3 - 3 s, 5 - 5 s and 3 more spans"));
 }
 
@@ -114,6 +114,64 @@ TEST(FlightTally, ErrorsWhileTheFirstChunksArriveStandBeside) {
     EXPECT_EQ(findings[0].name, "terrain.start_error");
     EXPECT_THAT(findings[0].text,
                 HasSubstr("2 frames from 1.0 s on showed terrain coarser than the design allows, up to 431299 px"));
+}
+
+TEST(FlightTally, AVoidBelowTheFlightIsTold) {
+    FlightTally tally(base::Time{});
+    for (int n = 0; n < 4; ++n) tally.add(frame(n), n < 3 ? kUnknown : 300);
+    ASSERT_EQ(found(tally).size(), 1u);
+    EXPECT_EQ(found(tally)[0].name, "terrain.no_height");
+    EXPECT_EQ(found(tally)[0].text, "3 of 4 frames lie over ground without a height in X.tdb (void or damaged)");
+}
+
+TEST(FlightTally, TerrainThatIsNeverShownIsTold) {
+    FlightTally tally(base::Time{}), control(base::Time{});
+    for (int n = 0; n < 4; ++n) {
+        display::FrameRecord record = frame(n);
+        control.add(record, 300);
+        record.terrain.limit = display::Name();
+        tally.add(record, 300);
+    }
+    EXPECT_EQ(tally.frames_with_terrain(), 0u);
+    ASSERT_EQ(found(tally).size(), 1u);
+    EXPECT_EQ(found(tally)[0].name, "terrain.never_shown");
+    EXPECT_EQ(control.frames_with_terrain(), 4u);
+    EXPECT_TRUE(found(control).empty());
+}
+
+/// Look-ahead may want more than there is room for: that is no start.
+TEST(FlightTally, AStartEndsAfterTwoSeconds) {
+    FlightTally tally(base::Time{});
+    for (int n = 0; n < 10; ++n) {
+        display::FrameRecord record = frame(n);
+        record.terrain.pending = 3;
+        record.terrain.worst_error_px = n < 3 ? 50 : 2;
+        tally.add(record, 300);
+    }
+    EXPECT_EQ(tally.worst_start_error_px(), 50);
+    EXPECT_EQ(tally.worst_error_px(), 2);
+    FlightTally failing(base::Time{});
+    display::FrameRecord record = frame(0, {"terrain.failing"});
+    record.terrain.pending = 1;
+    record.terrain.worst_error_px = 7;
+    failing.add(record, 300);
+    EXPECT_EQ(failing.worst_error_px(), 7) << "what cannot be had does not arrive";
+}
+
+TEST(FlightTally, StaleDataAreToldByLayerWithTheirAge) {
+    FlightTally tally(base::Time{});
+    for (int n = 0; n < 4; ++n) {
+        display::FrameRecord record = frame(n);
+        if (n > 0) EXPECT_TRUE(record.stale.try_push_back({"wind", 74 * 86400.0 + n}));
+        if (n == 2) EXPECT_TRUE(record.stale.try_push_back({"radar", 2400}));
+        tally.add(record, 300);
+    }
+    const Findings findings = found(tally);
+    ASSERT_EQ(findings.size(), 2u);
+    EXPECT_EQ(findings[0].name, "data.stale");
+    EXPECT_EQ(findings[0].text, "the layer radar is stale in 1 frame of 4, at most 40 min old");
+    EXPECT_EQ(findings[1].text, "the layer wind is stale in 3 frames of 4, at most 74 d old");
+    EXPECT_EQ(findings[1].count, 3u);
 }
 
 TEST(FlightTally, AStartThatShowsNoTerrainMisleadsNobody) {

@@ -40,6 +40,7 @@ TEST(HtmlReport, TellsTheWholeStory) {
     for (const char* part : {"<!DOCTYPE html>", "takeoff.first_climb", "altitude.stale", "Memory", "Ground speed",
                              "frame 0, 0.0 s", "not certified"})
         EXPECT_THAT(html, HasSubstr(part));
+    EXPECT_THAT(html, HasSubstr("worst terrain error</th><td>no terrain was drawn"));
     EXPECT_THAT(html, HasSubstr("flight &lt;1&gt; &amp; co.log"));
     EXPECT_THAT(html, Not(HasSubstr("<b>broken</b>")));
     EXPECT_THAT(html_report(summary(), RunStory(base::Time{0}), {}), HasSubstr("None were raised."));

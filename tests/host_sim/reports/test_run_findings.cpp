@@ -32,6 +32,9 @@ TEST(RunFindings, CountInWords) {
     EXPECT_EQ(counted(0, "frame"), "0 frames");
     EXPECT_EQ(part_of(3, 4), "3 of 4");
     EXPECT_EQ(part_of(4, 4), "all 4");
+    EXPECT_EQ(age_words(2400), "40 min");
+    EXPECT_EQ(age_words(3.5 * 3600), "3.5 h");
+    EXPECT_EQ(age_words(74 * 86400.0), "74 d");
 }
 
 }  // namespace

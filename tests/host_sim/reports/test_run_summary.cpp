@@ -35,15 +35,35 @@ RunSummary full_summary() {
     s.notes = {"line 7 is broken"};
     s.warnings = {{"terrain.outside", "all 17 frames lie outside", 17}};
     s.worst_error_px = 0.5;
+    EXPECT_EQ(error_text(s), "no terrain drawn");
+    s.terrain_frames = 3;
+    EXPECT_EQ(error_text(s), "worst terrain error 0.50 px");
     s.worst_start_error_px = 431299;
     return s;
 }
 
 TEST(RunSummary, HasEveryKeyOfTheContract) {
     const Json json = Json::parse(run_summary_json(full_summary(), {}));
-    for (const char* key : {"frames", "fps_median", "ms_p99", "heap_allocations_after_start", "worst_error_px",
-                            "worst_start_error_px", "gl_calls_outside_device", "device", "design", "terrain", "scene", "log",
-                            "switches", "size", "costs", "governor", "gl", "version", "can"})
+    for (const char* key : {"frames",
+                            "fps_median",
+                            "ms_p99",
+                            "heap_allocations_after_start",
+                            "terrain_frames",
+                            "worst_error_px",
+                            "worst_start_error_px",
+                            "gl_calls_outside_device",
+                            "device",
+                            "design",
+                            "terrain",
+                            "scene",
+                            "log",
+                            "switches",
+                            "size",
+                            "costs",
+                            "governor",
+                            "gl",
+                            "version",
+                            "can"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["frames"], 17);
     EXPECT_EQ(json["fps_median"], 31.5);

@@ -7,11 +7,14 @@
 
 #include "host_sim/input_file.hpp"
 #include "render_core/base/units.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_gust_ensemble {
 namespace {
 
-Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+Scenario shipped() {
+    return parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
+}
 
 const FlownAir kAir{101'900, 0, 6, base::radians(260)};
 constexpr std::size_t kHour = std::size_t{kGustPosts} * kGustPosts;

@@ -7,6 +7,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_planned_flight {
 namespace {
@@ -15,7 +16,7 @@ class PlannedFlight : public ::testing::Test {
 protected:
     static const Scenario& shipped() {
         static const Scenario scenario =
-            parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml");
+            parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
         return scenario;
     }
     static const ScenarioFlight& flight() {

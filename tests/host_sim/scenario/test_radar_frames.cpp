@@ -6,13 +6,16 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/scenario/square_grid.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_radar_frames {
 namespace {
 
 constexpr std::size_t kFrame = kRadarPosts * kRadarPosts;
 
-Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+Scenario shipped() {
+    return parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
+}
 
 std::vector<StormCell> cells_of(const Scenario& scenario, int count) {
     StormSettings settings = scenario.weather->storm;

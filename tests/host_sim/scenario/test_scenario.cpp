@@ -7,12 +7,13 @@
 #include "host_sim/input_file.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_scenario {
 namespace {
 
-std::string shipped() { return read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"); }
+std::string shipped() { return read_file(test_support::source_dir() + "/configs/scenarios/default.toml"); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -31,7 +32,7 @@ TEST(Scenario, ReadsTheShippedOne) {
     EXPECT_EQ(scenario.legs[1].kind, LegKind::roll);
     EXPECT_EQ(scenario.legs[1].stated_by, PhaseStatedBy::can);
     EXPECT_EQ(scenario.legs[1].phase, flight::kTakeoffStart);
-    EXPECT_EQ(scenario.scene, TEDAVIS_SOURCE_DIR "/configs/scenes/jacksboro.toml");
+    EXPECT_EQ(scenario.scene, test_support::source_dir() + "/configs/scenes/jacksboro.toml");
     ASSERT_TRUE(scenario.weather.has_value());
     EXPECT_EQ(scenario.weather->storm.cells, 3);
     EXPECT_EQ(scenario.traffic.size(), 3u);

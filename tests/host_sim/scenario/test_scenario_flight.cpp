@@ -13,6 +13,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_scenario_flight {
 namespace {
@@ -24,7 +25,9 @@ const GeoidEgm96& geoid() {
     return grid;
 }
 
-Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+Scenario shipped() {
+    return parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
+}
 
 const ScenarioFlight& default_flight() {
     static const ScenarioFlight flight(shipped(), 1, geoid());
@@ -38,7 +41,8 @@ class Elevations {
 public:
     Elevations() {
         GDALAllRegister();
-        data_.reset(static_cast<GDALDataset*>(GDALOpen(TEDAVIS_SOURCE_DIR "/configs/data/jacksboro_srtm3.tif", GA_ReadOnly)));
+        data_.reset(static_cast<GDALDataset*>(
+            GDALOpen((test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif").c_str(), GA_ReadOnly)));
         if (data_ == nullptr || data_->GetGeoTransform(transform_) != CE_None) return;
         columns_ = data_->GetRasterXSize();
         rows_ = data_->GetRasterYSize();

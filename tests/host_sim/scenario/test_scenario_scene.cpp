@@ -14,6 +14,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/scene/wind.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_scenario_scene {
@@ -29,7 +30,7 @@ const GeoidEgm96& geoid() {
 }
 
 Scenario shipped() {
-    const std::string path = TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml";
+    const std::string path = test_support::source_dir() + "/configs/scenarios/default.toml";
     return parse_scenario(read_file(path), path);
 }
 

@@ -8,14 +8,18 @@
 #include "bus/switches/switch_to_phase.hpp"
 #include "host_sim/input_file.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_scenario_switches {
 namespace {
 
-Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+Scenario shipped() {
+    return parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
+}
 
 bus::SwitchConfig panel(const std::string& name) {
-    const auto config = bus::load_switch_config(read_file(TEDAVIS_SOURCE_DIR "/configs/switches/" + name + ".toml"), name);
+    const auto config =
+        bus::load_switch_config(read_file(test_support::source_dir() + "/configs/switches/" + name + ".toml"), name);
     EXPECT_TRUE(config.ok());
     return config.value();
 }

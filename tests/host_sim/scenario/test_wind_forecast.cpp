@@ -9,11 +9,14 @@
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/scene/grid_field.hpp"
 #include "render_core/scene/wind.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_wind_forecast {
 namespace {
 
-Scenario shipped() { return parse_scenario(read_file(TEDAVIS_SOURCE_DIR "/configs/scenarios/default.toml"), "default.toml"); }
+Scenario shipped() {
+    return parse_scenario(read_file(test_support::source_dir() + "/configs/scenarios/default.toml"), "default.toml");
+}
 
 const FlownAir kAir{101'900, 0, 6, base::radians(260)};
 

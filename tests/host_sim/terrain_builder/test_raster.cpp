@@ -8,6 +8,7 @@
 #include "host_sim/geoid_egm96.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/expect_user_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -35,7 +36,7 @@ protected:
 
 // Oracle: GDAL asked for each pixel by itself, as gdallocationinfo does.
 TEST_F(RasterTest, TheShippedRasterIsReadPostByPost) {
-    const std::string path = TEDAVIS_SOURCE_DIR "/configs/data/jacksboro_srtm3.tif";
+    const std::string path = test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif";
     const Raster raster = load_rasters({path}, {});
     EXPECT_EQ(raster.columns, 403u);
     EXPECT_EQ(raster.rows, 344u);

@@ -5,6 +5,7 @@
 #include "bus/switches/switch_log_source.hpp"
 #include "bus/switches/switch_to_phase.hpp"
 #include "host_sim/input_file.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_switch_recording {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 const base::Time kNow{1'700'000'000'000'000'000};
 
 bus::SwitchConfig panel(const std::string& name) {
-    const std::string path = TEDAVIS_SOURCE_DIR "/configs/switches/" + name + ".toml";
+    const std::string path = test_support::source_dir() + "/configs/switches/" + name + ".toml";
     return bus::load_switch_config(read_file(path), path).value();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::design::test_design_settings {
 namespace {
@@ -46,7 +47,7 @@ std::string error_of(const std::string& text) {
 
 TEST(DesignSettings, EveryShippedDesignLoadsUnderItsFileName) {
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(TEDAVIS_SOURCE_DIR "/configs/designs")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test_support::source_dir() + "/configs/designs")) {
         if (entry.path().extension() != ".toml") continue;
         test_support::ShippedPalettes palettes;
         const auto design = read_design_settings(file_text(entry.path()), entry.path().string(), palettes);
@@ -214,7 +215,7 @@ TEST(DesignSettings, ThePaletteComesFromTheSource) {
 }
 
 TEST(DesignSettings, TruncatedFilesNeverLoadAsWholeWithoutTheirName) {
-    const std::string whole = file_text(TEDAVIS_SOURCE_DIR "/configs/designs/default.toml");
+    const std::string whole = file_text(test_support::source_dir() + "/configs/designs/default.toml");
     const std::size_t name_end = whole.find("name = \"default\"") + 16;
     for (std::size_t length = 0; length < name_end; ++length) EXPECT_FALSE(error_of(whole.substr(0, length)).empty()) << length;
 }
@@ -224,7 +225,7 @@ struct DocumentedKey {
     std::string section, key, may_be;
 };
 std::vector<DocumentedKey> documented_keys() {
-    std::istringstream text(file_text(TEDAVIS_SOURCE_DIR "/configs/designs/README.md"));
+    std::istringstream text(file_text(test_support::source_dir() + "/configs/designs/README.md"));
     std::vector<DocumentedKey> keys;
     std::string section;
     for (std::string line; std::getline(text, line);) {
@@ -304,11 +305,11 @@ TEST(DesignSettings, EveryKeyOfTheReadmeIsReadAsItSays) {
 }
 
 TEST(DesignSettings, EveryKeyThatTheReaderAsksForIsInTheReadme) {
-    const std::string readme = file_text(TEDAVIS_SOURCE_DIR "/configs/designs/README.md");
+    const std::string readme = file_text(test_support::source_dir() + "/configs/designs/README.md");
     const std::regex asked(
         R"re((?:\b(?:number|numbers|integer|boolean|text|choice|has|section|table_count|table_at|element_count)\(|\b(?:read_\w+|required_color)\(\w+, |ScaleKeys\w* *\w* *\{|^\s*std::string_view \w+ = )"([a-z][a-z0-9_]*)")re");
     std::set<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/render_core/design")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/render_core/design")) {
         if (entry.path().stem() == "palette") continue;  // files of their own
         const std::string source = file_text(entry.path());
         for (std::sregex_iterator at(source.begin(), source.end(), asked), end; at != end; ++at) found.insert((*at)[1]);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/device_files.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::design::test_palette {
 namespace {
@@ -23,7 +24,7 @@ std::string error_of(const std::string& text) {
 
 TEST(Palette, EveryShippedOneLoadsUnderItsFileName) {
     std::size_t files = 0, heights = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/configs/palettes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/palettes")) {
         const std::string path = "configs/palettes/" + entry.path().filename().string();
         const auto palette = read_palette(test_support::source_file(path), path);
         ASSERT_TRUE(palette.ok()) << palette.error().sentence.view();

@@ -14,6 +14,7 @@
 #include "tests/support/built_database.hpp"
 #include "tests/support/default_flight.hpp"
 #include "tests/support/drawn_pixels.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/placed_aircraft.hpp"
 
 namespace tedavis::display::test_style_pictures {
@@ -81,7 +82,7 @@ Region region_of(const std::vector<std::uint8_t>& rgba, std::uint32_t first, std
 
 std::vector<std::string> shipped_styles() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(TEDAVIS_SOURCE_DIR) + "/configs/designs/styles"))
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/designs/styles"))
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;

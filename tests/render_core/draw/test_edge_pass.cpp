@@ -16,6 +16,7 @@
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/held_edges.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/screen_triangle.hpp"
 
 namespace tedavis::draw::test_edge_pass {
@@ -34,7 +35,7 @@ constexpr CannySettings kDefault{}, kStrongAlone{1, 170, 170};
 /// All of tests/golden/pictures, 256 x 192 pixels each.
 std::vector<SyntheticPicture> shipped_pictures() {
     std::set<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(TEDAVIS_SOURCE_DIR "/tests/golden/pictures"))
+    for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/tests/golden/pictures"))
         if (entry.path().extension() == ".png") files.insert(entry.path());
     std::vector<SyntheticPicture> pictures;
     for (const auto& file : files) {

@@ -16,6 +16,7 @@
 #include "render_core/perception/saliency_model.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/rank_correlation.hpp"
 #include "tests/support/screen_triangle.hpp"
 
@@ -50,7 +51,7 @@ Picture painted(std::uint32_t width, std::uint32_t height, const std::function<s
 }
 
 Picture shipped(const std::string& name) {
-    const auto png = host_sim::read_png(std::string(TEDAVIS_SOURCE_DIR) + "/tests/golden/pictures/" + name + ".png");
+    const auto png = host_sim::read_png(test_support::source_dir() + "/tests/golden/pictures/" + name + ".png");
     return {png.width, png.height, png.pixels};
 }
 

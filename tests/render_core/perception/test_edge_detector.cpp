@@ -8,6 +8,7 @@
 
 #include "tests/support/golden_pictures.hpp"
 #include "tests/support/held_edges.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::perception::test_edge_detector {
 namespace {
@@ -56,7 +57,7 @@ TEST(EdgeDetector, AgreesWithOpenCv) {
 }
 
 TEST(EdgeDetector, AgreesWithOpenCvOnPicturesOfTheDisplay) {
-    const std::vector<test_support::NamedPicture> pictures = test_support::golden_pictures(TEDAVIS_SOURCE_DIR);
+    const std::vector<test_support::NamedPicture> pictures = test_support::golden_pictures(test_support::source_dir());
     EXPECT_GE(pictures.size(), 10u);
     for (const test_support::NamedPicture& of : pictures)
         EXPECT_LE(share_that_differs(edges_of(of.picture), edges_of_opencv(of.picture.view(), {})), kAgreement) << of.name;

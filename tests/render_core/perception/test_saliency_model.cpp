@@ -14,6 +14,7 @@
 #include "tests/support/golden_pictures.hpp"
 #include "tests/support/held_saliency.hpp"
 #include "tests/support/itti_reference.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/rank_correlation.hpp"
 
 namespace tedavis::perception::test_saliency_model {
@@ -45,7 +46,7 @@ SyntheticPicture disks(const Rgb& odd_color, double odd_radius, int column, int 
 /// Thirty: of the display, and by formula.
 const std::vector<NamedPicture>& pictures() {
     static const std::vector<NamedPicture> all = [] {
-        std::vector<NamedPicture> list = test_support::golden_pictures(TEDAVIS_SOURCE_DIR);
+        std::vector<NamedPicture> list = test_support::golden_pictures(test_support::source_dir());
         list.resize(std::min<std::size_t>(list.size(), 20), list.front());
         for (std::uint32_t seed = 0; seed < 4; ++seed)
             list.push_back({"landscape " + std::to_string(seed), landscape(256, 192, seed)});

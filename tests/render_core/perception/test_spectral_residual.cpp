@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/golden_pictures.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/rank_correlation.hpp"
 
 namespace tedavis::perception::test_spectral_residual {
@@ -98,7 +99,7 @@ std::vector<double> reference_residual(const SyntheticPicture& picture) {
 
 TEST(SpectralResidual, IsThePapersFormula) {
     HeldResidual held;
-    for (const test_support::NamedPicture& of : test_support::golden_pictures(TEDAVIS_SOURCE_DIR)) {
+    for (const test_support::NamedPicture& of : test_support::golden_pictures(test_support::source_dir())) {
         const std::vector<float> map = held.of(of.picture);
         const std::vector<double> reference = reference_residual(of.picture);
         for (std::size_t n = 0; n < map.size(); ++n) ASSERT_NEAR(map[n], reference[n], 1e-5) << of.name;
@@ -119,7 +120,7 @@ std::vector<float> opencv_residual(const SyntheticPicture& picture) {
 TEST(SpectralResidual, RanksPlacesAsOpenCvDoes) {
     HeldResidual held;
     double mean = 0, of_others = 0;
-    const std::vector<test_support::NamedPicture> pictures = test_support::golden_pictures(TEDAVIS_SOURCE_DIR);
+    const std::vector<test_support::NamedPicture> pictures = test_support::golden_pictures(test_support::source_dir());
     for (const test_support::NamedPicture& of : pictures) {
         const std::vector<float> map = held.of(of.picture);
         const double rank = rank_correlation(map, opencv_residual(of.picture));

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "tests/support/contraction/seams.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_contraction {
@@ -68,7 +69,7 @@ TEST(RayContraction, KernelsHaveTheSameBitsOnlyWithoutIt) {
 int fused_instructions(const std::string& archive_name) {
     static const std::regex fused("\\s(vfn?m(add|sub)\\w+|fn?m(add|sub)|fml[as]|vfn?m[as]\\.f\\d+)\\s");
     int count = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(TEDAVIS_BINARY_DIR)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test_support::binary_dir())) {
         if (entry.path().filename() != archive_name) continue;
         const std::string command = "objdump -d --no-show-raw-insn '" + entry.path().string() + "'";
         const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);

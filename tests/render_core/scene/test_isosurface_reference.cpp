@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/surface_topology.hpp"
 #include "tests/support/volume_surface.hpp"
 
@@ -35,7 +36,7 @@ struct Reference {
 };
 
 Reference read_reference() {
-    std::ifstream file(TEDAVIS_SOURCE_DIR "/tests/golden/isosurface/reference.txt");
+    std::ifstream file(test_support::source_dir() + "/tests/golden/isosurface/reference.txt");
     std::string comment;
     while (file.peek() == '#') std::getline(file, comment);
     Reference read;

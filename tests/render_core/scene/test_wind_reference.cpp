@@ -8,6 +8,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/scene/wind.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::scene::test_wind_reference {
 namespace {
@@ -20,7 +21,7 @@ struct Reference {
 };
 
 std::vector<Reference> read_references() {
-    std::ifstream file(TEDAVIS_SOURCE_DIR "/tests/golden/wind/reference.txt");
+    std::ifstream file(test_support::source_dir() + "/tests/golden/wind/reference.txt");
     std::string comment;
     while (file.peek() == '#') std::getline(file, comment);
     std::vector<Reference> sets;

@@ -129,6 +129,9 @@ TEST_F(BoardChecksTest, ProgramsMustBeThere) {
     EXPECT_THAT(fault(), StartsWith("board_programs: " + folder_.file("none.programs")));
     settings_.programs = Path(folder_.path());
     EXPECT_EQ(fault(), "") << "not read by a device with a compiler";
+    const SelfTestReport report = checked();
+    ASSERT_NE(report.find("board_programs"), nullptr);
+    EXPECT_TRUE(report.find("board_programs")->holds);
 }
 
 }  // namespace

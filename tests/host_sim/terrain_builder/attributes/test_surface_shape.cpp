@@ -11,6 +11,7 @@
 #include "host_sim/terrain_builder/attributes/direct_light.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "tests/support/attribute_terrain.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tedavis::host_sim::test_surface_shape {
 namespace {
@@ -135,7 +136,7 @@ private:
 };
 
 TEST(SurfaceShape, SlopeAndHillshadeOfTheShippedTerrainAreGdals) {
-    const Raster raster = load_rasters({TEDAVIS_SOURCE_DIR "/configs/data/jacksboro_srtm3.tif"}, {});
+    const Raster raster = load_rasters({test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif"}, {});
     const int columns = static_cast<int>(raster.columns), rows = static_cast<int>(raster.rows);
     constexpr double kEast_m = 74.5, kNorth_m = 92.6, kAzimuth = base::radians(315), kElevation = base::radians(45);
     const AttributeTile tile = make_tile(columns, rows, kEast_m, kNorth_m, [&](int i, int j) {
