@@ -7,17 +7,17 @@
 namespace tedavis::design {
 namespace {
 
-constexpr auto kRoles = static_cast<std::size_t>(scene::LayerRole::count);
+constexpr auto kCasterRoles = static_cast<std::size_t>(scene::LayerRole::count);
 
 void read_casters(base::ConfigSection& section, CasterRoles& casters) {
     if (!section.has("casters")) return;
-    std::array<std::string_view, kRoles> names;
+    std::array<std::string_view, kCasterRoles> names;
     const std::size_t count = section.texts("casters", names);
     casters = {};
     for (std::size_t n = 0; n < count; ++n) {
         std::size_t role = 0;
-        while (role < kRoles && scene::kLayerRoleNames[role] != names[n]) ++role;
-        if (role == kRoles) return fault_of(section, "casters", "names something that is no role of a layer");
+        while (role < kCasterRoles && scene::kLayerRoleNames[role] != names[n]) ++role;
+        if (role == kCasterRoles) return fault_of(section, "casters", "names something that is no role of a layer");
         casters.add(static_cast<scene::LayerRole>(role));
     }
     if (count == 0) fault_of(section, "casters", "is empty; leave out the table for no shadows");

@@ -85,7 +85,7 @@ int write_repeated(const std::string& flight, const fs::path& path, std::uint64_
 class BigLogBench {
 public:
     BigLogBench(fs::path folder, std::uint64_t bytes) : folder_(std::move(folder)) {
-        const std::string root = test_support::source_dir();
+        const std::string root = tedavis::test_support::source_dir();
         run_tedavis({"scenario", "build", root + "/configs/scenarios/default.toml", "-o", folder_});
         run_tedavis({"terrain", "build", root + "/configs/data/jacksboro_srtm3.tif", "-o", terrain(), "--accuracy", "16"});
         repeats_ = write_repeated(text_of(folder_ / "flight.log"), big(), bytes);
