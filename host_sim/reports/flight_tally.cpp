@@ -105,7 +105,7 @@ void FlightTally::find_places(const std::string& terrain, const terrain::Terrain
         findings.push_back({"terrain.no_height",
                             frames_of(without_height_) + " over ground without a height in " + terrain + " (void or damaged)",
                             without_height_});
-    if (with_terrain_ == 0 && outside_ < frames_)
+    if (with_terrain_ == 0 && outside_ + below_ + without_position_ == 0)  // which say why themselves
         findings.push_back({"terrain.never_shown",
                             "no terrain of " + terrain + " is shown in any frame; the flags of the records say why", frames_});
     if (below_ > 0)

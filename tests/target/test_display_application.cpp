@@ -106,7 +106,7 @@ TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     EXPECT_EQ(application->display().record().scene_revision, 3u);
-    EXPECT_THAT(lines.str(), HasSubstr("area.sdb: shows revision 3\n"));
+    EXPECT_THAT(lines.str(), HasSubstr("area.sdb: has revision 3\n"));
 }
 
 TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {

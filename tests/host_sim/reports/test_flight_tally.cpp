@@ -102,7 +102,7 @@ TEST(FlightTally, ErrorsWhileTheFirstChunksArriveStandBeside) {
     FlightTally tally(base::Time{});
     display::FrameRecord without_terrain = frame(0);
     without_terrain.terrain = {};
-    tally.add(without_terrain, kUnknown);
+    tally.add(without_terrain, 300);
     tally.add(arriving(1, 431299, 40, {"terrain.coarse"}), 300);
     tally.add(arriving(2, 12, 3, {"terrain.coarse"}), 300);
     tally.add(arriving(3, 0.9, 0), 300);

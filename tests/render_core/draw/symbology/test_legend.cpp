@@ -90,8 +90,8 @@ TEST(Legend, ADesignCanSwitchItOff) {
     build_symbology(with.batch, input, layout);
     input.shown.legend = false;
     build_symbology(without.batch, input, layout);
-    EXPECT_NE(text_of(with.batch).find("GROUND ELEV"), std::string::npos);
-    EXPECT_EQ(text_of(without.batch).find("GROUND ELEV"), std::string::npos);
+    EXPECT_NE(text_of(with.batch).find("GROUNDELEV"), std::string::npos);
+    EXPECT_EQ(text_of(without.batch).find("GROUNDELEV"), std::string::npos);
 }
 
 /// Eight bands a thousand feet apart.
