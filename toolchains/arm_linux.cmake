@@ -5,7 +5,7 @@ set(CMAKE_CXX_COMPILER ${TEDAVIS_TRIPLET}-g++)
 
 set(CMAKE_SYSROOT ${CMAKE_CURRENT_LIST_DIR}/../build/sysroots/${TEDAVIS_ARCH})
 cmake_path(NORMAL_PATH CMAKE_SYSROOT)
-if(NOT EXISTS ${CMAKE_SYSROOT}/.stamp)
+if(NOT IS_DIRECTORY ${CMAKE_SYSROOT}/usr)
   message(FATAL_ERROR "There is no sysroot at ${CMAKE_SYSROOT}; run toolchains/make_sysroot ${TEDAVIS_ARCH}.")
 endif()
 
