@@ -154,9 +154,9 @@ check_layout() {
     }
 }
 
-# check_tidy FULL: the changed sources that the host build compiles, at most 40 unless FULL is true.
+# check_tidy FULL: the changed sources that the host build compiles, at most 12 unless FULL is true.
 check_tidy() {
-    local files compiled most=40
+    local files compiled most=12
     compiled=$(mktemp)
     compiled_sources | sort -u | while read -r file; do [ ! -f "$file" ] || echo "$file"; done >"$compiled"
     mapfile -t files < <(changed_sources "$1" "$compiled")
