@@ -195,6 +195,26 @@ Json flags_json(const display::FrameRecord& record) {
     return json;
 }
 
+Json terrain_json(const display::TerrainRecord& terrain) {
+    return {{"tau_px", terrain.tau_px},
+            {"tau_reached_px", terrain.tau_reached_px},
+            {"limit", text(terrain.limit.view())},
+            {"worst_error_px", terrain.worst_error_px},
+            {"worst_chunk", text(terrain.worst_chunk.view())},
+            {"triangles", terrain.triangles},
+            {"chunks", terrain.chunks},
+            {"pending", terrain.pending},
+            {"renderer", text(terrain.renderer.view())},
+            {"renderer_reason", text(terrain.renderer_reason.view())}};
+}
+
+Json stale_json(const display::FrameRecord& record) {
+    Json json = Json::array();
+    for (const display::StaleRecord& stale : record.stale)
+        json.push_back({{"layer", text(stale.layer.view())}, {"age_s", stale.age_s}});
+    return json;
+}
+
 }  // namespace
 
 std::string hash_text(std::uint64_t hash) {
@@ -221,25 +241,14 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["distortion"] = distortion_json(record.distortion);
     json["light"] = light_json(record.light);
     json["warning_bands"] = bands_json(record.bands);
-    json["terrain"] = {{"tau_px", record.terrain.tau_px},
-                       {"tau_reached_px", record.terrain.tau_reached_px},
-                       {"limit", text(record.terrain.limit.view())},
-                       {"worst_error_px", record.terrain.worst_error_px},
-                       {"worst_chunk", text(record.terrain.worst_chunk.view())},
-                       {"triangles", record.terrain.triangles},
-                       {"chunks", record.terrain.chunks},
-                       {"pending", record.terrain.pending},
-                       {"renderer", text(record.terrain.renderer.view())},
-                       {"renderer_reason", text(record.terrain.renderer_reason.view())}};
+    json["terrain"] = terrain_json(record.terrain);
     if (result.has_layers) {
         json["layers"] = display::kPictureLayerNames;
         json["obstacles"] = obstacles_json(result.obstacles);
     }
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
-    json["stale"] = Json::array();
-    for (const display::StaleRecord& layer : record.stale)
-        json["stale"].push_back({{"layer", text(layer.layer.view())}, {"age_s", layer.age_s}});
+    json["stale"] = stale_json(record);
     json["labels"] = {{"placed", record.labels.placed},
                       {"suppressed", record.labels.suppressed},
                       {"changed", record.labels.changed},

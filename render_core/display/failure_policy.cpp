@@ -273,9 +273,9 @@ private:
 
     /// It stands on ground of which it or the database is a little off.
     [[nodiscard]] bool is_parked() const {
-        constexpr double kFastest_mps = 15, kDeepest_m = 30;
+        constexpr double kDeepest_m = 30;
         const flight::OwnShipEstimate& own = state_.own_ship;
-        return std::hypot(own.velocity_north_mps, own.velocity_east_mps) < kFastest_mps &&
+        return std::hypot(own.velocity_north_mps, own.velocity_east_mps) < TerrainWatch::kSlowest_mps &&
                state_[Signal::height_above_terrain].value_or(0) >= -kDeepest_m;
     }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMetresPerNauticalMile = 1852;
-constexpr double kSlowest_mps = 15;    // below, on the ground
 constexpr double kDescent_mps = -2.5;  // 500 ft/min
 constexpr double kHalfWidth_m = 200;
 constexpr double kStep_m = 60;

@@ -42,6 +42,7 @@ enum class TerrainAhead : std::uint8_t {
 class TerrainWatch {
 public:
     static constexpr double kLookAhead_s = 60, kWarning_s = 30;
+    static constexpr double kSlowest_mps = 15;  ///< over the ground; slower aircraft stand or taxi
     static constexpr int kMaxSteps = 256, kLines = 5;
     static constexpr std::size_t kMaxRunways = 32;
 
