@@ -17,7 +17,7 @@ class BoardFile {
 public:
     BoardFile(std::string_view text, const char* path) : path_(path), reader_(text, path) {}
 
-    base::Result<BoardSettings, BoardError> read() {
+    base::Result<BoardSettings, base::Error> read() {
         base::ConfigSection root = reader_.root();
         settings_.title.append(root.text("title", "board"));
         take(root, "device", settings_.device, &effects::read_device_settings);
@@ -32,8 +32,8 @@ public:
         read_surface(root.section("surface"));
         const bool touch = root.section("memory").boolean("touch", true);
         settings_.residency = touch ? platform::Residency::touched : platform::Residency::lazy;
-        if (!reader_.finish()) return base::fail(make_board_error({reader_.error().sentence.view()}));
-        if (!named_file_fault_.sentence.empty()) return base::fail(named_file_fault_);
+        if (!reader_.finish()) return base::fail(base::make_error(reader_.error().message.view()));
+        if (named_file_fault_) return base::fail(named_file_fault_);
         return settings_;
     }
 
@@ -56,12 +56,12 @@ private:
         const Path path = path_at(section, key);
         if (path.empty()) return;
         const auto text = read_file_text(path.c_str());
-        if (!text.ok()) return section.fault(key, text.error().sentence.view());
+        if (!text.ok()) return section.fault(key, text.error().message.view());
         auto loaded = load(text.value().view(), path.view());
         if (loaded.ok())
             settings = loaded.value();
-        else if (named_file_fault_.sentence.empty())
-            named_file_fault_ = make_board_error({loaded.error().sentence.view()});
+        else if (!named_file_fault_)
+            named_file_fault_ = base::make_error(loaded.error().message.view());
     }
 
     /// The palettes that a design names lie in one folder: the board file's own, or another that it names.
@@ -89,12 +89,11 @@ private:
         const auto text = read_file_text(path.c_str());
         if (path.cut() || !text.ok())
             return root.fault("design",
-                              path.cut() ? "a phase's design has a path that is too long" : text.error().sentence.view());
+                              path.cut() ? "a phase's design has a path that is too long" : text.error().message.view());
         PaletteFiles palettes(path.view(), palette_folder);
         design::NamedPhases nested;
         const auto loaded = design::read_design_settings(text.value().view(), path.view(), palettes, &nested);
-        if (!loaded.ok() && named_file_fault_.sentence.empty())
-            named_file_fault_ = make_board_error({loaded.error().sentence.view()});
+        if (!loaded.ok() && !named_file_fault_) named_file_fault_ = base::make_error(loaded.error().message.view());
         if (!loaded.ok()) return;
         if (!nested.empty())
             return root.fault("design", "names a design for a phase that has a table [phases] itself; remove that");
@@ -138,7 +137,7 @@ private:
     std::string_view path_;
     base::ConfigReader reader_;
     BoardSettings settings_;
-    BoardError named_file_fault_;
+    base::Error named_file_fault_;
 };
 
 }  // namespace
@@ -161,7 +160,7 @@ void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus) {
     if (!fits) can.filters.clear();
 }
 
-base::Result<BoardSettings, BoardError> load_board_settings(const char* path) {
+base::Result<BoardSettings, base::Error> load_board_settings(const char* path) {
     const auto text = read_file_text(path);
     if (!text.ok()) return base::fail(text.error());
     BoardFile file(text.value().view(), path);

@@ -41,11 +41,11 @@
 #include "bus/socketcan/can_socket_port.hpp"
 #include "bus/switches/switch_config.hpp"
 #include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/design/phase_designs.hpp"
 #include "render_core/effects/device.hpp"
-#include "target/board_error.hpp"
 
 namespace tedavis::target {
 
@@ -71,7 +71,7 @@ struct BoardSettings {
 static_assert(std::is_trivially_copyable_v<BoardSettings>);
 
 /// Reads the board file and all files that it names, except the terrain and scene databases, of which it keeps the paths.
-[[nodiscard]] base::Result<BoardSettings, BoardError> load_board_settings(const char* path);
+[[nodiscard]] base::Result<BoardSettings, base::Error> load_board_settings(const char* path);
 
 /// `name` found from the folder of `board_file`; an absolute name stays as it is. Longer than a Path can be: cut() says so.
 [[nodiscard]] Path path_beside(std::string_view board_file, std::string_view name);

@@ -27,23 +27,23 @@ public:
     BoardDisplay(const BoardDisplay&) = delete;
     BoardDisplay& operator=(const BoardDisplay&) = delete;
 
-    [[nodiscard]] BoardError open_surface();
+    [[nodiscard]] base::Error open_surface();
     /// Takes the memory, and everything that the device's budgets are cut into.
-    [[nodiscard]] BoardError start();
+    [[nodiscard]] base::Error start();
     /// With the costs that the board file names, if any.
-    [[nodiscard]] BoardError hold_deadline();
+    [[nodiscard]] base::Error hold_deadline();
 
     /// Why there is no terrain though the board file names one; empty where there is.
-    [[nodiscard]] const BoardError& terrain_fault() const { return terrain_fault_; }
+    [[nodiscard]] const base::Error& terrain_fault() const { return terrain_fault_; }
     [[nodiscard]] display::Display& core() { return *display_; }
     [[nodiscard]] const base::Surface& surface() const { return *surface_; }
     [[nodiscard]] base::Surface& surface() { return *surface_; }
 
 private:
-    [[nodiscard]] BoardError open_terrain();
-    [[nodiscard]] BoardError start_workers(const display::DisplaySettings& settings);
-    [[nodiscard]] gl::GlError start_core(display::DisplaySettings& settings);
-    void give_up_terrain(const BoardError& why);
+    [[nodiscard]] base::Error open_terrain();
+    [[nodiscard]] base::Error start_workers(const display::DisplaySettings& settings);
+    [[nodiscard]] base::Error start_core(display::DisplaySettings& settings);
+    void give_up_terrain(const base::Error& why);
 
     const BoardSettings& settings_;
     std::unique_ptr<base::Surface> surface_;
@@ -53,7 +53,7 @@ private:
     std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
     std::unique_ptr<display::Display> display_;
     bool is_started_ = false;
-    BoardError terrain_fault_;
+    base::Error terrain_fault_;
 };
 
 }  // namespace tedavis::target

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongInput = 2;
 
-int refuse(const BoardError& error) {
-    EventLog().write({error.sentence.view()});
+int refuse(const base::Error& error) {
+    EventLog().write({error.message.view()});
     return kWrongInput;
 }
 
@@ -29,7 +29,7 @@ int run_display(const CommandLine& line, std::FILE* out) {
     ports.clocks = machine_clocks();
     const StopSignal stop;
     const auto application = std::make_unique<DisplayApplication>(settings.value(), std::move(ports));
-    if (const BoardError error = application->start(); !error.sentence.empty()) return refuse(error);
+    if (const base::Error error = application->start()) return refuse(error);
     print_start(*application, line.json, out);
     const RunReport report = application->run(line.frames, stop);
     print_end(report, line.json, out);

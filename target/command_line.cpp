@@ -19,20 +19,19 @@ class Arguments {
 public:
     Arguments(int count, const char* const* texts) : count_(count), texts_(texts) {}
 
-    base::Result<CommandLine, BoardError> parse() {
-        while (at_ < count_ && !answered_ && error_.sentence.empty()) take(texts_[at_++]);
-        if (error_.sentence.empty() && line_.request == Request::run && line_.config == nullptr)
+    base::Result<CommandLine, base::Error> parse() {
+        while (at_ < count_ && !answered_ && !error_) take(texts_[at_++]);
+        if (!error_ && line_.request == Request::run && line_.config == nullptr)
             refuse({"--config: is missing; name the board file"});
-        if (error_.sentence.empty() && line_.request != Request::run && line_.frames != 0)
-            refuse({"--frames: belongs to a run; leave it out"});
-        if (!error_.sentence.empty()) return base::fail(error_);
+        if (!error_ && line_.request != Request::run && line_.frames != 0) refuse({"--frames: belongs to a run; leave it out"});
+        if (error_) return base::fail(error_);
         return line_;
     }
 
 private:
     void refuse(std::initializer_list<std::string_view> parts) {
-        error_ = make_board_error(parts);
-        error_.sentence.append(kSeeHelp);
+        error_ = base::make_error(parts);
+        error_.message.append(kSeeHelp);
     }
 
     const char* value_of(std::string_view option) {
@@ -75,12 +74,12 @@ private:
     int at_ = 0;
     bool answered_ = false;
     CommandLine line_;
-    BoardError error_;
+    base::Error error_;
 };
 
 }  // namespace
 
-base::Result<CommandLine, BoardError> parse_command_line(int count, const char* const* arguments) {
+base::Result<CommandLine, base::Error> parse_command_line(int count, const char* const* arguments) {
     return Arguments(count, arguments).parse();
 }
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/result.hpp"
-#include "target/board_error.hpp"
 
 namespace tedavis::target {
 
@@ -18,7 +18,7 @@ struct CommandLine {
 };
 
 /// The arguments behind the program's name. `--help` and `--version` win over everything that stands before a fault.
-[[nodiscard]] base::Result<CommandLine, BoardError> parse_command_line(int count, const char* const* arguments);
+[[nodiscard]] base::Result<CommandLine, base::Error> parse_command_line(int count, const char* const* arguments);
 
 /// The text of `--help`.
 [[nodiscard]] const char* command_line_help() noexcept;

@@ -14,12 +14,12 @@ DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts
 
 DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
-BoardError DisplayApplication::start() {
-    if (BoardError error = board_.open_surface(); !error.sentence.empty()) return error;
-    if (BoardError error = board_.start(); !error.sentence.empty()) return error;
-    if (BoardError error = board_.hold_deadline(); !error.sentence.empty()) return error;
-    if (const BoardError& why = board_.terrain_fault(); !why.sentence.empty())
-        ports_.log.write({why.sentence.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
+base::Error DisplayApplication::start() {
+    if (base::Error error = board_.open_surface()) return error;
+    if (base::Error error = board_.start()) return error;
+    if (base::Error error = board_.hold_deadline()) return error;
+    if (const base::Error& why = board_.terrain_fault(); !why.message.empty())
+        ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
     start_scene();
     flight_.start(ports_.clocks.live.monotonic());
     return {};
@@ -39,7 +39,8 @@ void DisplayApplication::take_new_scene() {
     const scene::Scene* const loaded = scene_watch_.loaded();
     if (loaded == nullptr) return;
     const std::uint64_t revision = loaded->header().revision;
-    if (display().take_scene(*loaded)) ports_.log.write({settings_.scene.view(), ": has revision ", gl::digits(revision).view()});
+    if (display().take_scene(*loaded))
+        ports_.log.write({settings_.scene.view(), ": has revision ", base::digits(revision).view()});
     scene_watch_.go_on(display().spare_scene_memory(), revision);
 }
 

@@ -47,7 +47,7 @@ public:
     DisplayApplication& operator=(const DisplayApplication&) = delete;
 
     /// An empty sentence means success. Once.
-    [[nodiscard]] BoardError start();
+    [[nodiscard]] base::Error start();
     /// Draws until `frames` are drawn (0: no limit) or `stop` is requested.
     [[nodiscard]] RunReport run(std::uint64_t frames, const StopSignal& stop);
     /// One frame of the state at `now`; after start().
@@ -55,7 +55,7 @@ public:
 
     [[nodiscard]] display::Display& display() { return board_.core(); }
     [[nodiscard]] const BoardSettings& settings() const { return settings_; }
-    [[nodiscard]] const BoardError& terrain_fault() const { return board_.terrain_fault(); }
+    [[nodiscard]] const base::Error& terrain_fault() const { return board_.terrain_fault(); }
     [[nodiscard]] const LiveFlight& flight() const { return flight_; }
     [[nodiscard]] const base::Surface& surface() const { return board_.surface(); }
 

@@ -6,21 +6,21 @@
 
 namespace tedavis::target {
 
-base::Result<FileText, BoardError> read_file_text(const char* path) {
+base::Result<FileText, base::Error> read_file_text(const char* path) {
     auto file = platform::open_file(path);
-    if (!file.ok()) return base::fail(make_board_error({file.error().sentence.view()}));
+    if (!file.ok()) return base::fail(base::make_error(file.error().message.view()));
     const std::uint64_t size = file.value().size();
     if (size > kMaxFileTextBytes)
-        return base::fail(make_board_error({path, ": is larger than 1 MiB and no configuration file; name another"}));
+        return base::fail(base::make_error(path, ": is larger than 1 MiB and no configuration file; name another"));
     FileText result;
     if (size == 0) return result;
     auto block = platform::reserve_memory(size, platform::Residency::lazy);
-    if (!block.ok()) return base::fail(make_board_error({path, ": ", block.error().sentence.view()}));
+    if (!block.ok()) return base::fail(base::make_error(path, ": ", block.error().message.view()));
     result.block_ = std::move(block.value());
     base::Arena arena = result.block_.arena();
     void* bytes = arena.allocate(static_cast<std::size_t>(size), 1);
     if (!file.value().read(0, bytes, static_cast<std::size_t>(size)))
-        return base::fail(make_board_error({path, ": cannot be read to its end; check the medium"}));
+        return base::fail(base::make_error(path, ": cannot be read to its end; check the medium"));
     result.text_ = {static_cast<const char*>(bytes), static_cast<std::size_t>(size)};
     return result;
 }

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "platform/reservation/memory_reservation.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/result.hpp"
-#include "target/board_error.hpp"
 
 namespace tedavis::target {
 
@@ -20,11 +20,11 @@ public:
     [[nodiscard]] std::string_view view() const { return text_; }
 
 private:
-    friend base::Result<FileText, BoardError> read_file_text(const char* path);
+    friend base::Result<FileText, base::Error> read_file_text(const char* path);
     platform::MemoryReservation block_;
     std::string_view text_;
 };
 
-[[nodiscard]] base::Result<FileText, BoardError> read_file_text(const char* path);
+[[nodiscard]] base::Result<FileText, base::Error> read_file_text(const char* path);
 
 }  // namespace tedavis::target

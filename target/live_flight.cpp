@@ -45,7 +45,7 @@ void LiveFlight::start(base::Time now) {
     const auto opened = panel_.open(switch_config_, now, base::Duration{});
     if (opened.ok()) return;
     panel_lost_ = true;
-    log_.write({opened.error().sentence.view()});
+    log_.write({opened.error().message.view()});
 }
 
 void LiveFlight::feed_until(base::Time time) {

@@ -15,7 +15,7 @@ class PaletteFiles final : public design::PaletteSource {
 public:
     /// `folder` ends in a slash or is empty (the working folder). Both paths must outlive this object.
     PaletteFiles(std::string_view design_file, std::string_view folder) : design_file_(design_file), folder_(folder) {}
-    [[nodiscard]] base::Result<design::Palette, base::ConfigError> find(std::string_view name) override;
+    [[nodiscard]] base::Result<design::Palette, base::Error> find(std::string_view name) override;
 
 private:
     std::string_view design_file_, folder_;

@@ -30,7 +30,7 @@ void print_start_json(DisplayApplication& application, std::FILE* out) {
     json.text("device", settings.device.name.view()).text("size", size_text(application.surface()).view());
     json.number("frame_rate_hz", settings.device.frame_rate_hz).text("gl", gl_description(application).view());
     json.text("can", settings.can.interface_name.view()).text("terrain", settings.terrain.view());
-    json.text("terrain_fault", application.terrain_fault().sentence.view());
+    json.text("terrain_fault", application.terrain_fault().message.view());
     json.text("scene", settings.scene.view());
     json.text("switches", settings.has_switches ? settings.switches.title.view() : "").open_list("budget");
     for (const base::BudgetLine& line : application.display().budget().lines())
@@ -63,9 +63,9 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out) {
                      TEDAVIS_VERSION, settings.title.c_str(), settings.device.name.c_str(),
                      size_text(application.surface()).c_str(), settings.device.frame_rate_hz, gl_description(application).c_str(),
                      settings.can.interface_name.c_str(),
-                     settings.terrain.empty()                       ? "none"
-                     : application.terrain_fault().sentence.empty() ? settings.terrain.c_str()
-                                                                    : "FAILED",
+                     settings.terrain.empty()                      ? "none"
+                     : application.terrain_fault().message.empty() ? settings.terrain.c_str()
+                                                                   : "FAILED",
                      settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
         for (const base::BudgetLine& line : application.display().budget().lines())

@@ -100,7 +100,7 @@ void SceneWatch::look() {
     if (are_alike(stamp, seen_)) return;
     seen_ = stamp;
     auto file = platform::open_file(path_);
-    if (!file.ok()) return refuse(file.error().sentence.view());
+    if (!file.ok()) return refuse(file.error().message.view());
     room_->reset();
     const auto read = scene::Scene::load(file.value(), *room_);
     if (!read.ok()) return refuse(scene::describe(read.error()).view());

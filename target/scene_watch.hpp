@@ -14,9 +14,9 @@
 #include <cstdint>
 #include <ctime>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/scene/scene.hpp"
-#include "target/board_error.hpp"
 
 namespace tedavis::target {
 

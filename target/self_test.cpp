@@ -26,10 +26,10 @@ std::string_view text_of(const unsigned char (&bytes)[N]) {
 class EmbeddedPalettes final : public design::PaletteSource {
 public:
     explicit EmbeddedPalettes(base::Span<const NamedPalette> palettes) : palettes_(palettes) {}
-    base::Result<design::Palette, base::ConfigError> find(std::string_view name) override {
+    base::Result<design::Palette, base::Error> find(std::string_view name) override {
         for (const NamedPalette& palette : palettes_)
             if (palette.name == name) return design::read_palette(palette.text, name);
-        return base::fail(base::ConfigError{"is none of the palettes that the self-test has"});
+        return base::fail(base::Error{"is none of the palettes that the self-test has"});
     }
 
 private:
@@ -62,7 +62,7 @@ private:
         if (loaded.ok())
             settings = loaded.value();
         else
-            report_.add(name, false, loaded.error().sentence.view());
+            report_.add(name, false, loaded.error().message.view());
         return loaded.ok();
     }
 
@@ -84,7 +84,7 @@ private:
             settings_.device.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
         auto surface = platform::make_surface("egl", {settings_.width_px, settings_.height_px, lane});
         if (!surface.ok()) {
-            report_.add("surface", false, surface.error().sentence.view());
+            report_.add("surface", false, surface.error().message.view());
             return false;
         }
         surface_ = std::move(surface.value());
@@ -98,16 +98,16 @@ private:
         auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), platform::Residency::lazy);
         auto picture = platform::reserve_memory(picture_bytes, platform::Residency::lazy);
         if (!reserved.ok() || !picture.ok()) {
-            report_.add("memory", false, (reserved.ok() ? picture : reserved).error().sentence.view());
+            report_.add("memory", false, (reserved.ok() ? picture : reserved).error().message.view());
             return false;
         }
         memory_ = std::move(reserved.value());
         picture_ = std::move(picture.value());
         display_ = std::make_unique<display::Display>();
-        const gl::GlError error =
+        const base::Error error =
             display_->start(settings_, memory_.arena(), *surface_, {&terrain_, &reader_, terrain::ArrivalMode::exact});
-        if (!error.sentence.empty()) {
-            report_.add("display", false, error.sentence.view());
+        if (error) {
+            report_.add("display", false, error.message.view());
             return false;
         }
         report_.add("display", true, display_->gl().driver_text().view());

@@ -143,7 +143,7 @@ BusSettings::BusSettings() {
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) limits[i] = default_limits(static_cast<flight::Signal>(i));
 }
 
-base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view text, std::string_view name) {
+base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, std::string_view name) {
     base::ConfigReader reader(text, name);
     BusSettings settings;
     ConfigSection root = reader.root();

@@ -93,6 +93,6 @@ static_assert(std::is_trivially_copyable_v<BusSettings>);
 [[nodiscard]] base::FreshnessLimits default_limits(flight::Signal signal) noexcept;
 
 /// `name` is how the file is called in messages.
-[[nodiscard]] base::Result<BusSettings, base::ConfigError> load_bus_settings(std::string_view text, std::string_view name);
+[[nodiscard]] base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, std::string_view name);
 
 }  // namespace tedavis::bus

@@ -2,14 +2,14 @@
 
 namespace tedavis::bus {
 
-SwitchError switch_line_error(const SwitchLine& line, std::string_view what) {
-    SwitchError error;
-    error.sentence = "switch line '";
-    error.sentence.append(line.chip.view());
-    error.sentence.append(".");
-    error.sentence.append(line.name.view());
-    error.sentence.append("': ");
-    error.sentence.append(what);
+base::Error switch_line_error(const SwitchLine& line, std::string_view what) {
+    base::Error error;
+    error.message = "switch line '";
+    error.message.append(line.chip.view());
+    error.message.append(".");
+    error.message.append(line.name.view());
+    error.message.append("': ");
+    error.message.append(what);
     return error;
 }
 

@@ -8,25 +8,20 @@
 
 #include "bus/switches/switch_config.hpp"
 #include "bus/switches/switch_edge.hpp"
-#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/span.hpp"
 
 namespace tedavis::bus {
 
-/// One sentence: what, where, what to do.
-struct SwitchError {
-    base::FixedString<255> sentence;
-};
-
 /// "switch line 'chip.name': " and then `what`.
-[[nodiscard]] SwitchError switch_line_error(const SwitchLine& line, std::string_view what);
+[[nodiscard]] base::Error switch_line_error(const SwitchLine& line, std::string_view what);
 
 class GpioLines {
 public:
     virtual ~GpioLines() = default;
     /// Takes all lines of the config as inputs that report both edges; false with `error` filled, and then none is taken.
     /// Start-up only (allocates).
-    [[nodiscard]] virtual bool request(const SwitchConfig& config, SwitchError& error) = 0;
+    [[nodiscard]] virtual bool request(const SwitchConfig& config, base::Error& error) = 0;
     virtual void release() = 0;
 
     /// The logical level now; false when the hardware does not answer.

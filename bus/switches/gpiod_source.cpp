@@ -15,13 +15,13 @@ std::uint32_t bit_of(std::size_t line) { return std::uint32_t{1} << line; }
 GpiodSource::GpiodSource(std::unique_ptr<GpioLines> lines) : lines_(std::move(lines)) {}
 GpiodSource::~GpiodSource() { close(); }
 
-base::Result<GpiodSource::Opened, SwitchError> GpiodSource::open(const SwitchConfig& config, base::Time now,
+base::Result<GpiodSource::Opened, base::Error> GpiodSource::open(const SwitchConfig& config, base::Time now,
                                                                  base::Duration monotonic_to_source) {
     close();
     health_ = SourceHealth::failed;
-    SwitchError error;
+    base::Error error;
     if (lines_ == nullptr) {
-        error.sentence = "phase switches: this program was built without libgpiod; install libgpiod-dev and build again";
+        error.message = "phase switches: this program was built without libgpiod; install libgpiod-dev and build again";
         return base::fail(error);
     }
     if (!lines_->request(config, error)) return base::fail(error);
@@ -31,7 +31,7 @@ base::Result<GpiodSource::Opened, SwitchError> GpiodSource::open(const SwitchCon
         bool level = false;
         if (!lines_->read_level(line, level)) {
             fail();
-            error.sentence = "phase switches: a level cannot be read; check the GPIO chip";
+            error.message = "phase switches: a level cannot be read; check the GPIO chip";
             return base::fail(error);
         }
         keep({now, static_cast<std::uint8_t>(line), level});

@@ -28,7 +28,7 @@ public:
 
     struct Opened {};
     /// `now` is the source time of the levels at start; source time = kernel's monotonic clock + `monotonic_to_source`.
-    base::Result<Opened, SwitchError> open(const SwitchConfig& config, base::Time now, base::Duration monotonic_to_source);
+    base::Result<Opened, base::Error> open(const SwitchConfig& config, base::Time now, base::Duration monotonic_to_source);
     void close();
 
     [[nodiscard]] std::size_t read(base::Time until, base::Span<SwitchEdge> out) override;

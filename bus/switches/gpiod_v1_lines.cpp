@@ -32,7 +32,7 @@ class GpiodV1Lines final : public GpioLines {
 public:
     ~GpiodV1Lines() override { release(); }
 
-    bool request(const SwitchConfig& config, SwitchError& error) override {
+    bool request(const SwitchConfig& config, base::Error& error) override {
         release();
         for (const SwitchLine& line : config.lines) {
             if (take(line, error)) continue;
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    bool take(const SwitchLine& line, SwitchError& error) {
+    bool take(const SwitchLine& line, base::Error& error) {
         gpiod_chip* chip = gpiod_chip_open_by_label(line.chip.c_str());
         if (chip == nullptr) chip = gpiod_chip_open_lookup(line.chip.c_str());
         if (chip == nullptr) {
@@ -83,8 +83,8 @@ private:
             error = switch_line_error(line, "the chip has no line of this name; see gpioinfo and correct 'name'");
         } else if (gpiod_line_request_both_edges_events_flags(handle, kConsumer, request_flags(line)) != 0) {
             error = switch_line_error(line, "the kernel refuses the line (");
-            error.sentence.append(std::strerror(errno));
-            error.sentence.append("); free it or correct its settings");
+            error.message.append(std::strerror(errno));
+            error.message.append("); free it or correct its settings");
         } else {
             chips_[count_] = chip;
             lines_[count_] = handle;

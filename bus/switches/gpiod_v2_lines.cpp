@@ -83,10 +83,10 @@ public:
         if (buffer_ != nullptr) gpiod_edge_event_buffer_free(buffer_);
     }
 
-    bool request(const SwitchConfig& config, SwitchError& error) override {
+    bool request(const SwitchConfig& config, base::Error& error) override {
         release();
         if (buffer_ == nullptr) {
-            error.sentence = "no memory for GPIO edges; free some";
+            error.message = "no memory for GPIO edges; free some";
             return false;
         }
         for (const SwitchLine& line : config.lines) {
@@ -141,7 +141,7 @@ private:
         unsigned long last_number = 0;  // the kernel counts a line's edges from 1
     };
 
-    bool take(const SwitchLine& line, SwitchError& error) {
+    bool take(const SwitchLine& line, base::Error& error) {
         gpiod_chip* chip = open_chip(line.chip.c_str());
         if (chip == nullptr) {
             error = switch_line_error(line, "no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
@@ -157,8 +157,8 @@ private:
             error = switch_line_error(line, "the chip has no line of this name; see gpioinfo and correct 'name'");
         } else {
             error = switch_line_error(line, "the kernel refuses the line (");
-            error.sentence.append(std::strerror(errno));
-            error.sentence.append("); free it or correct its settings");
+            error.message.append(std::strerror(errno));
+            error.message.append("); free it or correct its settings");
         }
         gpiod_chip_close(chip);
         return false;

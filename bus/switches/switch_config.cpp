@@ -102,7 +102,7 @@ const SwitchPattern* SwitchConfig::find_pattern(std::uint32_t high) const {
     return nullptr;
 }
 
-base::Result<SwitchConfig, base::ConfigError> load_switch_config(std::string_view text, std::string_view name) {
+base::Result<SwitchConfig, base::Error> load_switch_config(std::string_view text, std::string_view name) {
     base::ConfigReader reader(text, name);
     base::ConfigSection root = reader.root();
     SwitchConfig config;

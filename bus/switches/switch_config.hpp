@@ -63,6 +63,6 @@ struct SwitchConfig {
 static_assert(std::is_trivially_copyable_v<SwitchConfig>);
 
 /// `name` is how the file is called in messages.
-[[nodiscard]] base::Result<SwitchConfig, base::ConfigError> load_switch_config(std::string_view text, std::string_view name);
+[[nodiscard]] base::Result<SwitchConfig, base::Error> load_switch_config(std::string_view text, std::string_view name);
 
 }  // namespace tedavis::bus

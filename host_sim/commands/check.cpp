@@ -44,7 +44,7 @@ using FileChecker = std::string (*)(const std::string& path);
 
 template <class Loaded>
 void require(const Loaded& loaded) {
-    if (!loaded.ok()) throw UserError(std::string(loaded.error().sentence.view()));
+    if (!loaded.ok()) throw UserError(std::string(loaded.error().message.view()));
 }
 
 /// One sentence a line.

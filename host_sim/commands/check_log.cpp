@@ -11,7 +11,7 @@ namespace {
 bus::BusSettings bus_named(const std::string& name) {
     const std::string path = resolve_config(name, "buses");
     const auto settings = bus::load_bus_settings(read_file(path), path);
-    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
+    if (!settings.ok()) throw UserError(std::string(settings.error().message.view()));
     return settings.value();
 }
 

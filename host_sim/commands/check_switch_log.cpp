@@ -21,7 +21,7 @@ struct ReadPanel {
 
 ReadPanel read_by(const std::string& name, const std::string& config_path, std::string_view log_text) {
     const auto config = bus::load_switch_config(read_file(config_path), config_path);
-    if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
+    if (!config.ok()) throw UserError(std::string(config.error().message.view()));
     return {name, config.value(), read_panel(log_text, config.value())};
 }
 

@@ -164,7 +164,7 @@ ReplayOptions load_replay_config(const std::string& path) {
     if (root.has("frames"))
         options.frames = static_cast<FrameOutput>(root.choice("frames", {kFrameNames.data(), kFrameNames.size()}, 0));
     read_picture(root.section("picture"), options.picture);
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return options;
 }
 

@@ -29,7 +29,7 @@ constexpr const char* kInterrupted = "interrupted; nothing was written";
 bus::SwitchConfig panel_of(const Scenario& scenario) {
     const std::string path = resolve_config(scenario.switch_config, "switches");
     auto config = bus::load_switch_config(read_file(path), path);
-    if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
+    if (!config.ok()) throw UserError(std::string(config.error().message.view()));
     return config.value();
 }
 
@@ -37,7 +37,7 @@ bus::SwitchConfig panel_of(const Scenario& scenario) {
 bus::BusSettings default_bus() {
     const std::string path = resolve_config("canaerospace", "buses");
     auto settings = bus::load_bus_settings(read_file(path), path);
-    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
+    if (!settings.ok()) throw UserError(std::string(settings.error().message.view()));
     return settings.value();
 }
 

@@ -224,7 +224,7 @@ SheetPlan parse_sheet_plan(std::string_view text, const std::string& file_name) 
     plan.pose = read_pose(root.section("pose"));
     read_views(root, plan);
     read_groups(root, file_name, plan);
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     if (plan.groups_of.empty()) require_views(plan, file_name);
     return plan;
 }

@@ -98,7 +98,7 @@ AircraftPose usual_pose(const TracedGround& ground) {
 
 std::unique_ptr<base::Workers> trace_workers(std::uint32_t count) {
     auto workers = platform::make_thread_workers({count == 0 ? platform::usable_processors() : count, nullptr});
-    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
+    if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
     return std::move(workers.value());
 }
 

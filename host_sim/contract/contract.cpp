@@ -201,7 +201,7 @@ Contract read_contract(const std::string& path) {
     contract.canny = read_canny(root);
     const std::size_t count = root.table_count("condition");
     for (std::size_t n = 0; n < count; ++n) contract.conditions.push_back(read_condition(root.table_at("condition", n)));
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     if (contract.conditions.empty()) throw UserError(path + ": has no [[condition]]; state one");
     require_different_names(contract);
     return contract;

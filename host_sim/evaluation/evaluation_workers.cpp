@@ -7,7 +7,7 @@ namespace tedavis::host_sim {
 
 std::unique_ptr<base::Workers> evaluation_workers(std::uint32_t threads) {
     auto workers = platform::make_thread_workers({threads == 0 ? platform::usable_processors() : threads, nullptr});
-    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
+    if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
     return std::move(workers.value());
 }
 

@@ -79,7 +79,7 @@ PictureOrderings read_orderings(const std::string& path) {
     orderings.canny = read_canny(root);
     const std::size_t count = root.table_count("ordering");
     for (std::size_t n = 0; n < count; ++n) orderings.orderings.push_back(read_ordering(root.table_at("ordering", n)));
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     if (orderings.orderings.empty()) throw UserError(path + ": has no [[ordering]]; state one");
     return orderings;
 }

@@ -19,7 +19,7 @@ namespace {
 effects::DeviceSettings load_device(const std::string& name) {
     const std::string path = resolve_config(name, "devices");
     auto device = effects::read_device_settings(read_file(path), path);
-    if (!device.ok()) throw UserError(std::string(device.error().sentence.view()));
+    if (!device.ok()) throw UserError(std::string(device.error().message.view()));
     return device.value();
 }
 
@@ -88,24 +88,24 @@ void DisplaySession::open_terrain(const std::string& path) {
     terrain_name_ = path;
     if (path.empty()) return;
     auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     terrain_file_ = std::move(file.value());
     const std::uint32_t tickets = display::TerrainScene::reader_tickets(device_);
     auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
-    if (!reader.ok()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.ok()) throw UserError(std::string(reader.error().message.view()));
     terrain_reader_ = std::move(reader.value());
 }
 
 void DisplaySession::open_scene(const std::string& path) {
     if (path.empty()) return;
     auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     scene_file_ = std::move(file.value());
 }
 
 void DisplaySession::open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface) {
     auto surface = make_surface(settings);
-    if (!surface.ok()) throw UserError(std::string(surface.error().sentence.view()));
+    if (!surface.ok()) throw UserError(std::string(surface.error().message.view()));
     surface_ = std::move(surface.value());
     if (!surface_->make_current())
         throw UserError("the drawing surface cannot be made current; try another --gl, or another screen for --window");
@@ -114,7 +114,7 @@ void DisplaySession::open_surface(const platform::SurfaceSettings& settings, con
 base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& settings) {
     if (!display::Display::asks_for_rays(settings)) return nullptr;
     auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
-    if (!workers.ok()) throw UserError(std::string(workers.error().sentence.view()));
+    if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
     workers_ = std::move(workers.value());
     return workers_.get();
 }
@@ -122,25 +122,25 @@ base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& set
 void DisplaySession::start_display(const display::DisplaySettings& settings, const PictureOptions& options) {
     const std::string device = resolve_config(options.device, "devices");
     auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
-    if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().sentence.view()));
+    if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().message.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
     display::TerrainInput terrain;
     if (!options.terrain.empty())
         terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact, trace_workers(settings)};
-    const gl::GlError error =
+    const base::Error error =
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
     display_->force_effects(options.force_effects);
-    if (error.sentence.empty()) return hold_deadline(options);
+    if (!error) return hold_deadline(options);
     display_.reset();  // what has not started is not stopped
-    throw UserError(with_file(std::string(error.sentence.view()), device, options));
+    throw UserError(with_file(std::string(error.message.view()), device, options));
 }
 
 void DisplaySession::hold_deadline(const PictureOptions& options) {
     effects::Calibration calibration;
     if (!options.costs.empty()) {
         const auto read = effects::read_calibration(read_file(options.costs), options.costs, display_->calibration_subject());
-        if (!read.ok()) throw UserError(std::string(read.error().sentence.view()));
+        if (!read.ok()) throw UserError(std::string(read.error().message.view()));
         calibration = read.value();
     }
     display_->frame_budget().hold(options.deadline_ms.value_or(0), calibration.costs);

@@ -10,16 +10,15 @@
 #include "host_sim/png_file.hpp"
 #include "host_sim/replay/made_programs.hpp"
 #include "platform/files/file_byte_source.hpp"
-#include "platform/platform_error.hpp"
 #include "platform/reservation/memory_reservation.hpp"
 #include "platform/surface_settings.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/display/display.hpp"
 
 namespace tedavis::host_sim {
 
-using SurfaceMaker =
-    std::function<base::Result<std::unique_ptr<base::Surface>, platform::PlatformError>(const platform::SurfaceSettings&)>;
+using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, base::Error>(const platform::SurfaceSettings&)>;
 
 class DisplaySession {
 public:

@@ -66,7 +66,7 @@ void FlightPlayer::open_bus(const PlayerFiles& files) {
     const std::string path = resolve_config(files.bus, "buses");
     const std::string text = read_file(path);
     auto settings = bus::load_bus_settings(text, path);
-    if (!settings.ok()) throw UserError(std::string(settings.error().sentence.view()));
+    if (!settings.ok()) throw UserError(std::string(settings.error().message.view()));
     bus_settings_ = settings.value();
     quiet_ = quiet_after(bus_settings_);
     key_.parts[IndexKey::bus] = text_identity(text);
@@ -84,7 +84,7 @@ void FlightPlayer::open_switches(const PlayerFiles& files) {
     const std::string path = resolve_config(files.switch_config, "switches");
     const std::string config_text = read_file(path);
     auto config = bus::load_switch_config(config_text, path);
-    if (!config.ok()) throw UserError(std::string(config.error().sentence.view()));
+    if (!config.ok()) throw UserError(std::string(config.error().message.view()));
     switch_config_ = config.value();
     key_.parts[IndexKey::switch_config] = text_identity(config_text);
     if (files.switches.empty()) return;

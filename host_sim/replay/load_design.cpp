@@ -53,7 +53,7 @@ void add_foci(const std::vector<std::string>& lines, design::FocusList& foci) {
         const auto focus = design::read_focus(line);
         if (!focus.ok())
             throw UserError(
-                std::string(focus.error().sentence.view()) + "; it is '" + line +
+                std::string(focus.error().message.view()) + "; it is '" + line +
                 "', and should be keys of [[focus]] with commas between, such as 'at = \"place\", place = \"DAVOS\"'");
         has_room = foci.try_push_back(focus.value()) && has_room;
     }
@@ -89,7 +89,7 @@ design::DesignSettings load_file(const std::string& path, const PictureOptions& 
         files->insert(files->end(), palettes.files().begin(), palettes.files().end());
         files->push_back({path, text});
     }
-    if (!design.ok()) throw UserError(std::string(design.error().sentence.view()));
+    if (!design.ok()) throw UserError(std::string(design.error().message.view()));
     if (const auto order = effects::replacement_order(design.value().effects.instead); !order.ok())
         throw UserError(path + ": " + std::string(order.error().view()));
     put_above(options, path, design.value());

@@ -34,7 +34,7 @@ bool is_gzip(base::ByteSource& file) {
 
 std::unique_ptr<base::ByteSource> open_log(const std::string& path) {
     auto opened = platform::open_file(path.c_str());
-    if (!opened.ok()) throw UserError(std::string(opened.error().sentence.view()));
+    if (!opened.ok()) throw UserError(std::string(opened.error().message.view()));
     auto file = std::make_unique<platform::FileByteSource>(std::move(opened.value()));
     if (!is_gzip(*file)) return file;
     return std::make_unique<UnpackedLog>(read_file_unpacked(path));

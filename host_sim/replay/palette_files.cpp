@@ -10,11 +10,11 @@ namespace tedavis::host_sim {
 
 design::Palette palette_from_text(const std::string& text, const std::string& path) {
     const auto palette = design::read_palette(text, path);
-    if (!palette.ok()) throw UserError(std::string(palette.error().sentence.view()));
+    if (!palette.ok()) throw UserError(std::string(palette.error().message.view()));
     return palette.value();
 }
 
-base::Result<design::Palette, base::ConfigError> PaletteFiles::find(std::string_view name) {
+base::Result<design::Palette, base::Error> PaletteFiles::find(std::string_view name) {
     const std::string beside = (std::filesystem::path(design_path_).parent_path() / name).string();
     try {
         files_.push_back({design::is_short_name(name) ? resolve_config(std::string(name), "palettes") : beside, ""});
@@ -22,7 +22,7 @@ base::Result<design::Palette, base::ConfigError> PaletteFiles::find(std::string_
         file.text = read_file(file.path);
         return palette_from_text(file.text, file.path);
     } catch (const UserError& error) {
-        return base::fail(base::ConfigError{error.what()});
+        return base::fail(base::Error{error.what()});
     }
 }
 

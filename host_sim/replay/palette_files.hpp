@@ -17,7 +17,7 @@ class PaletteFiles final : public design::PaletteSource {
 public:
     explicit PaletteFiles(std::string design_path) : design_path_(std::move(design_path)) {}
 
-    [[nodiscard]] base::Result<design::Palette, base::ConfigError> find(std::string_view name) override;
+    [[nodiscard]] base::Result<design::Palette, base::Error> find(std::string_view name) override;
     /// Every file that was looked for, as it was.
     [[nodiscard]] const std::vector<ReadFile>& files() const { return files_; }
 

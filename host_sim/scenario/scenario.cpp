@@ -152,7 +152,7 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMostLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMostLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return scenario;
 }
 

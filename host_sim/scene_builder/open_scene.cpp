@@ -16,7 +16,7 @@ constexpr std::uint64_t kLargest = std::uint64_t{1} << 34;
 
 OpenScene::OpenScene(const std::string& path) {
     auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     if (file.value().size() > kLargest) throw UserError(path + ": larger than any scene database; name another file");
     const std::size_t bytes = static_cast<std::size_t>(file.value().size()) + kBesideFile;
     memory_.reset(new unsigned char[bytes]);

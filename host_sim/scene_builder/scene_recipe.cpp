@@ -233,7 +233,7 @@ SceneRecipe parse_scene(std::string_view content, const std::string& file_name) 
         root.fault("layer", "1 to 32 tables [[layer]] are needed; add one for each source");
     for (std::size_t n = 0; n < layers && n < scene::kMaxLayers; ++n)
         recipe.layers.push_back(read_layer(root.table_at("layer", n)));
-    if (!reader.finish()) throw UserError(std::string(reader.error().sentence.view()));
+    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return recipe;
 }
 

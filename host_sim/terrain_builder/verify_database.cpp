@@ -16,7 +16,7 @@ constexpr std::uint64_t kMostTableBytes = 128u << 20;  // page table and undulat
 
 platform::FileByteSource opened(const std::string& path) {
     auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().sentence.view()));
+    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     return std::move(file.value());
 }
 

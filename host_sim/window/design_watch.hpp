@@ -13,7 +13,7 @@ namespace tedavis::host_sim {
 enum class DesignNews {
     none,
     changed,  ///< `designs()` are others
-    broken,   ///< `sentence()` says why; `designs()` are still the last sound ones
+    broken,   ///< `message()` says why; `designs()` are still the last sound ones
 };
 
 class DesignWatch {
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] DesignNews look();
 
     [[nodiscard]] const LoadedDesigns& designs() const { return *designs_; }
-    [[nodiscard]] const std::string& sentence() const { return sentence_; }
+    [[nodiscard]] const std::string& message() const { return sentence_; }
 
 private:
     PictureOptions options_;

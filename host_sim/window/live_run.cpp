@@ -114,7 +114,7 @@ void LiveRun::watch_design(base::Duration wall) {
     if (since_look_ < kDesignLook) return;
     since_look_ = {};
     const DesignNews news = design_.look();
-    if (news == DesignNews::broken) console_.note(design_.sentence() + " (the design before stays)");
+    if (news == DesignNews::broken) console_.note(design_.message() + " (the design before stays)");
     if (news != DesignNews::changed) return;
     if (!session_.display().set_design(design_.designs().design, &design_.designs().phases))
         return console_.note(

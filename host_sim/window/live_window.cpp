@@ -29,7 +29,7 @@ int run_until_closed(LiveRun& run, const InterruptGuard& interrupt, Console& con
 int run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
     platform::Window* window = nullptr;
     const SurfaceMaker make_surface =
-        [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
+        [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, base::Error> {
         auto made = make_window(settings, "TEDAVIS");
         if (!made.ok()) return base::fail(made.error());
         window = made.value().get();

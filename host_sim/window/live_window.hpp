@@ -10,8 +10,8 @@
 
 namespace tedavis::host_sim {
 
-using WindowMaker = std::function<base::Result<std::unique_ptr<platform::Window>, platform::PlatformError>(
-    const platform::SurfaceSettings&, const char* title)>;
+using WindowMaker = std::function<base::Result<std::unique_ptr<platform::Window>, base::Error>(const platform::SurfaceSettings&,
+                                                                                               const char* title)>;
 
 /// Runs until the window is closed or Ctrl-C. Returns the exit code. Throws UserError, also where there
 /// is no screen; then nothing is written.

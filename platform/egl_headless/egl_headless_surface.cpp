@@ -102,10 +102,10 @@ private:
 
 }  // namespace
 
-base::Result<std::unique_ptr<base::Surface>, PlatformError> make_egl_headless_surface(const SurfaceSettings& settings) {
+base::Result<std::unique_ptr<base::Surface>, base::Error> make_egl_headless_surface(const SurfaceSettings& settings) {
     std::unique_ptr<EglHeadlessSurface> surface(new (std::nothrow) EglHeadlessSurface(settings));
-    if (surface == nullptr) return base::fail(make_platform_error("no memory for an EGL surface; free some"));
-    if (const char* missing = surface->create()) return base::fail(make_platform_error(missing));
+    if (surface == nullptr) return base::fail(base::make_error("no memory for an EGL surface; free some"));
+    if (const char* missing = surface->create()) return base::fail(base::make_error(missing));
     return std::unique_ptr<base::Surface>(std::move(surface));
 }
 

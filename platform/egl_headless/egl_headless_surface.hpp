@@ -8,15 +8,15 @@
 
 #include <memory>
 
-#include "platform/platform_error.hpp"
 #include "platform/surface_settings.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/result.hpp"
 
 namespace tedavis::platform {
 
 /// The surface is not current yet.
-[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, PlatformError> make_egl_headless_surface(
+[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, base::Error> make_egl_headless_surface(
     const SurfaceSettings& settings);
 
 }  // namespace tedavis::platform

@@ -12,12 +12,12 @@ namespace tedavis::platform {
 namespace {
 
 /// Of the call that failed last.
-PlatformError file_error(const char* path) {
+base::Error file_error(const char* path) {
     const int reason = errno;
-    PlatformError error = make_platform_error(path, ": cannot be read (", std::strerror(reason));
-    error.sentence.append(reason == ENOENT || reason == ENOTDIR ? "); check the path"
-                          : reason == EACCES                    ? "); check its permissions"
-                                                                : "); check the medium that holds it");
+    base::Error error = base::make_error(path, ": cannot be read (", std::strerror(reason));
+    error.message.append(reason == ENOENT || reason == ENOTDIR ? "); check the path"
+                         : reason == EACCES                    ? "); check its permissions"
+                                                               : "); check the medium that holds it");
     return error;
 }
 
@@ -53,13 +53,13 @@ bool FileByteSource::read(std::uint64_t offset, void* destination, std::size_t c
     return true;
 }
 
-base::Result<FileByteSource, PlatformError> open_file(const char* path) {
+base::Result<FileByteSource, base::Error> open_file(const char* path) {
     FileByteSource source;
     source.descriptor_ = ::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (source.descriptor_ < 0) return base::fail(file_error(path));
     struct stat status {};
     if (::fstat(source.descriptor_, &status) != 0) return base::fail(file_error(path));
-    if (!S_ISREG(status.st_mode)) return base::fail(make_platform_error(path, ": is not a regular file; name one"));
+    if (!S_ISREG(status.st_mode)) return base::fail(base::make_error(path, ": is not a regular file; name one"));
     source.size_ = static_cast<std::uint64_t>(status.st_size);
     return source;
 }

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "platform/platform_error.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/result.hpp"
 
@@ -23,12 +23,12 @@ public:
     [[nodiscard]] bool read(std::uint64_t offset, void* destination, std::size_t count) override;
 
 private:
-    friend base::Result<FileByteSource, PlatformError> open_file(const char*);
+    friend base::Result<FileByteSource, base::Error> open_file(const char*);
     int descriptor_ = -1;
     std::uint64_t size_ = 0;
 };
 
 /// Regular files only; the sentence names the file and the reason.
-[[nodiscard]] base::Result<FileByteSource, PlatformError> open_file(const char* path);
+[[nodiscard]] base::Result<FileByteSource, base::Error> open_file(const char* path);
 
 }  // namespace tedavis::platform

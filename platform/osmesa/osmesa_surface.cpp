@@ -122,13 +122,13 @@ private:
 
 }  // namespace
 
-base::Result<std::unique_ptr<base::Surface>, PlatformError> make_osmesa_surface(const SurfaceSettings& settings) {
+base::Result<std::unique_ptr<base::Surface>, base::Error> make_osmesa_surface(const SurfaceSettings& settings) {
     static const OsmesaLibrary library = load_library();
     if (!library.complete())
-        return base::fail(make_platform_error("libOSMesa is not on this machine; install libosmesa6 or use --gl egl"));
+        return base::fail(base::make_error("libOSMesa is not on this machine; install libosmesa6 or use --gl egl"));
     std::unique_ptr<OsmesaSurface> surface(new (std::nothrow) OsmesaSurface(library, settings));
     if (surface == nullptr || !surface->create())
-        return base::fail(make_platform_error("libOSMesa gives no context with 24-bit depth; use --gl egl"));
+        return base::fail(base::make_error("libOSMesa gives no context with 24-bit depth; use --gl egl"));
     return std::unique_ptr<base::Surface>(std::move(surface));
 }
 
@@ -138,8 +138,8 @@ base::Result<std::unique_ptr<base::Surface>, PlatformError> make_osmesa_surface(
 
 namespace tedavis::platform {
 
-base::Result<std::unique_ptr<base::Surface>, PlatformError> make_osmesa_surface(const SurfaceSettings&) {
-    return base::fail(make_platform_error("this build has no OSMesa; install libosmesa6-dev and build again, or use --gl egl"));
+base::Result<std::unique_ptr<base::Surface>, base::Error> make_osmesa_surface(const SurfaceSettings&) {
+    return base::fail(base::make_error("this build has no OSMesa; install libosmesa6-dev and build again, or use --gl egl"));
 }
 
 }  // namespace tedavis::platform

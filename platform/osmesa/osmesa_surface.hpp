@@ -9,14 +9,14 @@
 
 #include <memory>
 
-#include "platform/platform_error.hpp"
 #include "platform/surface_settings.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/result.hpp"
 
 namespace tedavis::platform {
 
 /// The surface is not current yet. Refused in one sentence when the build or the machine has no OSMesa.
-[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, PlatformError> make_osmesa_surface(const SurfaceSettings& settings);
+[[nodiscard]] base::Result<std::unique_ptr<base::Surface>, base::Error> make_osmesa_surface(const SurfaceSettings& settings);
 
 }  // namespace tedavis::platform

@@ -63,14 +63,14 @@ bool ProgramFolder::find(std::uint64_t key, base::StoredProgram& program) {
     return is_whole;
 }
 
-base::Result<ProgramFolder, PlatformError> open_program_folder(std::string_view path) {
+base::Result<ProgramFolder, base::Error> open_program_folder(std::string_view path) {
     ProgramFolder folder;
     folder.path_ = base::FixedString<1023>(path);
     struct stat status {};
     if (folder.path_.cut() || ::stat(folder.path_.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-        return base::fail(make_platform_error(folder.path_.view(), ": no folder of programs; make it with 'tedavis shaders'"));
+        return base::fail(base::make_error(folder.path_.view(), ": no folder of programs; make it with 'tedavis shaders'"));
     folder.bytes_.reset(new (std::nothrow) unsigned char[kMaxProgramBytes]);
-    if (!folder.bytes_) return base::fail(make_platform_error(folder.path_.view(), ": no memory to read programs with"));
+    if (!folder.bytes_) return base::fail(base::make_error(folder.path_.view(), ": no memory to read programs with"));
     return folder;
 }
 

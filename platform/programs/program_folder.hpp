@@ -8,7 +8,7 @@
 #include <memory>
 #include <string_view>
 
-#include "platform/platform_error.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/ports/program_store.hpp"
 #include "render_core/base/result.hpp"
@@ -34,12 +34,12 @@ public:
     [[nodiscard]] bool keep(std::uint64_t, std::string_view, const base::StoredProgram&) override { return false; }
 
 private:
-    friend base::Result<ProgramFolder, PlatformError> open_program_folder(std::string_view);
+    friend base::Result<ProgramFolder, base::Error> open_program_folder(std::string_view);
     base::FixedString<1023> path_;
     std::unique_ptr<unsigned char[]> bytes_;
 };
 
 /// Refused in one sentence where there is no such folder.
-[[nodiscard]] base::Result<ProgramFolder, PlatformError> open_program_folder(std::string_view path);
+[[nodiscard]] base::Result<ProgramFolder, base::Error> open_program_folder(std::string_view path);
 
 }  // namespace tedavis::platform

@@ -21,11 +21,11 @@ MemoryReservation& MemoryReservation::operator=(MemoryReservation&& other) noexc
     return *this;
 }
 
-base::Result<MemoryReservation, PlatformError> reserve_memory(std::uint64_t bytes, Residency residency) {
+base::Result<MemoryReservation, base::Error> reserve_memory(std::uint64_t bytes, Residency residency) {
     char number[24];
     std::snprintf(number, sizeof number, "%llu", static_cast<unsigned long long>(bytes));
-    const PlatformError refusal =
-        make_platform_error("the machine gives no block of ", number, " bytes; lower the device file's cpu budget lines");
+    const base::Error refusal =
+        base::make_error("the machine gives no block of ", number, " bytes; lower the device file's cpu budget lines");
     if (bytes == 0 || bytes > std::numeric_limits<std::size_t>::max()) return base::fail(refusal);
     const int flags = MAP_PRIVATE | MAP_ANONYMOUS | (residency == Residency::touched ? MAP_POPULATE : 0);
     void* block = ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_READ | PROT_WRITE, flags, -1, 0);

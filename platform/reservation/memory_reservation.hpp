@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "platform/platform_error.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/base/result.hpp"
 
@@ -26,12 +26,12 @@ public:
     [[nodiscard]] base::Arena arena() const { return {block_, static_cast<std::size_t>(bytes_)}; }
 
 private:
-    friend base::Result<MemoryReservation, PlatformError> reserve_memory(std::uint64_t, Residency);
+    friend base::Result<MemoryReservation, base::Error> reserve_memory(std::uint64_t, Residency);
     void* block_ = nullptr;
     std::uint64_t bytes_ = 0;
 };
 
 /// At least one byte.
-[[nodiscard]] base::Result<MemoryReservation, PlatformError> reserve_memory(std::uint64_t bytes, Residency residency);
+[[nodiscard]] base::Result<MemoryReservation, base::Error> reserve_memory(std::uint64_t bytes, Residency residency);
 
 }  // namespace tedavis::platform

@@ -114,14 +114,14 @@ private:
 
 }  // namespace
 
-base::Result<std::unique_ptr<base::AsyncReader>, PlatformError> make_thread_reader(base::ByteSource& source,
-                                                                                   const ThreadReaderSettings& settings) {
+base::Result<std::unique_ptr<base::AsyncReader>, base::Error> make_thread_reader(base::ByteSource& source,
+                                                                                 const ThreadReaderSettings& settings) {
     if (settings.tickets < 1 || settings.tickets > base::kMaxReadTickets || settings.queue < 1 ||
         settings.queue > settings.tickets)
-        return base::fail(make_platform_error("a reader has 1 to 16384 tickets and a queue of 1 to as many; give such numbers"));
+        return base::fail(base::make_error("a reader has 1 to 16384 tickets and a queue of 1 to as many; give such numbers"));
     std::unique_ptr<ThreadReader> reader(new (std::nothrow) ThreadReader(source, settings.on_thread_start));
     if (reader == nullptr || !reader->start(settings.tickets, settings.queue))
-        return base::fail(make_platform_error("the machine gives no thread or memory for reading terrain; end other programs"));
+        return base::fail(base::make_error("the machine gives no thread or memory for reading terrain; end other programs"));
     return std::unique_ptr<base::AsyncReader>(std::move(reader));
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "platform/platform_error.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/result.hpp"
 
@@ -19,7 +19,7 @@ struct ThreadReaderSettings {
     void (*on_thread_start)() = nullptr;  ///< called once in the new thread
 };
 
-[[nodiscard]] base::Result<std::unique_ptr<base::AsyncReader>, PlatformError> make_thread_reader(
+[[nodiscard]] base::Result<std::unique_ptr<base::AsyncReader>, base::Error> make_thread_reader(
     base::ByteSource& source, const ThreadReaderSettings& settings);
 
 }  // namespace tedavis::platform

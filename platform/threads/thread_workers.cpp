@@ -105,12 +105,12 @@ std::uint32_t usable_processors() noexcept {
     return static_cast<std::uint32_t>(count) < kMaxWorkers ? static_cast<std::uint32_t>(count) : kMaxWorkers;
 }
 
-base::Result<std::unique_ptr<base::Workers>, PlatformError> make_thread_workers(const ThreadWorkersSettings& settings) {
+base::Result<std::unique_ptr<base::Workers>, base::Error> make_thread_workers(const ThreadWorkersSettings& settings) {
     if (settings.concurrency < 1 || settings.concurrency > kMaxWorkers)
-        return base::fail(make_platform_error("the number of workers must be 1 to 64; give such a number"));
+        return base::fail(base::make_error("the number of workers must be 1 to 64; give such a number"));
     std::unique_ptr<ThreadWorkers> workers(new (std::nothrow) ThreadWorkers(settings.on_thread_start));
     if (workers == nullptr || !workers->start(settings.concurrency))
-        return base::fail(make_platform_error("the machine gives no more threads; ask for fewer workers"));
+        return base::fail(base::make_error("the machine gives no more threads; ask for fewer workers"));
     return std::unique_ptr<base::Workers>(std::move(workers));
 }
 

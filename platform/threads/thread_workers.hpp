@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "platform/platform_error.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/workers.hpp"
 #include "render_core/base/result.hpp"
 
@@ -22,7 +22,7 @@ struct ThreadWorkersSettings {
 /// The number of processors that this process may use, 1..kMaxWorkers.
 [[nodiscard]] std::uint32_t usable_processors() noexcept;
 
-[[nodiscard]] base::Result<std::unique_ptr<base::Workers>, PlatformError> make_thread_workers(
+[[nodiscard]] base::Result<std::unique_ptr<base::Workers>, base::Error> make_thread_workers(
     const ThreadWorkersSettings& settings);
 
 }  // namespace tedavis::platform

@@ -14,8 +14,8 @@
 namespace tedavis::platform {
 namespace {
 
-PlatformError sdl_error(const char* what) {
-    return make_platform_error(what, SDL_GetError(), "; start it on a desk with a screen, or leave out --window");
+base::Error sdl_error(const char* what) {
+    return base::make_error(what, SDL_GetError(), "; start it on a desk with a screen, or leave out --window");
 }
 
 bool shows_nothing(const char* driver) {
@@ -46,7 +46,7 @@ public:
     SdlWindow& operator=(const SdlWindow&) = delete;
 
     /// An empty sentence when the window is open.
-    [[nodiscard]] PlatformError create(const char* title) {
+    [[nodiscard]] base::Error create(const char* title) {
         const base::DriverScope driver;
         SDL_SetHint(SDL_HINT_VIDEO_X11_FORCE_EGL, "1");  // GL ES from EGL, never from GLX
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");   // Ctrl-C belongs to the composition root
@@ -54,9 +54,9 @@ public:
         started_ = true;
         const char* video = SDL_GetCurrentVideoDriver();
         if (shows_nothing(video))
-            return make_platform_error("no window can be opened: there is no screen (SDL offers only its driver '",
-                                       video == nullptr ? "none" : video,
-                                       "'); start it on a desk with a screen, or leave out --window");
+            return base::make_error("no window can be opened: there is no screen (SDL offers only its driver '",
+                                    video == nullptr ? "none" : video,
+                                    "'); start it on a desk with a screen, or leave out --window");
         ask_for_context(settings_.lane);
         window_ = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, static_cast<int>(settings_.width_px),
                                    static_cast<int>(settings_.height_px), SDL_WINDOW_OPENGL);
@@ -122,15 +122,15 @@ private:
 
 }  // namespace
 
-base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings& settings, const char* title) {
+base::Result<std::unique_ptr<Window>, base::Error> make_window(const SurfaceSettings& settings, const char* title) {
     if (!size_is_possible(settings))
-        return base::fail(make_platform_error("the picture's edges must be 16 to 16384 pixels; give such a --size"));
+        return base::fail(base::make_error("the picture's edges must be 16 to 16384 pixels; give such a --size"));
     if (any_current())  // SDL makes a new context current at once
-        return base::fail(make_platform_error("no window can be opened: another surface is current; release it first"));
+        return base::fail(base::make_error("no window can be opened: another surface is current; release it first"));
     std::unique_ptr<SdlWindow> window(new (std::nothrow) SdlWindow(settings));
-    if (window == nullptr) return base::fail(make_platform_error("no memory for a window; free some"));
-    const PlatformError error = window->create(title);
-    if (!error.sentence.empty()) return base::fail(error);
+    if (window == nullptr) return base::fail(base::make_error("no memory for a window; free some"));
+    const base::Error error = window->create(title);
+    if (error) return base::fail(error);
     return std::unique_ptr<Window>(std::move(window));
 }
 
@@ -140,9 +140,8 @@ base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSe
 
 namespace tedavis::platform {
 
-base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings&, const char*) {
-    return base::fail(
-        make_platform_error("this build has no window; install libsdl2-dev and build again, or leave out --window"));
+base::Result<std::unique_ptr<Window>, base::Error> make_window(const SurfaceSettings&, const char*) {
+    return base::fail(base::make_error("this build has no window; install libsdl2-dev and build again, or leave out --window"));
 }
 
 }  // namespace tedavis::platform

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <memory>
 
-#include "platform/platform_error.hpp"
 #include "platform/surface_settings.hpp"
 #include "platform/window/window_events.hpp"
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/span.hpp"
@@ -24,7 +24,6 @@ public:
 
 /// Refused in one sentence when the build has no SDL, when another surface is current, and when there is no screen: SDL then
 /// silently picks a driver that shows nothing, which would look like success.
-[[nodiscard]] base::Result<std::unique_ptr<Window>, PlatformError> make_window(const SurfaceSettings& settings,
-                                                                               const char* title);
+[[nodiscard]] base::Result<std::unique_ptr<Window>, base::Error> make_window(const SurfaceSettings& settings, const char* title);
 
 }  // namespace tedavis::platform

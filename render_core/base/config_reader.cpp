@@ -23,7 +23,7 @@ struct ConfigReader::Document {
     std::string name;
     toml::table root;
     std::set<const toml::node*> read;
-    ConfigError error;
+    base::Error error;
     bool failed = false;
 };
 
@@ -86,15 +86,15 @@ bool ConfigReader::finish() {
 }
 
 bool ConfigReader::ok() const { return !document_->failed; }
-const ConfigError& ConfigReader::error() const { return document_->error; }
+const base::Error& ConfigReader::error() const { return document_->error; }
 
 void ConfigReader::report(std::uint32_t line, std::string_view sentence) {
     if (document_->failed) return;
     document_->failed = true;
-    document_->error.sentence.append(document_->name);
-    if (line > 0) document_->error.sentence.append(":" + std::to_string(line));
-    document_->error.sentence.append(": ");
-    document_->error.sentence.append(sentence);
+    document_->error.message.append(document_->name);
+    if (line > 0) document_->error.message.append(":" + std::to_string(line));
+    document_->error.message.append(": ");
+    document_->error.message.append(sentence);
 }
 
 bool ConfigSection::has(std::string_view key) const { return table_ != nullptr && as_table(table_).contains(key); }

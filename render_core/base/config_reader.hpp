@@ -10,14 +10,11 @@
 #include <memory>
 #include <string_view>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/span.hpp"
 
 namespace tedavis::base {
-
-struct ConfigError {
-    FixedString<383> sentence;
-};
 
 class ConfigReader;
 
@@ -75,7 +72,7 @@ public:
     /// True when nothing was wrong and every key was read.
     [[nodiscard]] bool finish();
     [[nodiscard]] bool ok() const;
-    [[nodiscard]] const ConfigError& error() const;
+    [[nodiscard]] const base::Error& error() const;
 
 private:
     friend class ConfigSection;

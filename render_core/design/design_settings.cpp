@@ -64,7 +64,7 @@ bool palette_fits(TerrainTexture texture, const Palette& palette) {
 void read_texture_palette(ConfigSection& section, PaletteSource& palettes, TerrainSettings& terrain) {
     if (section.has("palette")) {
         const auto found = palettes.find(section.text("palette"));
-        if (!found.ok()) return section.fault("palette", found.error().sentence.view());
+        if (!found.ok()) return section.fault("palette", found.error().message.view());
         terrain.palette = found.value();
     }
     if (!palette_fits(terrain.style.texture, terrain.palette))
@@ -203,8 +203,8 @@ DesignSettings default_design_settings() noexcept {
     return design;
 }
 
-base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text, std::string_view file_name,
-                                                                     PaletteSource& palettes, NamedPhases* phases) {
+base::Result<DesignSettings, base::Error> read_design_settings(std::string_view text, std::string_view file_name,
+                                                               PaletteSource& palettes, NamedPhases* phases) {
     base::ConfigReader reader(text, file_name);
     ConfigSection root = reader.root();
     DesignSettings design = default_design_settings();

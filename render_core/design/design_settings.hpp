@@ -155,10 +155,9 @@ static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
 /// Reads a design file and, through `palettes`, the palettes that it names; start-up only (allocates while it reads). The
 /// error is one sentence "file:line: what, what to do". `phases`, where given, gets the designs that the file names for phases.
-[[nodiscard]] base::Result<DesignSettings, base::ConfigError> read_design_settings(std::string_view text,
-                                                                                   std::string_view file_name,
-                                                                                   PaletteSource& palettes,
-                                                                                   NamedPhases* phases = nullptr);
+[[nodiscard]] base::Result<DesignSettings, base::Error> read_design_settings(std::string_view text, std::string_view file_name,
+                                                                             PaletteSource& palettes,
+                                                                             NamedPhases* phases = nullptr);
 
 /// The values of an empty file: the picture of a display that was given no design.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;

@@ -184,17 +184,17 @@ void read_foci(ConfigSection& root, FocusList& foci) {
     refuse_second_context(root, foci);
 }
 
-base::Result<FocusSettings, base::ConfigError> read_focus(std::string_view line) {
+base::Result<FocusSettings, base::Error> read_focus(std::string_view line) {
     base::FixedString<1023> text("focus = [{");
     text.append(line);
     text.append("}]");
-    if (text.cut()) return base::fail(base::ConfigError{"--focus: is longer than a thousand bytes; leave something out"});
+    if (text.cut()) return base::fail(base::Error{"--focus: is longer than a thousand bytes; leave something out"});
     base::ConfigReader reader(text.view(), "--focus");
     ConfigSection root = reader.root();
     FocusList foci;
     read_foci(root, foci);
     if (!reader.finish()) return base::fail(reader.error());
-    if (foci.size() != 1) return base::fail(base::ConfigError{"--focus: states more than one; give the option for each"});
+    if (foci.size() != 1) return base::fail(base::Error{"--focus: states more than one; give the option for each"});
     return foci[0];
 }
 

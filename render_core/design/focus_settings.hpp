@@ -133,6 +133,6 @@ void read_foci(base::ConfigSection& root, FocusList& foci);
 
 /// One focus as a command line states it: the keys of [[focus]] within one line of TOML,
 /// `shape = "point", at = "place", place = "DAVOS", terrain.brightness = 0.5`. The error is one sentence.
-[[nodiscard]] base::Result<FocusSettings, base::ConfigError> read_focus(std::string_view line);
+[[nodiscard]] base::Result<FocusSettings, base::Error> read_focus(std::string_view line);
 
 }  // namespace tedavis::design

@@ -125,7 +125,7 @@ Palette alpine_palette() noexcept {
     return palette;
 }
 
-base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std::string_view file_name) {
+base::Result<Palette, base::Error> read_palette(std::string_view text, std::string_view file_name) {
     base::ConfigReader reader(text, file_name);
     ConfigSection root = reader.root();
     Palette palette;

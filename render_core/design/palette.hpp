@@ -68,14 +68,14 @@ static_assert(std::is_trivially_copyable_v<Palette>);
 [[nodiscard]] Palette alpine_palette() noexcept;
 
 /// Reads a palette file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
-[[nodiscard]] base::Result<Palette, base::ConfigError> read_palette(std::string_view text, std::string_view file_name);
+[[nodiscard]] base::Result<Palette, base::Error> read_palette(std::string_view text, std::string_view file_name);
 
 /// Finds the palettes that a design names.
 class PaletteSource {
 public:
     virtual ~PaletteSource() = default;
     /// `name` as the design writes it: of a shipped palette, or a path. The error is one sentence.
-    [[nodiscard]] virtual base::Result<Palette, base::ConfigError> find(std::string_view name) = 0;
+    [[nodiscard]] virtual base::Result<Palette, base::Error> find(std::string_view name) = 0;
 };
 
 /// A short name names a shipped file; a path has a dot or a slash.

@@ -12,7 +12,7 @@ constexpr double kSpared = 1;  // budgets of excess, of all regions together, fo
 
 }  // namespace
 
-gl::GlError ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+base::Error ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                   std::uint32_t height_px) {
     constexpr std::int64_t kLabelEpochs[] = {2, 1};
     epoch_.ns = draw::LabelPlanner::kEpoch.ns * kLabelEpochs[gl.device().lane == effects::Lane::es2 ? 0 : 1];

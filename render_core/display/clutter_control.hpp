@@ -30,7 +30,7 @@ public:
     static constexpr int kMostTries = 3;
     enum class Step : std::uint8_t { none, whole, least, tried };
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                     std::uint32_t height_px);
     /// Whether what start() built does what the design asks for.
     [[nodiscard]] bool can_show(const design::DesignSettings& design) const;

@@ -89,26 +89,20 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
 
 }  // namespace
 
-gl::GlError DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
+base::Error DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
                                 const draw::DataVariant& variant) {
     base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
     const Rooms rooms = rooms_of(line.bytes);
-    if (gl::GlError error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed);
-        !error.sentence.empty())
-        return error;
-    if (gl::GlError error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed);
-        !error.sentence.empty())
-        return error;
-    if (gl::GlError error = glyphs_.start(gl, budget, memory.glyphs, variant.air, variant.shadows); !error.sentence.empty())
-        return error;
+    if (base::Error error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed)) return error;
+    if (base::Error error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed)) return error;
+    if (base::Error error = glyphs_.start(gl, budget, memory.glyphs, variant.air, variant.shadows)) return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
-        return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+        return base::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards) || !labels_.start(memory.billboards) || !own_.start(memory.billboards) ||
         !traffic_.start(memory.billboards))
-        return gl::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
-    if (gl::GlError error = link_drawer_.start_links(gl, budget, memory.billboards); !error.sentence.empty()) return error;
-    if (gl::GlError error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface); !error.sentence.empty())
-        return error;
+        return base::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
+    if (base::Error error = link_drawer_.start_links(gl, budget, memory.billboards)) return error;
+    if (base::Error error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface)) return error;
     return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces, variant);
 }
 

@@ -65,7 +65,7 @@ public:
     };
     /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
     /// that lends it; must outlive this.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
                                     const draw::DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
     /// False where the design needs programs that were not built.

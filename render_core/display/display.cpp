@@ -17,15 +17,15 @@ namespace tedavis::display {
 
 using flight::Signal;
 
-gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
+base::Error Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
     settings_ = settings;
-    if (gl::GlError error = take_designs(settings); !error.sentence.empty()) return error;
-    if (gl::GlError error = memory_.cut(settings_.device.budget, memory); !error.sentence.empty()) return error;
+    if (base::Error error = take_designs(settings)) return error;
+    if (base::Error error = memory_.cut(settings_.device.budget, memory)) return error;
     gl_.use_programs(settings.programs);
     if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
-    if (gl::GlError error = start_drawing(terrain); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_data(scene); !error.sentence.empty()) return error;
+    if (base::Error error = start_drawing(terrain)) return error;
+    if (base::Error error = start_data(scene)) return error;
     note_epochs();
     gl_.seal();
     gl_.use_programs(nullptr);
@@ -35,7 +35,7 @@ gl::GlError Display::start(const DisplaySettings& settings, base::Arena memory, 
 
 /// Every design as its weights leave it, the one that is shown first; and as it was read, whose programs show it at any weights.
 /// Those with foci also as they are where there is none.
-gl::GlError Display::start_drawing(const TerrainInput& terrain) {
+base::Error Display::start_drawing(const TerrainInput& terrain) {
     constexpr std::size_t kMost = 2 * (design::kMaxPhaseDesigns + 1);
     design::DesignSettings weighted[design::kMaxPhaseDesigns + 1];
     base::FixedVector<const design::DesignSettings*, kMost> all;
@@ -50,16 +50,16 @@ gl::GlError Display::start_drawing(const TerrainInput& terrain) {
         for (const design::DesignSettings* const design : all)
             if (const draw::DrawnDesign drawn = drawn_design(*design, has_focus); drawn.has_focus == has_focus)
                 static_cast<void>(designs.try_push_back(drawn));
-    if (gl::GlError error = start_drawers(designs); !error.sentence.empty()) return error;
+    if (base::Error error = start_drawers(designs)) return error;
     if (terrain.file == nullptr) return {};
     return terrain_.start(
         gl_, terrain, designs, settings_.device, memory_.terrain(),
         {terrain.workers, &memory_.traced_terrain(), settings_.width_px + 2 * stereo_margin_px(design_), settings_.height_px});
 }
 
-gl::GlError Display::start_data(base::ByteSource* scene) {
+base::Error Display::start_data(base::ByteSource* scene) {
     const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
-    if (gl::GlError error = data_.start(scene, memory_.scene(), ground_side); !error.sentence.empty()) return error;
+    if (base::Error error = data_.start(scene, memory_.scene(), ground_side)) return error;
     bool has_data = data_.has_scene() || settings_.expects_scene;
     draw::DataVariant variant{design_.sky.air.is_shown};
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
@@ -81,7 +81,7 @@ std::uint32_t Display::stereo_margin_px(const design::DesignSettings& design) co
     return eye_margin_px(design.view.horizontal_field_of_view_rad, settings_.width_px);
 }
 
-gl::GlError Display::start_drawers(draw::DrawnDesigns designs) {
+base::Error Display::start_drawers(draw::DrawnDesigns designs) {
     const std::uint32_t width_px = settings_.width_px, height_px = settings_.height_px;
     const std::uint32_t margin_px = stereo_margin_px(design_);
     bool fades = false, dims = false;
@@ -91,21 +91,14 @@ gl::GlError Display::start_drawers(draw::DrawnDesigns designs) {
     }
     const bool is_stereo = margin_px > 0;
     if (is_stereo)
-        if (gl::GlError error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px);
-            !error.sentence.empty())
-            return error;
+        if (base::Error error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px)) return error;
     if (fades && !is_stereo)
-        if (gl::GlError error = fade_.start(gl_, settings_.device.budget, width_px, height_px); !error.sentence.empty())
-            return error;
-    if (gl::GlError error = passes_.start(gl_, settings_.device, designs, width_px + 2 * margin_px, height_px);
-        !error.sentence.empty())
-        return error;
-    if (gl::GlError error = saliency_.start(gl_, settings_.device.budget, designs, width_px, height_px); !error.sentence.empty())
-        return error;
-    if (gl::GlError error = clutter_.start(gl_, settings_.device.budget, designs, width_px, height_px); !error.sentence.empty())
-        return error;
+        if (base::Error error = fade_.start(gl_, settings_.device.budget, width_px, height_px)) return error;
+    if (base::Error error = passes_.start(gl_, settings_.device, designs, width_px + 2 * margin_px, height_px)) return error;
+    if (base::Error error = saliency_.start(gl_, settings_.device.budget, designs, width_px, height_px)) return error;
+    if (base::Error error = clutter_.start(gl_, settings_.device.budget, designs, width_px, height_px)) return error;
     if (dims)
-        if (gl::GlError error = dimmer_.start(gl_, settings_.device.budget); !error.sentence.empty()) return error;
+        if (base::Error error = dimmer_.start(gl_, settings_.device.budget)) return error;
     return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
 }
 

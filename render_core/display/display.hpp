@@ -66,7 +66,7 @@ public:
 
     /// The surface must be current. An empty sentence means success.
     /// `scene`: a scene database, or null; it is read whole, now.
-    [[nodiscard]] gl::GlError start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
+    [[nodiscard]] base::Error start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                                     const TerrainInput& terrain, base::ByteSource* scene = nullptr);
     /// What the reservation handed to start() must hold for this device.
     [[nodiscard]] static std::uint64_t bytes_needed(const effects::DeviceSettings& device) {
@@ -176,7 +176,7 @@ private:
     enum class Turn : std::uint8_t { none, keeps };
 
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
-    [[nodiscard]] gl::GlError take_designs(const DisplaySettings& settings);
+    [[nodiscard]] base::Error take_designs(const DisplaySettings& settings);
     [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
         return place == 0 ? design_ : phases_.at(place);
     }
@@ -185,9 +185,9 @@ private:
     [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
     void follow_phase(const flight::PhaseStatus& phase, base::Time now);
     void show_design(std::size_t place);
-    [[nodiscard]] gl::GlError start_drawers(draw::DrawnDesigns designs);
-    [[nodiscard]] gl::GlError start_drawing(const TerrainInput& terrain);
-    [[nodiscard]] gl::GlError start_data(base::ByteSource* scene);
+    [[nodiscard]] base::Error start_drawers(draw::DrawnDesigns designs);
+    [[nodiscard]] base::Error start_drawing(const TerrainInput& terrain);
+    [[nodiscard]] base::Error start_data(base::ByteSource* scene);
     [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void decide(base::Time now);

@@ -10,21 +10,21 @@ namespace {
 
 constexpr double kLeastTurnCosine = 0.9997;  // of a degree and a half
 
-gl::GlError differing(const design::DesignSettings& one, const design::DesignSettings& other) {
-    gl::GlError error = gl::make_error("the designs '", one.name.view(), "' and '", other.name.view());
-    error.sentence.append("' follow one another, so both need aerial perspective, and the same stereo, or neither; change one");
+base::Error differing(const design::DesignSettings& one, const design::DesignSettings& other) {
+    base::Error error = base::make_error("the designs '", one.name.view(), "' and '", other.name.view());
+    error.message.append("' follow one another, so both need aerial perspective, and the same stereo, or neither; change one");
     return error;
 }
 
 }  // namespace
 
-gl::GlError Display::take_designs(const DisplaySettings& settings) {
+base::Error Display::take_designs(const DisplaySettings& settings) {
     if (settings.phases != nullptr) phases_ = *settings.phases;
     settings_.phases = nullptr;
     for (std::size_t place = 0; place <= phases_.size(); ++place) {
         const design::DesignSettings& asked = place == 0 ? settings.design : settings.phases->at(place);
         if (const auto order = effects::replacement_order(asked.effects.instead); !order.ok())
-            return gl::make_error("the design's ", order.error().view());
+            return base::make_error("the design's ", order.error().view());
         asked_of_[place] = asked_effects(asked);
         design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
         kept = possible_design(asked, settings_.device);

@@ -28,15 +28,15 @@ std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {
     return budget.total(base::MemoryKind::cpu) + kAlignmentBytes;
 }
 
-gl::GlError DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& reservation) {
+base::Error DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& reservation) {
     for (const Part& part : kParts) {
         const base::BudgetLine* line = budget.find(part.line);
         if (line == nullptr) continue;
         base::Arena& arena = this->*part.arena;
         arena = reservation.carve(static_cast<std::size_t>(line->bytes));
         if (arena.use().capacity != line->bytes)
-            return gl::make_error("the reservation does not hold the budget line '", part.line,
-                                  "'; lower the budgets in the device file");
+            return base::make_error("the reservation does not hold the budget line '", part.line,
+                                    "'; lower the budgets in the device file");
     }
     return {};
 }

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <string_view>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_scene.hpp"
-#include "render_core/gl/gl_error.hpp"
 
 namespace tedavis::display {
 
@@ -21,7 +21,7 @@ public:
 
     /// The table has all the lines, as every device file has; but for what is traced, which it may have. An empty sentence means
     /// success.
-    [[nodiscard]] gl::GlError cut(const base::BudgetTable& budget, base::Arena& reservation);
+    [[nodiscard]] base::Error cut(const base::BudgetTable& budget, base::Arena& reservation);
     /// Writes into the lines what their owners have taken.
     void note_use(base::BudgetTable& budget) const;
 

@@ -95,11 +95,11 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
     if (plan.is_failing) flag("terrain.failing", record);
     if (plan.lod.worst_chunk == terrain::kNoChunk) return;
     const terrain::ChunkKey& worst = plan.lod.worst_chunk;
-    terrain.worst_chunk.append(gl::digits(worst.level).view());
+    terrain.worst_chunk.append(base::digits(worst.level).view());
     terrain.worst_chunk.append("/");
-    terrain.worst_chunk.append(gl::digits(worst.i).view());
+    terrain.worst_chunk.append(base::digits(worst.i).view());
     terrain.worst_chunk.append("/");
-    terrain.worst_chunk.append(gl::digits(worst.j).view());
+    terrain.worst_chunk.append(base::digits(worst.j).view());
 }
 
 void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record) {

@@ -119,19 +119,19 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
     return scale;
 }
 
-gl::GlError GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air, bool with_shadows) {
+base::Error GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air, bool with_shadows) {
     base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
     const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kMostFields);
-    if (gl::GlError error = drawer_.start(gl, line, memory, with_air); !error.sentence.empty()) return error;
+    if (base::Error error = drawer_.start(gl, line, memory, with_air)) return error;
     if (with_shadows)
-        if (gl::GlError error = drawer_.start_casters(gl); !error.sentence.empty()) return error;
+        if (base::Error error = drawer_.start_casters(gl)) return error;
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
     const bool has_selection = selection_.start(memory, room.glyphs);
     const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);
     site_memory_ = memory.carve(for_sites);
     most_glyphs_ = room.glyphs;
     if (room.sites > 0 && has_selection && site_memory_.use().capacity == for_sites) return {};
-    return gl::make_error("the budget line '", effects::kSceneGlyphs, "' is too small; raise it in the device file");
+    return base::make_error("the budget line '", effects::kSceneGlyphs, "' is too small; raise it in the device file");
 }
 
 draw::ElementInput GlyphElements::input_of(const Slot& slot, const GlyphFrameInput& frame) const {

@@ -41,7 +41,7 @@ class GlyphElements {
 public:
     static constexpr std::size_t kSlots = 3;
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air = false,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air = false,
                                     bool with_shadows = false);
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
     /// Nothing is shown from here on.

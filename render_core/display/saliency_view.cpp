@@ -5,7 +5,7 @@
 namespace tedavis::display {
 using draw::LabelPlanner;
 
-gl::GlError SaliencyView::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+base::Error SaliencyView::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                 std::uint32_t height_px) {
     bool shows_map = false, shows_heat = false;
     for (const draw::DrawnDesign& drawn : designs) {

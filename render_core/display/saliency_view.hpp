@@ -17,7 +17,7 @@ namespace tedavis::display {
 
 class SaliencyView {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                     std::uint32_t height_px);
     /// Whether what start() built shows the design's.
     [[nodiscard]] bool shows(const design::Saliency& saliency) const;

@@ -57,30 +57,29 @@ void leave_distances(DrawContext& frame) {
 
 }  // namespace
 
-gl::GlError ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs, std::uint32_t width_px,
+base::Error ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs, std::uint32_t width_px,
                                std::uint32_t height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
     has_air_ = designs[0].design->sky.air.is_shown;
     base::BudgetLine& targets = *device.budget.find(effects::kRenderTargets);
-    if (gl::GlError error = sky_.start(gl, device.budget, has_air_); !error.sentence.empty()) return error;
+    if (base::Error error = sky_.start(gl, device.budget, has_air_)) return error;
     if (has_air_)
-        if (gl::GlError error = air_.start(gl, targets); !error.sentence.empty()) return error;
+        if (base::Error error = air_.start(gl, targets)) return error;
     bool has_shadows = false, goes_off_screen = false;
     for (const draw::DrawnDesign& drawn : designs) {
         has_shadows = has_shadows || drawn.design->effects.shadows.is_any();
         goes_off_screen = goes_off_screen || is_off_screen(drawn);
     }
     if (has_shadows)
-        if (gl::GlError error = shadows_.start(gl, targets, device.capability.shadow_map_px); !error.sentence.empty())
-            return error;
-    if (gl::GlError error = start_view_effects(gl, device, designs); !error.sentence.empty()) return error;
+        if (base::Error error = shadows_.start(gl, targets, device.capability.shadow_map_px)) return error;
+    if (base::Error error = start_view_effects(gl, device, designs)) return error;
     goes_off_screen_ = is_off_screen(designs[0]);
-    return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : gl::GlError{};
+    return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : base::Error{};
 }
 
 /// What any of the designs asks for.
-gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs) {
+base::Error ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs) {
     bool has_shafts = false;
     for (const draw::DrawnDesign& drawn : designs) {
         const design::ViewEffects& effects = drawn.design->effects;
@@ -89,8 +88,7 @@ gl::GlError ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
         has_shafts = has_shafts || effects.shadows.in_air > 0;
     }
     if (has_shafts)
-        if (gl::GlError error = shafts_.start(gl, device.budget, width_px_, height_px_, has_air_); !error.sentence.empty())
-            return error;
+        if (base::Error error = shafts_.start(gl, device.budget, width_px_, height_px_, has_air_)) return error;
     if (!smooths_ && !blurs_ && !has_shafts) return {};
     return view_effects_.start(gl, device.budget, width_px_, height_px_, {smooths_, blurs_, has_shafts}, has_air_);
 }

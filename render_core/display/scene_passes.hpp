@@ -36,7 +36,7 @@ struct PassInput {
 class ScenePasses {
 public:
     /// For designs that follow one another; the first is drawn first. All have air, or none.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs,
+    [[nodiscard]] base::Error start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs,
                                     std::uint32_t width_px, std::uint32_t height_px);
     /// Whether what start() built shows a design, too.
     [[nodiscard]] bool shows(const draw::DrawnDesign& design) const;
@@ -55,7 +55,7 @@ private:
     void draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn);
     void draw_elements_over_picture(gl::Gl& gl, const PassInput& input);
     void draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow);
-    [[nodiscard]] gl::GlError start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs);
+    [[nodiscard]] base::Error start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs);
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
 
     draw::PicturePass picture_;

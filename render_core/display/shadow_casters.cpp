@@ -2,8 +2,8 @@
 
 namespace tedavis::display {
 
-gl::GlError ShadowCasters::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px) {
-    if (gl::GlError error = map_.start(gl, line, level_px); !error.sentence.empty()) return error;
+base::Error ShadowCasters::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px) {
+    if (base::Error error = map_.start(gl, line, level_px)) return error;
     return solids_.start(gl);
 }
 

@@ -11,7 +11,7 @@ namespace tedavis::display {
 
 class ShadowCasters {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
     [[nodiscard]] bool is_started() const { return map_.is_started(); }
     [[nodiscard]] const draw::ShadowMap& map() const { return map_; }
     /// `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the number of draws.

@@ -44,16 +44,17 @@ const char* reason_of(GroundDataState state) noexcept {
 
 std::string_view scene_fault(std::string_view sentence) noexcept { return base::text_behind(kOfScene, sentence); }
 
-gl::GlError SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
+base::Error SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
     most_side_ = most_side;
     const auto posts = static_cast<std::uint32_t>(memory.slices.use().capacity / (2 * sizeof(scene::SliceTexel)));
     if (!slice_.start(posts, memory.slices))
-        return gl::make_error("the budget line 'scene_slices' is too small for data on the ground; raise it in the device file");
+        return base::make_error(
+            "the budget line 'scene_slices' is too small for data on the ground; raise it in the device file");
     const std::size_t half = memory.scene.use().capacity / 2 & ~std::size_t{63};
     for (base::Arena& room : rooms_) room = memory.scene.carve(half);
     if (file == nullptr) return {};
     auto loaded = scene::Scene::load(*file, rooms_[room_]);
-    if (!loaded.ok()) return gl::make_error(kOfScene, scene::describe(loaded.error()).view());
+    if (!loaded.ok()) return base::make_error(kOfScene, scene::describe(loaded.error()).view());
     scene_ = loaded.value();
     has_scene_ = true;
     return {};

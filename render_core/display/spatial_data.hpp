@@ -7,10 +7,10 @@
 /// Memory    the arenas given to start(). Thread  the display's. Failure  start() gives one sentence.
 #pragma once
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/design/data_style.hpp"
 #include "render_core/flight/flight_time.hpp"
-#include "render_core/gl/gl_error.hpp"
 #include "render_core/scene/grid_slice.hpp"
 
 namespace tedavis::display {
@@ -50,7 +50,7 @@ public:
     };
     /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for; 0
     /// without terrain.
-    [[nodiscard]] gl::GlError start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
+    [[nodiscard]] base::Error start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
     [[nodiscard]] bool has_scene() const { return has_scene_; }
     /// Empty room for the next scene, as large as that of the one that is shown: half of the arena given to start().
     [[nodiscard]] base::Arena& spare();

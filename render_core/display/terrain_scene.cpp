@@ -61,8 +61,8 @@ bool is_short(const terrain::LodResult& lod) {
            lod.reason == LodStop::milliseconds || lod.reason == LodStop::nodes;
 }
 
-gl::GlError database_error(const terrain::TdbFailure& failure) {
-    return gl::make_error(kOfDatabase, terrain::describe(failure).view());
+base::Error database_error(const terrain::TdbFailure& failure) {
+    return base::make_error(kOfDatabase, terrain::describe(failure).view());
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
 }
 
-gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
+base::Error TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
                                 effects::DeviceSettings& device, const TerrainMemory& memory, const draw::TracePlace& traced) {
     device_ = &device;
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
@@ -90,18 +90,18 @@ gl::GlError TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::Dra
     database_ = opened.value();
     for (const draw::DrawnDesign& drawn : designs)
         if (needs_map(drawn.design->terrain.style, design::BakedMap::drape)) decide_drape();
-    if (gl::GlError error = start_store(input, memory); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_selection(memory.lod); !error.sentence.empty()) return error;
-    if (gl::GlError error = drawer_.start(gl, store_, designs, device, memory.staging); !error.sentence.empty()) return error;
+    if (base::Error error = start_store(input, memory)) return error;
+    if (base::Error error = start_selection(memory.lod)) return error;
+    if (base::Error error = drawer_.start(gl, store_, designs, device, memory.staging)) return error;
     store_.fetch_attributes(drawer_.reads_pages());
-    if (gl::GlError error = start_tracing(gl, designs, traced); !error.sentence.empty()) return error;
+    if (base::Error error = start_tracing(gl, designs, traced)) return error;
     started_ = true;
     return {};
 }
 
 /// Only where a design can be traced is anything kept for it.
-gl::GlError TerrainScene::start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place) {
-    gl::GlError error;
+base::Error TerrainScene::start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place) {
+    base::Error error;
     for (const draw::DrawnDesign& drawn : designs)
         if (draw::trace_state_of(drawn) == draw::TraceState::traced && traced_.state() == draw::TraceState::not_asked_for)
             error = traced_.start(gl, database_, heights_, *device_, place);
@@ -140,27 +140,28 @@ void TerrainScene::decide_drape() {
     drape_detail_ = {draw::drape_texel_size(database_.lattice(), middle).north_m, h.drape_level};
 }
 
-gl::GlError TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
+base::Error TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
     if (!heights_.start(database_, memory.payloads))
-        return gl::make_error("the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
+        return base::make_error(
+            "the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
     terrain::StoreSettings settings = store_settings(*device_, input.arrival);
     if (drape_ != DrapeState::shown) settings.drape_slots = 0;
     const terrain::TdbFailure failure = store_.start(
         database_, *input.reader, settings, {memory.index, memory.records, memory.payloads, memory.attributes, &memory.drape});
     if (failure.error == terrain::TdbError::too_large)
-        return gl::make_error(
+        return base::make_error(
             "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights', 'terrain_attributes' and "
             "'terrain_drape' "
             "do not hold max_chunk_slots, attribute_pages and drape_pages; raise them in the device file");
-    return failure.error == terrain::TdbError::none ? gl::GlError{} : database_error(failure);
+    return failure.error == terrain::TdbError::none ? base::Error{} : database_error(failure);
 }
 
-gl::GlError TerrainScene::start_selection(base::Arena& lod) {
+base::Error TerrainScene::start_selection(base::Arena& lod) {
     const std::uint32_t slots = device_->max_chunk_slots;
     selected_ = lod.allocate_array<terrain::SelectedChunk>(slots);
     wanted_ = lod.allocate_array<terrain::WantedChunk>(slots);
     if (selected_.empty() || wanted_.empty() || !selector_.start(lod, kNodesPerSlot * slots))
-        return gl::make_error("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+        return base::make_error("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
     return {};
 }
 

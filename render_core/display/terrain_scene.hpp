@@ -61,7 +61,7 @@ public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
 
     /// For designs that follow one another; the first is drawn first. `traced`: where terrain is traced, if a design wants it.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
+    [[nodiscard]] base::Error start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
                                     effects::DeviceSettings& device, const TerrainMemory& memory,
                                     const draw::TracePlace& traced = {});
     [[nodiscard]] bool is_started() const { return started_; }
@@ -131,12 +131,12 @@ private:
     void decide_drape();
     [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye,
                                                     double tau_factor) const;
-    [[nodiscard]] gl::GlError start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place);
+    [[nodiscard]] base::Error start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place);
     void follow_trace(const draw::DrawnDesign& design);
     void follow_trace(const terrain::View& view);
     [[nodiscard]] draw::TerrainDrawInput no_farther(draw::TerrainDrawInput input) const;
-    [[nodiscard]] gl::GlError start_store(const TerrainInput& input, const TerrainMemory& memory);
-    [[nodiscard]] gl::GlError start_selection(base::Arena& lod);
+    [[nodiscard]] base::Error start_store(const TerrainInput& input, const TerrainMemory& memory);
+    [[nodiscard]] base::Error start_selection(base::Arena& lod);
 
     effects::DeviceSettings* device_ = nullptr;
     terrain::TerrainDatabase database_;

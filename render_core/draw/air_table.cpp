@@ -55,7 +55,7 @@ double AirTable::distance_of_column_m(double column) noexcept {
     return kFirst_m * (std::exp2(column / (kColumns - 2.0) * kOctaves) - 1);
 }
 
-gl::GlError AirTable::start(gl::Gl& gl, base::BudgetLine& line) {
+base::Error AirTable::start(gl::Gl& gl, base::BudgetLine& line) {
     auto made = gl::make_texture(gl, line, {gl::TextureFormat::rgba16f, gl::TextureFilter::linear, kColumns, kRows * kBlocks});
     if (!made.ok()) return made.error();
     texture_ = static_cast<gl::Texture&&>(made.value());

@@ -46,7 +46,7 @@ public:
     static constexpr std::uint32_t kRows = 64, kColumns = 64, kBlocks = 3;
     static constexpr double kHeightStep_m = 8, kSunStep_rad = 0.25 / 57.29577951308232;
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
     void update(gl::Gl& gl, const design::AirSettings& settings, double eye_height_m, double sun_elevation_rad);
     /// The map and its light; the rest of the frame is the caller's.

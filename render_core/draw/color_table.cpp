@@ -60,7 +60,7 @@ double ColorTable::height_m(const HeightSpan& span, std::uint32_t row, std::uint
     return span.lowest_m + reach_m * (row + column / (kSide - 1.0)) / kHeightRows;
 }
 
-gl::GlError ColorTable::start(gl::Gl& gl, base::BudgetLine& line) {
+base::Error ColorTable::start(gl::Gl& gl, base::BudgetLine& line) {
     auto texture = gl::make_texture(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kSide, kSide});
     if (!texture.ok()) return texture.error();
     texture_ = static_cast<gl::Texture&&>(texture.value());

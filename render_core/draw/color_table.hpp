@@ -27,7 +27,7 @@ public:
     static constexpr std::uint32_t kSide = 256, kHeightRows = 254, kSeaRow = 254, kSkyRow = 255;
     static constexpr std::uint32_t kGroundAtHorizon = 64, kSkyAtHorizon = 128;  ///< columns; see sky_color.frag
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
     /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,

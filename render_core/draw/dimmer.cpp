@@ -4,9 +4,9 @@
 
 namespace tedavis::draw {
 
-gl::GlError Dimmer::start(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error Dimmer::start(gl::Gl& gl, base::BudgetTable& budget) {
     static constexpr const char* kNames[] = {"white"};
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = grid_.start(gl, budget)) return error;
     auto built =
         gl::build_program(gl, {"dimmer", shader_text(k_screen_vert), shader_text(k_dim_frag),
                                base::Span<const gl::AttributeBinding>(kScreenAttributes), base::Span<const char* const>(kNames)});

@@ -12,7 +12,7 @@ namespace tedavis::draw {
 
 class Dimmer {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     /// Of the bound framebuffer; alpha stays. `white`: 0..1. Leaves depth test, culling and blending off.
     void draw(gl::Gl& gl, const glm::dvec3& white) const;

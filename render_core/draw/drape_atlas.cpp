@@ -29,7 +29,7 @@ gl::TexelRect place_of(std::uint32_t slot, std::uint32_t side) {
 
 std::uint64_t DrapeAtlas::bytes_needed(std::uint32_t slots) { return gl::texture_bytes(settings_of(slots)); }
 
-gl::GlError DrapeAtlas::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t slots) {
+base::Error DrapeAtlas::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t slots) {
     TEDAVIS_CHECK(slots > 0);
     auto texture = gl::make_texture(gl, line, settings_of(slots));
     if (!texture.ok()) return texture.error();

@@ -20,7 +20,7 @@ struct DrapeOrigin {
 class DrapeAtlas {
 public:
     /// `slots` 1 or more.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t slots);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t slots);
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t slots);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
 

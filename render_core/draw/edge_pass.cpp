@@ -38,20 +38,20 @@ EdgeLoops edge_loops(std::uint32_t width_px, std::uint32_t height_px, std::uint3
 
 }  // namespace
 
-gl::GlError EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px, bool shows) {
+base::Error EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px, bool shows) {
     if (std::max(width_px, height_px) > perception::kMostPictureSide)
-        return gl::make_error("edges are found in pictures of at most ", gl::digits(perception::kMostPictureSide).view(),
-                              " pixels each way; take a smaller size");
+        return base::make_error("edges are found in pictures of at most ", base::digits(perception::kMostPictureSide).view(),
+                                " pixels each way; take a smaller size");
     width_px_ = width_px;
     height_px_ = height_px;
     strip_rows_ = gl.device().lane == effects::Lane::es2 ? 16 : 64;
     parts_ = parts_of_region(width_px);
-    if (gl::GlError error = start_edge_targets(gl, budget); !error.sentence.empty()) return error;
-    if (gl::GlError error = triangle_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = start_edge_targets(gl, budget)) return error;
+    if (base::Error error = triangle_.start(gl, budget)) return error;
     return programs_.start(gl, edge_loops(width_px, height_px, parts_), shows);
 }
 
-gl::GlError EdgePass::start_edge_targets(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error EdgePass::start_edge_targets(gl::Gl& gl, base::BudgetTable& budget) {
     base::BudgetLine& line = *budget.find(effects::kRenderTargets);
     PassTargets targets(gl, line);
     const std::uint32_t planes = perception::kColors * plane_columns(width_px_);

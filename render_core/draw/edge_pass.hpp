@@ -33,7 +33,7 @@ public:
     static constexpr int kTurns = 12;
 
     /// The surface has this size, at most perception::kMostPictureSide each way. `shows`: show() may be asked for.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows);
     [[nodiscard]] bool is_started() const { return counts_.valid(); }
     [[nodiscard]] bool can_show() const { return programs_.has(EdgeStep::show_edges); }
@@ -54,7 +54,7 @@ private:
         [[nodiscard]] std::uint32_t count() const { return end - first; }
     };
 
-    [[nodiscard]] gl::GlError start_edge_targets(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start_edge_targets(gl::Gl& gl, base::BudgetTable& budget);
     [[nodiscard]] Rows around(const Rows& rows, std::uint32_t more) const;
     void copy_planes(gl::Gl& gl, const base::Surface& surface, const Rows& rows);
     void find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, const Rows& rows);

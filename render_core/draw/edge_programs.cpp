@@ -36,13 +36,13 @@ std::array<EdgeStepText, kEdgeSteps> edge_step_texts() {
 
 void define_most(base::FixedString<kMaxShaderText>& text, std::uint32_t turns) {
     text.append("#define MOST ");
-    text.append(gl::digits(turns).view());
+    text.append(base::digits(turns).view());
     text.append("\n");
 }
 
 }  // namespace
 
-gl::GlError EdgePrograms::build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loops) {
+base::Error EdgePrograms::build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loops) {
     const EdgeStepText parts = edge_step_texts()[static_cast<std::size_t>(step)];
     base::FixedString<kMaxShaderText> fragment(kEdgeConstants);
     if (step == EdgeStep::count) define_most(fragment, loops.blocks);
@@ -61,11 +61,11 @@ gl::GlError EdgePrograms::build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loop
     return {};
 }
 
-gl::GlError EdgePrograms::start(gl::Gl& gl, const EdgeLoops& loops, bool shows) {
+base::Error EdgePrograms::start(gl::Gl& gl, const EdgeLoops& loops, bool shows) {
     for (std::size_t n = 0; n < kEdgeSteps; ++n) {
         const auto step = static_cast<EdgeStep>(n);
         if (!shows && (step == EdgeStep::show_edges || step == EdgeStep::show_regions)) continue;
-        if (gl::GlError error = build(gl, step, loops); !error.sentence.empty()) return error;
+        if (base::Error error = build(gl, step, loops)) return error;
     }
     return {};
 }

@@ -36,7 +36,7 @@ struct EdgeLoops {
 class EdgePrograms {
 public:
     /// Those that show something where that is asked for.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const EdgeLoops& loops, bool shows);
+    [[nodiscard]] base::Error start(gl::Gl& gl, const EdgeLoops& loops, bool shows);
     [[nodiscard]] bool has(EdgeStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
     /// In use from now on, and reads the texture, of a picture of that size.
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::Texture& texture, std::uint32_t width_px,
@@ -44,7 +44,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loops);
+    [[nodiscard]] base::Error build(gl::Gl& gl, EdgeStep step, const EdgeLoops& loops);
     std::array<gl::Program, kEdgeSteps> programs_;
 };
 

@@ -40,12 +40,13 @@ GridWindow grid_window(const terrain::Lattice& lattice, const terrain::ChunkKey&
     return window;
 }
 
-gl::GlError GroundMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px) {
+base::Error GroundMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px) {
     const std::uint64_t color_bytes = std::uint64_t{kColors} * kColorRows * 4;
     std::uint32_t side = max_texture_px;
     while (side >= kSmallestSide && std::uint64_t{side} * side * 4 + color_bytes > line.bytes) side /= 2;
     if (side < kSmallestSide)
-        return gl::make_error("the budget line 'scene_ground' is too small for data on the ground; raise it in the device file");
+        return base::make_error(
+            "the budget line 'scene_ground' is too small for data on the ground; raise it in the device file");
     auto colors = gl::make_texture(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kColors, kColorRows});
     if (!colors.ok()) return colors.error();
     colors_ = static_cast<gl::Texture&&>(colors.value());

@@ -23,7 +23,7 @@ struct GridWindow {
 class GroundMap {
 public:
     /// The largest square of a power of two that the line pays beside the colours.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
     /// Posts across and down for which there is room.
     [[nodiscard]] std::uint32_t side() const { return map_.settings().width_px; }

@@ -10,13 +10,13 @@ enum KeptUniform : std::size_t { kKeptTexture, kKeptPart, kKeptUniforms };
 
 }  // namespace
 
-gl::GlError KeptPicture::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px) {
+base::Error KeptPicture::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px) {
     static constexpr const char* kNames[kKeptUniforms] = {"picture", "part"};
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::linear, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = grid_.start(gl, budget)) return error;
     auto built =
         gl::build_program(gl, {"kept picture", shader_text(k_screen_vert), shader_text(k_kept_picture_frag),
                                base::Span<const gl::AttributeBinding>(kScreenAttributes), base::Span<const char* const>(kNames)});

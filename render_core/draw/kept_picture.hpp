@@ -12,7 +12,7 @@ namespace tedavis::draw {
 
 class KeptPicture {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
     /// Columns from `begins_px` on, `width_px` of them, at full height. Blending is the caller's; depth test and culling are off

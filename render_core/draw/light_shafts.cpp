@@ -38,7 +38,7 @@ void set_vec3(float (&to)[3], const glm::dvec3& from) {
 
 }  // namespace
 
-gl::GlError LightShafts::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+base::Error LightShafts::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                bool with_air) {
     with_air_ = with_air;
     const gl::TextureSettings texels{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, (width_px + 1) / 2,
@@ -46,7 +46,7 @@ gl::GlError LightShafts::start(gl::Gl& gl, base::BudgetTable& budget, std::uint3
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), texels, gl::TargetDepth::none);
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = grid_.start(gl, budget)) return error;
     base::FixedString<kMaxShaderText> fragment("#define SHADOWS 1\n");
     if (with_air) fragment.append("#define AIR 1\n");
     fragment.append(shader_text(k_shadow_frag));

@@ -35,7 +35,7 @@ class LightShafts {
 public:
     static constexpr std::uint32_t kUnit = 1;  ///< for who reads the texture
 
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool with_air);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     /// Light that is lost, with air its root, else as the haze's colour; alpha: the code of the distance that was walked.

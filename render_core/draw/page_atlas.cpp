@@ -45,12 +45,12 @@ std::uint64_t PageAtlas::bytes_needed(const design::MapSet& maps, bool coast, st
     return bytes;
 }
 
-gl::GlError PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast, std::uint32_t slots,
+base::Error PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast, std::uint32_t slots,
                              base::Arena& staging) {
     TEDAVIS_CHECK(slots > 0);
     horizon_ = staging.allocate_array<std::uint8_t>(std::size_t{kHorizonPosts} * kHorizonPosts);
     if (horizon_.empty())
-        return gl::make_error("the budget line 'staging' is too small for a horizon page; raise it in the device file");
+        return base::make_error("the budget line 'staging' is too small for a horizon page; raise it in the device file");
     for (const BakedMap map : kPageMaps) {
         if (!is_needed(maps, coast, map)) continue;
         auto texture = gl::make_texture(gl, line, settings_of(map, slots));

@@ -21,7 +21,7 @@ struct PageOrigin {
 class PageAtlas {
 public:
     /// `slots` 1 or more; `staging` holds one page of texels. With `coast`, the map that tells sea from land is there too.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast,
                                     std::uint32_t slots, base::Arena& staging);
     [[nodiscard]] static std::uint64_t bytes_needed(const design::MapSet& maps, bool coast, std::uint32_t slots);
     [[nodiscard]] bool is_started() const { return slots_ > 0; }

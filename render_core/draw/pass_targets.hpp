@@ -12,7 +12,7 @@ public:
     /// Four bytes a texel, without depth. Does nothing once one could not be made.
     void make(gl::RenderTarget& to, std::uint32_t width_px, std::uint32_t height_px,
               gl::TextureFilter filter = gl::TextureFilter::nearest) {
-        if (!error_.sentence.empty()) return;
+        if (error_) return;
         auto made =
             gl::make_render_target(gl_, line_, {gl::TextureFormat::rgba8, filter, width_px, height_px}, gl::TargetDepth::none);
         if (made.ok())
@@ -21,12 +21,12 @@ public:
             error_ = made.error();
     }
     /// An empty sentence if all were made.
-    [[nodiscard]] const gl::GlError& error() const { return error_; }
+    [[nodiscard]] const base::Error& error() const { return error_; }
 
 private:
     gl::Gl& gl_;
     base::BudgetLine& line_;
-    gl::GlError error_;
+    base::Error error_;
 };
 
 }  // namespace tedavis::draw

@@ -40,23 +40,20 @@ void set_color(gl::Gl& gl, GLint location, design::Color color) {
 
 }  // namespace
 
-gl::GlError PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+base::Error PicturePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                DrawnDesigns designs) {
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = grid_.start(gl, budget)) return error;
     for (const DrawnDesign& drawn : designs) {
         if (drawn.output == TerrainOutput::color || shows(drawn)) continue;
         const bool coded = drawn.output == TerrainOutput::code;
         with_air_ = drawn.design->sky.air.is_shown;
         if (coded && !colors_.is_started())
-            if (gl::GlError error = colors_.start(gl, *budget.find(effects::kRenderTargets)); !error.sentence.empty())
-                return error;
-        if (gl::GlError error = build_programs(gl, coded, drawn.design->terrain.style.sketch.silhouettes > 0);
-            !error.sentence.empty())
-            return error;
+            if (base::Error error = colors_.start(gl, *budget.find(effects::kRenderTargets))) return error;
+        if (base::Error error = build_programs(gl, coded, drawn.design->terrain.style.sketch.silhouettes > 0)) return error;
     }
     set_design(designs[0]);
     return {};
@@ -72,7 +69,7 @@ void PicturePass::set_design(const DrawnDesign& design) {
     colors_.forget();
 }
 
-gl::GlError PicturePass::build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const {
+base::Error PicturePass::build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const {
     const UniformNames uniforms;
     base::FixedString<kMaxShaderText> fragment(coded ? "#define CODED 1\n" : "");
     fragment.append(defines);
@@ -89,17 +86,17 @@ gl::GlError PicturePass::build_program(gl::Gl& gl, bool coded, std::string_view 
 }
 
 /// Without silhouettes too: the time may not suffice for them.
-gl::GlError PicturePass::build_programs(gl::Gl& gl, bool coded, bool outlined) {
+base::Error PicturePass::build_programs(gl::Gl& gl, bool coded, bool outlined) {
     Programs& programs = programs_[coded ? 1 : 0];
     if (!programs.sky.valid())
-        if (gl::GlError error = build_program(gl, coded, "#define SKY 1\n", programs.sky); !error.sentence.empty()) return error;
+        if (base::Error error = build_program(gl, coded, "#define SKY 1\n", programs.sky)) return error;
     for (const bool hatched : {false, true})
         for (const bool lines : {false, true}) {
             gl::Program& program = programs.ground[hatched ? 1 : 0][lines ? 1 : 0];
             if ((hatched && !coded) || (lines && !outlined) || program.valid()) continue;
             base::FixedString<40> defines(hatched ? "#define HATCHED 1\n" : "");
             if (lines) defines.append("#define OUTLINED 1\n");
-            if (gl::GlError error = build_program(gl, coded, defines.view(), program); !error.sentence.empty()) return error;
+            if (base::Error error = build_program(gl, coded, defines.view(), program)) return error;
         }
     return {};
 }

@@ -33,7 +33,7 @@ class PicturePass {
 public:
     /// For designs that follow one another; those whose output is TerrainOutput::color have no use for it. The first is drawn
     /// first.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     DrawnDesigns designs);
     /// Whether there are the programs that a design needs.
     [[nodiscard]] bool shows(const DrawnDesign& design) const;
@@ -57,8 +57,8 @@ private:
         gl::Program ground[2][2];  ///< the second with what is not known; the second with silhouettes
         gl::Program sky;
     };
-    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, bool coded, bool outlined);
-    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const;
+    [[nodiscard]] base::Error build_programs(gl::Gl& gl, bool coded, bool outlined);
+    [[nodiscard]] base::Error build_program(gl::Gl& gl, bool coded, std::string_view defines, gl::Program& program) const;
     void paint_ground(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input) const;
     void use(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, const PictureInput& input) const;
     void set_outline(gl::Gl& gl, const gl::Program& program, const design::SketchSettings& sketch) const;

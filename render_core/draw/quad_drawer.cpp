@@ -22,7 +22,7 @@ constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth", "partin
 constexpr std::string_view kGlyphs = "#define GLYPHS 1\n", kAmongTerrain = "#define AMONG_TERRAIN 1\n";
 constexpr std::size_t kLinkShare = 4;  // links have one in so many of the vertices of billboards
 
-gl::GlError build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
+base::Error build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
     const bool with_depth = defines == kAmongTerrain;
     base::FixedString<kMaxShaderText> vertex(defines), fragment(defines);
     vertex.append(shader_text(k_symbology_vert));
@@ -57,16 +57,16 @@ void point_attributes(gl::Gl& gl) {
 
 }  // namespace
 
-gl::GlError QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
-    gl::GlError error = make_buffers(gl, budget, memory, {effects::kSymbology, effects::kSymbologyVertices}, max_vertices);
-    if (error.sentence.empty()) error = make_typeface(gl, budget);
+base::Error QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
+    base::Error error = make_buffers(gl, budget, memory, {effects::kSymbology, effects::kSymbologyVertices}, max_vertices);
+    if (!error) error = make_typeface(gl, budget);
     boxes_ = &box_program_;
     glyphs_ = &glyph_program_;
-    if (error.sentence.empty()) error = build_program(gl, "", box_program_);
-    return error.sentence.empty() ? build_program(gl, kGlyphs, glyph_program_) : error;
+    if (!error) error = build_program(gl, "", box_program_);
+    return error.message.empty() ? build_program(gl, kGlyphs, glyph_program_) : error;
 }
 
-gl::GlError QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
+base::Error QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
     typeface_ = lender.typeface_;
     boxes_ = lender.boxes_;
     glyphs_ = lender.glyphs_;
@@ -74,18 +74,19 @@ gl::GlError QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, base:
     return make_buffers(gl, budget, memory, kBillboardLines, vertices - vertices / kLinkShare);
 }
 
-gl::GlError QuadDrawer::start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
+base::Error QuadDrawer::start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
     boxes_ = &box_program_;
-    gl::GlError error = make_buffers(gl, budget, memory, kBillboardLines, billboard_vertices(budget) / kLinkShare);
-    return error.sentence.empty() ? build_program(gl, kAmongTerrain, box_program_) : error;
+    base::Error error = make_buffers(gl, budget, memory, kBillboardLines, billboard_vertices(budget) / kLinkShare);
+    return error.message.empty() ? build_program(gl, kAmongTerrain, box_program_) : error;
 }
 
-gl::GlError QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
+base::Error QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
                                      std::size_t max_vertices) {
     const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
     const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
     if (vertices.empty() || indices.empty())
-        return gl::make_error("the budget line '", lines.batch, "' is too small for the symbology; raise it in the device file");
+        return base::make_error("the budget line '", lines.batch,
+                                "' is too small for the symbology; raise it in the device file");
     batch_ = QuadBatch(vertices, indices);
     base::BudgetLine& quads = *budget.find(lines.buffers);
     auto vertex_buffer =
@@ -99,7 +100,7 @@ gl::GlError QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base
     return {};
 }
 
-gl::GlError QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
     const FontAtlas& font = font_atlas();
     const auto width = static_cast<std::uint32_t>(font.width), height = static_cast<std::uint32_t>(font.height);
     auto atlas = gl::make_texture(gl, *budget.find(effects::kFontAtlas),
@@ -107,7 +108,7 @@ gl::GlError QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
     if (!atlas.ok()) return atlas.error();
     atlas_ = static_cast<gl::Texture&&>(atlas.value());
     typeface_ = &atlas_;
-    if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return gl::make_error("the typeface cannot be uploaded");
+    if (!atlas_.upload(gl, {0, 0, width, height}, font.texels.data())) return base::make_error("the typeface cannot be uploaded");
     return {};
 }
 

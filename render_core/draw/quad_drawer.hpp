@@ -25,11 +25,11 @@ public:
     static constexpr std::uint64_t kBytesAVertex = sizeof(QuadVertex) + sizeof(std::uint16_t) * 3 / 2;
 
     /// `max_vertices` up to 65,536. An empty sentence means success.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices);
     /// Of signs, with typeface and programs of `lender`, which must outlive it.
-    [[nodiscard]] gl::GlError start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender);
+    [[nodiscard]] base::Error start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender);
     /// Of lines among the terrain, without a typeface.
-    [[nodiscard]] gl::GlError start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
+    [[nodiscard]] base::Error start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
     /// To be filled for the frame; build_symbology clears it first.
     [[nodiscard]] QuadBatch& batch() { return batch_; }
     [[nodiscard]] const QuadBatch& batch() const { return batch_; }
@@ -46,9 +46,9 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
+    [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
                                            std::size_t max_vertices);
-    [[nodiscard]] gl::GlError make_typeface(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error make_typeface(gl::Gl& gl, base::BudgetTable& budget);
     void set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) const;
     std::uint32_t draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last_attribute);
 

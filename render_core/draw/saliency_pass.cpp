@@ -27,18 +27,18 @@ int saliency_map_level(effects::Lane lane, std::uint32_t width_px, std::uint32_t
     return lane == effects::Lane::es2 ? level + 1 : level;
 }
 
-gl::GlError SaliencyPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+base::Error SaliencyPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                 bool shows_map, bool shows_heat) {
     width_px_ = width_px;
     height_px_ = height_px;
     level_ = saliency_map_level(gl.device().lane, width_px, height_px);
     taps_ = perception::gabor_taps();
-    if (gl::GlError error = start_targets(gl, budget); !error.sentence.empty()) return error;
-    if (gl::GlError error = triangle_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = start_targets(gl, budget)) return error;
+    if (base::Error error = triangle_.start(gl, budget)) return error;
     return programs_.start(gl, level_, shows_map, shows_heat);
 }
 
-gl::GlError SaliencyPass::start_targets(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error SaliencyPass::start_targets(gl::Gl& gl, base::BudgetTable& budget) {
     base::BudgetLine& line = *budget.find(effects::kRenderTargets);
     PassTargets targets(gl, line);
     const std::uint32_t width = level_side(width_px_, level_), height = level_side(height_px_, level_);

@@ -28,7 +28,7 @@ namespace tedavis::draw {
 class SaliencyPass {
 public:
     /// The surface has this size. `shows_map`, `shows_heat`: what show() may be asked for.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows_map, bool shows_heat);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
     [[nodiscard]] bool can_show(design::SaliencyView view) const;
@@ -51,7 +51,7 @@ private:
         const std::array<gl::RenderTarget, kLevels>& levels;
     };
 
-    [[nodiscard]] gl::GlError start_targets(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start_targets(gl::Gl& gl, base::BudgetTable& budget);
     void copy_colors(gl::Gl& gl, const base::Surface& surface);
     void soften(gl::Gl& gl);
     void measure_directions(gl::Gl& gl);

@@ -48,7 +48,7 @@ std::array<StepText, kSaliencySteps> step_texts() {
 
 }  // namespace
 
-gl::GlError SaliencyPrograms::build(gl::Gl& gl, SaliencyStep step, int level) {
+base::Error SaliencyPrograms::build(gl::Gl& gl, SaliencyStep step, int level) {
     const StepText parts = step_texts()[static_cast<std::size_t>(step)];
     constexpr std::string_view kBlocks[] = {"#define BLOCK 1\n", "#define BLOCK 2\n", "#define BLOCK 4\n", "#define BLOCK 8\n"};
     base::FixedString<kMaxShaderText> fragment(parts.define);
@@ -67,11 +67,11 @@ gl::GlError SaliencyPrograms::build(gl::Gl& gl, SaliencyStep step, int level) {
     return {};
 }
 
-gl::GlError SaliencyPrograms::start(gl::Gl& gl, int level, bool shows_map, bool shows_heat) {
+base::Error SaliencyPrograms::start(gl::Gl& gl, int level, bool shows_map, bool shows_heat) {
     for (std::size_t n = 0; n < kSaliencySteps; ++n) {
         const auto step = static_cast<SaliencyStep>(n);
         if ((step == SaliencyStep::show_map && !shows_map) || (step == SaliencyStep::show_heat && !shows_heat)) continue;
-        if (gl::GlError error = build(gl, step, level); !error.sentence.empty()) return error;
+        if (base::Error error = build(gl, step, level)) return error;
     }
     return {};
 }

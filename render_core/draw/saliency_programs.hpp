@@ -62,14 +62,14 @@ class SaliencyPrograms {
 public:
     /// For maps of which a pixel is 2^level of the picture's across and down; of the steps that show one those that are asked
     /// for.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, int level, bool shows_map, bool shows_heat);
+    [[nodiscard]] base::Error start(gl::Gl& gl, int level, bool shows_map, bool shows_heat);
     [[nodiscard]] bool has(SaliencyStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
     /// In use from now on.
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, SaliencyStep step) const;
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build(gl::Gl& gl, SaliencyStep step, int level);
+    [[nodiscard]] base::Error build(gl::Gl& gl, SaliencyStep step, int level);
     std::array<gl::Program, kSaliencySteps> programs_;
 };
 

@@ -9,7 +9,7 @@ namespace tedavis::draw {
 
 class SceneFade {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px) {
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px) {
         return picture_.start(gl, budget, width_px, height_px);
     }
     [[nodiscard]] bool is_started() const { return picture_.is_started(); }

@@ -38,7 +38,7 @@ bool reaches(const ScreenPart& part, std::uint32_t column, std::uint32_t row) {
 
 }  // namespace
 
-gl::GlError ScreenGrid::start(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error ScreenGrid::start(gl::Gl& gl, base::BudgetTable& budget) {
     const GridShape shape;
     base::BudgetLine& line = *budget.find(effects::kSymbologyVertices);
     auto vertices = gl::make_buffer(gl, line, gl::BufferKind::vertices, gl::BufferUse::fixed, sizeof shape.places);
@@ -49,7 +49,7 @@ gl::GlError ScreenGrid::start(gl::Gl& gl, base::BudgetTable& budget) {
     indices_ = static_cast<gl::Buffer&&>(indices.value());
     if (!vertices_.upload(gl, 0, shape.places, sizeof shape.places) ||
         !indices_.upload(gl, 0, shape.corners, sizeof shape.corners))
-        return gl::make_error("the screen's grid cannot be uploaded");
+        return base::make_error("the screen's grid cannot be uploaded");
     return {};
 }
 

@@ -19,7 +19,7 @@ struct ScreenPart {
 
 class ScreenGrid {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
     /// With the program in use.
     void draw(gl::Gl& gl) const { draw_cells(gl, {}, true); }
     /// The cells that reach into the part, or those that do not.

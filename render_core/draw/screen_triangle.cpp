@@ -4,13 +4,13 @@
 
 namespace tedavis::draw {
 
-gl::GlError ScreenTriangle::start(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error ScreenTriangle::start(gl::Gl& gl, base::BudgetTable& budget) {
     constexpr float kCorners[] = {-1, -1, 3, -1, -1, 3};
     auto made = gl::make_buffer(gl, *budget.find(effects::kSymbologyVertices), gl::BufferKind::vertices, gl::BufferUse::fixed,
                                 sizeof kCorners);
     if (!made.ok()) return made.error();
     corners_ = static_cast<gl::Buffer&&>(made.value());
-    if (!corners_.upload(gl, 0, kCorners, sizeof kCorners)) return gl::make_error("a triangle cannot be uploaded");
+    if (!corners_.upload(gl, 0, kCorners, sizeof kCorners)) return base::make_error("a triangle cannot be uploaded");
     return {};
 }
 

@@ -12,7 +12,7 @@ namespace tedavis::draw {
 
 class ScreenTriangle {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
     /// With the program and target that are in use.
     void draw(gl::Gl& gl) const;
     void destroy(gl::Gl& gl) { corners_.destroy(gl); }

@@ -7,7 +7,7 @@ float number(double value) { return static_cast<float>(value); }
 
 }  // namespace
 
-gl::GlError ShadowMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px) {
+base::Error ShadowMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px) {
     const gl::TextureSettings texels{gl::TextureFormat::rgba8, gl::TextureFilter::linear, level_px,
                                      level_px * static_cast<std::uint32_t>(kShadowLevels)};
     auto target = gl::make_render_target(gl, line, texels, gl::TargetDepth::bits24);

@@ -43,7 +43,7 @@ void set_light_axes(gl::Gl& gl, GLint location, const ShadowFrame& frame, const 
 
 class ShadowMap {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] std::uint32_t level_px() const { return level_px_; }
     [[nodiscard]] const gl::Texture& texture() const { return target_.color(); }

@@ -38,8 +38,8 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
     if (at(kSkyAir) >= 0) set_air_uniforms(gl, program, kSkyAir, input.air, input.axes);
 }
 
-gl::GlError SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget, bool with_air) {
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+base::Error SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget, bool with_air) {
+    if (base::Error error = grid_.start(gl, budget)) return error;
     base::FixedString<kMaxShaderText> fragment(with_air ? "#define AIR 1\n" : "");
     if (with_air) fragment.append(shader_text(k_air_frag));
     fragment.append(shader_text(k_sky_color_frag));

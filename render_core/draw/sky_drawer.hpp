@@ -43,7 +43,7 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
 class SkyDrawer {
 public:
     /// `with_air`: frames may have air.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, bool with_air = false);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, bool with_air = false);
     /// Colours every pixel of the bound framebuffer where nothing was drawn since its depth was cleared; leaves depth as it
     /// is, depth test, culling and blending off.
     void draw(gl::Gl& gl, const SkyInput& input) const;

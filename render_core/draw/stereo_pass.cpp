@@ -4,7 +4,7 @@
 
 namespace tedavis::draw {
 
-gl::GlError StereoPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+base::Error StereoPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                               std::uint32_t margin_px) {
     width_px_ = width_px;
     margin_px_ = margin_px;

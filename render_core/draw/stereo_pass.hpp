@@ -19,7 +19,7 @@ inline constexpr EyeSide kEyeSides[] = {EyeSide::left, EyeSide::right};
 class StereoPass {
 public:
     /// Of a screen of `width_px` x `height_px`; an eye's picture is wider by 2 * `margin_px`.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     std::uint32_t margin_px);
     [[nodiscard]] bool is_started() const { return picture_.is_started(); }
     [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }

@@ -49,29 +49,29 @@ bool has_foci(DrawnDesigns designs) {
 
 }  // namespace
 
-gl::GlError TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
+base::Error TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
                                  effects::DeviceSettings& device, base::Arena& staging) {
     store_ = &store;
     design_ = *designs[0].design;
-    if (gl::GlError error = start_memory(gl, device, staging); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_pages(gl, designs, device, staging); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_drape(gl, device, staging); !error.sentence.empty()) return error;
-    if (gl::GlError error = start_ground(gl, designs, device); !error.sentence.empty()) return error;
+    if (base::Error error = start_memory(gl, device, staging)) return error;
+    if (base::Error error = start_pages(gl, designs, device, staging)) return error;
+    if (base::Error error = start_drape(gl, device, staging)) return error;
+    if (base::Error error = start_ground(gl, designs, device)) return error;
     bool are_coded = true;
     for (const DrawnDesign& design : designs) {
         are_coded = are_coded && design.output == TerrainOutput::code;
-        if (gl::GlError error = add_style(gl, design, false); !error.sentence.empty()) return error;
+        if (base::Error error = add_style(gl, design, false)) return error;
         if (!design::magnifies(*design.design)) continue;
-        if (gl::GlError error = add_style(gl, design, true); !error.sentence.empty()) return error;
+        if (base::Error error = add_style(gl, design, true)) return error;
     }
     magnified_style_ = style_of(designs[0], true);
-    return are_coded ? gl::GlError{} : start_palette(gl, device, has_foci(designs));
+    return are_coded ? base::Error{} : start_palette(gl, device, has_foci(designs));
 }
 
-gl::GlError TerrainDrawer::add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified) {
+base::Error TerrainDrawer::add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified) {
     if (style_of(design, is_magnified) < styles_.size()) return {};
     if (!styles_.try_push_back({design.design->terrain.style, variant_of(design, is_magnified), {}}))
-        return gl::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
+        return base::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
     return build_programs(gl, styles_.back());
 }
 
@@ -80,13 +80,13 @@ bool TerrainDrawer::shows(const DrawnDesign& design) const {
     return has_parts && style_of(design, false) < styles_.size();
 }
 
-gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
+base::Error TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const std::uint32_t slots = device.max_chunk_slots;
     slots_ = staging.allocate_array<GpuSlot>(slots);
     index_staging_ = staging.allocate_array<std::uint16_t>(kSlotIndices);
     scratch_ = static_cast<terrain::ChunkMeshScratch*>(staging.allocate(sizeof *scratch_, alignof(terrain::ChunkMeshScratch)));
     if (slots_.empty() || index_staging_.empty() || scratch_ == nullptr)
-        return gl::make_error(
+        return base::make_error(
             "the budget line 'staging' is too small for the terrain's index staging; raise it in the device file");
     for (GpuSlot& slot : slots_) slot = GpuSlot{};
     auto vertices = gl::make_buffer(gl, *device.budget.find(effects::kTerrainVertices), gl::BufferKind::vertices,
@@ -100,7 +100,7 @@ gl::GlError TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& dev
     return {};
 }
 
-gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci) {
+base::Error TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci) {
     auto palette =
         gl::make_texture(gl, *device.budget.find(effects::kRenderTargets),
                          {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kPaletteTexels, with_foci ? kFocusRow + 1 : 1});
@@ -110,7 +110,7 @@ gl::GlError TerrainDrawer::start_palette(gl::Gl& gl, effects::DeviceSettings& de
     return {};
 }
 
-gl::GlError TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device) {
+base::Error TerrainDrawer::start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device) {
     for (const DrawnDesign& design : designs)
         if (design.design->data.ground.is_shown)
             return ground_.start(gl, *device.budget.find(effects::kSceneGround), device.capability.gl.max_texture_px);
@@ -147,7 +147,7 @@ std::size_t TerrainDrawer::style_of(const DrawnDesign& design, bool is_magnified
     return styles_.size();
 }
 
-gl::GlError TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
+base::Error TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
     TerrainVariant variant = style.variant;
     const bool is_coded = variant.output == TerrainOutput::code;
     for (std::size_t bands = 0; bands < (is_coded ? 1 : kBandVariants); ++bands)

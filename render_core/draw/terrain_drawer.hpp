@@ -61,7 +61,7 @@ public:
     static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
     /// For designs that follow one another while it runs; the first is drawn first.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
+    [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
                                     effects::DeviceSettings& device, base::Arena& staging);
     /// Whether there are the programs and maps that a design needs.
     [[nodiscard]] bool shows(const DrawnDesign& design) const;
@@ -108,17 +108,17 @@ private:
         terrain::SlotIndex slot = terrain::kNoSlot;
         terrain::ChunkKey owner;
     };
-    [[nodiscard]] gl::GlError start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
-    [[nodiscard]] gl::GlError start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci);
-    [[nodiscard]] gl::GlError start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device,
+    [[nodiscard]] base::Error start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
+    [[nodiscard]] base::Error start_palette(gl::Gl& gl, effects::DeviceSettings& device, bool with_foci);
+    [[nodiscard]] base::Error start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device,
                                           base::Arena& staging);
-    [[nodiscard]] gl::GlError start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
-    [[nodiscard]] gl::GlError start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device);
+    [[nodiscard]] base::Error start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
+    [[nodiscard]] base::Error start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device);
     [[nodiscard]] TerrainVariant variant_of(const DrawnDesign& design, bool is_magnified) const;
     /// styles_.size() where there is none.
     [[nodiscard]] std::size_t style_of(const DrawnDesign& design, bool is_magnified) const;
-    [[nodiscard]] gl::GlError add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified);
-    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl, Style& style);
+    [[nodiscard]] base::Error add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified);
+    [[nodiscard]] base::Error build_programs(gl::Gl& gl, Style& style);
     void set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] const Style& style() const { return styles_[style_]; }
     [[nodiscard]] bool magnifies(const TerrainDrawInput& input) const {

@@ -28,7 +28,7 @@ bool TerrainDrawer::is_coast(const terrain::ChunkEntry& entry) {
 }
 
 /// The maps of all designs.
-gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
+base::Error TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
     design::MapSet maps;
     for (const DrawnDesign& design : designs) maps.add(design.design->terrain.style);
     needs_maps_ = maps.any();
@@ -36,17 +36,17 @@ gl::GlError TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects
     if (slots == 0 || !reads_pages()) return {};
     page_slots_ = staging.allocate_array<PageSlot>(slots);
     if (page_slots_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
+        return base::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
     for (PageSlot& slot : page_slots_) slot = PageSlot{};
     return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), maps, database_has_coast(), slots, staging);
 }
 
-gl::GlError TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
+base::Error TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const auto slots = static_cast<std::uint32_t>(store_->drape_pages().use().capacity);
     if (slots == 0) return {};
     drape_generations_ = staging.allocate_array<std::uint32_t>(slots);
     if (drape_generations_.empty())
-        return gl::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
+        return base::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
     for (std::uint32_t& generation : drape_generations_) generation = 0;
     return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
 }

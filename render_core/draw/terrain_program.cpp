@@ -127,7 +127,7 @@ public:
         add("#define ");
         add(name);
         add(" ");
-        add(gl::digits(number).view());
+        add(base::digits(number).view());
         add("\n");
     }
     [[nodiscard]] const TerrainDefines& text() const { return text_; }
@@ -260,7 +260,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     return defines.text();
 }
 
-base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
+base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
     base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view());

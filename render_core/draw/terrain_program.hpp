@@ -138,7 +138,7 @@ using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
 /// The techniques of a style as the preprocessor's lines.
 [[nodiscard]] TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant);
 
-[[nodiscard]] base::Result<gl::Program, gl::GlError> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
+[[nodiscard]] base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                                            const TerrainVariant& variant);
 
 /// The number of bands in the smallest program that tells `bands` apart.

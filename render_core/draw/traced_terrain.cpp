@@ -43,12 +43,12 @@ TraceState trace_state_of(const DrawnDesign& design) {
     return design.output == TerrainOutput::code ? TraceState::traced : TraceState::not_by_style;
 }
 
-gl::GlError TracedTerrain::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
+base::Error TracedTerrain::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
                                  effects::DeviceSettings& device, const TracePlace& place) {
     database_ = &database;
     place_ = place;
     state_ = start_memory(heights, device, place);
-    return state_ == TraceState::traced ? start_pictures(gl, device.budget) : gl::GlError{};
+    return state_ == TraceState::traced ? start_pictures(gl, device.budget) : base::Error{};
 }
 
 TraceState TracedTerrain::start_memory(terrain::HeightQuery& heights, const effects::DeviceSettings& device,
@@ -62,12 +62,12 @@ TraceState TracedTerrain::start_memory(terrain::HeightQuery& heights, const effe
     return traced_state_of(ground_.start(heights, workers(), *place.memory));
 }
 
-gl::GlError TracedTerrain::start_pictures(gl::Gl& gl, base::BudgetTable& budget) {
+base::Error TracedTerrain::start_pictures(gl::Gl& gl, base::BudgetTable& budget) {
     const gl::TextureSettings texels{gl::TextureFormat::rgba8, gl::TextureFilter::nearest, place_.width_px, place_.height_px};
     auto depths = gl::make_texture(gl, *budget.find(effects::kTracedPictures), texels);
     if (!depths.ok()) return depths.error();
     depths_ = static_cast<gl::Texture&&>(depths.value());
-    if (gl::GlError error = screen_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = screen_.start(gl, budget)) return error;
     auto program = gl::build_program(
         gl, {"traced depths", shader_text(k_saliency_vert), shader_text(k_traced_depth_frag),
              base::Span<const gl::AttributeBinding>(kTracedCorners), base::Span<const char* const>(kTracedUniformNames), true});

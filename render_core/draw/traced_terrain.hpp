@@ -47,7 +47,7 @@ struct TracePlace {
 class TracedTerrain {
 public:
     /// Of the whole database that the query answers from; state() says whether it can trace it.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
+    [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
                                     effects::DeviceSettings& device, const TracePlace& place);
     /// not_asked_for before start().
     [[nodiscard]] TraceState state() const { return state_; }
@@ -65,7 +65,7 @@ public:
 private:
     [[nodiscard]] TraceState start_memory(terrain::HeightQuery& heights, const effects::DeviceSettings& device,
                                           const TracePlace& place);
-    [[nodiscard]] gl::GlError start_pictures(gl::Gl& gl, base::BudgetTable& budget);
+    [[nodiscard]] base::Error start_pictures(gl::Gl& gl, base::BudgetTable& budget);
     [[nodiscard]] base::Workers& workers() { return place_.workers != nullptr ? *place_.workers : own_worker_; }
     [[nodiscard]] raytrace::GroundSpace space() const { return {*database_, TracedGround::all_of(database_->lattice()), 1.0}; }
     void see(const terrain::View& view);

@@ -20,7 +20,7 @@ double distance_code(double distance_m) noexcept {
     return std::fmin(std::log2(1 + distance_m / kDistanceCodeStart_m) / kDistanceCodeOctaves, 254.0 / 255);
 }
 
-gl::GlError ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts) {
+base::Error ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts) {
     static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "shafts"};
     base::FixedString<kMaxShaderText> fragment(blurs ? "#define BLUR 1\n" : "");
     if (smooths) fragment.append("#define SMOOTH 1\n");
@@ -35,21 +35,21 @@ gl::GlError ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths,
     return {};
 }
 
-gl::GlError ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+base::Error ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                    const PictureEffects& effects, bool with_air) {
     with_air_ = with_air;
     const gl::TextureSettings color{gl::TextureFormat::rgba8, gl::TextureFilter::linear, width_px, height_px};
     auto target = gl::make_render_target(gl, *budget.find(effects::kRenderTargets), color, gl::TargetDepth::bits24);
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
-    if (gl::GlError error = grid_.start(gl, budget); !error.sentence.empty()) return error;
+    if (base::Error error = grid_.start(gl, budget)) return error;
     for (const bool blurs : {false, true})
         for (const bool smooths : {false, true})
             for (const bool shafts : {false, true}) {
                 const bool is_asked_for =
                     (!blurs || effects.blurs) && (!smooths || effects.smooths) && (!shafts || effects.has_shafts);
                 if (!is_asked_for || !(blurs || smooths || shafts)) continue;
-                if (gl::GlError error = build_program(gl, blurs, smooths, shafts); !error.sentence.empty()) return error;
+                if (base::Error error = build_program(gl, blurs, smooths, shafts)) return error;
             }
     return {};
 }

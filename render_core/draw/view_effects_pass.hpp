@@ -46,7 +46,7 @@ struct PictureEffects {
 
 class ViewEffectsPass {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     const PictureEffects& effects, bool with_air = false);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
@@ -55,7 +55,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] gl::GlError build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts);
+    [[nodiscard]] base::Error build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts);
 
     gl::RenderTarget target_;
     ScreenGrid grid_;

@@ -55,8 +55,8 @@ void require_subject(base::ConfigSection& root, const CalibrationSubject& of, co
                    "these costs were measured for pictures of another size; measure this display with `tedavis calibrate`");
 }
 
-base::Result<Calibration, base::ConfigError> read(std::string_view text, std::string_view file_name,
-                                                  const CalibrationSubject* display) {
+base::Result<Calibration, base::Error> read(std::string_view text, std::string_view file_name,
+                                            const CalibrationSubject* display) {
     base::ConfigReader reader(text, file_name);
     base::ConfigSection root = reader.root();
     Calibration calibration;
@@ -70,12 +70,12 @@ base::Result<Calibration, base::ConfigError> read(std::string_view text, std::st
 
 }  // namespace
 
-base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name) {
+base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name) {
     return read(text, file_name, nullptr);
 }
 
-base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name,
-                                                              const CalibrationSubject& display) {
+base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name,
+                                                        const CalibrationSubject& display) {
     return read(text, file_name, &display);
 }
 

@@ -34,9 +34,9 @@ struct Calibration {
 };
 
 /// A file without one of the tables, or with costs below 0, is refused.
-[[nodiscard]] base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name);
+[[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name);
 /// Also one that was measured for another device, renderer or size than `display`.
-[[nodiscard]] base::Result<Calibration, base::ConfigError> read_calibration(std::string_view text, std::string_view file_name,
-                                                                            const CalibrationSubject& display);
+[[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name,
+                                                                      const CalibrationSubject& display);
 
 }  // namespace tedavis::effects

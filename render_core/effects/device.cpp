@@ -125,7 +125,7 @@ void require_lines(base::ConfigSection root, const base::BudgetTable& budget) {
 
 }  // namespace
 
-base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string_view text, std::string_view file_name) {
+base::Result<DeviceSettings, base::Error> read_device_settings(std::string_view text, std::string_view file_name) {
     base::ConfigReader reader(text, file_name);
     base::ConfigSection root = reader.root();
     DeviceSettings device;

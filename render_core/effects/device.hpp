@@ -65,7 +65,6 @@ struct DeviceSettings {
 
 /// `text` is the file's content, `file_name` how messages call it. A file without one of the lines above, with a line
 /// twice, or with an unknown key is refused.
-[[nodiscard]] base::Result<DeviceSettings, base::ConfigError> read_device_settings(std::string_view text,
-                                                                                   std::string_view file_name);
+[[nodiscard]] base::Result<DeviceSettings, base::Error> read_device_settings(std::string_view text, std::string_view file_name);
 
 }  // namespace tedavis::effects

@@ -35,9 +35,10 @@ void Buffer::destroy(Gl& gl) {
     line_ = nullptr;
 }
 
-base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use, std::uint64_t bytes) {
+base::Result<Buffer, base::Error> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use,
+                                              std::uint64_t bytes) {
     if (bytes == 0)
-        return base::fail(make_error("a buffer of the budget line '", line.name.view(), "' would be empty; ask for bytes"));
+        return base::fail(base::make_error("a buffer of the budget line '", line.name.view(), "' would be empty; ask for bytes"));
     if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
     Buffer buffer;
     buffer.target_ = kind == BufferKind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
@@ -50,8 +51,8 @@ base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, Buffer
     if (gl.take_error() != GL_NO_ERROR || gl.denied().total != denied) {
         if (buffer.id_ != 0 && gl.stage() == Stage::start && gl.has(CallId::DeleteBuffers)) gl->DeleteBuffers(1, &buffer.id_);
         give_back(line, bytes);
-        return base::fail(
-            make_error("the driver refused a buffer of ", digits(bytes).view(), " bytes for the budget line ", line.name.view()));
+        return base::fail(base::make_error("the driver refused a buffer of ", base::digits(bytes).view(),
+                                           " bytes for the budget line ", line.name.view()));
     }
     buffer.bytes_ = bytes;
     buffer.line_ = &line;

@@ -31,7 +31,7 @@ public:
     void destroy(Gl& gl);
 
 private:
-    friend base::Result<Buffer, GlError> make_buffer(Gl&, base::BudgetLine&, BufferKind, BufferUse, std::uint64_t);
+    friend base::Result<Buffer, base::Error> make_buffer(Gl&, base::BudgetLine&, BufferKind, BufferUse, std::uint64_t);
     GLuint id_ = 0;
     GLenum target_ = GL_ARRAY_BUFFER;
     std::uint64_t bytes_ = 0;
@@ -39,7 +39,7 @@ private:
 };
 
 /// Start stage only. Content is undefined until uploaded.
-[[nodiscard]] base::Result<Buffer, GlError> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use,
-                                                        std::uint64_t bytes);
+[[nodiscard]] base::Result<Buffer, base::Error> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use,
+                                                            std::uint64_t bytes);
 
 }  // namespace tedavis::gl

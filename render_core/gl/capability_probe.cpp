@@ -96,20 +96,20 @@ bool provides(const DriverFacts& facts, CallOrigin origin) {
     return false;
 }
 
-base::Result<DriverFacts, GlError> probe_driver(base::Surface& surface) {
+base::Result<DriverFacts, base::Error> probe_driver(base::Surface& surface) {
     const Queries gl{reinterpret_cast<GetStringFn>(surface.proc_address("glGetString")),
                      reinterpret_cast<GetIntegervFn>(surface.proc_address("glGetIntegerv")),
                      reinterpret_cast<GetErrorFn>(surface.proc_address("glGetError"))};
     if (gl.get_string == nullptr || gl.get_integer == nullptr || gl.get_error == nullptr)
-        return base::fail(make_error("the ", surface.backend_name(), " surface has no GL; install a GL ES driver"));
+        return base::fail(base::make_error("the ", surface.backend_name(), " surface has no GL; install a GL ES driver"));
     const base::DriverScope driver;
     DriverFacts facts;
     facts.version = gl.text(GL_VERSION);
     facts.renderer = gl.text(GL_RENDERER);
     facts.vendor = gl.text(GL_VENDOR);
     if (!parse_version(facts.version.c_str(), facts))
-        return base::fail(make_error("the driver's version '", facts.version.view(),
-                                     "' is not readable; make the surface current before opening GL on it"));
+        return base::fail(base::make_error("the driver's version '", facts.version.view(),
+                                           "' is not readable; make the surface current before opening GL on it"));
     read_extensions(gl.text(GL_EXTENSIONS), facts);
     read_limits(gl, facts);
     return facts;

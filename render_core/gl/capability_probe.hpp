@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/gl/call_table.hpp"
-#include "render_core/gl/gl_error.hpp"
 
 namespace tedavis::gl {
 
@@ -39,6 +39,6 @@ static_assert(std::is_trivially_copyable_v<DriverFacts>);
 [[nodiscard]] bool provides(const DriverFacts& facts, CallOrigin origin);
 
 /// The surface must be current.
-[[nodiscard]] base::Result<DriverFacts, GlError> probe_driver(base::Surface& surface);
+[[nodiscard]] base::Result<DriverFacts, base::Error> probe_driver(base::Surface& surface);
 
 }  // namespace tedavis::gl

@@ -32,15 +32,15 @@ Gl::~Gl() {
     if (active_gl == this) active_gl = nullptr;
 }
 
-base::Result<DriverFacts, GlError> Gl::open(base::Surface& surface, const effects::DeviceCapability& device) {
+base::Result<DriverFacts, base::Error> Gl::open(base::Surface& surface, const effects::DeviceCapability& device) {
     TEDAVIS_CHECK(stage_ == Stage::closed);
     device_ = device;
     state_.rules = device.gl;
-    base::Result<DriverFacts, GlError> facts = probe_driver(surface);
+    base::Result<DriverFacts, base::Error> facts = probe_driver(surface);
     if (!facts) return facts;
     facts_ = facts.value();
-    for (const GlError& error : {check_names(), check_driver(), load(surface)})
-        if (!error.sentence.empty()) return base::fail(error);
+    for (const base::Error& error : {check_names(), check_driver(), load(surface)})
+        if (error) return base::fail(error);
     stage_ = Stage::start;
     build_table(stage_, table_);
     activate();
@@ -106,40 +106,41 @@ GLenum Gl::take_error() const {
     return first;
 }
 
-GlError Gl::check_names() const {
+base::Error Gl::check_names() const {
     for (const auto* names : {&device_.gl.also, &device_.gl.never})
         for (const effects::CallName& name : *names)
             if (find_call(name.view()) == CallId::count)
-                return make_error("the device file names the GL call '", name.view(),
-                                  "', which the call table does not know; remove it");
+                return base::make_error("the device file names the GL call '", name.view(),
+                                        "', which the call table does not know; remove it");
     for (const effects::FaultName& name : device_.gl.ignored_faults)
         if (find_fault(name.view()) == DriverFault::count)
-            return make_error("the device file ignores the driver fault '", name.view(), "', which nobody knows; remove it");
+            return base::make_error("the device file ignores the driver fault '", name.view(),
+                                    "', which nobody knows; remove it");
     return {};
 }
 
-GlError Gl::check_driver() const {
+base::Error Gl::check_driver() const {
     if (facts_.depth_bits < static_cast<std::int32_t>(device_.surface_depth_bits))
-        return make_error("the surface has ", digits(static_cast<std::uint64_t>(facts_.depth_bits)).view(),
-                          " depth bits and the device asks for more; choose another surface or device");
+        return base::make_error("the surface has ", base::digits(static_cast<std::uint64_t>(facts_.depth_bits)).view(),
+                                " depth bits and the device asks for more; choose another surface or device");
     if (device_.depth24_targets && !facts_.depth24_targets)
-        return make_error("the driver ", facts_.version.view(),
-                          " has no OES_depth24, which the device asks for; choose another device");
+        return base::make_error("the driver ", facts_.version.view(),
+                                " has no OES_depth24, which the device asks for; choose another device");
     if (facts_.max_texture_px < static_cast<std::int32_t>(device_.gl.max_texture_px) ||
         facts_.max_attributes < static_cast<std::int32_t>(device_.gl.max_attributes) ||
         facts_.max_texture_units < static_cast<std::int32_t>(device_.gl.max_texture_units))
-        return make_error("the driver ", facts_.version.view(),
-                          " has smaller limits than the device file's [gl] table; choose another device");
+        return base::make_error("the driver ", facts_.version.view(),
+                                " has smaller limits than the device file's [gl] table; choose another device");
     return {};
 }
 
-GlError Gl::load(base::Surface& surface) {
-#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)                           \
-    if (device_has(device_.gl, CallId::name)) {                                                    \
-        loaded_.name = reinterpret_cast<decltype(loaded_.name)>(find_entry(surface, #name));       \
-        if (loaded_.name == nullptr || !provides(facts_, CallOrigin::origin))                      \
-            return make_error("the driver ", facts_.version.view(),                                \
-                              " lacks gl" #name ", which the device uses; choose another device"); \
+base::Error Gl::load(base::Surface& surface) {
+#define TEDAVIS_GL_CALL(result, name, arguments, devices, stage, origin)                                 \
+    if (device_has(device_.gl, CallId::name)) {                                                          \
+        loaded_.name = reinterpret_cast<decltype(loaded_.name)>(find_entry(surface, #name));             \
+        if (loaded_.name == nullptr || !provides(facts_, CallOrigin::origin))                            \
+            return base::make_error("the driver ", facts_.version.view(),                                \
+                                    " lacks gl" #name ", which the device uses; choose another device"); \
     }
 #include "render_core/gl/gl_calls.inc"
 #undef TEDAVIS_GL_CALL

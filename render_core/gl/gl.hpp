@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/ports/program_store.hpp"
@@ -21,7 +22,6 @@
 #include "render_core/gl/call_table.hpp"
 #include "render_core/gl/capability_probe.hpp"
 #include "render_core/gl/driver_fault.hpp"
-#include "render_core/gl/gl_error.hpp"
 
 namespace tedavis::gl {
 
@@ -49,7 +49,7 @@ public:
 
     /// Loads the table for the current surface and makes this Gl the thread's active one, in the start stage. Refuses a
     /// driver that lacks an allowed call or is below the device's requirements, and a device file that names no call.
-    [[nodiscard]] base::Result<DriverFacts, GlError> open(base::Surface& surface, const effects::DeviceCapability& device);
+    [[nodiscard]] base::Result<DriverFacts, base::Error> open(base::Surface& surface, const effects::DeviceCapability& device);
     /// Where programs are found on a device that has no compiler, and kept on one that has; null for none. Before or after
     /// open(); it must outlive the start stage.
     void use_programs(base::ProgramStore* store) { programs_ = store; }
@@ -86,9 +86,9 @@ private:
     template <auto Member>
     friend struct Deny;
 
-    [[nodiscard]] GlError check_names() const;
-    [[nodiscard]] GlError check_driver() const;
-    [[nodiscard]] GlError load(base::Surface& surface);
+    [[nodiscard]] base::Error check_names() const;
+    [[nodiscard]] base::Error check_driver() const;
+    [[nodiscard]] base::Error load(base::Surface& surface);
     void build_table(Stage stage, CallTable& table) const;
     void refuse(CallId call, const char* reason);
     [[nodiscard]] const char* absence(CallId call) const;

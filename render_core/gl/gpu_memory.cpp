@@ -18,14 +18,14 @@ void give_back(base::BudgetLine& line, std::uint64_t bytes) {
     line.use.in_use -= bytes;
 }
 
-GlError over_budget(const base::BudgetLine& line, std::uint64_t needed) {
-    GlError error = make_error("the budget line '", line.name.view(), "' has ");
-    error.sentence.append(digits(line.bytes - line.use.in_use).view());
-    error.sentence.append(" of ");
-    error.sentence.append(digits(line.bytes).view());
-    error.sentence.append(" bytes left and ");
-    error.sentence.append(digits(needed).view());
-    error.sentence.append(" are needed; raise the line in the device file");
+base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed) {
+    base::Error error = base::make_error("the budget line '", line.name.view(), "' has ");
+    error.message.append(base::digits(line.bytes - line.use.in_use).view());
+    error.message.append(" of ");
+    error.message.append(base::digits(line.bytes).view());
+    error.message.append(" bytes left and ");
+    error.message.append(base::digits(needed).view());
+    error.message.append(" are needed; raise the line in the device file");
     return error;
 }
 

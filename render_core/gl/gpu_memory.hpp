@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "render_core/base/error.hpp"
 #include "render_core/base/memory_budget.hpp"
-#include "render_core/gl/gl_error.hpp"
 
 namespace tedavis::gl {
 
@@ -12,6 +12,6 @@ namespace tedavis::gl {
 [[nodiscard]] bool try_take(base::BudgetLine& line, std::uint64_t bytes);
 void give_back(base::BudgetLine& line, std::uint64_t bytes);
 /// "the budget line 'font_atlas' has 10 of 20 bytes left, 30 are needed; raise it in the device file"
-[[nodiscard]] GlError over_budget(const base::BudgetLine& line, std::uint64_t needed);
+[[nodiscard]] base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed);
 
 }  // namespace tedavis::gl

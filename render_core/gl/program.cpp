@@ -20,14 +20,14 @@ static_assert(effects::kMaxNamedCalls + std::size(kCompilerCalls) <= effects::kM
 
 GLint text_length(std::string_view text) { return static_cast<GLint>(text.size()); }
 
-GlError stage_error(const ProgramSource& source, std::string_view what, const char* log) {
-    GlError error = make_error("program '", source.name, "' ", what);
-    error.sentence.append(log[0] == '\0' ? "the driver gives no message" : log);
+base::Error stage_error(const ProgramSource& source, std::string_view what, const char* log) {
+    base::Error error = base::make_error("program '", source.name, "' ", what);
+    error.message.append(log[0] == '\0' ? "the driver gives no message" : log);
     return error;
 }
 
 /// 0 and the error filled when it does not compile.
-GLuint compile(Gl& gl, const ProgramSource& source, ShaderStage stage, GlError& error) {
+GLuint compile(Gl& gl, const ProgramSource& source, ShaderStage stage, base::Error& error) {
     const bool vertex = stage == ShaderStage::vertex;
     const std::string_view prefix = shader_prefix(gl.device().lane, stage);
     const std::string_view body = vertex ? source.vertex : source.fragment;
@@ -47,7 +47,7 @@ GLuint compile(Gl& gl, const ProgramSource& source, ShaderStage stage, GlError& 
     return 0;
 }
 
-GlError link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex, GLuint fragment) {
+base::Error link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex, GLuint fragment) {
     gl->AttachShader(program, vertex);
     gl->AttachShader(program, fragment);
     for (const AttributeBinding& attribute : source.attributes)
@@ -62,12 +62,12 @@ GlError link(Gl& gl, const ProgramSource& source, GLuint program, GLuint vertex,
     return stage_error(source, "does not link: ", log);
 }
 
-GlError distrusted(const ProgramSource& source, const KnownFault& fault) {
-    return make_error(source.name, ": this driver's binaries of programs are not trusted, for its fault ", fault.name,
-                      "; use another device, or ignore_faults in the device file's [gl] where the driver is proved good");
+base::Error distrusted(const ProgramSource& source, const KnownFault& fault) {
+    return base::make_error(source.name, ": this driver's binaries of programs are not trusted, for its fault ", fault.name,
+                            "; use another device, or ignore_faults in the device file's [gl] where the driver is proved good");
 }
 
-GlError keep(Gl& gl, const ProgramSource& source, const Program& program, base::ProgramStore& store) {
+base::Error keep(Gl& gl, const ProgramSource& source, const Program& program, base::ProgramStore& store) {
     if (const KnownFault* const fault = gl.binaries_fault(); fault != nullptr) return distrusted(source, *fault);
     if (!gl.has(CallId::GetProgramBinary) || gl.driver().program_binary_formats == 0)
         return stage_error(source, "cannot be kept", ": the driver or the device's call list has no program binaries");
@@ -90,18 +90,19 @@ void Program::destroy(Gl& gl) {
     *this = Program();
 }
 
-GlError Program::look_up_uniforms(Gl& gl, const ProgramSource& source) {
+base::Error Program::look_up_uniforms(Gl& gl, const ProgramSource& source) {
     for (const char* name : source.uniforms) {
         const GLint location = gl->GetUniformLocation(id_, name);
-        if (location < 0 && !source.some_unused) return make_error("program '", source.name, "' does not use the uniform ", name);
+        if (location < 0 && !source.some_unused)
+            return base::make_error("program '", source.name, "' does not use the uniform ", name);
         if (!uniforms_.try_push_back(location))
-            return make_error("program '", source.name, "' has more uniforms than kMaxUniforms");
+            return base::make_error("program '", source.name, "' has more uniforms than kMaxUniforms");
     }
     return {};
 }
 
-base::Result<Program, GlError> compile_program(Gl& gl, const ProgramSource& source) {
-    GlError error;
+base::Result<Program, base::Error> compile_program(Gl& gl, const ProgramSource& source) {
+    base::Error error;
     const GLuint vertex = compile(gl, source, ShaderStage::vertex, error);
     if (vertex == 0) return base::fail(error);
     const GLuint fragment = compile(gl, source, ShaderStage::fragment, error);
@@ -112,29 +113,29 @@ base::Result<Program, GlError> compile_program(Gl& gl, const ProgramSource& sour
         gl->DeleteShader(fragment);
     }
     gl->DeleteShader(vertex);
-    if (error.sentence.empty()) error = program.look_up_uniforms(gl, source);
-    if (error.sentence.empty()) return program;
+    if (!error) error = program.look_up_uniforms(gl, source);
+    if (!error) return program;
     program.destroy(gl);
     return base::fail(error);
 }
 
-base::Result<Program, GlError> load_program(Gl& gl, const ProgramSource& source, const base::StoredProgram& stored) {
+base::Result<Program, base::Error> load_program(Gl& gl, const ProgramSource& source, const base::StoredProgram& stored) {
     Program program;
     program.id_ = gl->CreateProgram();
     gl->ProgramBinary(program.id_, stored.format, stored.binary.data(), static_cast<GLsizei>(stored.binary.size()));
     GLint linked = GL_FALSE;
     gl->GetProgramiv(program.id_, GL_LINK_STATUS, &linked);
-    GlError error;
+    base::Error error;
     if (linked == GL_FALSE)  // GL reports no error for a changed binary
         error = stage_error(source, "has a binary that the driver refuses", kMakeAgain);
-    if (error.sentence.empty()) error = program.look_up_uniforms(gl, source);
+    if (!error) error = program.look_up_uniforms(gl, source);
     static_cast<void>(gl.take_error());  // a foreign format is also a GL error, and the sentence says it
-    if (error.sentence.empty()) return program;
+    if (!error) return program;
     program.destroy(gl);
     return base::fail(error);
 }
 
-base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source) {
+base::Result<Program, base::Error> build_program(Gl& gl, const ProgramSource& source) {
     base::ProgramStore* const store = gl.programs();
     if (!gl.has(CallId::CompileShader)) {
         if (const KnownFault* const fault = gl.binaries_fault(); fault != nullptr) return base::fail(distrusted(source, *fault));
@@ -143,10 +144,10 @@ base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source
             return base::fail(stage_error(source, "has no binary for this driver, and the device has no compiler", kMakeAgain));
         return load_program(gl, source, stored);
     }
-    base::Result<Program, GlError> built = compile_program(gl, source);
+    base::Result<Program, base::Error> built = compile_program(gl, source);
     if (!built.ok() || store == nullptr) return built;
-    const GlError error = keep(gl, source, built.value(), *store);
-    if (error.sentence.empty()) return built;
+    const base::Error error = keep(gl, source, built.value(), *store);
+    if (!error) return built;
     built.value().destroy(gl);
     return base::fail(error);
 }

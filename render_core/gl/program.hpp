@@ -30,8 +30,8 @@ struct ProgramSource {
 };
 
 class Program;
-[[nodiscard]] base::Result<Program, GlError> compile_program(Gl&, const ProgramSource&);
-[[nodiscard]] base::Result<Program, GlError> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
+[[nodiscard]] base::Result<Program, base::Error> compile_program(Gl&, const ProgramSource&);
+[[nodiscard]] base::Result<Program, base::Error> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
 
 class Program {
 public:
@@ -44,9 +44,9 @@ public:
 
 private:
     // Both are program.cpp's own.
-    friend base::Result<Program, GlError> compile_program(Gl&, const ProgramSource&);
-    friend base::Result<Program, GlError> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
-    [[nodiscard]] GlError look_up_uniforms(Gl& gl, const ProgramSource& source);
+    friend base::Result<Program, base::Error> compile_program(Gl&, const ProgramSource&);
+    friend base::Result<Program, base::Error> load_program(Gl&, const ProgramSource&, const base::StoredProgram&);
+    [[nodiscard]] base::Error look_up_uniforms(Gl& gl, const ProgramSource& source);
     GLuint id_ = 0;
     base::FixedVector<GLint, kMaxUniforms> uniforms_;
 };
@@ -54,7 +54,7 @@ private:
 /// In the start stage: compiled and linked in the device's lane, and kept in the Gl's store of programs if there is one. On a
 /// device without a compiler it is found in that store; a missing, changed or foreign binary is refused. A named uniform that
 /// the program does not use is an error, since a misspelt name looks the same.
-[[nodiscard]] base::Result<Program, GlError> build_program(Gl& gl, const ProgramSource& source);
+[[nodiscard]] base::Result<Program, base::Error> build_program(Gl& gl, const ProgramSource& source);
 
 /// Under which a program is kept: of its text, lane and attributes, and of the driver, whose binaries only it can read.
 [[nodiscard]] std::uint64_t program_key(const Gl& gl, const ProgramSource& source);

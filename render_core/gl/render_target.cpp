@@ -53,16 +53,16 @@ void RenderTarget::attach(Gl& gl) const {
     if (depth_ != 0) gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
 }
 
-base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine& line, const TextureSettings& color,
-                                                       TargetDepth depth) {
+base::Result<RenderTarget, base::Error> make_render_target(Gl& gl, base::BudgetLine& line, const TextureSettings& color,
+                                                           TargetDepth depth) {
     TEDAVIS_CHECK(color.format == TextureFormat::rgba8);
     RenderTarget target;
-    base::Result<Texture, GlError> texture = make_texture(gl, line, color);
+    base::Result<Texture, base::Error> texture = make_texture(gl, line, color);
     if (!texture) return base::fail(texture.error());
     target.color_ = std::move(texture.value());
     const std::uint64_t denied = gl.denied().total;
     if (depth == TargetDepth::bits24 && !target.make_depth(gl, line)) {
-        const GlError error = over_budget(line, texture_bytes(color));
+        const base::Error error = over_budget(line, texture_bytes(color));
         target.destroy(gl);
         return base::fail(error);
     }
@@ -72,9 +72,9 @@ base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine&
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     if (complete && gl.denied().total == denied) return target;
     target.destroy(gl);
-    return base::fail(
-        make_error("the device or driver cannot draw into a render target of the line '", line.name.view(),
-                   depth == TargetDepth::none ? "'; use another device file" : "' with 24-bit depth; use another device file"));
+    return base::fail(base::make_error(
+        "the device or driver cannot draw into a render target of the line '", line.name.view(),
+        depth == TargetDepth::none ? "'; use another device file" : "' with 24-bit depth; use another device file"));
 }
 
 void bind_surface(Gl& gl, const base::Surface& surface) {

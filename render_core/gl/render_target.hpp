@@ -25,7 +25,8 @@ public:
     void destroy(Gl& gl);
 
 private:
-    friend base::Result<RenderTarget, GlError> make_render_target(Gl&, base::BudgetLine&, const TextureSettings&, TargetDepth);
+    friend base::Result<RenderTarget, base::Error> make_render_target(Gl&, base::BudgetLine&, const TextureSettings&,
+                                                                      TargetDepth);
     void attach(Gl& gl) const;
     [[nodiscard]] bool make_depth(Gl& gl, base::BudgetLine& line);
     Texture color_;
@@ -37,8 +38,8 @@ private:
 
 /// Start stage only. `color.format` must be rgba8. A device whose call list has no 24-bit depth format (sc2) is refused
 /// when depth is asked for.
-[[nodiscard]] base::Result<RenderTarget, GlError> make_render_target(Gl& gl, base::BudgetLine& line, const TextureSettings& color,
-                                                                     TargetDepth depth);
+[[nodiscard]] base::Result<RenderTarget, base::Error> make_render_target(Gl& gl, base::BudgetLine& line,
+                                                                         const TextureSettings& color, TargetDepth depth);
 
 /// Draws go to the surface, over the whole of it.
 void bind_surface(Gl& gl, const base::Surface& surface);

@@ -89,10 +89,11 @@ void Texture::destroy(Gl& gl) {
     line_ = nullptr;
 }
 
-base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings) {
+base::Result<Texture, base::Error> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings) {
     const std::uint64_t bytes = texture_bytes(settings);
     if (bytes == 0)
-        return base::fail(make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
+        return base::fail(
+            base::make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
     if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
     Texture texture;
     texture.settings_ = settings;
@@ -105,10 +106,10 @@ base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, cons
     if (gl.take_error() == GL_NO_ERROR && gl.denied().total == denied) return texture;
     if (texture.id_ != 0 && gl.has(CallId::DeleteTextures)) gl->DeleteTextures(1, &texture.id_);
     give_back(line, bytes);
-    GlError error = make_error("the device or driver refused a texture of ", digits(settings.width_px).view(), " x ",
-                               digits(settings.height_px).view());
-    error.sentence.append(" texels for the budget line ");
-    error.sentence.append(line.name.view());
+    base::Error error = base::make_error("the device or driver refused a texture of ", base::digits(settings.width_px).view(),
+                                         " x ", base::digits(settings.height_px).view());
+    error.message.append(" texels for the budget line ");
+    error.message.append(line.name.view());
     return base::fail(error);
 }
 

@@ -51,13 +51,13 @@ public:
     void destroy(Gl& gl);
 
 private:
-    friend base::Result<Texture, GlError> make_texture(Gl&, base::BudgetLine&, const TextureSettings&);
+    friend base::Result<Texture, base::Error> make_texture(Gl&, base::BudgetLine&, const TextureSettings&);
     GLuint id_ = 0;
     TextureSettings settings_;
     base::BudgetLine* line_ = nullptr;
 };
 
 /// Start stage only. Content is undefined until uploaded or drawn into.
-[[nodiscard]] base::Result<Texture, GlError> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings);
+[[nodiscard]] base::Result<Texture, base::Error> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings);
 
 }  // namespace tedavis::gl

@@ -32,19 +32,19 @@ public:
     }
 
 private:
-    void add(std::string_view name, const BoardError& error, std::string_view found) {
-        report_.add(name, error.sentence.empty(), error.sentence.empty() ? found : error.sentence.view());
+    void add(std::string_view name, const base::Error& error, std::string_view found) {
+        report_.add(name, error.message.empty(), error.message.empty() ? found : error.message.view());
     }
     void fail(std::string_view name, std::initializer_list<std::string_view> parts) {
-        report_.add(name, false, make_board_error(parts).sentence.view());
+        report_.add(name, false, base::make_error(parts).message.view());
     }
 
     void check_terrain() {
         auto file = platform::open_file(settings_.terrain.c_str());
-        if (!file.ok()) return fail("board_terrain", {file.error().sentence.view()});
+        if (!file.ok()) return fail("board_terrain", {file.error().message.view()});
         const std::uint64_t most = std::min(file.value().size() + kSlackBytes, kMostTableBytes);
         const auto memory = platform::reserve_memory(most, platform::Residency::lazy);
-        if (!memory.ok()) return fail("board_terrain", {memory.error().sentence.view()});
+        if (!memory.ok()) return fail("board_terrain", {memory.error().message.view()});
         base::Arena arena = memory.value().arena();
         const auto database = terrain::TerrainDatabase::open(file.value(), arena);
         std::uint64_t chunks = 0;
@@ -68,7 +68,7 @@ private:
     /// Each program of a device without a compiler is read by the start.
     void check_programs() {
         const auto folder = platform::open_program_folder(settings_.programs.view());
-        if (!folder.ok()) return fail("board_programs", {folder.error().sentence.view()});
+        if (!folder.ok()) return fail("board_programs", {folder.error().message.view()});
         report_.add(
             "board_programs", true,
             gl::has_compiler(settings_.device.capability) ? "are not read: the device has a compiler" : "the folder is there");
@@ -76,11 +76,11 @@ private:
 
     /// False where there is no display.
     [[nodiscard]] bool check_start() {
-        const BoardError surface = display_.open_surface();
+        const base::Error surface = display_.open_surface();
         add("board_surface", surface, settings_.surface.view());
-        if (!surface.sentence.empty()) return false;
-        BoardError error = display_.start();
-        const bool is_started = error.sentence.empty();
+        if (surface) return false;
+        base::Error error = display_.start();
+        const bool is_started = error.message.empty();
         // A fault of terrain whose bytes are right: it does not fit the device.
         const SelfCheck* const terrain = report_.find("board_terrain");
         if (is_started && terrain != nullptr && terrain->holds) error = display_.terrain_fault();
@@ -104,15 +104,15 @@ private:
         if (!text.ok()) return add("board_costs", text.error(), {});
         const auto read = effects::read_calibration(text.value().view(), settings_.costs.view());
         report_.add("board_costs", read.ok(),
-                    read.ok() ? "well-formed; whose they are is not known without a display" : read.error().sentence.view());
+                    read.ok() ? "well-formed; whose they are is not known without a display" : read.error().message.view());
     }
 
     /// Into the room that the display has for it, as in flight; without a display into as much as the file may need.
     void check_scene(bool is_started) {
         auto file = platform::open_file(settings_.scene.c_str());
-        if (!file.ok()) return fail("board_scene", {file.error().sentence.view()});
+        if (!file.ok()) return fail("board_scene", {file.error().message.view()});
         const auto memory = platform::reserve_memory(2 * file.value().size() + kSlackBytes, platform::Residency::lazy);
-        if (!memory.ok()) return fail("board_scene", {memory.error().sentence.view()});
+        if (!memory.ok()) return fail("board_scene", {memory.error().message.view()});
         base::Arena own = memory.value().arena();
         const auto scene = scene::Scene::load(file.value(), is_started ? display_.core().spare_scene_memory() : own);
         if (!scene.ok()) return fail("board_scene", {settings_.scene.view(), ": ", scene::describe(scene.error()).view()});

@@ -154,7 +154,7 @@ void time_largest(const Options& options, base::Workers& workers, std::vector<Be
 void compare_database(const std::string& path, const Options& options, base::Workers& workers, std::vector<BenchResult>& lines) {
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) {
-        std::fprintf(stderr, "%s\n", std::string(file.error().sentence.view()).c_str());
+        std::fprintf(stderr, "%s\n", std::string(file.error().message.view()).c_str());
         std::exit(2);
     }
     platform::FileByteSource source = std::move(file.value());

@@ -110,7 +110,7 @@ std::vector<Scenario> scenarios() {
 design::DesignSettings design_of(const Scenario& scenario) {
     test_support::ShippedPalettes palettes;
     const auto design = design::read_design_settings(scenario.design, scenario.name, palettes);
-    if (!design) throw std::runtime_error(design.error().sentence.c_str());
+    if (!design) throw std::runtime_error(design.error().message.c_str());
     return design.value();
 }
 
@@ -256,7 +256,7 @@ public:
 private:
     static platform::FileByteSource opened(const std::string& database) {
         auto file = platform::open_file(database.c_str());
-        if (!file.ok()) throw std::runtime_error(file.error().sentence.c_str());
+        if (!file.ok()) throw std::runtime_error(file.error().message.c_str());
         return std::move(file.value());
     }
     static terrain::FileHeader header_of(base::ByteSource& bytes) {

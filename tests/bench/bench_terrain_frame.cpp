@@ -223,7 +223,7 @@ int main(int count, char** given) {
     for (const std::string& file : files) {
         auto opened = platform::open_file(file.c_str());
         if (!opened.ok()) {
-            std::fprintf(stderr, "bench_terrain_frame: %s\n", opened.error().sentence.c_str());
+            std::fprintf(stderr, "bench_terrain_frame: %s\n", opened.error().message.c_str());
             return 2;
         }
         measure_terrain(std::filesystem::path(file).stem(), opened.value(), lines);

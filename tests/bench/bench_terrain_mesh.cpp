@@ -146,7 +146,7 @@ std::vector<BenchResult> compare(Terrain& terrain) {
 
 std::vector<BenchResult> compare_file(const std::string& path) {
     auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw Failure{std::string(file.error().sentence.view())};
+    if (!file.ok()) throw Failure{std::string(file.error().message.view())};
     platform::FileByteSource source = std::move(file.value());
     Terrain terrain(source, path);
     return compare(terrain);
@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     try {
         return bench::report(path.empty() ? compare_shipped() : compare_file(path), json);
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.sentence.c_str());
+        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.message.c_str());
         return 2;
     }
 }

@@ -154,7 +154,7 @@ int main(int count, char** given) {
         measure_terrain("default", shipped.bytes, lines);
         for (const std::string& file : files) {
             auto opened = platform::open_file(file.c_str());
-            if (!opened.ok()) throw std::runtime_error(opened.error().sentence.c_str());
+            if (!opened.ok()) throw std::runtime_error(opened.error().message.c_str());
             measure_terrain(std::filesystem::path(file).stem(), opened.value(), lines);
         }
     } catch (const std::exception& fault) {

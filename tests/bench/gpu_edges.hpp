@@ -24,7 +24,7 @@ public:
         std::vector<std::uint8_t> rows(line_.bytes);
         const std::size_t row = std::size_t{4} * width;
         for (std::uint32_t y = 0; y < height; ++y) std::memcpy(rows.data() + (height - 1 - y) * row, rgba + y * row, row);
-        if (!pass_.start(session_.gl, session_.device.budget, width, height, false).sentence.empty() ||
+        if (!pass_.start(session_.gl, session_.device.budget, width, height, false).message.empty() ||
             !texture_.upload(session_.gl, {0, 0, width, height}, rows.data()))
             throw std::runtime_error("edges cannot be found on this device");
         session_.gl.seal();

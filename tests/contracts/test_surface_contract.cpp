@@ -50,11 +50,11 @@ protected:
         const platform::SurfaceSettings settings{kWidth, kHeight, lane};
         if (GetParam().backend == "window") {
             auto window = platform::make_window(settings, "contract");
-            EXPECT_TRUE(window.ok()) << window.error().sentence.c_str();
+            EXPECT_TRUE(window.ok()) << window.error().message.c_str();
             return std::move(window.value());
         }
         auto surface = platform::make_surface(GetParam().backend, settings);
-        EXPECT_TRUE(surface.ok()) << surface.error().sentence.c_str();
+        EXPECT_TRUE(surface.ok()) << surface.error().message.c_str();
         return std::move(surface.value());
     }
     GlSession session() const { return GlSession(make(), test_support::shipped_device(GetParam().device)); }

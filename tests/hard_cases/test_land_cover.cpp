@@ -183,7 +183,7 @@ std::string legend_of(const SceneFiles& files, const std::string& design_text) {
     std::vector<std::uint8_t> memory(1 << 18);
     base::Arena scene(memory.data(), 1 << 17), slices(memory.data() + (1 << 17), 1 << 16);
     display::SpatialData data;
-    EXPECT_EQ(data.start(&file.value(), {scene, slices}, 64).sentence.view(), "");
+    EXPECT_EQ(data.start(&file.value(), {scene, slices}, 64).message.view(), "");
     host_sim::PictureOptions options;
     options.design = files.folder().write("design.toml", design_text);
     const design::DesignSettings design = host_sim::load_design(options);

@@ -12,7 +12,7 @@ namespace {
 TEST(SurfaceFactory, MakesEveryBackendOfTheBuild) {
     for (const std::string& backend : test_support::headless_backends()) {
         const auto surface = make_surface(backend, {64, 48, ContextLane::es2});
-        ASSERT_TRUE(surface.ok()) << surface.error().sentence.c_str();
+        ASSERT_TRUE(surface.ok()) << surface.error().message.c_str();
         EXPECT_EQ(surface.value()->backend_name(), backend);
     }
 }
@@ -20,13 +20,13 @@ TEST(SurfaceFactory, MakesEveryBackendOfTheBuild) {
 TEST(SurfaceFactory, RefusesInOneSentence) {
     const auto unknown = make_surface("glut", {64, 48, ContextLane::es3});
     ASSERT_FALSE(unknown.ok());
-    EXPECT_STREQ(unknown.error().sentence.c_str(), "the surface 'glut' is not known; use egl or osmesa");
+    EXPECT_STREQ(unknown.error().message.c_str(), "the surface 'glut' is not known; use egl or osmesa");
     for (const SurfaceSettings& size :
          {SurfaceSettings{0, 48, ContextLane::es3}, SurfaceSettings{64, 15, ContextLane::es3},
           SurfaceSettings{64, 20000, ContextLane::es3}, SurfaceSettings{4294967295u, 48, ContextLane::es3}}) {
         const auto surface = make_surface("egl", size);
         ASSERT_FALSE(surface.ok());
-        EXPECT_NE(surface.error().sentence.view().find("--size"), std::string_view::npos);
+        EXPECT_NE(surface.error().message.view().find("--size"), std::string_view::npos);
     }
 }
 

@@ -51,7 +51,7 @@ public:
           terrain_(bytes_, session_.device.max_chunk_slots, pages ? session_.device.attribute_pages : 0),
           design_(design) {
         const draw::DrawnDesign only = drawn(design);
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
         session_.gl.seal();
     }
     ~ChunkDrawing() {

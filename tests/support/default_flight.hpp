@@ -103,7 +103,7 @@ public:
         const bool es2 = settings.device.capability.lane == effects::Lane::es2;
         auto made =
             platform::make_surface(backend, {width, height, es2 ? platform::ContextLane::es2 : platform::ContextLane::es3});
-        if (!made.ok()) throw std::runtime_error(made.error().sentence.c_str());
+        if (!made.ok()) throw std::runtime_error(made.error().message.c_str());
         surface_ = wrap(std::move(made.value()));
         if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
         reservation_ = std::move(
@@ -113,8 +113,8 @@ public:
             reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
             input = {terrain, reader_.get(), terrain::ArrivalMode::exact, workers};
         }
-        const gl::GlError error = display_.start(settings, reservation_.arena(), *surface_, input, scene);
-        if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
+        const base::Error error = display_.start(settings, reservation_.arena(), *surface_, input, scene);
+        if (error) throw std::runtime_error(error.message.c_str());
     }
     ~HeadlessDisplay() {
         display_.stop();

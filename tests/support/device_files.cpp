@@ -24,13 +24,13 @@ effects::DeviceSettings shipped_device(const std::string& name) {
     const std::string path = "configs/devices/" + name + ".toml";
     const auto device = effects::read_device_settings(source_file(path), path);
     if (!device) {
-        std::fprintf(stderr, "%s\n", device.error().sentence.c_str());
+        std::fprintf(stderr, "%s\n", device.error().message.c_str());
         std::abort();
     }
     return device.value();
 }
 
-base::Result<design::Palette, base::ConfigError> ShippedPalettes::find(std::string_view name) {
+base::Result<design::Palette, base::Error> ShippedPalettes::find(std::string_view name) {
     const std::string path = "configs/palettes/" + std::string(name) + ".toml";
     return design::read_palette(source_file(path), path);
 }
@@ -40,7 +40,7 @@ design::DesignSettings shipped_design(const std::string& name) {
     ShippedPalettes palettes;
     const auto design = design::read_design_settings(source_file(path), path, palettes);
     if (!design) {
-        std::fprintf(stderr, "%s\n", design.error().sentence.c_str());
+        std::fprintf(stderr, "%s\n", design.error().message.c_str());
         std::abort();
     }
     return design.value();

@@ -17,7 +17,7 @@ namespace tedavis::test_support {
 /// Finds palettes as configs/palettes/NAME.toml; a fault becomes the design's.
 class ShippedPalettes final : public design::PaletteSource {
 public:
-    [[nodiscard]] base::Result<design::Palette, base::ConfigError> find(std::string_view name) override;
+    [[nodiscard]] base::Result<design::Palette, base::Error> find(std::string_view name) override;
 };
 /// As above, configs/designs/NAME.toml and the palettes that it names.
 [[nodiscard]] design::DesignSettings shipped_design(const std::string& name);

@@ -13,7 +13,7 @@ namespace tedavis::test_support {
 
 inline design::FocusSettings focus_of(const std::string& line) {
     const auto focus = design::read_focus(line);
-    EXPECT_TRUE(focus.ok()) << line << ": " << focus.error().sentence.view();
+    EXPECT_TRUE(focus.ok()) << line << ": " << focus.error().message.view();
     return focus.ok() ? focus.value() : design::FocusSettings{};
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 template <class R>
 auto take(R result) {
-    if (!result) stop(result.error().sentence.c_str());
+    if (!result) stop(result.error().message.c_str());
     return std::move(result.value());
 }
 

@@ -22,8 +22,8 @@ struct GlyphPicture {
         base::BudgetLine& line = *session.device.budget.find(effects::kSceneGlyphVertices);
         block.resize(draw::GlyphDrawer::bytes_needed(session.gl, line.bytes));
         base::Arena arena(block.data(), block.size());
-        const gl::GlError error = drawer.start(session.gl, line, arena);
-        EXPECT_EQ(error.sentence.view(), "");
+        const base::Error error = drawer.start(session.gl, line, arena);
+        EXPECT_EQ(error.message.view(), "");
         session.gl.seal();
     }
     ~GlyphPicture() {

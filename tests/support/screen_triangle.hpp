@@ -32,7 +32,7 @@ public:
         source.attributes = kAttributes;
         source.uniforms = uniforms;
         auto program = gl::build_program(gl, source);
-        EXPECT_TRUE(program.ok()) << program.error().sentence.c_str();
+        EXPECT_TRUE(program.ok()) << program.error().message.c_str();
         program_ = program.value();
         const float corners[] = {-1, -1, 3, -1, -1, 3};
         line_.bytes = sizeof corners;

@@ -23,8 +23,8 @@ protected:
         EXPECT_TRUE(solids_
                         .start(session_.gl, *session_.device.budget.find(effects::kSceneSolidVertices), arena, {64, 192, 8},
                                gl::BufferUse::streamed)
-                        .sentence.empty());
-        EXPECT_EQ(casters_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets), 1024).sentence.view(), "");
+                        .message.empty());
+        EXPECT_EQ(casters_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets), 1024).message.view(), "");
         EXPECT_TRUE(mesh_.start(arena));
         session_.gl.seal();
         const glm::dmat3 axes = earth::body_axes(kLatitude, kLongitude, 0, -0.2, 0);

@@ -36,8 +36,8 @@ protected:
             arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
         }
         base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).sentence.view(), "");
-        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).sentence.view(), "");
+        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).message.view(), "");
+        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).message.view(), "");
         session_.gl.seal();
         const glm::dvec3 eye = earth::to_ecef({base::radians(46.7), base::radians(9.82), {3000}});
         frame_.view = free_view(eye, earth::body_axes(base::radians(46.7), base::radians(9.82), 0, 0, 0), 64, 48, 10);

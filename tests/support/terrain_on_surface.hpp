@@ -23,8 +23,8 @@ public:
             arena("terrain_drape"), arena("lod_scratch"),         arena("staging")};
         const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
         const draw::DrawnDesign only{&design_, draw::output_of(design_, session_.device.capability.depth24_targets)};
-        const gl::GlError error = scene_.start(session_.gl, input, {&only, 1}, session_.device, memory);
-        if (!error.sentence.empty()) throw std::runtime_error(error.sentence.c_str());
+        const base::Error error = scene_.start(session_.gl, input, {&only, 1}, session_.device, memory);
+        if (error) throw std::runtime_error(error.message.c_str());
         session_.surface->release_current();
     }
     ~TerrainOnSurface() {

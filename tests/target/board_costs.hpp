@@ -24,7 +24,7 @@ inline std::string costs_of(const BoardSettings& settings, const std::string& re
 
 inline std::string costs_of_this_board(const BoardSettings& settings) {
     BoardDisplay board(settings);
-    EXPECT_TRUE(board.open_surface().sentence.empty() && board.start().sentence.empty());
+    EXPECT_TRUE(board.open_surface().message.empty() && !board.start());
     return costs_of(settings, std::string(board.core().calibration_subject().renderer.view()));
 }
 

@@ -118,7 +118,7 @@ struct LogLines {
 inline BoardSettings board_settings() {
     const std::string board = test_support::source_dir() + "/tests/target/boards/fake_board.toml";
     auto settings = load_board_settings(board.c_str());
-    EXPECT_TRUE(settings.ok()) << settings.error().sentence.view();
+    EXPECT_TRUE(settings.ok()) << settings.error().message.view();
     return settings.ok() ? settings.value() : BoardSettings{};
 }
 

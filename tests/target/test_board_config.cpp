@@ -25,7 +25,7 @@ struct Board {
     std::string load_text(const std::string& text) {
         folder.write("board.toml", text);
         const auto settings = load_board_settings(path.c_str());
-        return settings.ok() ? "" : std::string(settings.error().sentence.view());
+        return settings.ok() ? "" : std::string(settings.error().message.view());
     }
     /// With lines 1 to 5 right; `rest` begins in line 6.
     std::string load_with(const std::string& rest) { return load_text(head() + rest); }
@@ -127,13 +127,12 @@ TEST(BoardConfig, FilesThatAreMissingOrWrongAreNamed) {
         << "a fault inside a named file is reported there";
     EXPECT_THAT(board.load_text("device = ''\n"), StartsWith(board.path + ":1: "));
     EXPECT_THAT(board.load_text("device = '" + std::string(2000, 'd') + "'\n"), HasSubstr("use a shorter one"));
-    EXPECT_THAT(std::string(load_board_settings("/nowhere/board.toml").error().sentence.view()),
-                HasSubstr("/nowhere/board.toml"));
+    EXPECT_THAT(std::string(load_board_settings("/nowhere/board.toml").error().message.view()), HasSubstr("/nowhere/board.toml"));
 }
 
 TEST(BoardConfig, TheShippedExamplesAreRight) {
     const auto desk = load_board_settings((kRoot + "/target/boards/desk_vcan.toml").c_str());
-    ASSERT_TRUE(desk.ok()) << desk.error().sentence.view();
+    ASSERT_TRUE(desk.ok()) << desk.error().message.view();
     EXPECT_EQ(desk.value().can.interface_name.view(), "vcan0");
 
     // The board's example names its neighbours in /etc/tedavis: put them beside it as the README says.
@@ -146,7 +145,7 @@ TEST(BoardConfig, TheShippedExamplesAreRight) {
     for (const auto& palette : std::filesystem::directory_iterator(kRoot + "/configs/palettes"))
         std::filesystem::copy(palette.path(), folder.path());
     const auto board = load_board_settings(folder.file("arm_board.toml").c_str());
-    ASSERT_TRUE(board.ok()) << board.error().sentence.view();
+    ASSERT_TRUE(board.ok()) << board.error().message.view();
     EXPECT_TRUE(board.value().has_switches);
     EXPECT_EQ(board.value().phases.size(), 4u);
     EXPECT_EQ(board.value().phases.at(board.value().phases.place_of(flight::kGoAroundReplanning)).name.view(), "replanning");

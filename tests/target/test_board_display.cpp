@@ -14,10 +14,10 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string start(BoardDisplay& board) {
-    BoardError error = board.open_surface();
-    if (error.sentence.empty()) error = board.start();
-    if (error.sentence.empty()) error = board.hold_deadline();
-    return std::string(error.sentence.view());
+    base::Error error = board.open_surface();
+    if (!error) error = board.start();
+    if (!error) error = board.hold_deadline();
+    return std::string(error.message.view());
 }
 
 bool has_flag(const display::FrameRecord& record, std::string_view name) {
@@ -36,7 +36,7 @@ TEST(BoardDisplay, StartsWithItsTerrain) {
     const BoardSettings settings = board_settings();
     BoardDisplay board(settings);
     ASSERT_EQ(start(board), "");
-    EXPECT_EQ(board.terrain_fault().sentence.view(), "");
+    EXPECT_EQ(board.terrain_fault().message.view(), "");
     EXPECT_NE(board.core().terrain_database(), nullptr);
     EXPECT_FALSE(has_flag(drawn(board), "terrain.failed"));
 }
@@ -58,7 +58,7 @@ TEST(BoardDisplay, WithoutTerrainThatThereShouldBeItSaysTerrainFail) {
         settings.terrain = Path(bad.file);
         BoardDisplay board(settings);
         EXPECT_EQ(start(board), "") << bad.file;
-        EXPECT_THAT(std::string(board.terrain_fault().sentence.view()), HasSubstr(bad.says));
+        EXPECT_THAT(std::string(board.terrain_fault().message.view()), HasSubstr(bad.says));
         const display::FrameRecord& record = drawn(board);
         EXPECT_TRUE(has_flag(record, "terrain.failed")) << bad.file;
         EXPECT_FALSE(has_flag(record, "terrain.missing")) << "which would say that nobody wanted any";

@@ -8,13 +8,13 @@
 namespace tedavis::target::test_command_line {
 namespace {
 
-base::Result<CommandLine, BoardError> parse(const std::vector<const char*>& arguments) {
+base::Result<CommandLine, base::Error> parse(const std::vector<const char*>& arguments) {
     return parse_command_line(static_cast<int>(arguments.size()), arguments.data());
 }
 
 std::string refusal(const std::vector<const char*>& arguments) {
     const auto line = parse(arguments);
-    return line.ok() ? "accepted" : std::string(line.error().sentence.view());
+    return line.ok() ? "accepted" : std::string(line.error().message.view());
 }
 
 TEST(CommandLine, ReadsARun) {

@@ -44,11 +44,11 @@ struct DisplayApplicationTest : testing::Test {
         return *application;
     }
     DisplayApplication& start() {
-        const BoardError error = make().start();
-        EXPECT_EQ(error.sentence.view(), "");
+        const base::Error error = make().start();
+        EXPECT_EQ(error.message.view(), "");
         return *application;
     }
-    std::string refusal() { return std::string(make().start().sentence.view()); }
+    std::string refusal() { return std::string(make().start().message.view()); }
     std::vector<std::uint8_t> pixels() {
         std::vector<std::uint8_t> rgba(std::size_t{4} * settings.width_px * settings.height_px);
         EXPECT_TRUE(gl::read_pixels(application->display().gl(), settings.width_px, settings.height_px, rgba));

@@ -23,7 +23,7 @@ TEST(FileText, HoldsTheWholeFileAndOutlivesTheMove) {
 TEST(FileText, RefusesWhatIsNoConfiguration) {
     const test_support::TemporaryFolder folder;
     const auto sentence = [](const std::string& path) {
-        return std::string(read_file_text(path.c_str()).error().sentence.view());
+        return std::string(read_file_text(path.c_str()).error().message.view());
     };
     EXPECT_THAT(sentence(folder.file("absent")), HasSubstr(folder.file("absent")));
     EXPECT_THAT(sentence(folder.path()), HasSubstr(folder.path())) << "a folder";

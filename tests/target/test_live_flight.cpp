@@ -28,8 +28,8 @@ struct FakePanel {
 class FakeLines final : public bus::GpioLines {
 public:
     explicit FakeLines(FakePanel& panel) : panel_(panel) {}
-    bool request(const bus::SwitchConfig&, bus::SwitchError& error) override {
-        error.sentence = "switch line 'panel.GROUND': there is no such chip";
+    bool request(const bus::SwitchConfig&, base::Error& error) override {
+        error.message = "switch line 'panel.GROUND': there is no such chip";
         return !panel_.absent;
     }
     void release() override {}

@@ -27,7 +27,7 @@ TEST(PaletteFiles, AShortNameIsAFileOfTheFolderAndAPathIsFoundFromTheDesign) {
     EXPECT_EQ(palettes.find("beside.toml").value().name.view(), "grey");
     EXPECT_EQ(palettes.find("../mine.toml").value().name.view(), "grey");
     EXPECT_EQ(palettes.find(place.file("mine.toml")).value().name.view(), "grey") << "an absolute path";
-    EXPECT_THAT(palettes.find("beside").error().sentence.c_str(), HasSubstr(place.file("beside.toml")));
+    EXPECT_THAT(palettes.find("beside").error().message.c_str(), HasSubstr(place.file("beside.toml")));
 }
 
 TEST(PaletteFiles, FaultsNameTheFile) {
@@ -35,8 +35,8 @@ TEST(PaletteFiles, FaultsNameTheFile) {
     place.write("bad.toml", "colour = 1\n" + kShipped);
     const std::string design = place.file("own.toml"), folder = place.path() + "/";
     PaletteFiles palettes(design, folder);
-    EXPECT_THAT(palettes.find("bad").error().sentence.c_str(), HasSubstr(place.file("bad.toml") + ":1: unknown key"));
-    EXPECT_THAT(palettes.find(std::string(2000, 'p')).error().sentence.c_str(), HasSubstr("use a shorter one"));
+    EXPECT_THAT(palettes.find("bad").error().message.c_str(), HasSubstr(place.file("bad.toml") + ":1: unknown key"));
+    EXPECT_THAT(palettes.find(std::string(2000, 'p')).error().message.c_str(), HasSubstr("use a shorter one"));
 }
 
 TEST(PaletteFiles, TheBoardFileSaysInWhichFolder) {
@@ -47,12 +47,12 @@ TEST(PaletteFiles, TheBoardFileSaysInWhichFolder) {
                              "/configs/buses/canaerospace.toml'\ndesign = 'own.toml'\n";
     const std::string can = "[can]\ninterface = 'can0'\n";
     const auto load = [&](const std::string& text) { return load_board_settings(place.write("board.toml", text).c_str()); };
-    EXPECT_THAT(load(rest + can).error().sentence.c_str(), HasSubstr(place.file("mine.toml"))) << "the board file's own folder";
+    EXPECT_THAT(load(rest + can).error().message.c_str(), HasSubstr(place.file("mine.toml"))) << "the board file's own folder";
     std::filesystem::create_directory(place.file("colours"));
     place.write("colours/mine.toml", kShipped);
     for (const char* folder : {"colours", "colours/"}) {
         const auto settings = load(rest + "palettes = '" + folder + "'\n" + can);
-        ASSERT_TRUE(settings.ok()) << settings.error().sentence.view();
+        ASSERT_TRUE(settings.ok()) << settings.error().message.view();
         EXPECT_EQ(settings.value().design.terrain.palette.name.view(), "grey");
     }
 }

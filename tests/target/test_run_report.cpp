@@ -21,7 +21,7 @@ struct RunReportTest : testing::Test {
         ports.clocks = FakeClock::clocks();
         ports.log = lines.log();
         application = std::make_unique<DisplayApplication>(settings, std::move(ports));
-        ASSERT_EQ(application->start().sentence.view(), "");
+        ASSERT_EQ(application->start().message.view(), "");
     }
     BoardSettings settings = board_settings();
     PairPort port;

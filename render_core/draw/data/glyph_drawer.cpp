@@ -88,13 +88,13 @@ std::uint64_t GlyphDrawer::bytes_needed(const gl::Gl& gl, std::uint64_t gpu_byte
     return shapes + std::uint64_t{corners_within(gpu_bytes)} * (sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t));
 }
 
-gl::GlError GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air) {
+base::Error GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air) {
     with_air_ = with_air;
     is_instanced_ = has_instances(gl);
     most_instances_ = instances_within(gl, line.bytes);
     shapes_ = memory.allocate_array<GlyphShapes>(1);
-    const gl::GlError little = gl::make_error("the memory for glyphs is too small; raise the budget lines 'scene_glyphs' and '",
-                                              effects::kSceneGlyphVertices, "' in the device file");
+    const base::Error little = base::make_error("the memory for glyphs is too small; raise the budget lines 'scene_glyphs' and '",
+                                                effects::kSceneGlyphVertices, "' in the device file");
     if (shapes_.empty()) return little;
     shapes_[0].build();
     if (!is_instanced_) {
@@ -105,37 +105,37 @@ gl::GlError GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& 
     } else if (most_instances_ == 0) {
         return little;
     }
-    if (gl::GlError error = make_buffers(gl, line); !error.sentence.empty()) return error;
+    if (base::Error error = make_buffers(gl, line)) return error;
     return build_programs(gl);
 }
 
-gl::GlError GlyphDrawer::make_buffers(gl::Gl& gl, base::BudgetLine& line) {
+base::Error GlyphDrawer::make_buffers(gl::Gl& gl, base::BudgetLine& line) {
     const auto make = [&](gl::Buffer& buffer, gl::BufferKind kind, gl::BufferUse use, std::uint64_t bytes) {
         auto made = gl::make_buffer(gl, line, kind, use, bytes);
         if (!made.ok()) return made.error();
         buffer = static_cast<gl::Buffer&&>(made.value());
-        return gl::GlError{};
+        return base::Error{};
     };
     using gl::BufferKind;
     using gl::BufferUse;
     const std::uint64_t room = is_instanced_ ? most_instances_ * sizeof(GlyphInstance) : corners_.size() * sizeof(Corner);
-    gl::GlError error = make(vertices_, BufferKind::vertices, BufferUse::streamed, room);
-    if (!error.sentence.empty()) return error;
+    base::Error error = make(vertices_, BufferKind::vertices, BufferUse::streamed, room);
+    if (error) return error;
     if (!is_instanced_)
         return make(indices_, BufferKind::indices, BufferUse::streamed, corner_indices_.size() * sizeof(std::uint16_t));
     const auto shape_vertices = shapes_[0].vertices();
     const auto shape_indices = shapes_[0].indices();
     error = make(shape_vertices_, BufferKind::vertices, BufferUse::fixed, shape_vertices.size() * sizeof(GlyphVertex));
-    if (!error.sentence.empty()) return error;
+    if (error) return error;
     error = make(indices_, BufferKind::indices, BufferUse::fixed, shape_indices.size() * sizeof(std::uint16_t));
-    if (!error.sentence.empty()) return error;
+    if (error) return error;
     if (!shape_vertices_.upload(gl, 0, shape_vertices.data(), shape_vertices_.bytes()) ||
         !indices_.upload(gl, 0, shape_indices.data(), indices_.bytes()))
-        return gl::make_error("the shapes of glyphs cannot be uploaded");
+        return base::make_error("the shapes of glyphs cannot be uploaded");
     return {};
 }
 
-gl::GlError GlyphDrawer::build_programs(gl::Gl& gl) {
+base::Error GlyphDrawer::build_programs(gl::Gl& gl) {
     base::FixedString<kMaxShaderText> vertex(is_instanced_ ? "#define INSTANCED 1\n" : "");
     vertex.append(shader_text(k_data_light_vert));
     vertex.append(shader_text(k_glyph_vert));
@@ -286,7 +286,7 @@ void GlyphDrawer::flush_corners(gl::Gl& gl) {
     corner_count_ = index_count_ = 0;
 }
 
-gl::GlError GlyphDrawer::start_casters(gl::Gl& gl) {
+base::Error GlyphDrawer::start_casters(gl::Gl& gl) {
     if (!is_instanced_) return {};
     base::FixedString<kMaxShaderText> vertex("#define INSTANCED 1\n");
     vertex.append(shader_text(k_caster_light_vert));

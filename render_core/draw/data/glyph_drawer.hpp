@@ -29,7 +29,7 @@ public:
     /// How many instances so many bytes of the GPU hold; on devices without instances as many as one likes.
     [[nodiscard]] static std::uint32_t instances_within(const gl::Gl& gl, std::uint64_t gpu_bytes);
     /// Takes the whole line. An empty sentence means success.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
 
     /// Once a frame, before draw(): what follows draws these. The batch must stay as it is until then. Instances beyond
@@ -39,7 +39,7 @@ public:
     /// depth mask on, culling and blending off. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
     /// For draw_casters(), after start(); only on devices with instances.
-    [[nodiscard]] gl::GlError start_casters(gl::Gl& gl);
+    [[nodiscard]] base::Error start_casters(gl::Gl& gl);
     /// Opaque solid glyphs, but for signs of uncertainty, into a level of a map of shadows that has been begun. `slots`: a bit a
     /// run's slot. Returns the number of draws.
     std::uint32_t draw_casters(gl::Gl& gl, std::uint32_t slots, const CasterView& view);
@@ -56,8 +56,8 @@ private:
 
     [[nodiscard]] static bool has_instances(const gl::Gl& gl);
     [[nodiscard]] static std::uint32_t corners_within(std::uint64_t gpu_bytes);
-    [[nodiscard]] gl::GlError build_programs(gl::Gl& gl);
-    [[nodiscard]] gl::GlError make_buffers(gl::Gl& gl, base::BudgetLine& line);
+    [[nodiscard]] base::Error build_programs(gl::Gl& gl);
+    [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetLine& line);
     void begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
     void end(gl::Gl& gl);
     void bind_instances(gl::Gl& gl);

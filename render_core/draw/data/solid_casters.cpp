@@ -34,7 +34,7 @@ void set_caster_level(gl::Gl& gl, GLint axes, GLint level, const CasterView& vie
                   static_cast<float>(swollen_m));
 }
 
-gl::GlError SolidCasters::start(gl::Gl& gl) {
+base::Error SolidCasters::start(gl::Gl& gl) {
     base::FixedString<kMaxShaderText> vertex(shader_text(k_caster_light_vert));
     vertex.append(shader_text(k_solid_vert));
     auto built =

@@ -30,7 +30,7 @@ struct CasterView {
 
 class SolidCasters {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl);
+    [[nodiscard]] base::Error start(gl::Gl& gl);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     /// Into the level that has been begun. All are uploaded. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const CasterGroups& groups,

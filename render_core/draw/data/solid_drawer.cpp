@@ -88,7 +88,7 @@ void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float g
     gl->Uniform4f(fading, is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels, grown);
 }
 
-gl::GlError SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+base::Error SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
                                 gl::BufferUse use) {
     batch_ = SolidBatch(memory.allocate_array<SolidVertex>(room.vertices), memory.allocate_array<std::uint16_t>(room.indices),
                         memory.allocate_array<SolidPiece>(room.pieces));
@@ -118,18 +118,18 @@ void SolidBuffers::destroy(gl::Gl& gl) {
     indices_.destroy(gl);
 }
 
-gl::GlError SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant) {
+base::Error SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant) {
     order_ = memory.allocate_array<Ordered>(most_pieces);
     if (order_.size() < most_pieces)
-        return gl::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+        return base::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     has_grid_ = variant.grid;
     DataVariant plain = variant;
     plain.magnified = false;
-    if (gl::GlError error = build(gl, plain, program_); !error.sentence.empty()) return error;
-    return variant.magnified ? build(gl, variant, magnified_program_) : gl::GlError{};
+    if (base::Error error = build(gl, plain, program_)) return error;
+    return variant.magnified ? build(gl, variant, magnified_program_) : base::Error{};
 }
 
-gl::GlError SolidDrawer::build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const {
+base::Error SolidDrawer::build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const {
     static constexpr const char* kNames[kUniforms] = {kDataUniformNames[0],
                                                       kDataUniformNames[1],
                                                       kDataUniformNames[2],

@@ -35,7 +35,7 @@ struct SolidFrame {
 /// A batch and its copy on the GPU.
 class SolidBuffers {
 public:
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
                                     gl::BufferUse use);
     [[nodiscard]] SolidBatch& batch() { return batch_; }
     [[nodiscard]] const SolidBatch& batch() const { return batch_; }
@@ -62,7 +62,7 @@ public:
     static constexpr std::size_t kMostBuffers = 2;
 
     /// `most_pieces` of all buffers that are drawn together.
-    [[nodiscard]] gl::GlError start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     [[nodiscard]] bool has_grid() const { return has_grid_; }
     [[nodiscard]] bool can_magnify() const { return magnified_program_.valid(); }
@@ -86,7 +86,7 @@ private:
     void draw_piece(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
     void draw_parts(gl::Gl& gl, const SolidPiece& piece, const SolidFrame& frame, Pass pass);
     void draw_sides(gl::Gl& gl, const SolidPiece& piece, Pass pass);
-    [[nodiscard]] gl::GlError build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const;
+    [[nodiscard]] base::Error build(gl::Gl& gl, const DataVariant& variant, gl::Program& program) const;
 
     gl::Program program_, magnified_program_;
     base::Span<Ordered> order_;

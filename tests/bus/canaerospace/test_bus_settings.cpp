@@ -19,12 +19,12 @@ std::string shipped(const char* name) {
 
 std::string error_of(const std::string& text) {
     const auto result = load_bus_settings(text, "bus.toml");
-    return result.ok() ? std::string("accepted") : std::string(result.error().sentence.view());
+    return result.ok() ? std::string("accepted") : std::string(result.error().message.view());
 }
 
 TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
     const auto result = load_bus_settings(shipped("canaerospace.toml"), "canaerospace.toml");
-    ASSERT_TRUE(result.ok()) << result.error().sentence.view();
+    ASSERT_TRUE(result.ok()) << result.error().message.view();
     const BusSettings& loaded = result.value();
     const BusSettings defaults;
     EXPECT_EQ(loaded.dialect.accept_long_position, defaults.dialect.accept_long_position);
@@ -48,7 +48,7 @@ TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
 
 TEST(BusSettings, ShippedGliderFileLoads) {
     const auto result = load_bus_settings(shipped("glider.toml"), "glider.toml");
-    ASSERT_TRUE(result.ok()) << result.error().sentence.view();
+    ASSERT_TRUE(result.ok()) << result.error().message.view();
     EXPECT_EQ(result.value().dialect.acceleration, AccelerationUnit::mps2);
     EXPECT_EQ(result.value().dialect.pressure, PressureUnit::pa);
     EXPECT_EQ(result.value().dialect.wind, WindDirection::to);

@@ -16,7 +16,7 @@ namespace tedavis::bus {
 
 inline SwitchConfig config_from(const std::string& text) {
     const auto loaded = load_switch_config(text, "t.toml");
-    EXPECT_TRUE(loaded.ok()) << loaded.error().sentence.view();
+    EXPECT_TRUE(loaded.ok()) << loaded.error().message.view();
     return loaded.ok() ? loaded.value() : SwitchConfig{};
 }
 

@@ -50,9 +50,9 @@ struct Hardware {
 class FakeLines final : public GpioLines {
 public:
     explicit FakeLines(Hardware& hardware) : hardware_(hardware) {}
-    bool request(const SwitchConfig&, SwitchError& error) override {
+    bool request(const SwitchConfig&, base::Error& error) override {
         ++hardware_.requests;
-        if (hardware_.refuses_request) error.sentence = "refused";
+        if (hardware_.refuses_request) error.message = "refused";
         return !hardware_.refuses_request;
     }
     void release() override { ++hardware_.releases; }
@@ -213,7 +213,7 @@ TEST_F(GpiodSourceTest, a_refused_request_says_why_and_leaves_it_failed) {
     hardware.refuses_request = true;
     const auto opened = source.open(three_lines(), at_ms(0), kOffset);
     ASSERT_FALSE(opened.ok());
-    EXPECT_EQ(opened.error().sentence.view(), "refused");
+    EXPECT_EQ(opened.error().message.view(), "refused");
     EXPECT_EQ(source.health(), SourceHealth::failed);
     EXPECT_TRUE(read(1).empty());
     hardware.refuses_request = false;
@@ -225,7 +225,7 @@ TEST_F(GpiodSourceTest, levels_that_cannot_be_read_at_start_are_an_error) {
     hardware.answers = false;
     const auto opened = source.open(three_lines(), at_ms(0), kOffset);
     ASSERT_FALSE(opened.ok());
-    EXPECT_EQ(opened.error().sentence.view(), "phase switches: a level cannot be read; check the GPIO chip");
+    EXPECT_EQ(opened.error().message.view(), "phase switches: a level cannot be read; check the GPIO chip");
     EXPECT_EQ(hardware.releases, 1);
 }
 
@@ -254,7 +254,7 @@ TEST(GpiodSource, without_libgpiod_it_says_so) {
     GpiodSource source(nullptr);
     const auto opened = source.open(three_lines(), at_ms(0), kOffset);
     ASSERT_FALSE(opened.ok());
-    EXPECT_EQ(opened.error().sentence.view(),
+    EXPECT_EQ(opened.error().message.view(),
               "phase switches: this program was built without libgpiod; install libgpiod-dev and build again");
     EXPECT_EQ(source.health(), SourceHealth::failed);
     std::vector<SwitchEdge> out(4);

@@ -97,7 +97,7 @@ class GpiodV1Lines : public testing::Test {
 protected:
     gpiod_chip chip;
     std::unique_ptr<GpioLines> lines = make_gpiod_lines();
-    SwitchError error;
+    base::Error error;
 
     GpiodV1Lines() {
         chip.label = "p";
@@ -113,10 +113,10 @@ protected:
 };
 
 TEST_F(GpiodV1Lines, lines_are_found_by_label_and_by_name_of_the_chip) {
-    EXPECT_TRUE(lines->request(three_lines(), error)) << error.sentence.view();
+    EXPECT_TRUE(lines->request(three_lines(), error)) << error.message.view();
     EXPECT_EQ(chip.open, 3);
     const SwitchConfig by_name = config_from("[[line]]\nchip='gpiochip3'\nname='B'\n[[pattern]]\nphase='ground'\nhigh=[]\n");
-    EXPECT_TRUE(lines->request(by_name, error)) << error.sentence.view();
+    EXPECT_TRUE(lines->request(by_name, error)) << error.message.view();
     EXPECT_EQ(chip.open, 1) << "a new request gives the old lines back";
 }
 
@@ -124,7 +124,7 @@ TEST_F(GpiodV1Lines, bias_and_polarity_are_asked_of_the_kernel) {
     const SwitchConfig config = config_from(
         "[[line]]\nchip='p'\nname='A'\nactive_low=true\npull='up'\n[[line]]\nchip='p'\nname='B'\npull='down'\n"
         "[[line]]\nchip='p'\nname='C'\npull='off'\n[[pattern]]\nphase='ground'\nhigh=[]\n");
-    ASSERT_TRUE(lines->request(config, error)) << error.sentence.view();
+    ASSERT_TRUE(lines->request(config, error)) << error.message.view();
     EXPECT_EQ(chip.lines["A"].flags, GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW | GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP);
     EXPECT_EQ(chip.lines["B"].flags, GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN);
     EXPECT_EQ(chip.lines["C"].flags, GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE);
@@ -135,15 +135,15 @@ TEST_F(GpiodV1Lines, bias_and_polarity_are_asked_of_the_kernel) {
 TEST_F(GpiodV1Lines, what_cannot_be_had_is_said_and_nothing_is_kept) {
     chip.label = "other";
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(), "switch line 'p.A': no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
+    EXPECT_EQ(error.message.view(), "switch line 'p.A': no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
     chip.label = "p";
     chip.lines.erase("C");
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
+    EXPECT_EQ(error.message.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
     EXPECT_EQ(chip.open, 0);
     chip.lines["B"].busy = true;
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(),
+    EXPECT_EQ(error.message.view(),
               "switch line 'p.B': the kernel refuses the line (Device or resource busy); free it or correct its settings");
     EXPECT_EQ(chip.open, 0);
 }

@@ -168,7 +168,7 @@ class GpiodV2Lines : public testing::Test {
 protected:
     gpiod_chip chip;
     std::unique_ptr<GpioLines> lines = make_gpiod_lines();
-    SwitchError error;
+    base::Error error;
 
     GpiodV2Lines() {
         chip.label = "p";
@@ -187,10 +187,10 @@ protected:
 };
 
 TEST_F(GpiodV2Lines, lines_are_found_by_label_and_by_name_of_the_chip) {
-    EXPECT_TRUE(lines->request(three_lines(), error)) << error.sentence.view();
+    EXPECT_TRUE(lines->request(three_lines(), error)) << error.message.view();
     EXPECT_TRUE(line("C").taken);
     const SwitchConfig by_name = config_from("[[line]]\nchip='gpiochip3'\nname='B'\n[[pattern]]\nphase='ground'\nhigh=[]\n");
-    EXPECT_TRUE(lines->request(by_name, error)) << error.sentence.view();
+    EXPECT_TRUE(lines->request(by_name, error)) << error.message.view();
     EXPECT_TRUE(line("B").taken);
     EXPECT_FALSE(line("C").taken) << "a new request gives the old lines back";
 }
@@ -199,7 +199,7 @@ TEST_F(GpiodV2Lines, inputs_report_both_edges_on_the_monotonic_clock_with_bias_a
     const SwitchConfig config = config_from(
         "[[line]]\nchip='p'\nname='A'\nactive_low=true\npull='up'\n[[line]]\nchip='p'\nname='B'\npull='down'\n"
         "[[line]]\nchip='p'\nname='C'\npull='off'\n[[pattern]]\nphase='ground'\nhigh=[]\n");
-    ASSERT_TRUE(lines->request(config, error)) << error.sentence.view();
+    ASSERT_TRUE(lines->request(config, error)) << error.message.view();
     for (const char* name : {"A", "B", "C"}) {
         EXPECT_EQ(line(name).settings.direction, GPIOD_LINE_DIRECTION_INPUT);
         EXPECT_EQ(line(name).settings.edge, GPIOD_LINE_EDGE_BOTH);
@@ -215,15 +215,15 @@ TEST_F(GpiodV2Lines, inputs_report_both_edges_on_the_monotonic_clock_with_bias_a
 TEST_F(GpiodV2Lines, what_cannot_be_had_is_said_and_nothing_is_kept) {
     chip.label = "other";
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(), "switch line 'p.A': no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
+    EXPECT_EQ(error.message.view(), "switch line 'p.A': no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
     chip.label = "p";
     chip.offsets.erase("C");
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
+    EXPECT_EQ(error.message.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
     EXPECT_FALSE(line("A").taken);
     line("B").busy = true;
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.sentence.view(),
+    EXPECT_EQ(error.message.view(),
               "switch line 'p.B': the kernel refuses the line (Device or resource busy); free it or correct its settings");
 }
 

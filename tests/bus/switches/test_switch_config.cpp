@@ -12,7 +12,7 @@ namespace {
 
 std::string sentence_of(const std::string& text) {
     const auto loaded = load_switch_config(text, "t.toml");
-    return loaded.ok() ? std::string() : std::string(loaded.error().sentence.view());
+    return loaded.ok() ? std::string() : std::string(loaded.error().message.view());
 }
 
 const std::string kLine = "[[line]]\nchip='p'\nname='A'\n";

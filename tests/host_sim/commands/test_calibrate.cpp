@@ -40,7 +40,7 @@ TEST(Calibrate, WritesCostsThatThisDisplayTakesAndNoOther) {
     EXPECT_EQ(run.json()["device"], "es3-mid");
     EXPECT_EQ(nlohmann::json::parse(read_file(files().folder.file("costs.json"))), run.json());
     const auto read = effects::read_calibration(read_file(options.output), options.output);
-    ASSERT_TRUE(read.ok()) << read.error().sentence.c_str();
+    ASSERT_TRUE(read.ok()) << read.error().message.c_str();
     const effects::CostTable& costs = read.value().costs;
     EXPECT_GT(costs.overheads[0].fixed_ms, 0) << "every frame costs something";
     EXPECT_THAT(read_file(options.output), HasSubstr("# not measured")) << "this database has no image";

@@ -100,9 +100,8 @@ TEST(DisplaySession, SaysWhenTheTerrainFails) {
 }
 
 TEST(DisplaySession, ASurfaceThatCannotBeMadeIsRefused) {
-    const SurfaceMaker none =
-        [](const platform::SurfaceSettings&) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
-        return base::fail(platform::make_platform_error("no surface today; come back tomorrow"));
+    const SurfaceMaker none = [](const platform::SurfaceSettings&) -> base::Result<std::unique_ptr<base::Surface>, base::Error> {
+        return base::fail(base::make_error("no surface today; come back tomorrow"));
     };
     expect_user_error([&] { DisplaySession session(picture(), false, none); }, "no surface today; come back tomorrow");
 }

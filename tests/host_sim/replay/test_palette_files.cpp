@@ -33,9 +33,9 @@ TEST(PaletteFiles, FaultsAreSentences) {
     const test_support::TemporaryFolder place;
     place.write("bad.toml", "colour = 1\n");
     PaletteFiles palettes(place.file("design.toml"));
-    EXPECT_THAT(palettes.find("rainbow").error().sentence.c_str(), HasSubstr("one of these: alpine, "));
-    EXPECT_THAT(palettes.find("own.toml").error().sentence.c_str(), HasSubstr(place.file("own.toml")));
-    EXPECT_THAT(palettes.find("bad.toml").error().sentence.c_str(), HasSubstr(place.file("bad.toml") + ":1: "));
+    EXPECT_THAT(palettes.find("rainbow").error().message.c_str(), HasSubstr("one of these: alpine, "));
+    EXPECT_THAT(palettes.find("own.toml").error().message.c_str(), HasSubstr(place.file("own.toml")));
+    EXPECT_THAT(palettes.find("bad.toml").error().message.c_str(), HasSubstr(place.file("bad.toml") + ":1: "));
     test_support::expect_user_error([] { static_cast<void>(palette_from_text("name = 'x'\nkind = 1\n", "p.toml")); }, "p.toml:");
 }
 

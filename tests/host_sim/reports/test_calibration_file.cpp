@@ -27,7 +27,7 @@ MeasuredCosts measured() {
 TEST(CalibrationFile, IsReadBackAsItWasMeasured) {
     const MeasuredCosts m = measured();
     const auto read = effects::read_calibration(calibration_toml(m), "c.toml", m.subject);
-    ASSERT_TRUE(read.ok()) << read.error().sentence.c_str() << "\n" << calibration_toml(m);
+    ASSERT_TRUE(read.ok()) << read.error().message.c_str() << "\n" << calibration_toml(m);
     EXPECT_EQ(read.value().subject.renderer, m.subject.renderer);
     EXPECT_EQ(read.value().date.view(), m.date);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {

@@ -43,7 +43,7 @@ std::string fault_of(const std::string& line) {
     EXPECT_EQ(root.table_count("traffic"), 1u);
     base::ConfigSection section = root.table_at("traffic", 0);
     (void)read_traffic(section);
-    return reader.finish() ? "" : std::string(reader.error().sentence.view());
+    return reader.finish() ? "" : std::string(reader.error().message.view());
 }
 
 class ScenarioTrafficTest : public ::testing::Test {

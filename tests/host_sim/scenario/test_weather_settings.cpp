@@ -33,7 +33,7 @@ std::string fault_of(const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
     base::ConfigReader reader(text, "w.toml");
     (void)read_weather(reader.root());
-    return reader.finish() ? "" : std::string(reader.error().sentence.view());
+    return reader.finish() ? "" : std::string(reader.error().message.view());
 }
 
 TEST(WeatherSettings, AreReadInSiUnits) {

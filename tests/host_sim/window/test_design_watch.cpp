@@ -41,7 +41,7 @@ TEST(DesignWatch, ABrokenEditIsToldOnceAndTheOldDesignStays) {
     watched.write(kBroken);
     EXPECT_EQ(watch.look(), DesignNews::none);
     EXPECT_EQ(watch.look(), DesignNews::broken);
-    EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("design.toml:3"));
+    EXPECT_THAT(watch.message(), ::testing::HasSubstr("design.toml:3"));
     EXPECT_EQ(watch.look(), DesignNews::none);
     EXPECT_EQ(watch.designs().design.terrain.tau_px, 2);
     watched.write(kOther);
@@ -69,7 +69,7 @@ TEST(DesignWatch, ThePaletteIsWatchedToo) {
     };
     watched.write(names_it);
     EXPECT_EQ(settled(), DesignNews::broken) << "there is none yet";
-    EXPECT_THAT(watch.sentence(), ::testing::HasSubstr("mine.toml"));
+    EXPECT_THAT(watch.message(), ::testing::HasSubstr("mine.toml"));
     watched.folder.write("mine.toml", grey);
     EXPECT_EQ(settled(), DesignNews::changed);
     EXPECT_EQ(watch.designs().design.terrain.palette.stops[0].color, (design::Color{0x2C, 0x2C, 0x2C}));

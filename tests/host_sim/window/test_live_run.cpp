@@ -28,15 +28,13 @@ const test_support::FlownFiles& files() {
 }
 
 SurfaceMaker scripted(ScriptedWindow*& window) {
-    return
-        [&window](
-            const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> {
-            auto surface = platform::make_surface("egl", settings);
-            if (!surface.ok()) return base::fail(surface.error());
-            auto made = std::make_unique<ScriptedWindow>(std::move(surface.value()));
-            window = made.get();
-            return std::unique_ptr<base::Surface>(std::move(made));
-        };
+    return [&window](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, base::Error> {
+        auto surface = platform::make_surface("egl", settings);
+        if (!surface.ok()) return base::fail(surface.error());
+        auto made = std::make_unique<ScriptedWindow>(std::move(surface.value()));
+        window = made.get();
+        return std::unique_ptr<base::Surface>(std::move(made));
+    };
 }
 
 /// A session at a window without a screen.

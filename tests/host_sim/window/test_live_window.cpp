@@ -23,7 +23,7 @@ using Script = std::function<void(ScriptedWindow&)>;
 
 WindowMaker window_with(const Script& script) {
     return [script](const platform::SurfaceSettings& settings,
-                    const char*) -> base::Result<std::unique_ptr<platform::Window>, platform::PlatformError> {
+                    const char*) -> base::Result<std::unique_ptr<platform::Window>, base::Error> {
         auto surface = platform::make_surface("egl", settings);
         if (!surface.ok()) return base::fail(surface.error());
         auto window = std::make_unique<ScriptedWindow>(std::move(surface.value()));

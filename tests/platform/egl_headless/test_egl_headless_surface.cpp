@@ -12,7 +12,7 @@ TEST(EglHeadlessSurface, NeedsNoDisplayVariable) {
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
     const auto surface = make_egl_headless_surface({64, 48, ContextLane::es2});
-    EXPECT_TRUE(surface.ok()) << surface.error().sentence.c_str();
+    EXPECT_TRUE(surface.ok()) << surface.error().message.c_str();
 }
 
 TEST(EglHeadlessSurface, ReportsAResetStatusWhereTheDriverIsRobust) {

@@ -21,7 +21,7 @@ std::string write_file(const std::string& content) {
 
 std::string refusal(const char* path) {
     const auto file = open_file(path);
-    return file.ok() ? "" : std::string(file.error().sentence.view());
+    return file.ok() ? "" : std::string(file.error().message.view());
 }
 
 TEST(FileByteSource, RefusesInOneSentence) {

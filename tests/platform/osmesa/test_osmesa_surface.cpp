@@ -13,7 +13,7 @@ namespace {
 
 TEST(OsmesaSurface, KeepsItsGlNamesOutOfTheProcess) {
     const auto surface = make_osmesa_surface({64, 48, ContextLane::es3});
-    ASSERT_TRUE(surface.ok()) << surface.error().sentence.c_str();
+    ASSERT_TRUE(surface.ok()) << surface.error().message.c_str();
     EXPECT_EQ(dlsym(RTLD_DEFAULT, "glClear"), nullptr) << "a global gl* name would shadow EGL's";
 }
 
@@ -44,7 +44,7 @@ TEST(OsmesaSurface, DestroyedWhileCurrentMakesRoomForTheNext) {
 TEST(OsmesaSurface, IsRefusedByABuildWithoutIt) {
     const auto surface = make_osmesa_surface({64, 48, ContextLane::es3});
     ASSERT_FALSE(surface.ok());
-    EXPECT_NE(surface.error().sentence.view().find("this build has no OSMesa"), std::string_view::npos);
+    EXPECT_NE(surface.error().message.view().find("this build has no OSMesa"), std::string_view::npos);
 }
 
 #endif

@@ -60,7 +60,7 @@ TEST_F(ProgramFolderTest, TakesNoDamagedProgram) {
 TEST_F(ProgramFolderTest, SaysWhereThereIsNoFolder) {
     const auto missing = open_program_folder(folder.file("none"));
     ASSERT_FALSE(missing.ok());
-    EXPECT_NE(missing.error().sentence.view().find("no folder of programs; make it with"), std::string_view::npos);
+    EXPECT_NE(missing.error().message.view().find("no folder of programs; make it with"), std::string_view::npos);
     EXPECT_FALSE(open_program_folder(std::string(2000, 'a')).ok());
     EXPECT_FALSE(ProgramFolder().find(kKey, program));
     EXPECT_TRUE(ProgramFolder().room(4).empty());

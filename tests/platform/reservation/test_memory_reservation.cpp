@@ -35,8 +35,8 @@ TEST(MemoryReservation, RefusesWhatTheMachineHasNot) {
     EXPECT_FALSE(reserve_memory(0, Residency::lazy).ok());
     const auto huge = reserve_memory(std::numeric_limits<std::uint64_t>::max() / 2, Residency::lazy);
     ASSERT_FALSE(huge.ok());
-    EXPECT_NE(huge.error().sentence.view().find("9223372036854775807 bytes"), std::string_view::npos)
-        << huge.error().sentence.c_str();
+    EXPECT_NE(huge.error().message.view().find("9223372036854775807 bytes"), std::string_view::npos)
+        << huge.error().message.c_str();
 }
 
 }  // namespace

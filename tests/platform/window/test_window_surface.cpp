@@ -29,9 +29,9 @@ TEST(Window, WithoutAScreenIsAnErrorAndNotAHiddenSuccess) {
     leave_the_desk();
     const auto window = make_window(kSettings, "test");
     ASSERT_FALSE(window.ok());
-    EXPECT_NE(window.error().sentence.view().find("no window can be opened"), std::string_view::npos)
-        << window.error().sentence.c_str();
-    EXPECT_NE(window.error().sentence.view().find("--window"), std::string_view::npos);
+    EXPECT_NE(window.error().message.view().find("no window can be opened"), std::string_view::npos)
+        << window.error().message.c_str();
+    EXPECT_NE(window.error().message.view().find("--window"), std::string_view::npos);
 }
 
 TEST(Window, DriversThatShowNothingAreErrorsByName) {
@@ -40,8 +40,8 @@ TEST(Window, DriversThatShowNothingAreErrorsByName) {
         setenv("SDL_VIDEODRIVER", driver, 1);
         const auto window = make_window(kSettings, "test");
         ASSERT_FALSE(window.ok());
-        EXPECT_NE(std::string(window.error().sentence.view()).find("'" + std::string(driver) + "'"), std::string::npos)
-            << window.error().sentence.c_str();
+        EXPECT_NE(std::string(window.error().message.view()).find("'" + std::string(driver) + "'"), std::string::npos)
+            << window.error().message.c_str();
     }
     unsetenv("SDL_VIDEODRIVER");
 }
@@ -60,7 +60,7 @@ TEST(Window, IsRefusedWhileAnotherSurfaceIsCurrent) {
 TEST(Window, DeliversEventsInOrderAndKeepsWhatDoesNotFit) {
     const test_support::VirtualScreen screen;
     auto window = make_window(kSettings, "test");
-    ASSERT_TRUE(window.ok()) << window.error().sentence.c_str();
+    ASSERT_TRUE(window.ok()) << window.error().message.c_str();
     std::array<WindowEvent, 64> events;
     while (window.value()->poll_events(events) > 0) {
     }  // what opening the window brought
@@ -83,7 +83,7 @@ TEST(Window, DeliversEventsInOrderAndKeepsWhatDoesNotFit) {
 TEST(Window, IsRefusedByABuildWithoutIt) {
     const auto window = make_window(kSettings, "test");
     ASSERT_FALSE(window.ok());
-    EXPECT_NE(window.error().sentence.view().find("this build has no window"), std::string_view::npos);
+    EXPECT_NE(window.error().message.view().find("this build has no window"), std::string_view::npos);
 }
 
 #endif

@@ -16,7 +16,7 @@ using Loader = std::function<void(ConfigSection)>;
 std::string sentence_of(const std::string& text, const Loader& load) {
     ConfigReader reader(text, "x.toml");
     load(reader.root());
-    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+    return reader.finish() ? std::string() : std::string(reader.error().message.view());
 }
 
 TEST(ConfigReader, reads_every_kind_of_value) {
@@ -33,7 +33,7 @@ TEST(ConfigReader, reads_every_kind_of_value) {
     std::array<std::string_view, 3> list;
     EXPECT_EQ(root.texts("list", list), 2u);
     EXPECT_EQ(list[1], "b");
-    EXPECT_TRUE(reader.finish()) << reader.error().sentence.view();
+    EXPECT_TRUE(reader.finish()) << reader.error().message.view();
     EXPECT_TRUE(reader.ok());
 }
 
@@ -110,7 +110,7 @@ TEST(ConfigReader, arrays_say_how_long_they_are) {
     EXPECT_EQ(reader.root().element_count("none"), 0u);
     EXPECT_TRUE(reader.ok());
     EXPECT_EQ(reader.root().element_count("x"), 0u);
-    EXPECT_EQ(reader.error().sentence.view(), "x.toml:3: 'x' must be an array such as [1, 2]");
+    EXPECT_EQ(reader.error().message.view(), "x.toml:3: 'x' must be an array such as [1, 2]");
 }
 
 TEST(ConfigReader, unknown_keys_are_found_at_every_depth) {
@@ -186,8 +186,8 @@ TEST(ConfigReader, a_loader_reports_its_own_faults_at_the_keys_line) {
 TEST(ConfigReader, a_sentence_too_long_is_cut_not_lost) {
     ConfigReader reader(std::string(2000, 'k') + " = 1", "x.toml");
     EXPECT_FALSE(reader.finish());
-    EXPECT_TRUE(reader.error().sentence.cut());
-    EXPECT_EQ(reader.error().sentence.view().substr(0, 10), "x.toml:1: ");
+    EXPECT_TRUE(reader.error().message.cut());
+    EXPECT_EQ(reader.error().message.view().substr(0, 10), "x.toml:1: ");
 }
 
 }  // namespace

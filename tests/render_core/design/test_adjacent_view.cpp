@@ -19,7 +19,7 @@ Read read(const std::string& text) {
     base::ConfigReader reader(text, "d.toml");
     Read result;
     read_adjacent_view(reader.root().section("adjacent"), palettes, result.view);
-    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    if (!reader.finish()) result.fault = std::string(reader.error().message.view());
     return result;
 }
 

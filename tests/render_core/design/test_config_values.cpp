@@ -13,14 +13,14 @@ TEST(ConfigValues, AColourIsReadOrIsAFaultAtItsLine) {
     base::ConfigReader wrong("a = 1\ncolor = 'red'\n", "f.toml");
     base::ConfigSection faulty = wrong.root();
     EXPECT_EQ(required_color(faulty, "color"), Color());
-    EXPECT_EQ(wrong.error().sentence.view(), "f.toml:2: 'color' is no colour; write it as \"#rrggbb\"");
+    EXPECT_EQ(wrong.error().message.view(), "f.toml:2: 'color' is no colour; write it as \"#rrggbb\"");
 }
 
 TEST(ConfigValues, FaultsNameTheirKey) {
     base::ConfigReader reader("\nsize = 1\n", "f.toml");
     base::ConfigSection root = reader.root();
     fault_of(root, "size", "is too small; take more");
-    EXPECT_EQ(reader.error().sentence.view(), "f.toml:2: 'size' is too small; take more");
+    EXPECT_EQ(reader.error().message.view(), "f.toml:2: 'size' is too small; take more");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ Read read(const std::string& text) {
     Read result;
     base::ConfigSection data = reader.root().section("data");
     read_data_elements(data, palettes, result.elements);
-    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    if (!reader.finish()) result.fault = std::string(reader.error().message.view());
     return result;
 }
 

@@ -41,7 +41,7 @@ TEST(DataScale, KindsAreNeitherDividedNorJoined) {
         base::ConfigSection root = reader.root();
         DataScale scale;
         read_scale(root, palettes, scale);
-        return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+        return reader.finish() ? std::string() : std::string(reader.error().message.view());
     };
     EXPECT_EQ(fault_of("palette = 'kinds'\n"), "");
     for (const char* const limits : {"classes = 3\n", "breaks = [0.5]\n"})

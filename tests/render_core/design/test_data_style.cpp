@@ -22,7 +22,7 @@ Read read(const std::string& text) {
     base::ConfigReader reader(text, "d.toml");
     Read result;
     read_data_style(reader.root().section("data"), palettes, result.style);
-    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    if (!reader.finish()) result.fault = std::string(reader.error().message.view());
     return result;
 }
 

@@ -19,16 +19,16 @@ namespace {
 /// One palette of heights and one of slopes.
 class SeededPalettes final : public PaletteSource {
 public:
-    base::Result<Palette, base::ConfigError> find(std::string_view name) override {
+    base::Result<Palette, base::Error> find(std::string_view name) override {
         Palette palette = alpine_palette();
-        if (name != "seeded" && name != "slopes") return base::fail(base::ConfigError{"no palette is called so"});
+        if (name != "seeded" && name != "slopes") return base::fail(base::Error{"no palette is called so"});
         palette.name = name;
         palette.kind = name == "slopes" ? PaletteKind::sequential : PaletteKind::hypsometric;
         return palette;
     }
 };
 
-base::Result<DesignSettings, base::ConfigError> read_seeded(const std::string& text) {
+base::Result<DesignSettings, base::Error> read_seeded(const std::string& text) {
     SeededPalettes palettes;
     return read_design_settings(text, "d.toml", palettes);
 }
@@ -42,7 +42,7 @@ std::string file_text(const std::filesystem::path& path) {
 
 std::string error_of(const std::string& text) {
     const auto design = read_seeded(text);
-    return design.ok() ? "" : std::string(design.error().sentence.view());
+    return design.ok() ? "" : std::string(design.error().message.view());
 }
 
 TEST(DesignSettings, EveryShippedDesignLoadsUnderItsFileName) {
@@ -51,7 +51,7 @@ TEST(DesignSettings, EveryShippedDesignLoadsUnderItsFileName) {
         if (entry.path().extension() != ".toml") continue;
         test_support::ShippedPalettes palettes;
         const auto design = read_design_settings(file_text(entry.path()), entry.path().string(), palettes);
-        ASSERT_TRUE(design.ok()) << design.error().sentence.view();
+        ASSERT_TRUE(design.ok()) << design.error().message.view();
         EXPECT_EQ(design.value().name.view(), entry.path().stem().string());
         EXPECT_EQ(first_band_out_of_order(design.value().warning_bands), design.value().warning_bands.size());
         ++files;
@@ -94,7 +94,7 @@ TEST(DesignSettings, ConvertsUnits) {
         "[warning]\nprofile = 'custom'\n[[warning.band]]\nlower_ft = 100\ncolor = '#ff0000'\nstrength = 0.5\n"
         "[[warning.band]]\nlower_ft = -1000\nlower_gear_down_ft = -500\ncolor = '#00ff00'\nstrength = "
         "1\n[symbology]\nlegend_unit = 'm'\n");
-    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    ASSERT_TRUE(read.ok()) << read.error().message.view();
     EXPECT_NEAR(read.value().view.horizontal_field_of_view_rad, 1.5707963267948966, 1e-15);
     EXPECT_EQ(read.value().view.eye_down_m, -2);
     EXPECT_EQ(read.value().symbology.legend_unit, HeightUnit::metres);
@@ -108,7 +108,7 @@ TEST(DesignSettings, ReadsTheMap) {
     const auto read = read_seeded(
         "name = 'x'\n[view]\nmode = 'map'\nmap_orientation = 'track_up'\nmap_range_m = 500\ntransition_s = 2\n"
         "[symbology]\nmap = false\n");
-    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    ASSERT_TRUE(read.ok()) << read.error().message.view();
     EXPECT_EQ(read.value().view.mode, ViewMode::map);
     EXPECT_EQ(read.value().view.map_orientation, MapOrientation::track_up);
     EXPECT_EQ(read.value().view.map_range_m, 500);
@@ -120,7 +120,7 @@ TEST(DesignSettings, ReadsTheOrthographicViewAndTheFlatGround) {
     const auto read = read_seeded(
         "name = 'x'\n[view]\nprojection = 'orthographic'\nmap_range_m = 15000\nlook_down_deg = 25\nlook_turn_deg = -90\n"
         "reference = 'flat'\nflat_msl_m = 450\n");
-    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    ASSERT_TRUE(read.ok()) << read.error().message.view();
     const ViewSettings& view = read.value().view;
     EXPECT_EQ(view.mode, ViewMode::orthographic);
     EXPECT_NEAR(view.look_down_rad, base::radians(25), 1e-12);

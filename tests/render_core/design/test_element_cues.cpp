@@ -22,7 +22,7 @@ Read read(const std::string& keys, const std::string& technique = "tube") {
     base::ConfigSection data = reader.root().section("data");
     read_data_elements(data, palettes, elements);
     Read result;
-    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    if (!reader.finish()) result.fault = std::string(reader.error().message.view());
     if (!elements.empty()) result.cues = elements[0].cues;
     return result;
 }

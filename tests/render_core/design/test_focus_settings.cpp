@@ -13,7 +13,7 @@ std::string read(const std::string& text, FocusList& foci) {
     base::ConfigReader reader(text, "d.toml");
     base::ConfigSection root = reader.root();
     read_foci(root, foci);
-    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+    return reader.finish() ? std::string() : std::string(reader.error().message.view());
 }
 
 TEST(FocusSettings, ThereIsNoneUnlessADesignHasOne) {
@@ -178,7 +178,7 @@ TEST(FocusSettings, OneLineStatesWhatATableDoes) {
     for (const char* text : {"shape = \"ring\"", "shape = square", "}, {", "radius = 3"})
         EXPECT_FALSE(read_focus(text).ok()) << text;
     EXPECT_FALSE(read_focus(std::string(2000, ' ')).ok());
-    EXPECT_NE(read_focus("radius_m = 1").error().sentence.view().find("--focus:1: 'radius_m' must be"), std::string::npos);
+    EXPECT_NE(read_focus("radius_m = 1").error().message.view().find("--focus:1: 'radius_m' must be"), std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Read read(const std::string& keys) {
     base::ConfigReader reader(text, "d.toml");
     Read result;
     read_label_settings(reader.root().section("labels"), result.labels);
-    if (!reader.finish()) result.fault = std::string(reader.error().sentence.view());
+    if (!reader.finish()) result.fault = std::string(reader.error().message.view());
     return result;
 }
 

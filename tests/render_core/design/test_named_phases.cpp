@@ -11,7 +11,7 @@ std::string refusal(const std::string& text, NamedPhases& phases) {
     base::ConfigReader reader(text, "x.toml");
     base::ConfigSection root = reader.root();
     read_named_phases(root.section("phases"), phases);
-    return reader.finish() ? "" : std::string(reader.error().sentence.view());
+    return reader.finish() ? "" : std::string(reader.error().message.view());
 }
 
 TEST(NamedPhases, ScenariosAndPhasesNameDesigns) {

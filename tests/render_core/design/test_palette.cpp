@@ -19,7 +19,7 @@ std::string stop(const std::string& value, const std::string& color = "#000000")
 }
 std::string error_of(const std::string& text) {
     const auto palette = read_palette(text, "p.toml");
-    return palette.ok() ? "" : std::string(palette.error().sentence.view());
+    return palette.ok() ? "" : std::string(palette.error().message.view());
 }
 
 TEST(Palette, EveryShippedOneLoadsUnderItsFileName) {
@@ -27,7 +27,7 @@ TEST(Palette, EveryShippedOneLoadsUnderItsFileName) {
     for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/palettes")) {
         const std::string path = "configs/palettes/" + entry.path().filename().string();
         const auto palette = read_palette(test_support::source_file(path), path);
-        ASSERT_TRUE(palette.ok()) << palette.error().sentence.view();
+        ASSERT_TRUE(palette.ok()) << palette.error().message.view();
         EXPECT_EQ(palette.value().name.view(), entry.path().stem().string());
         heights += palette.value().kind == PaletteKind::hypsometric ? 1 : 0;
         ++files;
@@ -53,7 +53,7 @@ TEST(Palette, TheBuiltInOneIsTheShippedOne) {
 
 TEST(Palette, DegreesBecomeRadians) {
     const auto slope = read_palette(with("sequential", "deg", stop("0") + stop("90", "#ffffff")), "p.toml");
-    ASSERT_TRUE(slope.ok()) << slope.error().sentence.view();
+    ASSERT_TRUE(slope.ok()) << slope.error().message.view();
     EXPECT_EQ(slope.value().kind, PaletteKind::sequential);
     EXPECT_EQ(slope.value().unit, PaletteUnit::degrees);
     EXPECT_NEAR(slope.value().stops[1].value, 1.5707963267948966, 1e-15);
@@ -65,7 +65,7 @@ TEST(Palette, ThoseOfDataSayTheirPurposeAndUnit) {
     const std::string stops = stop("1") + stop("2");
     for (const char* unit : {"m", "deg", "1", "m/s", "dBZ", "K"}) {
         const auto palette = read_palette(with("sequential", unit, stops), "p.toml");
-        ASSERT_TRUE(palette.ok()) << palette.error().sentence.view();
+        ASSERT_TRUE(palette.ok()) << palette.error().message.view();
         EXPECT_EQ(unit_name(palette.value().unit), unit);
         EXPECT_EQ(palette.value().purpose, PalettePurpose::terrain) << "where nothing is said";
     }
@@ -86,7 +86,7 @@ std::string class_of(const std::string& name, const std::string& color) {
 TEST(Palette, ClassesHaveNamesAndNoColoursBetweenThem) {
     const auto read = read_palette(
         nominal(class_of("forest", "#204020") + class_of("water", "#2040c0") + class_of("bare", "#e0e0e0")), "p.toml");
-    ASSERT_TRUE(read.ok()) << read.error().sentence.view();
+    ASSERT_TRUE(read.ok()) << read.error().message.view();
     const Palette& palette = read.value();
     EXPECT_TRUE(palette.is_nominal());
     EXPECT_EQ(color_of_name(palette, "water"), (Color{0x20, 0x40, 0xC0}));

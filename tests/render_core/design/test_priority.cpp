@@ -15,7 +15,7 @@ PrioritySettings read(const std::string& text, std::string* fault = nullptr) {
     base::ConfigSection root = reader.root();
     read_priority(root.section("priority"), priority);
     const bool is_whole = reader.finish();
-    const std::string said = is_whole ? "" : std::string(reader.error().sentence.view());
+    const std::string said = is_whole ? "" : std::string(reader.error().message.view());
     if (fault != nullptr)
         *fault = said;
     else

@@ -13,7 +13,7 @@ using scene::LayerRole;
 std::string read(const std::string& text, ShadowSettings& shadows) {
     base::ConfigReader reader(text, "d.toml");
     read_shadows(reader.root(), shadows);
-    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+    return reader.finish() ? std::string() : std::string(reader.error().message.view());
 }
 
 TEST(ShadowSettings, ThingsCastThemUnlessADesignSaysWhat) {

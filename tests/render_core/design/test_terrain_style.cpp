@@ -20,7 +20,7 @@ ReadStyle read(const std::string& text) {
     base::ConfigSection terrain = root.section("terrain");
     ReadStyle read;
     read_terrain_style(terrain, read.style);
-    if (!reader.finish()) read.error = std::string(reader.error().sentence.view());
+    if (!reader.finish()) read.error = std::string(reader.error().message.view());
     return read;
 }
 

@@ -11,7 +11,7 @@ namespace {
 std::string read(const std::string& text, ViewEffects& effects) {
     base::ConfigReader reader(text, "d.toml");
     read_view_effects(reader.root(), effects);
-    return reader.finish() ? std::string() : std::string(reader.error().sentence.view());
+    return reader.finish() ? std::string() : std::string(reader.error().message.view());
 }
 
 TEST(ViewEffects, NothingIsAskedForByDefault) {

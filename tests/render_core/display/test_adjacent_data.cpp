@@ -24,7 +24,7 @@ protected:
         scene.layers[0].times_ns = {kDate_ns, kDate_ns + kHour_ns};
         scene.layers[0].valid_until_ns = kDate_ns + 3 * kHour_ns;
         source_.content = host_sim::sdb_bytes(scene);
-        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, 64).message.view(), "");
         view_.is_shown = true;
         view_.layer = "air";
         view_.attribute = "temperature";

@@ -41,7 +41,7 @@ public:
             gl::make_texture(session_.gl, line_, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
         texture_ = std::move(texture.value());
         const draw::DrawnDesign drawn{&design};
-        EXPECT_EQ(control.start(session_.gl, session_.device.budget, {&drawn, 1}, kWidth, kHeight).sentence.view(), "");
+        EXPECT_EQ(control.start(session_.gl, session_.device.budget, {&drawn, 1}, kWidth, kHeight).message.view(), "");
         session_.gl.seal();
     }
     ~Striped() {

@@ -183,7 +183,7 @@ class GroundLegendOf : public ::testing::Test {
 protected:
     GroundLegendOf() {
         source_.content = host_sim::sdb_bytes(test_support::small_scene());
-        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, 64).message.view(), "");
         design::GroundData& ground = design_.data.ground;
         ground.is_shown = true;
         ground.layer = "air";

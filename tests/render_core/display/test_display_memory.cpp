@@ -28,14 +28,14 @@ struct Cut {
     std::string sentence;
 
     explicit Cut(std::uint64_t bytes) : block(bytes), reservation(block.data(), block.size()) {
-        sentence = std::string(memory.cut(budget, reservation).sentence.view());
+        sentence = std::string(memory.cut(budget, reservation).message.view());
     }
     [[nodiscard]] std::uint64_t line(std::string_view name) const { return budget.find(name)->bytes; }
 };
 
 TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
-    ASSERT_EQ(cut.sentence, "");
+    ASSERT_EQ(cut.message, "");
     const TerrainMemory terrain = cut.memory.terrain();
     const std::pair<const base::Arena*, const char*> arenas[] = {
         {&terrain.index, "terrain_index"},      {&terrain.records, "terrain_chunk_slots"},
@@ -54,7 +54,7 @@ TEST(DisplayMemory, HasRoomForTracedTerrainWhereTheDeviceHas) {
     std::vector<std::uint8_t> block(DisplayMemory::bytes_needed(budget));
     base::Arena reservation(block.data(), block.size());
     DisplayMemory memory;
-    ASSERT_EQ(memory.cut(budget, reservation).sentence.view(), "");
+    ASSERT_EQ(memory.cut(budget, reservation).message.view(), "");
     EXPECT_EQ(memory.traced_terrain().use().capacity, 4096u);
     static_cast<void>(memory.traced_terrain().allocate(300, 4));
     memory.note_use(budget);
@@ -78,9 +78,9 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     const base::BudgetTable budget = small_budget();
     std::uint64_t processor_bytes = 0;
     for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
-    EXPECT_EQ(Cut(processor_bytes - 1).sentence,
+    EXPECT_EQ(Cut(processor_bytes - 1).message,
               "the reservation does not hold the budget line 'scene_billboards'; lower the budgets in the device file");
-    EXPECT_EQ(Cut(10).sentence,
+    EXPECT_EQ(Cut(10).message,
               "the reservation does not hold the budget line 'terrain_heights'; lower the budgets in the device file");
     EXPECT_GE(DisplayMemory::bytes_needed(budget), processor_bytes);
 }

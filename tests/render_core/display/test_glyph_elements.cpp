@@ -31,7 +31,7 @@ struct GlyphView {
     explicit GlyphView(const char* device = "es3-mid") : session("egl", device), scene(changing_air()) {
         block.resize(session.device.budget.find(effects::kSceneGlyphs)->bytes);
         base::Arena arena(block.data(), block.size());
-        EXPECT_EQ(glyphs.start(session.gl, session.device.budget, arena, false).sentence.view(), "");
+        EXPECT_EQ(glyphs.start(session.gl, session.device.budget, arena, false).message.view(), "");
         session.gl.seal();
         element.technique = DataTechnique::spheres;
         element.by_color.attribute = "temperature";
@@ -243,7 +243,7 @@ TEST(GlyphElements, ALineThatIsTooSmallIsNamed) {
     std::vector<unsigned char> block(1000);
     base::Arena arena(block.data(), block.size());
     GlyphElements glyphs;
-    EXPECT_NE(glyphs.start(session.gl, session.device.budget, arena, false).sentence.view().find("scene_glyphs"),
+    EXPECT_NE(glyphs.start(session.gl, session.device.budget, arena, false).message.view().find("scene_glyphs"),
               std::string_view::npos);
     session.gl.seal();
     session.gl.retire();

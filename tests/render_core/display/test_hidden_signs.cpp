@@ -54,8 +54,8 @@ public:
             arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
         }
         base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).sentence.view(), "");
-        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).sentence.view(), "");
+        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).message.view(), "");
+        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).message.view(), "");
         session_.gl.seal();
         const double latitude = base::radians(46.7), longitude = base::radians(kLongitude_deg);
         ground_.height = kPlain_m + WrittenTdb::undulation_m(latitude);

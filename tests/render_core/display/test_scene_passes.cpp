@@ -18,7 +18,7 @@ class ScenePassesStart : public ::testing::Test {
 protected:
     [[nodiscard]] std::uint64_t target_bytes() { return session_.device.budget.find(effects::kRenderTargets)->use.in_use; }
     [[nodiscard]] draw::DrawnDesign drawn() const { return {&design_, draw::output_of(design_, true)}; }
-    [[nodiscard]] gl::GlError start() {
+    [[nodiscard]] base::Error start() {
         const draw::DrawnDesign only = drawn();
         return passes_.start(session_.gl, session_.device, {&only, 1}, kWidth, kHeight);
     }
@@ -31,7 +31,7 @@ protected:
 TEST_F(ScenePassesStart, TakesPicturesOffScreenOnlyForStylesThatNeedThem) {
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.terrain.style.sketch.silhouettes = 0;
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     EXPECT_EQ(drawn().output, draw::TerrainOutput::color);
     EXPECT_EQ(target_bytes(), 0u);
     passes_.destroy(session_.gl);
@@ -39,7 +39,7 @@ TEST_F(ScenePassesStart, TakesPicturesOffScreenOnlyForStylesThatNeedThem) {
 
 TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
     design_.terrain.style.sketch.silhouettes = 1;
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     EXPECT_NE(drawn().output, draw::TerrainOutput::color);
     EXPECT_GE(target_bytes(), std::uint64_t{kWidth} * kHeight * 8) << "colour and depth";
     passes_.destroy(session_.gl);
@@ -48,7 +48,7 @@ TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
 
 TEST_F(ScenePassesStart, EffectsThatWereNotBuiltAreNotShown) {
     design_.effects.antialiasing = true;
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     EXPECT_TRUE(passes_.shows(drawn()));
     design_.effects.antialiasing = false;
     EXPECT_TRUE(passes_.shows(drawn())) << "less is no matter";
@@ -64,7 +64,7 @@ TEST_F(ScenePassesStart, AMapOfShadowsIsPaidForWhereADesignAsksForThem) {
     design_.terrain.style.sketch.silhouettes = 0;
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.effects.shadows.on_ground = 0.5;
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     EXPECT_EQ(drawn().output, draw::TerrainOutput::color) << "read where the ground is drawn";
     EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8);
     design_.effects.shadows.in_air = 0.5;
@@ -77,7 +77,7 @@ TEST_F(ScenePassesStart, ShaftsOfLightTakeAPictureAndAQuarterOfOneBesides) {
     design_.terrain.style.sketch.silhouettes = 0;
     design_.terrain.style.texture = design::TerrainTexture::slope;
     design_.effects.shadows.in_air = 0.5;
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     EXPECT_EQ(drawn().output, draw::TerrainOutput::color_and_distance);
     EXPECT_EQ(target_bytes(), std::uint64_t{1024} * 1024 * 3 * 8 + std::uint64_t{kWidth} * kHeight * (8 + 1));
     passes_.destroy(session_.gl);
@@ -92,7 +92,7 @@ TEST_F(ScenePassesStart, DesignsThatFollowOneAnotherHaveTheProgramsOfAll) {
     draw::DrawnDesign designs[] = {{&coloured}, {&lined}, {&blurred}};
     for (draw::DrawnDesign& one : designs) one.output = draw::output_of(*one.design, true);
     ASSERT_NE(designs[1].output, designs[0].output);
-    ASSERT_EQ(passes_.start(session_.gl, session_.device, designs, kWidth, kHeight).sentence.view(), "");
+    ASSERT_EQ(passes_.start(session_.gl, session_.device, designs, kWidth, kHeight).message.view(), "");
     for (const draw::DrawnDesign& one : designs) {
         EXPECT_TRUE(passes_.shows(one));
         passes_.set_design(one);
@@ -106,12 +106,12 @@ TEST_F(ScenePassesStart, SaysWhichBudgetHasNoRoom) {
     design_.terrain.style.sketch.silhouettes = 1;
     base::BudgetLine* const line = session_.device.budget.find(effects::kRenderTargets);
     line->bytes = line->use.capacity = 1000;
-    EXPECT_NE(start().sentence.view().find("render_targets"), std::string_view::npos);
+    EXPECT_NE(start().message.view().find("render_targets"), std::string_view::npos);
     passes_.destroy(session_.gl);
 }
 
 TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
-    ASSERT_EQ(start().sentence.view(), "");
+    ASSERT_EQ(start().message.view(), "");
     DisplayDecisions decisions;
     decisions.plain_horizon = true;
     EyeInput level;

@@ -28,7 +28,7 @@ class SpatialDataOf : public ::testing::Test {
 protected:
     void start(const host_sim::SceneDraft& scene, std::uint32_t most_side = 64) {
         source_.content = host_sim::sdb_bytes(scene);
-        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, most_side).sentence.view(), "");
+        EXPECT_EQ(data_.start(&source_, {scene_memory_, slice_memory_}, most_side).message.view(), "");
         style_.ground.is_shown = true;
         style_.ground.layer = "air";
         style_.ground.attribute = "temperature";
@@ -105,7 +105,7 @@ TEST_F(SpatialDataOf, ANewerSceneIsTakenOverWholeAndAnOlderOneNever) {
 }
 
 TEST_F(SpatialDataOf, AFirstSceneMayComeLater) {
-    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).message.view(), "");
     EXPECT_FALSE(data_.has_scene());
     test_support::FlakyBytes file(host_sim::sdb_bytes(dated_scene()));
     auto scene = scene::Scene::load(file, data_.spare());
@@ -197,7 +197,7 @@ TEST_F(SpatialDataOf, WhatCannotBeShownIsSaid) {
     style_.ground.is_shown = true;
     EXPECT_EQ(plan(0).ground, GroundDataState::no_terrain);
     style_.ground.is_shown = false;
-    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).sentence.view(), "");
+    EXPECT_EQ(data_.start(nullptr, {scene_memory_, slice_memory_}, 64).message.view(), "");
     EXPECT_EQ(plan(0).ground, GroundDataState::not_asked_for);
     style_.ground.is_shown = true;
     EXPECT_EQ(plan(0).ground, GroundDataState::no_scene);
@@ -223,12 +223,12 @@ TEST_F(SpatialDataOf, AGridThatIsTooLargeForTheDeviceIsRefused) {
 TEST_F(SpatialDataOf, AFaultySceneIsNamed) {
     test_support::FlakyBytes damaged(host_sim::sdb_bytes(dated_scene()));
     damaged.content[300] = static_cast<std::uint8_t>(damaged.content[300] ^ 1u);
-    const gl::GlError error = data_.start(&damaged, {scene_memory_, slice_memory_}, 64);
-    EXPECT_EQ(std::string(scene_fault(error.sentence.view())).rfind("is damaged (offset ", 0), 0u) << error.sentence.view();
+    const base::Error error = data_.start(&damaged, {scene_memory_, slice_memory_}, 64);
+    EXPECT_EQ(std::string(scene_fault(error.message.view())).rfind("is damaged (offset ", 0), 0u) << error.message.view();
     EXPECT_EQ(scene_fault("the reservation does not hold"), "");
     base::Arena little(memory_.data(), 8);
     SpatialData other;
-    EXPECT_NE(other.start(nullptr, {scene_memory_, little}, 64).sentence.view().find("scene_slices"), 0u);
+    EXPECT_NE(other.start(nullptr, {scene_memory_, little}, 64).message.view().find("scene_slices"), 0u);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ public:
     bool shows(const design::DesignSettings& design) const { return scene.shows({&design}); }
 
     TerrainScene scene;
-    gl::GlError error;
+    base::Error error;
 
 private:
     static constexpr std::size_t kLines = 7;
@@ -116,12 +116,12 @@ private:
 };
 
 TEST(TerrainScene, TheLineThatDoesNotHoldIsNamed) {
-    EXPECT_EQ(Stage(plain_design()).error.sentence.view(), "");
+    EXPECT_EQ(Stage(plain_design()).error.message.view(), "");
     for (const std::string line : {"terrain_chunk_slots", "terrain_heights", "terrain_attributes", "lod_scratch", "staging"}) {
         const Stage stage(plain_design(), line);
-        EXPECT_NE(std::string(stage.error.sentence.view()).find("'" + line + "'"), std::string::npos)
-            << line << ": " << stage.error.sentence.view();
-        EXPECT_EQ(database_fault(stage.error.sentence.view()), "");
+        EXPECT_NE(std::string(stage.error.message.view()).find("'" + line + "'"), std::string::npos)
+            << line << ": " << stage.error.message.view();
+        EXPECT_EQ(database_fault(stage.error.message.view()), "");
         EXPECT_FALSE(stage.scene.is_started());
     }
 }
@@ -130,7 +130,7 @@ TEST(TerrainScene, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
     std::vector<std::uint8_t> image = hills().image;
     image[100] ^= 8;
     const Stage stage(plain_design(), "", image);
-    EXPECT_EQ(database_fault(stage.error.sentence.view()).find("has a damaged header (offset 0); get a whole copy"), 0u);
+    EXPECT_EQ(database_fault(stage.error.message.view()).find("has a damaged header (offset 0); get a whole copy"), 0u);
 }
 
 TEST(TerrainScene, TracedTerrainHasNoErrorWhateverHasArrived) {
@@ -152,7 +152,7 @@ TEST(TerrainScene, RaysThatCannotBeLeaveTriangles) {
     EXPECT_EQ(Stage(design).scene.trace_state(), draw::TraceState::not_asked_for);
     design.terrain.renderer = design::TerrainRenderer::trace;
     Stage stage(design);
-    ASSERT_EQ(stage.error.sentence.view(), "");
+    ASSERT_EQ(stage.error.message.view(), "");
     EXPECT_EQ(stage.scene.trace_state(), draw::TraceState::not_by_style) << "the stage's programs write colours";
     EXPECT_TRUE(stage.shows(plain_design()));
 }

@@ -92,7 +92,7 @@ protected:
         pixels_ = session_.pixels();
     }
     void SetUp() override {
-        ASSERT_EQ(table_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets)).sentence.view(), "");
+        ASSERT_EQ(table_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets)).message.view(), "");
     }
     void TearDown() override {
         table_.destroy(session_.gl);

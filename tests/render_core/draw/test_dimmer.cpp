@@ -17,7 +17,7 @@ TEST_P(DimmerTest, MultipliesEveryPixelAndLeavesAlpha) {
     test_support::GlSession session("egl", GetParam());
     Dimmer dimmer;
     EXPECT_FALSE(dimmer.is_started());
-    ASSERT_EQ(dimmer.start(session.gl, session.device.budget).sentence.view(), "");
+    ASSERT_EQ(dimmer.start(session.gl, session.device.budget).message.view(), "");
     session.gl.seal();
     session.gl.begin_frame();
     gl::bind_surface(session.gl, *session.surface);

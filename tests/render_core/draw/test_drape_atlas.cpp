@@ -71,7 +71,7 @@ protected:
 };
 
 TEST_P(DrapeAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).message.view(), "");
     std::vector<std::unique_ptr<DrapePage>> pages;
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
         pages.push_back(noise_page(slot + 1));
@@ -89,7 +89,7 @@ TEST_P(DrapeAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
 
 // A frame must not depend on the frames before it, and those decide in which slot a page lies.
 TEST_P(DrapeAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).message.view(), "");
     const auto page = noise_page(8);
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) ASSERT_TRUE(atlas_.upload(at_.gl, slot, *page));
     for (const float shift : {0.0f, 0.171f, -0.43f, 3.5f}) {
@@ -100,7 +100,7 @@ TEST_P(DrapeAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
 }
 
 TEST_P(DrapeAtlasTest, NowhereIsTransparentWhateverThePagesHold) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).message.view(), "");
     DrapePage white;
     for (auto& texel : white.rgba)
         for (std::uint8_t& channel : texel) channel = 255;
@@ -112,7 +112,7 @@ TEST_P(DrapeAtlasTest, NowhereIsTransparentWhateverThePagesHold) {
 }
 
 TEST_P(DrapeAtlasTest, WhatItTakesIsWhatItSays) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, kSlots).message.view(), "");
     EXPECT_EQ(line_.use.in_use, DrapeAtlas::bytes_needed(kSlots));
     EXPECT_EQ(DrapeAtlas::bytes_needed(kSlots), 512u * 512u * 4);
     EXPECT_EQ(DrapeAtlas::bytes_needed(49), 1024u * 1024u * 4) << "what device files with 49 pages state";
@@ -121,7 +121,7 @@ TEST_P(DrapeAtlasTest, WhatItTakesIsWhatItSays) {
 
 TEST_P(DrapeAtlasTest, WithoutRoomItIsRefused) {
     line_.bytes = DrapeAtlas::bytes_needed(kSlots) - 1;
-    EXPECT_NE(atlas_.start(at_.gl, line_, kSlots).sentence.view(), "");
+    EXPECT_NE(atlas_.start(at_.gl, line_, kSlots).message.view(), "");
     EXPECT_FALSE(atlas_.is_started());
 }
 

@@ -73,7 +73,7 @@ public:
         auto texture =
             gl::make_texture(session_.gl, budget_, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width_, height_});
         texture_ = static_cast<gl::Texture&&>(texture.value());
-        EXPECT_EQ(pass_.start(session_.gl, session_.device.budget, width_, height_, shows).sentence.view(), "");
+        EXPECT_EQ(pass_.start(session_.gl, session_.device.budget, width_, height_, shows).message.view(), "");
         session_.gl.seal();
     }
     ~Measured() {
@@ -344,10 +344,9 @@ TEST(EdgePass, RefusesAPictureThatIsTooLargeOrABudgetThatIsTooSmall) {
     GlSession session("egl", "es2-small");
     EdgePass pass;
     EXPECT_FALSE(pass.is_started());
-    EXPECT_NE(pass.start(session.gl, session.device.budget, 9000, 64, false).sentence.view().find("8192"),
-              std::string_view::npos);
+    EXPECT_NE(pass.start(session.gl, session.device.budget, 9000, 64, false).message.view().find("8192"), std::string_view::npos);
     session.device.budget.find(effects::kRenderTargets)->bytes = 100'000;
-    EXPECT_NE(pass.start(session.gl, session.device.budget, 640, 480, false).sentence.view().find("render_targets"),
+    EXPECT_NE(pass.start(session.gl, session.device.budget, 640, 480, false).message.view().find("render_targets"),
               std::string_view::npos);
     pass.destroy(session.gl);
     EXPECT_EQ(session.device.budget.find(effects::kRenderTargets)->use.in_use, 0u);

@@ -64,7 +64,7 @@ TEST(EdgePrograms, AreMadeForWhatIsShownAlone) {
     for (const bool shows : {false, true}) {
         EdgePrograms programs;
         EXPECT_FALSE(programs.has(EdgeStep::planes));
-        ASSERT_EQ(programs.start(session.gl, {20, 30}, shows).sentence.view(), "");
+        ASSERT_EQ(programs.start(session.gl, {20, 30}, shows).message.view(), "");
         for (std::size_t n = 0; n < kEdgeSteps; ++n) {
             const auto step = static_cast<EdgeStep>(n);
             EXPECT_EQ(programs.has(step), shows || (step != EdgeStep::show_edges && step != EdgeStep::show_regions)) << n;

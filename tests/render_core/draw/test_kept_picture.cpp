@@ -13,7 +13,7 @@ constexpr std::uint32_t kWidth = 32, kHeight = 16, kWide = 48;
 TEST(KeptPicture, PutsColumnForColumnWhatIsAskedFor) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
     KeptPicture picture;
-    ASSERT_EQ(picture.start(session.gl, session.device.budget, kWide, kHeight).sentence.view(), "");
+    ASSERT_EQ(picture.start(session.gl, session.device.budget, kWide, kHeight).message.view(), "");
     EXPECT_EQ(session.device.budget.find(effects::kRenderTargets)->use.in_use, kWide * kHeight * 8u);
     session.gl.seal();
     session.gl.begin_frame();

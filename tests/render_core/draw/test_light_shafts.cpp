@@ -28,17 +28,17 @@ protected:
         base::Arena arena(block_.data(), block_.size());
         base::BudgetTable& budget = session_.device.budget;
         base::BudgetLine& targets = *budget.find(effects::kRenderTargets);
-        EXPECT_EQ(map_.start(session_.gl, targets, 1024).sentence.view(), "");
-        EXPECT_EQ(shafts_.start(session_.gl, budget, kWidth, kHeight, false).sentence.view(), "");
-        EXPECT_EQ(casters_.start(session_.gl).sentence.view(), "");
+        EXPECT_EQ(map_.start(session_.gl, targets, 1024).message.view(), "");
+        EXPECT_EQ(shafts_.start(session_.gl, budget, kWidth, kHeight, false).message.view(), "");
+        EXPECT_EQ(casters_.start(session_.gl).message.view(), "");
         EXPECT_TRUE(
             solids_.start(session_.gl, *budget.find(effects::kSceneSolidVertices), arena, {64, 192, 8}, gl::BufferUse::streamed)
-                .sentence.empty());
+                .message.empty());
         EXPECT_TRUE(mesh_.start(arena));
         auto scene =
             gl::make_texture(session_.gl, targets, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
         scene_ = static_cast<gl::Texture&&>(scene.value());
-        EXPECT_EQ(pass_.start(session_.gl, budget, kWidth, kHeight, {false, false, true}).sentence.view(), "");
+        EXPECT_EQ(pass_.start(session_.gl, budget, kWidth, kHeight, {false, false, true}).message.view(), "");
         session_.gl.seal();
         view_ = test_support::free_view(earth::to_ecef({kLatitude, kLongitude, {1000}}),
                                         earth::body_axes(kLatitude, kLongitude, 0, 0, 0), kWidth, kHeight, 10);

@@ -96,13 +96,13 @@ public:
         detail_ = {base::radians(std::ldexp(h.step_lat_deg / 4, h.drape_level)) * 6371000, h.drape_level};
         const DrawnDesign only{&design_, output_of(design_, true)};
         EXPECT_EQ(only.output, TerrainOutput::color) << "codes have no borders";
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
         base::Arena arena(block_.data(), block_.size());
         base::BudgetLine& line = *session_.device.budget.find(effects::kSceneSolidVertices);
-        EXPECT_TRUE(solids_.start(session_.gl, line, arena, {4096, 8192, 64}, gl::BufferUse::streamed).sentence.empty());
+        EXPECT_TRUE(solids_.start(session_.gl, line, arena, {4096, 8192, 64}, gl::BufferUse::streamed).message.empty());
         DataVariant variant;
         variant.magnified = true;
-        EXPECT_TRUE(solid_drawer_.start(session_.gl, arena, 64, variant).sentence.empty());
+        EXPECT_TRUE(solid_drawer_.start(session_.gl, arena, 64, variant).message.empty());
         EXPECT_TRUE(mesh_.start(arena));
         session_.gl.seal();
     }

@@ -91,7 +91,7 @@ protected:
 };
 
 TEST_P(PageAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).message.view(), "");
     std::vector<std::unique_ptr<AttributePage>> pages;
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
         pages.push_back(noise_page(slot + 1));
@@ -110,7 +110,7 @@ TEST_P(PageAtlasTest, EveryTexelOfEveryPageIsFoundAndNeighboursNeverBleedIn) {
 
 // A frame must not depend on the frames before it, and those decide in which slot a page lies.
 TEST_P(PageAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).message.view(), "");
     const auto page = noise_page(8);
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
         ASSERT_TRUE(atlas_.upload(at_.gl, slot, *page, false));
@@ -132,7 +132,7 @@ TEST_P(PageAtlasTest, APageLooksTheSameToTheLastBitInEverySlot) {
 }
 
 TEST_P(PageAtlasTest, TheHorizonIsMixedOfTheTwoNearestDirections) {
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).message.view(), "");
     const auto page = noise_page(5);
     const double east_m = 60, north_m = 90;
     for (int direction = 0; direction < terrain::kHorizonDirections; ++direction)
@@ -155,7 +155,7 @@ TEST_P(PageAtlasTest, TheHorizonIsMixedOfTheTwoNearestDirections) {
 TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
     design::TerrainStyle style;
     style.shade.baked_normals = true;
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style, false, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style, false, kSlots, staging_).message.view(), "");
     EXPECT_TRUE(atlas_.is_started());
     EXPECT_TRUE(atlas_.has(BakedMap::form));
     for (const BakedMap map : {BakedMap::light, BakedMap::aperture, BakedMap::horizon, BakedMap::drape})
@@ -171,7 +171,7 @@ TEST_P(PageAtlasTest, OnlyTheMapsOfTheStyleArePaidFor) {
 TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
     design::TerrainStyle style;
     style.shade.baked_normals = true;
-    ASSERT_EQ(atlas_.start(at_.gl, line_, style, true, kSlots, staging_).sentence.view(), "");
+    ASSERT_EQ(atlas_.start(at_.gl, line_, style, true, kSlots, staging_).message.view(), "");
     EXPECT_TRUE(atlas_.has(BakedMap::light));
     EXPECT_FALSE(atlas_.has(BakedMap::aperture));
     EXPECT_EQ(line_.use.in_use, PageAtlas::bytes_needed(style, true, kSlots));
@@ -186,11 +186,11 @@ TEST_P(PageAtlasTest, ACoastBringsTheMapThatTellsSeaFromLandAndOnlyItsPages) {
 
 TEST_P(PageAtlasTest, WithoutRoomItIsRefused) {
     line_.bytes = PageAtlas::bytes_needed(style_of_all_maps(), false, kSlots) - 1;
-    EXPECT_NE(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).sentence.view(), "");
+    EXPECT_NE(atlas_.start(at_.gl, line_, style_of_all_maps(), false, kSlots, staging_).message.view(), "");
     EXPECT_FALSE(atlas_.is_started());
     base::Arena none(memory_.data(), 100);
     PageAtlas other;
-    EXPECT_NE(std::string(other.start(at_.gl, line_, {}, false, kSlots, none).sentence.view()).find("'staging'"),
+    EXPECT_NE(std::string(other.start(at_.gl, line_, {}, false, kSlots, none).message.view()).find("'staging'"),
               std::string::npos);
     other.destroy(at_.gl);
 }

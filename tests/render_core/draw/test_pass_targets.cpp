@@ -15,15 +15,15 @@ TEST(PassTargets, StopsAtTheFirstThatHasNoRoomAndNamesTheLine) {
     gl::RenderTarget first, second, third;
     PassTargets targets(session.gl, line);
     targets.make(first, 8, 8);
-    EXPECT_TRUE(targets.error().sentence.empty());
+    EXPECT_TRUE(targets.error().message.empty());
     targets.make(second, 8, 8);
-    const std::string sentence = targets.error().sentence.c_str();
+    const std::string sentence = targets.error().message.c_str();
     EXPECT_NE(sentence.find(line.name.c_str()), std::string::npos) << sentence;
     targets.make(third, 4, 4);  // which would have room
     EXPECT_TRUE(first.valid());
     EXPECT_FALSE(second.valid());
     EXPECT_FALSE(third.valid());
-    EXPECT_EQ(targets.error().sentence.view(), sentence);
+    EXPECT_EQ(targets.error().message.view(), sentence);
     EXPECT_EQ(line.use.in_use, 4u * 8 * 8);
     first.destroy(session.gl);
 }

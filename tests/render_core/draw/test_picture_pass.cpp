@@ -61,7 +61,7 @@ Picture outlined(const DistanceFormula& distance_m, double strength, const char*
     PicturePass pass;
     EXPECT_FALSE(pass.is_started());
     const DrawnDesign only{&design, TerrainOutput::color_and_distance};
-    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1}).sentence.view(), "");
+    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1}).message.view(), "");
     EXPECT_TRUE(pass.is_started());
     base::BudgetLine line;
     line.bytes = 100'000;
@@ -150,8 +150,8 @@ TEST(PicturePass, WhereNothingWasDrawnIsTheSky) {
         PicturePass pass;
         SkyDrawer sky;
         const DrawnDesign only{&design, TerrainOutput::code};
-        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, {&only, 1}).sentence.view(), "");
-        ASSERT_EQ(sky.start(session.gl, session.device.budget).sentence.view(), "");
+        ASSERT_EQ(pass.start(session.gl, session.device.budget, kWide, kHigh, {&only, 1}).message.view(), "");
+        ASSERT_EQ(sky.start(session.gl, session.device.budget).message.view(), "");
         session.gl.seal();
         session.gl.begin_frame();
         PictureInput input;
@@ -192,8 +192,8 @@ TEST(PicturePass, ADeviceWithoutRoomIsRefused) {
     PicturePass pass;
     const design::DesignSettings design = design_with(1);
     const DrawnDesign only{&design, TerrainOutput::color_and_distance};
-    const gl::GlError error = pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1});
-    EXPECT_NE(error.sentence.view(), "");
+    const base::Error error = pass.start(session.gl, session.device.budget, kWidth, kHeight, {&only, 1});
+    EXPECT_NE(error.message.view(), "");
     EXPECT_FALSE(pass.is_started());
     session.gl.seal();
     session.gl.retire();

@@ -24,8 +24,8 @@ struct QuadSession {
         : session(backend, device, width, height),
           block(session.device.budget.find(effects::kSymbology)->bytes),
           arena(block.data(), block.size()) {
-        const gl::GlError error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
-        EXPECT_EQ(error.sentence.view(), "");
+        const base::Error error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
+        EXPECT_EQ(error.message.view(), "");
         if (with_links) start_links();
         session.gl.seal();
     }
@@ -38,8 +38,8 @@ struct QuadSession {
     void start_links() {
         billboard_block.resize(session.device.budget.find(effects::kSceneBillboards)->bytes);
         base::Arena own(billboard_block.data(), billboard_block.size());
-        EXPECT_EQ(links.start_links(session.gl, session.device.budget, own).sentence.view(), "");
-        EXPECT_EQ(signs.start_signs(session.gl, session.device.budget, own, quads).sentence.view(), "");
+        EXPECT_EQ(links.start_links(session.gl, session.device.budget, own).message.view(), "");
+        EXPECT_EQ(signs.start_signs(session.gl, session.device.budget, own, quads).message.view(), "");
     }
     /// RGBA8, bottom row first, over a plain background.
     std::vector<std::uint8_t> picture() {
@@ -95,8 +95,8 @@ TEST(QuadDrawer, RefusesTooSmallABudgetWithTheLinesName) {
     std::vector<unsigned char> little(100);
     base::Arena arena(little.data(), little.size());
     QuadDrawer quads;
-    const gl::GlError error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
-    EXPECT_NE(error.sentence.view().find("'symbology'"), std::string_view::npos);
+    const base::Error error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
+    EXPECT_NE(error.message.view().find("'symbology'"), std::string_view::npos);
 }
 
 TEST(QuadDrawer, OsMesaAndEglAgreeBitForBit) {

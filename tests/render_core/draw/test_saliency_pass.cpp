@@ -73,7 +73,7 @@ public:
         auto texture =
             gl::make_texture(session_.gl, budget_, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, width, height});
         texture_ = static_cast<gl::Texture&&>(texture.value());
-        EXPECT_EQ(pass_.start(session_.gl, session_.device.budget, width, height, true, true).sentence.view(), "");
+        EXPECT_EQ(pass_.start(session_.gl, session_.device.budget, width, height, true, true).message.view(), "");
         session_.gl.seal();
     }
     ~Measured() {

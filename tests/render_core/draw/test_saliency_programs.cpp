@@ -84,7 +84,7 @@ TEST(SaliencyPrograms, AreMadeForWhatIsShownAlone) {
     GlSession session("egl", "es2-small", kSide, kSide);
     SaliencyPrograms programs;
     EXPECT_FALSE(programs.has(SaliencyStep::lab));
-    ASSERT_EQ(programs.start(session.gl, 2, false, true).sentence.view(), "");
+    ASSERT_EQ(programs.start(session.gl, 2, false, true).message.view(), "");
     for (std::size_t n = 0; n < kSaliencySteps; ++n)
         EXPECT_EQ(programs.has(static_cast<SaliencyStep>(n)), static_cast<SaliencyStep>(n) != SaliencyStep::show_map) << n;
     programs.destroy(session.gl);

@@ -13,7 +13,7 @@ constexpr std::uint32_t kWidth = 16, kHeight = 16;
 TEST(SceneFade, MixesWhatWasWithWhatIsByItsShare) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
     SceneFade fade;
-    ASSERT_EQ(fade.start(session.gl, session.device.budget, kWidth, kHeight).sentence.view(), "");
+    ASSERT_EQ(fade.start(session.gl, session.device.budget, kWidth, kHeight).message.view(), "");
     EXPECT_EQ(session.device.budget.find(effects::kRenderTargets)->use.in_use, kWidth * kHeight * 8u);
     session.gl.seal();
     session.gl.begin_frame();

@@ -30,7 +30,7 @@ constexpr std::uint32_t kWidth = 203, kHeight = 117;
 class AddedGrid {
 public:
     explicit AddedGrid(const char* device) : session_("egl", device, kWidth, kHeight) {
-        EXPECT_EQ(grid_.start(session_.gl, session_.device.budget).sentence.view(), "");
+        EXPECT_EQ(grid_.start(session_.gl, session_.device.budget).message.view(), "");
         auto program = gl::build_program(session_.gl, adding_source());
         EXPECT_TRUE(program.ok());
         program_ = program.value();
@@ -129,7 +129,7 @@ TEST(ScreenGrid, ADeviceWithoutRoomIsRefused) {
     base::BudgetLine& line = *session.device.budget.find("symbology_vertices");
     line.use.in_use = line.bytes;
     ScreenGrid grid;
-    EXPECT_NE(grid.start(session.gl, session.device.budget).sentence.view(), "");
+    EXPECT_NE(grid.start(session.gl, session.device.budget).message.view(), "");
     session.gl.seal();
     session.gl.retire();
     grid.destroy(session.gl);

@@ -25,7 +25,7 @@ TEST(ScreenTriangle, CoversEveryPixelOfTheViewportAndNoneBeside) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
     const gl::Program program = white(session.gl);
     ScreenTriangle triangle;
-    ASSERT_EQ(triangle.start(session.gl, session.device.budget).sentence.view(), "");
+    ASSERT_EQ(triangle.start(session.gl, session.device.budget).message.view(), "");
     session.gl.seal();
     session.gl.begin_frame();
     session.gl->ClearColor(0, 0, 0, 1);
@@ -49,7 +49,7 @@ TEST(ScreenTriangle, SaysWhereItsLineHasNoRoom) {
     base::BudgetLine& line = *session.device.budget.find(effects::kSymbologyVertices);
     line.bytes = 23;
     ScreenTriangle triangle;
-    EXPECT_NE(triangle.start(session.gl, session.device.budget).sentence.view(), "");
+    EXPECT_NE(triangle.start(session.gl, session.device.budget).message.view(), "");
 }
 
 }  // namespace

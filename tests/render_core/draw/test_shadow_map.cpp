@@ -62,12 +62,12 @@ public:
         : spot_(spot), azimuth_(base::radians(azimuth_deg)), elevation_(base::radians(elevation_deg)), block_(1u << 22) {
         base::Arena arena(block_.data(), block_.size());
         base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(map_.start(session_.gl, *budget.find(effects::kRenderTargets), 1024).sentence.view(), "");
-        EXPECT_EQ(casters_.start(session_.gl).sentence.view(), "");
+        EXPECT_EQ(map_.start(session_.gl, *budget.find(effects::kRenderTargets), 1024).message.view(), "");
+        EXPECT_EQ(casters_.start(session_.gl).message.view(), "");
         EXPECT_TRUE(
             solids_
                 .start(session_.gl, *budget.find(effects::kSceneSolidVertices), arena, {1024, 3072, 16}, gl::BufferUse::streamed)
-                .sentence.empty());
+                .message.empty());
         EXPECT_TRUE(mesh_.start(arena));
         session_.gl.seal();
         set_eye(0, 0);

@@ -43,8 +43,8 @@ bool misses_the_earth(double x, double y, double pitch_deg, double roll_deg, dou
 
 struct SkySession {
     SkySession(const std::string& backend, const std::string& device) : session(backend, device, kWidth, kHeight) {
-        const gl::GlError error = sky.start(session.gl, session.device.budget);
-        EXPECT_EQ(error.sentence.view(), "");
+        const base::Error error = sky.start(session.gl, session.device.budget);
+        EXPECT_EQ(error.message.view(), "");
         session.gl.seal();
     }
     ~SkySession() {

@@ -36,7 +36,7 @@ struct Picture {
 Picture seen(StereoMode mode, std::int32_t shift_px) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
     StereoPass pass;
-    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, kMargin).sentence.view(), "");
+    EXPECT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, kMargin).message.view(), "");
     base::BudgetLine line;
     line.bytes = 100'000;
     auto picture = gl::make_texture(session.gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWide, kHeight});
@@ -85,7 +85,7 @@ TEST(StereoPass, SideBySideEachHalfHoldsOneEyesScreen) {
 TEST(StereoPass, ShiftsStayWithinTheMargin) {
     test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
     StereoPass pass;
-    ASSERT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, kMargin).sentence.view(), "");
+    ASSERT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, kMargin).message.view(), "");
     EXPECT_EQ(pass.screen_begins_px(EyeSide::left, 2), 7);
     EXPECT_EQ(pass.screen_begins_px(EyeSide::right, 2), 3);
     EXPECT_EQ(pass.screen_begins_px(EyeSide::left, 100), 10);

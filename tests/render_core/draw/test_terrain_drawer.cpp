@@ -213,7 +213,7 @@ TEST(TerrainDrawer, CodesTakeNoPalette) {
         TerrainDrawer drawer;
         const design::DesignSettings design = clear_design();
         const DrawnDesign only{&design, output};
-        EXPECT_EQ(drawer.start(session.gl, terrain.store(), {&only, 1}, session.device, staging).sentence.view(), "");
+        EXPECT_EQ(drawer.start(session.gl, terrain.store(), {&only, 1}, session.device, staging).message.view(), "");
         EXPECT_TRUE(drawer.shows(only));
         drawer.set_design(session.gl, only);
         const std::uint64_t taken = session.device.budget.find(effects::kRenderTargets)->use.in_use;

@@ -62,7 +62,7 @@ public:
         detail_ = {base::radians(std::ldexp(h.step_lat_deg / 4, h.drape_level)) * 6371000, h.drape_level};
         const design::DesignSettings design = image_design();
         const DrawnDesign only{&design};
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).sentence.view(), "");
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
         session_.gl.seal();
     }
     ~Drawing() {

@@ -81,7 +81,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 variant.in_focus = false;
                 variant.magnified = pages != 1;
                 auto program = build_terrain_program(session.gl, style, variant);
-                ASSERT_TRUE(program.ok()) << program.error().sentence.view();
+                ASSERT_TRUE(program.ok()) << program.error().message.view();
                 for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
                 program.value().destroy(session.gl);
             }
@@ -151,7 +151,7 @@ TEST(TerrainProgram, CodesCompileInBothLanes) {
                 variant.classes = variant.lifted = classes;
                 variant.flat = !classes;
                 auto program = build_terrain_program(session.gl, style, variant);
-                ASSERT_TRUE(program.ok()) << program.error().sentence.view();
+                ASSERT_TRUE(program.ok()) << program.error().message.view();
                 EXPECT_GE(program.value().uniform(kHeightRange), 0);
                 EXPECT_EQ(program.value().uniform(kLights) >= 0, shade != TerrainShade::none);
                 program.value().destroy(session.gl);

@@ -176,7 +176,7 @@ protected:
         location_ = reinterpret_cast<Location>(at_.surface->proc_address("glGetUniformLocation"));
         values_ = reinterpret_cast<Values>(at_.surface->proc_address("glGetUniformfv"));
         line_.bytes = 4'000'000;
-        EXPECT_EQ(atlas_.start(at_.gl, line_, {}, false, 6, staging_).sentence.view(), "");
+        EXPECT_EQ(atlas_.start(at_.gl, line_, {}, false, 6, staging_).message.view(), "");
         at_.gl.seal();
         program_.use(at_.gl);
     }

@@ -60,7 +60,7 @@ struct Stage {
     base::Arena arena;
     TracedTerrain terrain;
     gl::RenderTarget target;
-    gl::GlError error;
+    base::Error error;
 };
 
 terrain::View small_view(const Stage& stage, double heading_deg, double pitch_deg) {
@@ -73,7 +73,7 @@ terrain::View small_view(const Stage& stage, double heading_deg, double pitch_de
 
 TEST(TracedTerrain, PutsCodesAndLeavesDepthsOfWhatRaysMeet) {
     Stage stage(test_support::coast_file());
-    ASSERT_EQ(stage.error.sentence.view(), "");
+    ASSERT_EQ(stage.error.message.view(), "");
     ASSERT_EQ(stage.terrain.state(), TraceState::traced);
     const TerrainDrawInput input = stage.input(small_view(stage, 40, -15));
     ASSERT_TRUE(stage.terrain.can_see(input.view));

@@ -37,7 +37,7 @@ std::vector<int> seen(const Scene& scene, const ViewEffectsInput& input) {
         }
     ViewEffectsPass pass;
     EXPECT_EQ(
-        pass.start(session.gl, session.device.budget, kWidth, kHeight, {true, input.focus.blur_px > 0, false}).sentence.view(),
+        pass.start(session.gl, session.device.budget, kWidth, kHeight, {true, input.focus.blur_px > 0, false}).message.view(),
         "");
     base::BudgetLine line;
     line.bytes = 100'000;

@@ -33,12 +33,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 std::string refusal(const std::string& text) {
     const auto read = read_calibration(text, "c.toml", kSubject);
-    return read.ok() ? "" : std::string(read.error().sentence.view());
+    return read.ok() ? "" : std::string(read.error().message.view());
 }
 
 TEST(Calibration, IsReadWhole) {
     const auto read = read_calibration(good(), "c.toml", kSubject);
-    ASSERT_TRUE(read.ok()) << read.error().sentence.c_str();
+    ASSERT_TRUE(read.ok()) << read.error().message.c_str();
     const Calibration& c = read.value();
     EXPECT_TRUE(c.costs.is_known);
     EXPECT_EQ(c.date.view(), "2026-11-22T22:57:48Z");

@@ -23,7 +23,7 @@ std::string good() { return source_file("configs/devices/es2-small.toml"); }
 /// The sentence that a text is refused with; empty when it is accepted.
 std::string refusal(const std::string& text) {
     const auto device = read_device_settings(text, "x.toml");
-    return device.ok() ? "" : std::string(device.error().sentence.view());
+    return device.ok() ? "" : std::string(device.error().message.view());
 }
 
 TEST(Device, ShippedFilesLoadWithTheirNames) {
@@ -145,7 +145,7 @@ TEST(Device, ARequiredLineOfTheOtherKindIsMissing) {
 
 TEST(Device, MayHaveADeadline) {
     const auto with = read_device_settings("deadline_ms = 33.0\n" + good(), "x.toml");
-    ASSERT_TRUE(with.ok()) << with.error().sentence.c_str();
+    ASSERT_TRUE(with.ok()) << with.error().message.c_str();
     EXPECT_EQ(with.value().deadline_ms, 33);
     EXPECT_EQ(shipped_device("es2-small").deadline_ms, 0) << "none unless it is stated";
     EXPECT_NE(refusal("deadline_ms = -1\n" + good()).find("deadline_ms"), std::string::npos);
@@ -155,7 +155,7 @@ TEST(Device, CallExceptionsAreRead) {
     const std::string text = replaced(
         good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"DrawRangeElements\"]\nnever = [\"GenerateMipmap\", \"Finish\"]");
     const auto device = read_device_settings(text, "x.toml");
-    ASSERT_TRUE(device.ok()) << device.error().sentence.c_str();
+    ASSERT_TRUE(device.ok()) << device.error().message.c_str();
     EXPECT_EQ(device.value().capability.gl.also[0].view(), "DrawRangeElements");
     EXPECT_EQ(device.value().capability.gl.never.size(), 2u);
     EXPECT_NE(refusal(replaced(good(), "calls = \"es2\"", "calls = \"es2\"\nalso = [\"\"]")).find("GL call's name"),

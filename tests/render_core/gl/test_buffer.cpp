@@ -16,7 +16,7 @@ protected:
         line_.kind = base::MemoryKind::gpu;
         line_.bytes = 1000;
     }
-    base::Result<Buffer, GlError> make(std::uint64_t bytes) {
+    base::Result<Buffer, base::Error> make(std::uint64_t bytes) {
         return make_buffer(at_.gl, line_, BufferKind::vertices, BufferUse::streamed, bytes);
     }
 
@@ -41,7 +41,7 @@ TEST_F(BufferTest, OverBudgetIsRefusedAndNamed) {
     ASSERT_TRUE(first.ok());
     const auto second = make(500);
     ASSERT_FALSE(second.ok());
-    EXPECT_NE(second.error().sentence.view().find("'probe' has 400 of 1000"), std::string_view::npos);
+    EXPECT_NE(second.error().message.view().find("'probe' has 400 of 1000"), std::string_view::npos);
     EXPECT_EQ(line_.use.in_use, 600u);
     EXPECT_EQ(line_.use.refused, 1u);
     EXPECT_FALSE(make(0).ok());

@@ -89,7 +89,7 @@ TEST(ProbeDriver, RefusesASurfaceWithoutGl) {
     SurfaceWithoutGl surface;
     const auto facts = probe_driver(surface);
     ASSERT_FALSE(facts.ok());
-    EXPECT_NE(facts.error().sentence.view().find("the mute surface has no GL"), std::string_view::npos);
+    EXPECT_NE(facts.error().message.view().find("the mute surface has no GL"), std::string_view::npos);
 }
 
 }  // namespace

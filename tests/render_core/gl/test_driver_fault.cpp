@@ -50,7 +50,7 @@ std::unique_ptr<base::Surface> adreno() {
 /// What building a program on a device without a compiler is refused with.
 std::string refused(const effects::DeviceSettings& device) {
     test_support::GlSession at(adreno(), device);
-    return std::string(build_program(at.gl, test_support::triangle_program_source()).error().sentence.view());
+    return std::string(build_program(at.gl, test_support::triangle_program_source()).error().message.view());
 }
 
 TEST(DriverFault, BinariesAreNotTakenFromADriverThatSpoilsThemUnlessTheDeviceFileIgnoresTheFault) {
@@ -79,7 +79,7 @@ TEST(DriverFault, NobodyKnowsIsRefused) {
     Gl gl;
     const auto opened = gl.open(*surface, sc2.capability);
     ASSERT_FALSE(opened.ok());
-    EXPECT_NE(opened.error().sentence.view().find("'gremlins', which nobody knows"), std::string::npos);
+    EXPECT_NE(opened.error().message.view().find("'gremlins', which nobody knows"), std::string::npos);
     surface->release_current();
 }
 

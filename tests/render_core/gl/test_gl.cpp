@@ -121,11 +121,11 @@ protected:
     std::string sentence() {
         Gl gl;
         const auto facts = gl.open(*surface_.value(), device_);
-        return facts.ok() ? "" : std::string(facts.error().sentence.view());
+        return facts.ok() ? "" : std::string(facts.error().message.view());
     }
 
     effects::DeviceCapability device_;
-    base::Result<std::unique_ptr<base::Surface>, platform::PlatformError> surface_;
+    base::Result<std::unique_ptr<base::Surface>, base::Error> surface_;
 };
 
 TEST_F(OpenRefuses, NothingOnAGoodDevice) { EXPECT_EQ(sentence(), ""); }
@@ -169,7 +169,7 @@ TEST_F(OpenRefuses, ADriverThatLacksAnAllowedCall) {
     Gl gl;
     const auto facts = gl.open(lacking, device_);
     ASSERT_FALSE(facts.ok());
-    EXPECT_NE(facts.error().sentence.view().find("lacks glScissor"), std::string_view::npos);
+    EXPECT_NE(facts.error().message.view().find("lacks glScissor"), std::string_view::npos);
     EXPECT_EQ(gl.stage(), Stage::closed);
 
     Lacking harmless(*surface_.value(), "glReadnPixels");  // not in the device's list

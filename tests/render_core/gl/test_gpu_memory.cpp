@@ -43,7 +43,7 @@ TEST(GpuMemory, GivingBackMoreThanTakenStopsTheProgram) {
 TEST(GpuMemory, SentenceNamesTheLineAndTheNumbers) {
     base::BudgetLine line = line_of(100);
     ASSERT_TRUE(try_take(line, 90));
-    EXPECT_EQ(over_budget(line, 30).sentence.view(),
+    EXPECT_EQ(over_budget(line, 30).message.view(),
               "the budget line 'probe' has 10 of 100 bytes left and 30 are needed; raise the line in the device file");
 }
 

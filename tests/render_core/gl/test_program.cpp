@@ -27,14 +27,14 @@ protected:
 
     std::string sentence(const ProgramSource& source) {
         const auto program = build_program(at_.gl, source);
-        return program.ok() ? "" : std::string(program.error().sentence.view());
+        return program.ok() ? "" : std::string(program.error().message.view());
     }
     GlSession at_;
 };
 
 TEST_P(ProgramTest, BindsAttributesByNameAndFindsUniforms) {
     const auto program = build_program(at_.gl, triangle_program_source());
-    ASSERT_TRUE(program.ok()) << program.error().sentence.c_str();
+    ASSERT_TRUE(program.ok()) << program.error().message.c_str();
     EXPECT_EQ(at_.gl->GetAttribLocation(program.value().id(), "position"), 0);
     EXPECT_EQ(at_.gl->GetAttribLocation(program.value().id(), "color"), 1);
     EXPECT_EQ(program.value().uniform(0), at_.gl->GetUniformLocation(program.value().id(), "brightness"));
@@ -117,7 +117,7 @@ std::unique_ptr<base::Surface> es2_surface() {
 
 std::string refused(GlSession& at) {
     const auto built = build_program(at.gl, triangle_program_source());
-    return built.ok() ? "" : std::string(built.error().sentence.view());
+    return built.ok() ? "" : std::string(built.error().message.view());
 }
 
 void make_triangle_program(OneProgram& store) {
@@ -136,7 +136,7 @@ TEST(ProgramBinary, MadeWithACompilerServesTheDeviceWithoutOne) {
     EXPECT_NE(refused(sc2).find("'triangle' has no binary for this driver, and the device has no compiler"), std::string::npos);
     sc2.gl.use_programs(&store);
     const auto loaded = build_program(sc2.gl, triangle_program_source());
-    ASSERT_TRUE(loaded.ok()) << loaded.error().sentence.c_str();
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message.c_str();
     EXPECT_EQ(sc2.gl->GetAttribLocation(loaded.value().id(), "color"), 1);
     EXPECT_EQ(sc2.gl.denied().total, 0u);
 }

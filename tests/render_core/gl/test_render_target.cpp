@@ -21,7 +21,7 @@ protected:
 
 TEST_P(RenderTargetTest, IsDrawnIntoApartFromTheSurface) {
     auto target = make_render_target(at_.gl, line_, kSize, TargetDepth::bits24);
-    ASSERT_TRUE(target.ok()) << target.error().sentence.c_str();
+    ASSERT_TRUE(target.ok()) << target.error().message.c_str();
     bind_surface(at_.gl, *at_.surface);
     at_.gl->ClearColor(0, 0, 1, 1);
     at_.gl->Clear(GL_COLOR_BUFFER_BIT);
@@ -54,8 +54,8 @@ TEST_P(RenderTargetTest, OverBudgetDepthGivesTheColourBack) {
     line_.bytes = 20 * 10 * 4 + 100;
     const auto target = make_render_target(at_.gl, line_, kSize, TargetDepth::bits24);
     ASSERT_FALSE(target.ok());
-    EXPECT_NE(target.error().sentence.view().find("has 100 of 900 bytes left and 800 are needed"), std::string_view::npos)
-        << target.error().sentence.c_str();
+    EXPECT_NE(target.error().message.view().find("has 100 of 900 bytes left and 800 are needed"), std::string_view::npos)
+        << target.error().message.c_str();
     EXPECT_EQ(line_.use.in_use, 0u);
 }
 
@@ -69,7 +69,7 @@ TEST(RenderTargetOnSc2, HasNoDepth) {
     EXPECT_TRUE(make_render_target(at.gl, line, kSize, TargetDepth::none).ok());
     const auto deep = make_render_target(at.gl, line, kSize, TargetDepth::bits24);
     ASSERT_FALSE(deep.ok());
-    EXPECT_NE(deep.error().sentence.view().find("24-bit depth"), std::string_view::npos);
+    EXPECT_NE(deep.error().message.view().find("24-bit depth"), std::string_view::npos);
 }
 
 }  // namespace

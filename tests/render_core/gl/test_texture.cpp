@@ -32,7 +32,7 @@ TEST_P(TextureTest, ShowsTheTexelsOfEveryFormat) {
     for (TextureFormat format : {TextureFormat::r8, TextureFormat::rgba8}) {
         const std::size_t step = format == TextureFormat::rgba8 ? 4 : 1;
         auto texture = make_texture(at_.gl, line_, {format, TextureFilter::nearest, 32, 32});
-        ASSERT_TRUE(texture.ok()) << texture.error().sentence.c_str();
+        ASSERT_TRUE(texture.ok()) << texture.error().message.c_str();
         std::vector<std::uint8_t> texels(32 * 32 * step);
         for (std::size_t i = 0; i < 32 * 32; ++i) texels[i * step] = static_cast<std::uint8_t>(i * 7);
         ASSERT_TRUE(texture.value().upload(at_.gl, {0, 0, 32, 32}, texels.data()));
@@ -105,7 +105,7 @@ TEST_P(TextureTest, LargerThanTheDeviceIsRefusedAndTakesNothing) {
     const auto texture =
         make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, at_.device.capability.gl.max_texture_px + 1, 4});
     ASSERT_FALSE(texture.ok());
-    EXPECT_NE(texture.error().sentence.view().find("refused a texture of"), std::string_view::npos);
+    EXPECT_NE(texture.error().message.view().find("refused a texture of"), std::string_view::npos);
     EXPECT_EQ(line_.use.in_use, 0u);
     EXPECT_FALSE(make_texture(at_.gl, line_, {TextureFormat::r8, TextureFilter::nearest, 0, 4}).ok());
 }

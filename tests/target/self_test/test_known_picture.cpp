@@ -40,7 +40,7 @@ Pixels drawn() {
         display::Display display;
         EXPECT_EQ(
             display.start(settings, {memory.data(), memory.size()}, *surface, {&terrain, &reader, terrain::ArrivalMode::exact})
-                .sentence.view(),
+                .message.view(),
             "");
         const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), display);
         display.settle(flight.aircraft, flight.phase, flight.now);

@@ -89,8 +89,8 @@ public:
         : session_("egl", device, kSide_px, kSide_px), block_(1u << 20) {
         base::Arena arena(block_.data(), block_.size());
         base::BudgetLine& line = *session_.device.budget.find(effects::kSceneSolidVertices);
-        EXPECT_TRUE(solids_.start(session_.gl, line, arena, {64, 192, 4}, gl::BufferUse::streamed).sentence.empty());
-        EXPECT_EQ(drawer_.start(session_.gl, arena, 4, {false, has_grid, false}).sentence.view(), "");
+        EXPECT_TRUE(solids_.start(session_.gl, line, arena, {64, 192, 4}, gl::BufferUse::streamed).message.empty());
+        EXPECT_EQ(drawer_.start(session_.gl, arena, 4, {false, has_grid, false}).message.view(), "");
         EXPECT_TRUE(mesh_.start(arena));
         session_.gl.seal();
         frame.grid = {&settings, &database()};

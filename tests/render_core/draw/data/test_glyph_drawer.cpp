@@ -346,7 +346,7 @@ TEST(GlyphDrawer, WhatTheBufferCannotHoldIsLeftOut) {
     std::vector<unsigned char> block(GlyphDrawer::bytes_needed(session.gl, line.bytes));
     base::Arena arena(block.data(), block.size());
     GlyphDrawer drawer;
-    ASSERT_EQ(drawer.start(session.gl, line, arena).sentence.view(), "");
+    ASSERT_EQ(drawer.start(session.gl, line, arena).message.view(), "");
     session.gl.seal();
     session.gl.begin_frame();
     const Glyphs glyphs = many_glyphs(static_cast<int>(most) - 3);
@@ -365,9 +365,9 @@ TEST(GlyphDrawer, RefusesTooLittleMemoryWithTheLinesNames) {
         std::vector<unsigned char> little(100);
         base::Arena arena(little.data(), little.size());
         GlyphDrawer drawer;
-        const gl::GlError error = drawer.start(session.gl, line, arena);
-        EXPECT_NE(error.sentence.view().find("'scene_glyphs'"), std::string_view::npos) << device;
-        EXPECT_NE(error.sentence.view().find("'scene_glyph_vertices'"), std::string_view::npos) << device;
+        const base::Error error = drawer.start(session.gl, line, arena);
+        EXPECT_NE(error.message.view().find("'scene_glyphs'"), std::string_view::npos) << device;
+        EXPECT_NE(error.message.view().find("'scene_glyph_vertices'"), std::string_view::npos) << device;
     }
 }
 

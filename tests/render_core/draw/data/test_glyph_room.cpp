@@ -25,7 +25,7 @@ TEST(GlyphRoom, AllOfItFitsTheLinesOfShippedDevices) {
             std::vector<unsigned char> block(cpu);
             base::Arena arena(block.data(), block.size());
             GlyphDrawer drawer;
-            EXPECT_EQ(drawer.start(session.gl, gpu, arena).sentence.view(), "");
+            EXPECT_EQ(drawer.start(session.gl, gpu, arena).message.view(), "");
             scene::GlyphSelection selection;
             EXPECT_TRUE(selection.start(arena, room.glyphs));
             EXPECT_EQ(arena.allocate_array<GlyphInstance>(room.glyphs).size(), room.glyphs);

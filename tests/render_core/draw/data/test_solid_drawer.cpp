@@ -27,8 +27,8 @@ struct SolidSession {
     explicit SolidSession(const std::string& device = "es2-small") : session("egl", device), block(1u << 22) {
         base::Arena arena(block.data(), block.size());
         base::BudgetLine& line = *session.device.budget.find(effects::kSceneSolidVertices);
-        EXPECT_TRUE(solids.start(session.gl, line, arena, {1024, 3072, 16}, gl::BufferUse::streamed).sentence.empty());
-        EXPECT_TRUE(drawer.start(session.gl, arena, 16).sentence.empty());
+        EXPECT_TRUE(solids.start(session.gl, line, arena, {1024, 3072, 16}, gl::BufferUse::streamed).message.empty());
+        EXPECT_TRUE(drawer.start(session.gl, arena, 16).message.empty());
         EXPECT_TRUE(mesh.start(arena));
         session.gl.seal();
         const glm::dvec3 eye = earth::to_ecef({0.8, 0.2, {2000}});

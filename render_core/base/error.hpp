@@ -1,0 +1,31 @@
+/// Why something was refused: one message that says what, where and what to do. An empty message means that nothing was.
+///
+/// Memory  inside the error, no heap: a part that does not fit is cut. Thread  any.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include "render_core/base/fixed_string.hpp"
+
+namespace tedavis::base {
+
+struct Error {
+    FixedString<1535> message;  ///< a shader compiler's message may be long
+
+    /// True where there is something to say.
+    [[nodiscard]] explicit operator bool() const { return !message.empty(); }
+};
+
+/// The parts, joined.
+[[nodiscard]] Error make_error(std::initializer_list<std::string_view> parts);
+template <class... Parts>
+[[nodiscard]] Error make_error(const Parts&... parts) {
+    return make_error({std::string_view(parts)...});
+}
+
+/// Decimal digits, for messages.
+[[nodiscard]] FixedString<20> digits(std::uint64_t value);
+
+}  // namespace tedavis::base
