@@ -1,4 +1,5 @@
 #include "host_sim/replay/frame_approach.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,8 +99,8 @@ void FrameApproach::plan(base::Time time) {
 /// Decides the epochs up to this time's, from the last one on whose memory is known.
 void FrameApproach::reach_epoch(base::Time time) {
     if (!display_.has_epochs()) return;
-    const std::int64_t first = draw::LabelPlanner::epoch_of(player_.first());
-    const std::int64_t wanted = std::max(draw::LabelPlanner::epoch_of(time), first);
+    const std::int64_t first = flight::decision_interval_of(player_.first());
+    const std::int64_t wanted = std::max(flight::decision_interval_of(time), first);
     const auto after = epochs_.upper_bound(wanted);
     const std::int64_t known = after == epochs_.begin() ? first - 1 : std::prev(after)->first;
     // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
@@ -107,7 +108,7 @@ void FrameApproach::reach_epoch(base::Time time) {
     while (*epoch_ < wanted) {
         if (display_.epoch_is_anew()) restore_epoch(*epoch_);
         const std::int64_t epoch = *epoch_ + 1;
-        const base::Time begins = std::max(base::Time{epoch * draw::LabelPlanner::kEpoch.ns}, player_.first());
+        const base::Time begins = std::max(base::Time{epoch * flight::kDecisionInterval.ns}, player_.first());
         const flight::PhaseStatus phase = phase_before(begins);
         display_.approach_epoch(player_.at(begins).aircraft, phase, begins);
         keep_epoch(epoch);

@@ -138,7 +138,7 @@ Json aspect_json(const display::AspectRecord& aspect) {
     return {{"technique", text(aspect.technique.view())}, {"detail", aspect.detail}, {"weight", aspect.weight}};
 }
 
-Json light_json(const display::TerrainLight& light) {
+Json light_json(const policy::TerrainLight& light) {
     static constexpr const char* kSources[] = {"fixed", "sun", "fixed_no_date", "fixed_sun_too_low"};
     return {{"source", kSources[static_cast<std::size_t>(light.source)]},
             {"azimuth_deg", base::degrees(light.azimuth_rad)},

@@ -34,7 +34,7 @@ std::string reason_against(const Viewpoint& viewpoint, SweptGround& ground) {
 }
 
 bool is_recovery_picture(const display::FrameRecord& record) {
-    const auto is_it = [](const display::Name& flag) { return flag.view() == display::kUnusualAttitudeFlag; };
+    const auto is_it = [](const display::Name& flag) { return flag.view() == policy::kUnusualAttitudeFlag; };
     return std::any_of(record.flags.begin(), record.flags.end(), is_it);
 }
 

@@ -20,4 +20,7 @@ namespace tedavis::base {
 /// clock, never shows.
 [[nodiscard]] bool can_be_utc(Time time) noexcept;
 
+/// Of an instant in nanoseconds since 1970.
+[[nodiscard]] inline double seconds_since_1970(Time utc) noexcept { return static_cast<double>(utc.ns) / 1e9; }
+
 }  // namespace tedavis::base

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render_core/draw/data/label_planner.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kSpared = 1;  // budgets of excess, of all regions together, fo
 base::Error ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
                                   std::uint32_t height_px) {
     constexpr std::int64_t kLabelEpochs[] = {2, 1};
-    epoch_.ns = draw::LabelPlanner::kEpoch.ns * kLabelEpochs[gl.device().lane == effects::Lane::es2 ? 0 : 1];
+    epoch_.ns = flight::kDecisionInterval.ns * kLabelEpochs[gl.device().lane == effects::Lane::es2 ? 0 : 1];
     for (const draw::DrawnDesign& drawn : designs) {
         shows_ = shows_ || drawn.design->effects.clutter != design::ClutterView::none;
         has_budget_ = has_budget_ || drawn.design->priority.held_clutter() < 1;

@@ -11,7 +11,6 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/caster_set.hpp"
-#include "render_core/display/crowding.hpp"
 #include "render_core/display/element_labels.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/display/glyph_elements.hpp"
@@ -28,18 +27,19 @@
 #include "render_core/draw/data/tube_solids.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/flight/flight_time.hpp"
+#include "render_core/policy/declutter.hpp"
 
 namespace tedavis::display {
 
 struct ElementFrame {
-    draw::Ground& ground;
+    scene::Ground& ground;
     const terrain::View& view;  ///< of the eye
     design::Color missing;
     flight::FlightTime time;
     OwnFlightFrame own{};
-    double detail_factor = 1;               ///< of the detail of glyphs of fields
-    const draw::FrameFoci* foci = nullptr;  ///< null: there are none
-    const Crowding* crowding = nullptr;     ///< null: nothing gives way
+    double detail_factor = 1;                     ///< of the detail of glyphs of fields
+    const draw::FrameFoci* foci = nullptr;        ///< null: there are none
+    const policy::Declutter* crowding = nullptr;  ///< null: nothing gives way
 };
 
 /// What the planned frame draws.

@@ -137,12 +137,13 @@ base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimat
     return {own_ship.position.height.m - undulation - ground.height.m, now, quality};
 }
 
-TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
-    if (!terrain_.is_started()) return settings_.terrain_failed_at_start ? TerrainSource::failed : TerrainSource::none;
-    if (terrain_failed_) return TerrainSource::failed;
+policy::TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
+    if (!terrain_.is_started())
+        return settings_.terrain_failed_at_start ? policy::TerrainSource::failed : policy::TerrainSource::none;
+    if (terrain_failed_) return policy::TerrainSource::failed;
     const bool inside =
         terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
-    return inside || own_ship.state == base::SignalState::missing ? TerrainSource::ready : TerrainSource::outside;
+    return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
 }
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
@@ -167,9 +168,9 @@ void Display::begin_update(const flight::AircraftState& state, const flight::Pha
     conditions_.generated_flight = settings_.generated_flight;
     const DrapeState drape = terrain_.drape(settings_.design.terrain.style);
     conditions_.image_is_missing = drape == DrapeState::not_in_database || drape == DrapeState::not_on_device;
-    if (conditions_.terrain == TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
+    if (conditions_.terrain == policy::TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
         state[Signal::height_above_terrain].value_or(0) < 0)
-        conditions_.terrain = TerrainSource::above_own_ship;
+        conditions_.terrain = policy::TerrainSource::above_own_ship;
     conditions_.shows_measure = shows_measure();
     conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
     weigh(now);
@@ -200,7 +201,7 @@ void Display::plan_effects() {
     facts.shadows = shadows_;
     focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
     facts.focus = focus_;
-    panel_ = panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
+    panel_ = policy::panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
     facts.panel = panel_;
     facts.cues = cue_states(elements_.reports());
     facts.air = settings_.design.sky.air;
@@ -249,22 +250,22 @@ void Display::count() {
 
 void Display::decide(base::Time now) {
     conditions_.is_map = is_map();
-    decisions_ = decide_display(state_, now, conditions_, settings_.design);
+    decisions_ = policy::decide_display(state_, now, conditions_, settings_.design);
     // On the way between 3D and the map what holds for 3D holds; without terrain there is no way to be seen.
     if (!transition_.is_under_way() || decisions_.show_terrain) return;
     transition_.arrive();
     conditions_.is_map = is_map();
-    decisions_ = decide_display(state_, now, conditions_, settings_.design);
+    decisions_ = policy::decide_display(state_, now, conditions_, settings_.design);
 }
 
 /// Terrain that turns out not to be had: its notice must be on this frame already.
-void Display::give_up_terrain(TerrainSource reason) {
+void Display::give_up_terrain(policy::TerrainSource reason) {
     conditions_.terrain = reason;
     decide_again();
 }
 
 void Display::decide_again() {
-    decisions_ = decide_display(state_, record_.time, conditions_, settings_.design);
+    decisions_ = policy::decide_display(state_, record_.time, conditions_, settings_.design);
     for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }
 
@@ -284,7 +285,8 @@ void Display::begin_record(base::Time now) {
     record_.scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
     record_.flight_time = flight::flight_time(state_.utc, now);
     if (state_.utc.state == base::SignalState::lost) flag("utc.lost", record_);
-    record_.light = terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, record_.flight_time.utc);
+    record_.light =
+        policy::terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, record_.flight_time.utc);
     for (const auto& name : decisions_.flags) flag(name.view(), record_);
 }
 
@@ -336,7 +338,7 @@ void Display::plan_terrain() {
             terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);
     if (terrain_.is_traced()) plan = as_traced(plan);
     if (!plan.lod.within_budget) {
-        give_up_terrain(TerrainSource::over_budget);
+        give_up_terrain(policy::TerrainSource::over_budget);
         return;
     }
     terrain_has_void_ = plan.has_void;
@@ -344,7 +346,7 @@ void Display::plan_terrain() {
     note_renderer(settings_.design.terrain.renderer, terrain_.trace_state(), record_);
     // What budgets leave is the best there will be, and is said to be coarse.
     if (plan.pending != 0 && plan.lod.worst_waiting_px > settings_.design.degradation.terrain_removed_px) {
-        give_up_terrain(TerrainSource::too_coarse);
+        give_up_terrain(policy::TerrainSource::too_coarse);
         return;
     }
     if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;

@@ -18,12 +18,9 @@
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/eye_pair.hpp"
-#include "render_core/display/failure_policy.hpp"
 #include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/obstacle_places.hpp"
-#include "render_core/display/panel_lighting.hpp"
-#include "render_core/display/raised_weights.hpp"
 #include "render_core/display/saliency_view.hpp"
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
@@ -38,6 +35,9 @@
 #include "render_core/effects/device.hpp"
 #include "render_core/effects/frame_budget.hpp"
 #include "render_core/gl/gl.hpp"
+#include "render_core/policy/failure_policy.hpp"
+#include "render_core/policy/panel_lighting.hpp"
+#include "render_core/policy/priority_boost.hpp"
 
 namespace tedavis::display {
 
@@ -55,7 +55,7 @@ struct DisplaySettings {
 /// What an epoch leaves to the next one. Plain data.
 struct EpochMemory {
     LabelEpoch labels;
-    RaisedWeights weights;
+    policy::PriorityBoost weights;
 };
 
 class Display {
@@ -188,7 +188,7 @@ private:
     [[nodiscard]] base::Error start_drawers(draw::DrawnDesigns designs);
     [[nodiscard]] base::Error start_drawing(const TerrainInput& terrain);
     [[nodiscard]] base::Error start_data(base::ByteSource* scene);
-    [[nodiscard]] TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
+    [[nodiscard]] policy::TerrainSource terrain_source(const flight::OwnShipEstimate& own_ship);
     void begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     void decide(base::Time now);
     void weigh(base::Time now);
@@ -196,7 +196,7 @@ private:
     void show_look();
     class Raises;
     void note_epochs();
-    [[nodiscard]] PredictedTrack track_of(const flight::OwnShipEstimate& own) const;
+    [[nodiscard]] policy::PredictedTrack track_of(const flight::OwnShipEstimate& own) const;
     [[nodiscard]] bool data_are_stale(const flight::FlightTime& time) const;
     [[nodiscard]] bool is_in_design(const scene::Layer& layer) const;
     void note_stale_data();
@@ -232,13 +232,13 @@ private:
     void count();
     void widen_bands();
     void begin_record(base::Time now);
-    void give_up_terrain(TerrainSource reason);
+    void give_up_terrain(policy::TerrainSource reason);
     void decide_again();
     [[nodiscard]] bool is_near() const { return free_view_active_ || !is_map(); }
     void set_elements();
     [[nodiscard]] DrawContext context() const { return context_of(eye_); }
     [[nodiscard]] DrawContext context_of(const Eye& eye) const;
-    [[nodiscard]] ElementFrame element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
+    [[nodiscard]] ElementFrame element_frame(scene::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
     [[nodiscard]] bool shows_elements() const { return elements_.is_started() && decisions_.show_terrain; }
     void plan_signs(const Eye& eye, SignFrame signs);
     [[nodiscard]] draw::TerrainDrawResult paint(base::Surface& surface);
@@ -271,12 +271,12 @@ private:
     MapsBeside maps_beside_;
     DataElements elements_;
     bool has_epochs_ = false;  ///< there is terrain, or some design has labels or weights
-    RaisedWeights raised_;
+    policy::PriorityBoost raised_;
     FociPlan foci_;            ///< of the planned frame
     bool draws_foci_ = false;  ///< with what they change of the ground
     ClutterControl clutter_;
-    Crowding crowding_;       ///< of the planned frame
-    bool is_unseen_ = false;  ///< what is drawn now, for the clutter to be measured
+    policy::Declutter crowding_;  ///< of the planned frame
+    bool is_unseen_ = false;      ///< what is drawn now, for the clutter to be measured
     ScenePasses passes_;
     draw::StereoPass stereo_;
     draw::SceneFade fade_;
@@ -287,7 +287,7 @@ private:
     double fade_share_ = 0;  ///< of the planned frame
     SaliencyView saliency_;
     draw::Dimmer dimmer_;
-    PanelLight panel_;
+    policy::PanelLight panel_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
     effects::FrameBudget frame_budget_;
@@ -301,8 +301,8 @@ private:
     double band_deviations_ = 0;  ///< of the design's coverage
 
     flight::AircraftState state_;  ///< of the planned frame
-    DisplayConditions conditions_;
-    DisplayDecisions decisions_;
+    policy::DisplayConditions conditions_;
+    policy::DisplayDecisions decisions_;
     ViewTransition transition_;
     Eye eye_;
     terrain::View seen_;  ///< all that is drawn of the frame: eye_'s, or as wide as a picture for each eye

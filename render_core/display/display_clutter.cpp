@@ -6,7 +6,7 @@ namespace tedavis::display {
 namespace {
 
 /// Glyphs of fields and points, not those of the air round the own ship; and names.
-bool gives_way(const ElementReport& report, const Crowding& crowding) {
+bool gives_way(const ElementReport& report, const policy::Declutter& crowding) {
     if (report.state != ElementState::shown || report.layer == nullptr) return false;
     const bool has_glyphs = is_glyph_technique(report.element->technique) && report.slot < GlyphElements::kSlots;
     return (has_glyphs || has_labels(*report.element, *report.layer)) &&
@@ -26,11 +26,11 @@ bool Display::shows_measure() const {
 void Display::plan_crowding() {
     clutter_.follow(record_.time, eye_.view);
     const design::PrioritySettings& priority = settings_.design.priority;
-    crowding_ = crowding_of(clutter_.regions(record_.time, shown_), priority, weights_);
+    crowding_ = policy::declutter_of(clutter_.regions(record_.time, shown_), priority, weights_);
 }
 
 bool Display::has_what_gives_way() const {
-    const Crowding crowding = crowding_of(effects::least_detail(), settings_.design.priority, weights_);
+    const policy::Declutter crowding = policy::declutter_of(effects::least_detail(), settings_.design.priority, weights_);
     for (const ElementReport& report : elements_.reports())
         if (gives_way(report, crowding)) return true;
     return false;
@@ -71,7 +71,7 @@ draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
 
 /// With nothing before it the frame goes by what it has just measured.
 void Display::show_measured() {
-    const Crowding planned = crowding_;
+    const policy::Declutter planned = crowding_;
     plan_crowding();
     plan_detail_again(planned.regions.factor != crowding_.regions.factor);
 }
@@ -91,12 +91,12 @@ void Display::measure(base::Surface& surface) {
 
 /// Of the design that is shown alone, whatever fades. The surface is left with a picture that is nobody's.
 void Display::measure_unseen(base::Surface& surface) {
-    const Crowding shown = crowding_;
+    const policy::Declutter shown = crowding_;
     const EffectWorkTable work = work_;
     EffectWork unseen = work_[effects::Effect::clutter];
     is_unseen_ = true;
     while (clutter_.step() != ClutterControl::Step::none) {
-        crowding_ = crowding_of(clutter_.step_regions(), settings_.design.priority, weights_);
+        crowding_ = policy::declutter_of(clutter_.step_regions(), settings_.design.priority, weights_);
         const WorkScope scope(gl_, unseen, 2);
         plan_detail_again(false);
         static_cast<void>(paint(surface));

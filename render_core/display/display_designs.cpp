@@ -142,8 +142,8 @@ void Display::follow_phase(const flight::PhaseStatus& phase, base::Time now) {
 
 /// Of the frame planned last.
 bool Display::has_warning() const {
-    return decisions_.unusual_attitude || decisions_.terrain_ahead != TerrainAhead::none || !decisions_.show_terrain ||
-           conditions_.terrain != TerrainSource::ready;
+    return decisions_.unusual_attitude || decisions_.terrain_ahead != policy::TerrainAhead::none || !decisions_.show_terrain ||
+           conditions_.terrain != policy::TerrainSource::ready;
 }
 
 /// What is planned, once more, before it is replaced.

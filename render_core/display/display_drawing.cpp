@@ -16,7 +16,7 @@ void Display::draw(base::Surface& surface) {
     if (elements_.is_started()) elements_.prepare(gl_);
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
-        give_up_terrain(TerrainSource::failed);
+        give_up_terrain(policy::TerrainSource::failed);
         record_.labels = {};
         put_symbology();
         plan_effects();

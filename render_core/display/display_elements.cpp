@@ -33,7 +33,7 @@ void Display::plan_foci() {
                                                    record_.flight_time, ground, priority.is_stated ? raised_.hazard() : nullptr});
 }
 
-ElementFrame Display::element_frame(draw::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
+ElementFrame Display::element_frame(scene::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const {
     return {ground,
             view,
             settings_.design.terrain.unknown,
@@ -105,8 +105,8 @@ void Display::settle(const flight::AircraftState& state, const flight::PhaseStat
 
 void Display::approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     const std::uint64_t frame = frame_;
-    const DisplayConditions conditions = conditions_;
-    const DisplayDecisions decisions = decisions_;
+    const policy::DisplayConditions conditions = conditions_;
+    const policy::DisplayDecisions decisions = decisions_;
     const ViewTransition transition = transition_;
     const design::AspectWeights weights = weights_;
     const bool shows_alert = shows_alert_;

@@ -5,19 +5,19 @@
 #include "render_core/display/data_legends.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/display/frame_notes.hpp"
-#include "render_core/display/hazard_watch.hpp"
 #include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
+#include "render_core/policy/hazard_watch.hpp"
 
 namespace tedavis::display {
 
 /// Of the design that is shown.
-class Display::Raises final : public RaiseSource {
+class Display::Raises final : public policy::BoostSource {
 public:
     explicit Raises(Display& display) : display_(display), priority_(display.design_at(display.shown_).priority) {}
 
-    [[nodiscard]] WeightRaises raises_at(const WeighedInstant& instant) override {
-        WeightRaises raises;
+    [[nodiscard]] policy::PriorityBoosts boosts_at(const policy::PriorityInstant& instant) override {
+        policy::PriorityBoosts raises;
         raises.terrain_ahead = terrain_ahead_at(instant);
         if (!priority_.is_stated) return raises;
         if (display_.data_are_stale(instant.time)) raise(raises, design::kUncertaintyAspect, 1, priority_.stale_uncertainty);
@@ -26,33 +26,34 @@ public:
     }
 
 private:
-    [[nodiscard]] TerrainAhead terrain_ahead_at(const WeighedInstant& instant) const {
-        if (!display_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid) return TerrainAhead::none;
-        const PredictedTrack track = display_.track_of(instant.own_ship);
-        if (is_above_all(track)) return TerrainAhead::none;
+    [[nodiscard]] policy::TerrainAhead terrain_ahead_at(const policy::PriorityInstant& instant) const {
+        if (!display_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid)
+            return policy::TerrainAhead::none;
+        const policy::PredictedTrack track = display_.track_of(instant.own_ship);
+        if (is_above_all(track)) return policy::TerrainAhead::none;
         TerrainGround ground(display_.terrain_, terrain::View());
         base::Span<const scene::Layer> layers;
         if (display_.data_.has_scene()) layers = display_.data_.scene().layers();
-        return TerrainWatch(track, instant.phase, layers, ground).ahead();
+        return policy::TerrainWatch(track, instant.phase, layers, ground).ahead();
     }
 
     /// So that nothing need be read of the database.
-    [[nodiscard]] bool is_above_all(const PredictedTrack& track) const {
+    [[nodiscard]] bool is_above_all(const policy::PredictedTrack& track) const {
         constexpr double kMargin_m = 50;  // by which the geoid differs along the track at most
-        const double lowest_m = std::fmin(track.from.height.m, track.at(TerrainWatch::kLookAhead_s).height.m);
+        const double lowest_m = std::fmin(track.from.height.m, track.at(policy::TerrainWatch::kLookAhead_s).height.m);
         const double highest_m =
             double{display_.terrain_.database().header().max_height_m} + display_.undulation_m(track.from) + kMargin_m;
-        return lowest_m > highest_m + required_clearance_m({flight::Scenario::cruise, 0}, 0);
+        return lowest_m > highest_m + policy::required_clearance_m({flight::Scenario::cruise, 0}, 0);
     }
 
-    void raise(WeightRaises& raises, std::size_t aspect, double share, double weight) const {
+    void raise(policy::PriorityBoosts& raises, std::size_t aspect, double share, double weight) const {
         raises.of[aspect] = std::fmax(raises.of[aspect], share * (weight - priority_.weights.of[aspect]));
     }
 
-    void raise_hazards(const WeighedInstant& instant, WeightRaises& raises) const {
-        const PredictedTrack track = display_.track_of(instant.own_ship);
+    void raise_hazards(const policy::PriorityInstant& instant, policy::PriorityBoosts& raises) const {
+        const policy::PredictedTrack track = display_.track_of(instant.own_ship);
         TerrainGround ground(display_.terrain_, terrain::View());
-        HazardWatch watch(priority_, track, ground, instant.time.utc.ns);
+        policy::HazardWatch watch(priority_, track, ground, instant.time.utc.ns);
         // Where terrain comes first already it needs no focus of its own.
         if (priority_.weights.of[design::kTerrainAspect] < priority_.hazard_weight)
             raise(raises, design::kTerrainAspect, watch.terrain_share(), priority_.hazard_weight);
@@ -72,8 +73,8 @@ private:
     const design::PrioritySettings& priority_;
 };
 
-PredictedTrack Display::track_of(const flight::OwnShipEstimate& own) const {
-    PredictedTrack track{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
+policy::PredictedTrack Display::track_of(const flight::OwnShipEstimate& own) const {
+    policy::PredictedTrack track{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
     if (!own.height_is_geometric) track.from.height.m += undulation_m(own.position);
     return track;
 }
@@ -87,7 +88,7 @@ void Display::weigh(base::Time now) {
         if (design_at(shown_).priority.is_stated) weights = raised_.above(weights);
     }
     conditions_.terrain_ahead = raised_.terrain_ahead();
-    const bool shows_alert = conditions_.terrain_ahead != TerrainAhead::none;
+    const bool shows_alert = conditions_.terrain_ahead != policy::TerrainAhead::none;
     if (weights == weights_ && shows_alert == shows_alert_) return;
     weights_ = weights;
     shows_alert_ = shows_alert;
@@ -115,9 +116,9 @@ void Display::show_look() {
 
 ObstaclePlaces Display::obstacles_ahead() {
     if (!shows_elements() || !data_.has_scene() || state_.own_ship.state != base::SignalState::valid) return {};
-    const PredictedTrack track = track_of(state_.own_ship);
+    const policy::PredictedTrack track = track_of(state_.own_ship);
     TerrainGround ground(terrain_, eye_.view);
-    HazardWatch watch(design_at(shown_).priority, track, ground, record_.flight_time.utc.ns);
+    policy::HazardWatch watch(design_at(shown_).priority, track, ground, record_.flight_time.utc.ns);
     terrain::DrawnSight sight = terrain_.sight(eye_.view);
     const draw::SignView eye{eye_.view, static_cast<float>(text_px(context(), settings_.width_px, settings_.height_px))};
     return obstacle_places({data_.scene(), record_.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},

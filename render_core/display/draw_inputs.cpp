@@ -23,8 +23,8 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     const earth::Geodetic& place = frame.record.own_ship.position;
     const design::ShadeSettings& shade = frame.design.terrain.style.shade;
     for (std::size_t n = 0; n < shade.light_count; ++n)
-        input.light_direction[n] = towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
-    input.light_direction[0] = towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, place);
+        input.light_direction[n] = policy::towards_light(shade.lights[n].azimuth_rad, shade.lights[n].elevation_rad, place);
+    input.light_direction[0] = policy::towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, place);
     input.warning_colors = frame.decisions.show_warning_colors;
     input.aircraft_msl_m = frame.aircraft_msl_m;
     input.bands_lowered_m = frame.record.bands.lowered_m;
@@ -63,7 +63,7 @@ draw::DataFrame make_data_frame(const DrawContext& frame) {
     draw::DataFrame data;
     data.view = frame.eye.view;
     data.towards_light =
-        towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
+        policy::towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
     data.haze_per_m = frame.haze_per_m;
     data.haze = frame.design.sky.haze;
     data.air = frame.air;

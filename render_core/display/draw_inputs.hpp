@@ -1,7 +1,6 @@
 /// What the drawers of a frame are given, from what was planned of it. Pure; any thread.
 #pragma once
 
-#include "render_core/display/display_decisions.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/picture_layer.hpp"
@@ -11,6 +10,7 @@
 #include "render_core/draw/sky_drawer.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/policy/display_decisions.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::display {
@@ -18,7 +18,7 @@ namespace tedavis::display {
 /// A planned frame. References to the display's own.
 struct DrawContext {
     const design::DesignSettings& design;
-    const DisplayDecisions& decisions;
+    const policy::DisplayDecisions& decisions;
     const Eye& eye;
     const FrameRecord& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;

@@ -11,9 +11,10 @@ using effects::Effect;
 using effects::EffectCall;
 using Kind = EffectCall::Kind;
 
-EffectCall sun_call(LightSource light) {
-    if (light == LightSource::no_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
-    if (light == LightSource::sun_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
+EffectCall sun_call(policy::LightSource light) {
+    if (light == policy::LightSource::no_date)
+        return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
+    if (light == policy::LightSource::sun_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
     return {Kind::called, ""};
 }
 
@@ -77,7 +78,7 @@ bool distracts(Effect effect) {
            effect == Effect::focus_blur || effect == Effect::saliency || effect == Effect::clutter;
 }
 
-bool is_removed(Effect effect, const DisplayDecisions& decisions) {
+bool is_removed(Effect effect, const policy::DisplayDecisions& decisions) {
     if (decisions.unusual_attitude && distracts(effect)) return true;
     return !decisions.show_terrain && effect != Effect::panel_lighting;
 }
@@ -94,7 +95,7 @@ EffectCall fade_call(double share) {
     return {Kind::called, "", share};
 }
 
-EffectCall panel_call(const PanelLight& panel) {
+EffectCall panel_call(const policy::PanelLight& panel) {
     if (!panel.has_date) return {Kind::no_input, "the time of the flight is no date"};
     const glm::dvec3& white = panel.white;
     const double darkest = std::fmin(white.x, std::fmin(white.y, white.z));
@@ -107,7 +108,7 @@ EffectCall silhouette_call(const EffectFacts& facts) {
     return {Kind::not_called_for, "seen from so far away depths hardly differ"};
 }
 
-EffectCall warning_call(const DisplayDecisions& decisions) {
+EffectCall warning_call(const policy::DisplayDecisions& decisions) {
     if (decisions.show_warning_colors) return {Kind::called, "height is geometric and valid"};
     return {Kind::not_called_for, "not asked for or height not to be trusted"};
 }

@@ -8,17 +8,17 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/cue_calls.hpp"
 #include "render_core/display/data_elements.hpp"
-#include "render_core/display/display_decisions.hpp"
-#include "render_core/display/panel_lighting.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
-#include "render_core/display/terrain_light.hpp"
 #include "render_core/display/terrain_scene.hpp"
 #include "render_core/draw/focus_ground.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/earth/atmosphere.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/effects/effect_planner.hpp"
+#include "render_core/policy/display_decisions.hpp"
+#include "render_core/policy/panel_lighting.hpp"
+#include "render_core/policy/terrain_light.hpp"
 
 namespace tedavis::display {
 
@@ -48,9 +48,9 @@ inline constexpr std::string_view kRemovedByPolicy = "removed by the failure pol
 
 struct EffectFacts {
     effects::EffectSet asked, forbidden, in_reserve;
-    const DisplayDecisions& decisions;
+    const policy::DisplayDecisions& decisions;
     bool is_near = false;  ///< the eye is among what it sees, not far above as the map's
-    LightSource light = LightSource::fixed;
+    policy::LightSource light = policy::LightSource::fixed;
     DrapeState drape = DrapeState::not_asked_for;
     GroundDataState ground_data = GroundDataState::not_asked_for;
     GroundDataState adjacent = GroundDataState::not_asked_for;
@@ -64,7 +64,7 @@ struct EffectFacts {
     double parallax_px = 0;  ///< none is greater
     double fade_share = 0;   ///< of the scene as it was
     effects::ReplacementOrder order{};
-    PanelLight panel{};
+    policy::PanelLight panel{};
     CueStates cues{};
     ShadowPlan shadows{};
     bool has_foci = false;       ///< one of those that change the ground is somewhere

@@ -4,15 +4,15 @@
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
-#include "render_core/display/display_decisions.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/effects/effect_planner.hpp"
+#include "render_core/policy/display_decisions.hpp"
 
 namespace tedavis::display {
 
 struct EffectNotes {
     const effects::FramePlan& plan;
-    const DisplayDecisions& decisions;
+    const policy::DisplayDecisions& decisions;
     const design::DesignSettings& design;  ///< as drawn
     std::uint32_t members = 0;             ///< of the ground's ensemble, that are shown one after the other
     std::uint32_t adjacent_maps = 0;       ///< that are drawn

@@ -4,6 +4,7 @@
 
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::display {
 
@@ -109,7 +110,7 @@ void ElementLabels::decide(const LabelFrame& frame) {
     const bool leaps = has_leapt(frame);
     if (leaps) planner_.forget();
     if (decided_for_ != design_) decide_anew(frame);
-    const std::int64_t epoch = draw::LabelPlanner::epoch_of(frame.now);
+    const std::int64_t epoch = flight::decision_interval_of(frame.now);
     if (!planner_.is_due(epoch)) return;
     view_ = frame.view;
     time_ = frame.time;
@@ -125,7 +126,7 @@ void ElementLabels::decide_anew(const LabelFrame& frame) {
     if (!planner_.is_decided()) return;
     planner_.forget();
     is_anew_ = true;
-    decide_epoch({frame.ground, view_, frame.missing, time_, epoch_now_, text_px_}, draw::LabelPlanner::epoch_of(epoch_now_));
+    decide_epoch({frame.ground, view_, frame.missing, time_, epoch_now_, text_px_}, flight::decision_interval_of(epoch_now_));
 }
 
 void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
@@ -162,7 +163,7 @@ void ElementLabels::restore(const LabelEpoch& memory) {
 void ElementLabels::skip(base::Time now) {
     last_now_ = now;
     last_forward_ = glm::dvec3(0);
-    const std::int64_t epoch = draw::LabelPlanner::epoch_of(now);
+    const std::int64_t epoch = flight::decision_interval_of(now);
     if (!planner_.is_due(epoch)) return;
     planner_.skip(epoch);
     decided_for_ = design_;
@@ -189,7 +190,7 @@ std::uint32_t ElementLabels::suppressed(const design::DataElement& element, cons
     return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
 }
 
-ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const Crowding* crowding)
+ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* crowding)
     : labels_(labels),
       sheet_(sheet),
       inputs_(inputs),

@@ -17,11 +17,11 @@
 #pragma once
 
 #include "render_core/design/data_element.hpp"
-#include "render_core/display/crowding.hpp"
 #include "render_core/display/element_report.hpp"
 #include "render_core/draw/data/billboards.hpp"
 #include "render_core/draw/data/label_features.hpp"
 #include "render_core/flight/flight_time.hpp"
+#include "render_core/policy/declutter.hpp"
 
 namespace tedavis::display {
 
@@ -34,7 +34,7 @@ struct LabelCounts {
 };
 
 struct LabelFrame {
-    draw::Ground& ground;
+    scene::Ground& ground;
     const terrain::View& view;
     design::Color missing;
     flight::FlightTime time;  ///< by which data are valid
@@ -144,7 +144,7 @@ private:
 class ElementLabels::Pass {
 public:
     /// All must stay. `crowding`: null: nothing gives way.
-    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const Crowding* crowding);
+    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* crowding);
     /// What warns, before all other signs; then, in the room that is left, the others.
     void add_protected();
     void add_others();
@@ -168,7 +168,7 @@ private:
     ElementLabels& labels_;
     draw::BillboardSheet& sheet_;
     Inputs& inputs_;
-    const Crowding* crowding_;
+    const policy::Declutter* crowding_;
     std::uint32_t lowered_ = 0;
     std::size_t protected_ = 0;  ///< labels, which come first
     draw::LabelRoom markers_;    ///< of them: their names leave it free

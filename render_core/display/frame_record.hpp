@@ -11,10 +11,10 @@
 #include "render_core/base/time.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/distortion.hpp"
-#include "render_core/display/terrain_light.hpp"
 #include "render_core/effects/clutter_budget.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/terrain_light.hpp"
 
 namespace tedavis::display {
 
@@ -140,7 +140,7 @@ struct FrameRecord {
     base::FixedVector<Name, 32> flags;
     ViewRecord view;
     DistortionRecords distortion;
-    TerrainLight light;
+    policy::TerrainLight light;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none

@@ -21,7 +21,7 @@
 namespace tedavis::display {
 
 struct GlyphFrameInput {
-    draw::Ground& ground;
+    scene::Ground& ground;
     const terrain::View& view;
     design::Color missing;
     std::int64_t time_ns = 0;  ///< of the source where it has a date

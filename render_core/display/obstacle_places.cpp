@@ -28,7 +28,7 @@ void keep_soonest(MetObstacles& all, const MetObstacle& met) {
     for (std::size_t n = all.size() - 1; n > 0 && all[n].ahead_s < all[n - 1].ahead_s; --n) std::swap(all[n], all[n - 1]);
 }
 
-MetObstacles met_obstacles(const ObstacleFrame& frame, HazardWatch& watch) {
+MetObstacles met_obstacles(const ObstacleFrame& frame, policy::HazardWatch& watch) {
     MetObstacles all;
     for (const scene::Layer& layer : frame.scene.layers()) {
         const scene::LayerEntry& entry = *layer.entry;
@@ -108,7 +108,7 @@ private:
 
 }  // namespace
 
-ObstaclePlaces obstacle_places(const ObstacleFrame& frame, HazardWatch& watch) {
+ObstaclePlaces obstacle_places(const ObstacleFrame& frame, policy::HazardWatch& watch) {
     ObstaclePlaces places;
     for (const MetObstacle& met : met_obstacles(frame, watch))
         static_cast<void>(places.try_push_back(PlaceFinder(frame, met).find()));

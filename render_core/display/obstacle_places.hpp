@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "render_core/display/element_labels.hpp"
-#include "render_core/display/hazard_watch.hpp"
+#include "render_core/policy/hazard_watch.hpp"
 #include "render_core/terrain/drawn_sight.hpp"
 
 namespace tedavis::display {
@@ -37,7 +37,7 @@ using ObstaclePlaces = base::FixedVector<ObstaclePlace, kMostObstaclePlaces>;
 struct ObstacleFrame {
     const scene::Scene& scene;
     flight::FlightTime time;
-    draw::Ground& ground;
+    scene::Ground& ground;
     draw::SignView eye;
     terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
     const ElementReports& reports;
@@ -45,6 +45,6 @@ struct ObstacleFrame {
 };
 
 /// The soonest first; of the same instant by layer and feature.
-[[nodiscard]] ObstaclePlaces obstacle_places(const ObstacleFrame& frame, HazardWatch& watch);
+[[nodiscard]] ObstaclePlaces obstacle_places(const ObstacleFrame& frame, policy::HazardWatch& watch);
 
 }  // namespace tedavis::display

@@ -12,7 +12,7 @@ namespace {
 using flight::FlownPoint;
 using flight::FlownWay;
 
-double height_over_ellipsoid_m(const FlownPoint& point, draw::Ground& ground) {
+double height_over_ellipsoid_m(const FlownPoint& point, scene::Ground& ground) {
     const double height_m = static_cast<double>(point.height_m);
     return point.is_geometric ? height_m : height_m + ground.undulation_m(point.latitude_rad, point.longitude_rad);
 }
@@ -52,7 +52,7 @@ bool OwnFlight::start(base::Arena& arena) {
     return !points_.empty() && !starts_.empty() && !values_[kAttributes - 1].empty() && !measured_.empty() && !glyphs_.empty();
 }
 
-void OwnFlight::take(const OwnFlightFrame& frame, const flight::FlightTime& time, draw::Ground& ground) {
+void OwnFlight::take(const OwnFlightFrame& frame, const flight::FlightTime& time, scene::Ground& ground) {
     point_count_ = part_count_ = wind_count_ = 0;
     ahead_ = time.utc - frame.now;
     if (frame.way != nullptr && frame.aircraft != nullptr) {
@@ -73,7 +73,7 @@ void OwnFlight::take(const OwnFlightFrame& frame, const flight::FlightTime& time
     finish_winds();
 }
 
-void OwnFlight::add(const FlownPoint& point, bool begins, draw::Ground& ground) {
+void OwnFlight::add(const FlownPoint& point, bool begins, scene::Ground& ground) {
     if (begins) starts_[part_count_++] = point_count_;
     points_[point_count_] = {point.latitude_rad, point.longitude_rad, static_cast<float>(height_over_ellipsoid_m(point, ground)),
                              0, (point.at + ahead_).ns};
@@ -84,7 +84,7 @@ void OwnFlight::add(const FlownPoint& point, bool begins, draw::Ground& ground) 
     ++point_count_;
 }
 
-void OwnFlight::add_wind(const FlownPoint& point, draw::Ground& ground) {
+void OwnFlight::add_wind(const FlownPoint& point, scene::Ground& ground) {
     if (!has_wind(point)) return;
     measured_[wind_count_] = point;
     measured_[wind_count_++].height_m = static_cast<float>(height_over_ellipsoid_m(point, ground));

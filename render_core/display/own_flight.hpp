@@ -41,7 +41,7 @@ public:
     OwnFlight& operator=(const OwnFlight&) = delete;
 
     [[nodiscard]] bool start(base::Arena& arena);
-    void take(const OwnFlightFrame& frame, const flight::FlightTime& time, draw::Ground& ground);
+    void take(const OwnFlightFrame& frame, const flight::FlightTime& time, scene::Ground& ground);
 
     [[nodiscard]] const scene::Layer& trail() const { return trail_; }
     [[nodiscard]] const scene::Layer& winds() const { return winds_; }
@@ -50,8 +50,8 @@ public:
 
 private:
     enum Measured : std::size_t { kPositionAccuracy, kHeightAccuracy, kWindSpeed, kTemperature };
-    void add(const flight::FlownPoint& point, bool begins, draw::Ground& ground);
-    void add_wind(const flight::FlownPoint& point, draw::Ground& ground);
+    void add(const flight::FlownPoint& point, bool begins, scene::Ground& ground);
+    void add_wind(const flight::FlownPoint& point, scene::Ground& ground);
     void finish_trail();
     void finish_winds();
 

@@ -1,6 +1,7 @@
 #include "render_core/display/saliency_view.hpp"
 
 #include "render_core/draw/data/label_planner.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::display {
 using draw::LabelPlanner;
@@ -22,13 +23,13 @@ bool SaliencyView::shows(const design::Saliency& saliency) const { return pass_.
 void SaliencyView::plan(bool runs, base::Time now) {
     runs_ = runs && pass_.is_started();
     now_ = now;
-    measures_ =
-        runs_ && (!keeps_ || !has_map_ || now == measured_ || LabelPlanner::epoch_of(now) != LabelPlanner::epoch_of(measured_));
+    measures_ = runs_ && (!keeps_ || !has_map_ || now == measured_ ||
+                          flight::decision_interval_of(now) != flight::decision_interval_of(measured_));
 }
 
 base::Time SaliencyView::needed_since(base::Time time) const {
     if (!keeps_ || !pass_.is_started()) return time;
-    return base::Time{LabelPlanner::epoch_of(time) * LabelPlanner::kEpoch.ns};
+    return base::Time{flight::decision_interval_of(time) * flight::kDecisionInterval.ns};
 }
 
 void SaliencyView::draw(gl::Gl& gl, const base::Surface& surface, const design::Saliency& saliency, EffectWork& work) {

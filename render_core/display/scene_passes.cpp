@@ -110,11 +110,11 @@ void ScenePasses::set_design(const draw::DrawnDesign& design) {
 draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
     if (!input.plan.runs(effects::Effect::aerial_perspective)) return {};
     const DrawContext& frame = input.frame;
-    const TerrainLight& light = frame.record.light;
+    const policy::TerrainLight& light = frame.record.light;
     const WorkScope work(gl, input.work[effects::Effect::aerial_perspective], 0);
     air_.update(gl, frame.design.sky.air, frame.eye_msl_m, light.elevation_rad);
     draw::AirFrame air = air_.frame();
-    air.towards_sun = towards_light(light.azimuth_rad, light.elevation_rad, frame.record.own_ship.position);
+    air.towards_sun = policy::towards_light(light.azimuth_rad, light.elevation_rad, frame.record.own_ship.position);
     air.up = earth::up_at(frame.eye.view.eye);
     air.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
     air.eye_height_m = frame.eye_msl_m;

@@ -52,7 +52,7 @@ ShadowPlan plan_shadows(const ShadowScene& scene, const CasterSet& casters) {
     ShadowPlan plan;
     if (!scene.settings.is_any()) return plan;
     plan.state = ShadowState::sun_too_low;
-    if (scene.light.source == LightSource::sun_too_low || scene.light.elevation_rad < kLowestSun_rad) return plan;
+    if (scene.light.source == policy::LightSource::sun_too_low || scene.light.elevation_rad < policy::kLowestSun_rad) return plan;
     plan.state = ShadowState::values_on_ground;
     if (scene.has_values_on_ground) return plan;
     plan.state = ShadowState::nothing_casts;

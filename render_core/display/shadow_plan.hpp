@@ -3,8 +3,8 @@
 
 #include "render_core/design/shadow_settings.hpp"
 #include "render_core/display/caster_set.hpp"
-#include "render_core/display/terrain_light.hpp"
 #include "render_core/effects/effect_planner.hpp"
+#include "render_core/policy/terrain_light.hpp"
 
 namespace tedavis::display {
 
@@ -27,7 +27,7 @@ struct ShadowPlan {
 
 struct ShadowScene {
     const design::ShadowSettings& settings;
-    const TerrainLight& light;
+    const policy::TerrainLight& light;
     const terrain::View& view;
     double eye_height_m = 0;  ///< over the ground below it
     double undulation_m = 0;  ///< there

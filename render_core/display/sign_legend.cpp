@@ -249,7 +249,7 @@ private:
         const scene::Attribute* const kind = layer.find("kind");
         for (std::uint32_t n = 0; kind != nullptr && n < kind->entry->class_count; ++n)
             for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
-                if (draw::value_or_nan(layer, "kind", feature) != n) continue;
+                if (scene::value_or_nan(layer, "kind", feature) != n) continue;
                 base::FixedString<15> name;
                 for (const char letter : kind->class_name(n)) {
                     const char upper = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;

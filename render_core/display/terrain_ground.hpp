@@ -10,7 +10,7 @@
 
 namespace tedavis::display {
 
-class TerrainGround final : public draw::Ground {
+class TerrainGround final : public scene::Ground {
 public:
     /// The terrain must be started, and stay.
     TerrainGround(TerrainScene& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}

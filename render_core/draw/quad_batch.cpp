@@ -8,8 +8,8 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::size_t kMostVertices = 65'536;
-constexpr float kRim_px = 1.0f;  // room around a box in which its edge fades out
+constexpr std::size_t kMaxQuadVertices = 65'536;
+constexpr float kQuadRim_px = 1.0f;  // room around a box in which its edge fades out
 
 bool finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
@@ -46,7 +46,7 @@ Rect common(const Rect& a, const Rect& b) {
 
 QuadBatch::QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices)
     : vertices_(vertices), indices_(indices) {
-    use_.capacity = std::min(vertices.size(), kMostVertices);
+    use_.capacity = std::min(vertices.size(), kMaxQuadVertices);
 }
 
 void QuadBatch::clear() {
@@ -96,7 +96,7 @@ bool QuadBatch::line(Point from, Point to, float width_px, design::Color color) 
     const Point along = length > 0 ? Point{dx / length, dy / length} : Point{1, 0};
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
     const float half_length = length / 2, half_width = width_px / 2;
-    const float reach_u = half_length + kRim_px, reach_v = half_width + kRim_px;
+    const float reach_u = half_length + kQuadRim_px, reach_v = half_width + kQuadRim_px;
     Corner corners[4];
     for (int i = 0; i < 4; ++i) {
         const float u = i == 1 || i == 2 ? reach_u : -reach_u;
@@ -129,7 +129,7 @@ bool QuadBatch::box(const Rect& rect, design::Color color) {
     if (seen.empty() || !finite({seen.x, seen.y}) || !finite({seen.width, seen.height})) return true;
     const Point middle = seen.center();
     const float half_width = seen.width / 2, half_height = seen.height / 2;
-    const float reach_u = half_width + kRim_px, reach_v = half_height + kRim_px;
+    const float reach_u = half_width + kQuadRim_px, reach_v = half_height + kQuadRim_px;
     Corner corners[4];
     for (int i = 0; i < 4; ++i) {
         const float u = i == 1 || i == 2 ? reach_u : -reach_u;

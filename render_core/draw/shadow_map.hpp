@@ -2,8 +2,8 @@
 ///
 /// Three levels, one above the other: how far towards the sun the caster stands, in 24 bits of red, green and blue (steps of
 /// 5 cm), and in alpha how much of the light it takes. The terrain is not in it. So it never shades itself, and the bias has to
-/// bear nothing but rounding (kShadowBias_m), however low the sun. Ground that stands out of a caster is lit from half a texel
-/// over it on.
+/// bear nothing but rounding (kShadowBias_m), however low the sun. scene::Ground that stands out of a caster is lit from half a
+/// texel over it on.
 ///
 /// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: what stands d
 /// metres towards the sun from a place shades it through a disc of d times the sun's radius. Wide ones are read from a coarser

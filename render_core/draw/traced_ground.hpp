@@ -2,8 +2,8 @@
 /// like. Posts between those of coarser exact chunks lie on the very triangles of these, and where chunks of two levels meet on
 /// those of the finer one.
 ///
-/// Ground without data has the heights that the database fills it with, and is known by the class of its posts: it is drawn as
-/// unknown, as the other renderer draws it.
+/// scene::Ground without data has the heights that the database fills it with, and is known by the class of its posts: it is
+/// drawn as unknown, as the other renderer draws it.
 ///
 /// Memory    from an arena at start(). Thread  reading any. Failure  start() says which; nothing of such a ground may be used.
 #pragma once

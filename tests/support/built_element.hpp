@@ -16,7 +16,7 @@
 namespace tedavis::test_support {
 
 /// Level, but for nothing where `is_known` is false.
-class LevelGround final : public draw::Ground {
+class LevelGround final : public scene::Ground {
 public:
     double height_m(double, double) override { return is_known ? height : std::numeric_limits<double>::quiet_NaN(); }
     double undulation_m(double, double) override { return undulation; }

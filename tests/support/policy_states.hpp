@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render_core/display/failure_policy.hpp"
+#include "render_core/policy/failure_policy.hpp"
 
 namespace tedavis::test_support {
 
@@ -49,36 +49,36 @@ inline void put_signal(flight::AircraftState& state, flight::Signal signal, base
     state[signal] = signal_in_state(as, plausible_value(signal));
 }
 
-inline display::DisplayConditions good_conditions() {
-    display::DisplayConditions conditions;
-    conditions.terrain = display::TerrainSource::ready;
+inline policy::DisplayConditions good_conditions() {
+    policy::DisplayConditions conditions;
+    conditions.terrain = policy::TerrainSource::ready;
     return conditions;
 }
 
-inline display::DisplayDecisions decide_on(const flight::AircraftState& state,
-                                           const display::DisplayConditions& conditions = good_conditions()) {
-    return display::decide_display(state, kPolicyNow, conditions, design::default_design_settings());
+inline policy::DisplayDecisions decide_on(const flight::AircraftState& state,
+                                          const policy::DisplayConditions& conditions = good_conditions()) {
+    return policy::decide_display(state, kPolicyNow, conditions, design::default_design_settings());
 }
 
-inline std::vector<std::string> flags_of(const display::DisplayDecisions& decisions) {
+inline std::vector<std::string> flags_of(const policy::DisplayDecisions& decisions) {
     std::vector<std::string> flags;
     for (const auto& flag : decisions.flags) flags.emplace_back(flag.view());
     return flags;
 }
-inline bool has_flag(const display::DisplayDecisions& decisions, const std::string& name) {
+inline bool has_flag(const policy::DisplayDecisions& decisions, const std::string& name) {
     const auto flags = flags_of(decisions);
     return std::find(flags.begin(), flags.end(), name) != flags.end();
 }
-inline bool has_notice(const display::DisplayDecisions& decisions, std::string_view text) {
+inline bool has_notice(const policy::DisplayDecisions& decisions, std::string_view text) {
     return std::any_of(decisions.notices.begin(), decisions.notices.end(),
-                       [&](const display::Notice& n) { return n.text.view() == text; });
+                       [&](const policy::Notice& n) { return n.text.view() == text; });
 }
 
 inline constexpr base::SignalState kBadStates[] = {base::SignalState::missing, base::SignalState::stale, base::SignalState::lost,
                                                    base::SignalState::invalid};
 
-inline display::DisplayConditions map_conditions() {
-    display::DisplayConditions conditions = good_conditions();
+inline policy::DisplayConditions map_conditions() {
+    policy::DisplayConditions conditions = good_conditions();
     conditions.is_map = true;
     return conditions;
 }

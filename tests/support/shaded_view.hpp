@@ -65,7 +65,7 @@ protected:
     draw::SolidMesh mesh_;
     terrain::View view_;
     design::ShadowSettings settings_;
-    display::TerrainLight light_;
+    policy::TerrainLight light_;
     std::uint32_t groups_ = ~0u;
     double nearest_m_ = 500;
     bool has_values_ = false;

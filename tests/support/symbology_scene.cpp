@@ -33,9 +33,9 @@ flight::AircraftState scene_state(double heading_deg, double pitch_deg, double r
     return state;
 }
 
-display::DisplayConditions scene_conditions() {
-    display::DisplayConditions conditions;
-    conditions.terrain = display::TerrainSource::ready;
+policy::DisplayConditions scene_conditions() {
+    policy::DisplayConditions conditions;
+    conditions.terrain = policy::TerrainSource::ready;
     conditions.phase.phase = flight::kApproachFinal;
     conditions.phase.source = flight::PhaseSource::switches;
     conditions.generated_flight = true;
@@ -43,9 +43,9 @@ display::DisplayConditions scene_conditions() {
 }
 
 draw::SymbologyInput scene_input(const flight::AircraftState& state, std::uint32_t width, std::uint32_t height,
-                                 const display::DisplayConditions& conditions) {
+                                 const policy::DisplayConditions& conditions) {
     const design::DesignSettings design = design::default_design_settings();
-    const display::DisplayDecisions decisions = display::decide_display(state, kSceneNow, conditions, design);
+    const policy::DisplayDecisions decisions = policy::decide_display(state, kSceneNow, conditions, design);
     return draw::make_symbology_input(state, decisions, conditions.phase, design, kSceneNow, width, height, 1380);
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/failure_policy.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
+#include "render_core/policy/failure_policy.hpp"
 
 namespace tedavis::test_support {
 
@@ -15,9 +15,9 @@ inline constexpr base::Time kSceneNow{1'000'000'000'000};
 /// Attitude in degrees; every signal valid at kSceneNow.
 [[nodiscard]] flight::AircraftState scene_state(double heading_deg, double pitch_deg, double roll_deg);
 /// Terrain ready, phase approach.final by switch.
-[[nodiscard]] display::DisplayConditions scene_conditions();
+[[nodiscard]] policy::DisplayConditions scene_conditions();
 [[nodiscard]] draw::SymbologyInput scene_input(const flight::AircraftState& state, std::uint32_t width, std::uint32_t height,
-                                               const display::DisplayConditions& conditions = scene_conditions());
+                                               const policy::DisplayConditions& conditions = scene_conditions());
 
 /// What is written in a batch, in order, halos left out; glyphs that a clip cut away are missing.
 [[nodiscard]] std::string text_of(const draw::QuadBatch& batch);

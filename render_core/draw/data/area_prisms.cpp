@@ -5,13 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/cell_motion.hpp"
 #include "render_core/draw/data/feature_importance.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/area_limits.hpp"
 #include "render_core/scene/outer_outline.hpp"
 #include "render_core/scene/polygon_triangles.hpp"
 
@@ -34,7 +34,7 @@ public:
         const scene::Run run = input_.layer.points_of(feature_);
         if (run.count < 3) return false;
         first_ = input_.layer.points[run.first];
-        moved_ = drift_m(input_, feature_);
+        moved_ = scene::drift_m(input_.layer, feature_, input_.time_ns, input_.has_date);
         axes_ = local_axes(first_.latitude_rad, first_.longitude_rad);
         metres_ = {std::cos(first_.latitude_rad) * earth::prime_vertical_radius_m(first_.latitude_rad),
                    earth::meridian_radius_m(first_.latitude_rad)};
@@ -127,11 +127,11 @@ private:
 
     void take_limits() {
         const scene::Layer& layer = input_.layer;
-        const AreaLimits stated = area_limits(layer, feature_);
+        const scene::AreaLimits stated = scene::area_limits(layer, feature_);
         floor_ = stated.floor;
         ceiling_ = stated.ceiling;
         if (const scene::Attribute* const size = layer.find(input_.element.size_attribute.view()); size != nullptr) {
-            const double value = value_or_nan(layer, input_.element.size_attribute.view(), feature_);
+            const double value = scene::value_or_nan(layer, input_.element.size_attribute.view(), feature_);
             const double largest = static_cast<double>(size->entry->maximum);
             const double bottom = std::isnan(floor_.m) ? 0 : floor_.m;
             ceiling_ = {largest > 0 ? bottom + std::max(value, 0.0) / largest * input_.element.size_m : bottom, floor_.datum};
@@ -140,8 +140,8 @@ private:
         if (std::isnan(ceiling_.m)) ceiling_ = {kUnknownCeiling_m, scene::HeightDatum::msl};
     }
 
-    [[nodiscard]] Placed over(const Corner& at, const HeightLimit& limit) {
-        Ground& ground = input_.ground;
+    [[nodiscard]] Placed over(const Corner& at, const scene::HeightLimit& limit) {
+        scene::Ground& ground = input_.ground;
         Placed result;
         result.height_m = limit.m;
         if (limit.datum == scene::HeightDatum::ground)
@@ -169,7 +169,7 @@ private:
         return true;
     }
 
-    bool add_cap(const HeightLimit& limit, bool faces_up) {
+    bool add_cap(const scene::HeightLimit& limit, bool faces_up) {
         const std::uint32_t first = mesh_.vertex_count();
         for (std::size_t n = 0; n < count_; ++n) {
             const Placed at = over(corner(n), limit);
@@ -192,7 +192,7 @@ private:
     LocalAxes axes_;
     glm::dvec2 metres_{1}, moved_{0};
     std::size_t count_ = 0;
-    HeightLimit floor_, ceiling_;
+    scene::HeightLimit floor_, ceiling_;
 };
 
 /// Where the area may reach to as well.
@@ -223,7 +223,7 @@ ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementIn
         const bool is_drawn = !is_left_out(input, feature) && prism.build(0) && mesh.add_to(batch);
         ++(is_drawn ? count.drawn : count.hidden);
         if (!is_drawn) continue;
-        const double toward_rad = value_or_nan(input.layer, "toward", feature);
+        const double toward_rad = scene::value_or_nan(input.layer, "toward", feature);
         if (prisms_move(input.layer) && has_motion(input, feature))
             add_motion_arrow(batch, mesh, input, feature, prism.front(toward_rad));
         add_margin(batch, mesh, input, feature);

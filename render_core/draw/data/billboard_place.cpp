@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/area_limits.hpp"
+#include "render_core/scene/area_limits.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -41,8 +41,9 @@ bool anchor_of(const ElementInput& input, std::uint32_t feature, scene::ScenePoi
     }
     const scene::Run run = input.layer.points_of(feature);
     if (run.count == 0) return false;
-    anchor = shape == scene::LayerShape::areas ? gone(middle_of(input, run), drift_m(input, feature))
-                                               : input.layer.points[run.first + run.count / 2];
+    anchor = shape == scene::LayerShape::areas
+                 ? gone(middle_of(input, run), scene::drift_m(input.layer, feature, input.time_ns, input.has_date))
+                 : input.layer.points[run.first + run.count / 2];
     return true;
 }
 
@@ -54,7 +55,7 @@ std::uint8_t sign_stems(const scene::Layer& layer) { return layer.entry->role ==
 
 Placed place_of(const ElementInput& input, std::uint32_t feature, const scene::ScenePoint& anchor) {
     if (!has_limits(input.layer)) return placed(input, anchor);
-    const HeightLimit ceiling = area_limits(input.layer, feature).ceiling;
+    const scene::HeightLimit ceiling = scene::area_limits(input.layer, feature).ceiling;
     if (ceiling.datum == scene::HeightDatum::ground && std::isfinite(ceiling.m))
         return placed_over_ground(input, anchor.latitude_rad, anchor.longitude_rad, ceiling.m);
     return placed(input, anchor.latitude_rad, anchor.longitude_rad, ceiling.m);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "render_core/draw/data/area_limits.hpp"
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/scene/area_limits.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -18,7 +18,7 @@ float icon_px(const ElementInput& input, std::uint32_t feature, const SignView& 
     const design::DataElement& element = input.element;
     if (const scene::Attribute* const size = input.layer.find(element.size_attribute.view()); size != nullptr) {
         const double share =
-            value_or_nan(input.layer, element.size_attribute.view(), feature) / static_cast<double>(size->entry->maximum);
+            scene::value_or_nan(input.layer, element.size_attribute.view(), feature) / static_cast<double>(size->entry->maximum);
         return share > 0 ? least + (greatest - least) * static_cast<float>(std::min(share, 1.0)) : least;
     }
     const double size_m = element.size_m > 0 ? element.size_m : kIconSize_m;
@@ -28,7 +28,7 @@ float icon_px(const ElementInput& input, std::uint32_t feature, const SignView& 
 SignText text_of(const ElementInput& input, std::uint32_t feature, const BillboardLook& look, bool with_name) {
     SignText text;
     text.add(with_name ? billboard_name(input, feature, look) : BillboardText(look.is_unsure ? "?" : ""));
-    if (with_name && has_limits(input.layer)) text.add(limits_text(input.layer, feature));
+    if (with_name && has_limits(input.layer)) text.add(scene::limits_text(input.layer, feature));
     return text;
 }
 

@@ -11,7 +11,7 @@ namespace tedavis::draw {
 namespace {
 
 constexpr design::Color kRim{16, 16, 20, 255};
-constexpr float kRim_px = 1.5f;
+constexpr float kCellRim_px = 1.5f;
 constexpr int kArrowSides = 8;
 constexpr double kHead = 0.35, kHeadRadius = 0.12, kShaftRadius = 0.045;  // of the length
 constexpr double kWidest_m = 6000;                                        // what is longer is no thicker
@@ -30,14 +30,14 @@ void build_arrow(SolidMesh& mesh, const CellFront& from, double length_m, design
 }  // namespace
 
 bool has_motion(const ElementInput& input, std::uint32_t feature) {
-    return value_or_nan(input.layer, "speed", feature) >= kLeastMotion_mps &&
-           std::isfinite(value_or_nan(input.layer, "toward", feature));
+    return scene::value_or_nan(input.layer, "speed", feature) >= kLeastMotion_mps &&
+           std::isfinite(scene::value_or_nan(input.layer, "toward", feature));
 }
 
 void add_motion_arrow(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature,
                       const CellFront& from) {
     if (!from.is_known) return;
-    const double length_m = value_or_nan(input.layer, "speed", feature) * kMotionAhead_s;
+    const double length_m = scene::value_or_nan(input.layer, "speed", feature) * kMotionAhead_s;
     SolidLook look;
     look.group = input.group;
     look.is_thing = false;
@@ -46,7 +46,7 @@ void add_motion_arrow(SolidBatch& batch, SolidMesh& mesh, const ElementInput& in
     color.alpha = 255;
     build_arrow(mesh, from, length_m, color);
     if (!mesh.add_to(batch)) return;
-    look.halo_px = kRim_px;
+    look.halo_px = kCellRim_px;
     batch.set_look(look, input.layer.entry->data_time_ns);
     build_arrow(mesh, from, length_m, kRim);
     static_cast<void>(mesh.add_to(batch));

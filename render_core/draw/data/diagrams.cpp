@@ -17,8 +17,8 @@ constexpr float kStem = BillboardSheet::kStem, kMargin = 0.3f, kNameSize = 0.75f
 constexpr float kLine_px = 1.6f;
 constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
 /// Plate, frame, axis; a line, a reach and a cross or a knot each sample; a name with its halo: four each.
-constexpr std::size_t kMostVertices = 4 * (1 + 4 + 2 + 5 * kMostProfileSamples + 2 * 31);
-constexpr std::size_t kMostLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
+constexpr std::size_t kMaxDiagramVertices = 4 * (1 + 4 + 2 + 5 * kMostProfileSamples + 2 * 31);
+constexpr std::size_t kMaxDiagramLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 design::Color with_alpha(design::Color color, std::uint8_t alpha) {
     color.alpha = static_cast<std::uint8_t>(color.alpha * alpha / 255);
@@ -67,7 +67,7 @@ public:
         const Placed place = placed(input_, input_.layer.points[lowest()]);
         if (!place.is_known) return 0;
         const BillboardSheet::Spot spot = sheet_.spot(place.place);
-        if (!spot.is_ahead || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return 0;
+        if (!spot.is_ahead || !sheet_.has_room(kMaxDiagramVertices, kMaxDiagramLinkVertices)) return 0;
         const float text = sheet_.text_px(), width = kDiagramWidth * text, height = (kDiagramHeight + 1) * text;
         plate_ = {spot.at.x - width / 2, spot.at.y - kStem * text - height, width, height};
         if (!sheet_.claim({plate_.x, plate_.y, width, height + kStem * text}, place.place)) return 0;

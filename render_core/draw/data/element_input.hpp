@@ -5,32 +5,18 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/design/data_element.hpp"
+#include "render_core/scene/ground.hpp"
 #include "render_core/scene/scene.hpp"
 
 namespace tedavis::draw {
 
 class LayerFoci;
 
-/// The ground below data.
-class Ground {
-public:
-    virtual ~Ground() = default;
-    /// Of the true surface over the ellipsoid, m; NaN where it is not known.
-    [[nodiscard]] virtual double height_m(double latitude_rad, double longitude_rad) = 0;
-    /// Of the geoid over the ellipsoid, m.
-    [[nodiscard]] virtual double undulation_m(double latitude_rad, double longitude_rad) = 0;
-
-protected:
-    Ground() = default;
-    Ground(const Ground&) = default;
-    Ground& operator=(const Ground&) = default;
-};
-
 struct ElementInput {
     const design::DataElement& element;
     std::uint8_t group = 0;  ///< of this element and this layer
     const scene::Layer& layer;
-    Ground& ground;
+    scene::Ground& ground;
     design::Color missing;            ///< what stands for a value that is not known
     std::int64_t time_ns = 0;         ///< of the frame: what moves has come so far
     bool has_date = false;            ///< without, it stays where the data have it

@@ -8,7 +8,7 @@ bool is_unimportant(const ElementInput& input, std::string_view attribute, std::
     const scene::Attribute* const stated = input.layer.find(attribute);
     if (stated == nullptr) return false;
     const double least = kMostLeftOut * (1 - input.element.detail) * static_cast<double>(stated->entry->maximum);
-    return value_or_nan(input.layer, attribute, feature) < least;
+    return scene::value_or_nan(input.layer, attribute, feature) < least;
 }
 
 }  // namespace tedavis::draw

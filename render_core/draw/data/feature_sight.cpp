@@ -103,7 +103,8 @@ std::uint32_t count_out_of_view(const ElementInput& input, const terrain::View& 
     std::uint32_t count = 0;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         const scene::Run run = has_runs ? input.layer.points_of(feature) : scene::Run{feature, 1};
-        if (is_out(sight, input, run, drift_m(input, feature))) count += counts_points(input) ? run.count : 1;
+        if (is_out(sight, input, run, scene::drift_m(input.layer, feature, input.time_ns, input.has_date)))
+            count += counts_points(input) ? run.count : 1;
     }
     return count;
 }

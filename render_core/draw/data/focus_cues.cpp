@@ -15,9 +15,9 @@ namespace {
 using Text = base::FixedString<23>;
 
 /// Rims, shapes and two lines of text with halos: four each.
-constexpr std::size_t kMostVertices = 4 * (2 * 4 + 2 * 2 * 23);
+constexpr std::size_t kMaxCueVertices = 4 * (2 * 4 + 2 * 2 * 23);
 constexpr float kArrow = 0.8f, kSign = 0.6f, kLine = 1.0f, kGap = 0.3f;  // of the text's size
-constexpr float kHalo_px = 1.5f, kRim_px = 1.5f, kStroke_px = 2;
+constexpr float kHalo_px = 1.5f, kCueRim_px = 1.5f, kStroke_px = 2;
 constexpr design::Color kDark{0, 0, 0};
 
 /// One decimal below ten.
@@ -38,7 +38,7 @@ Text distance_text(double distance_m, bool is_metric) {
     return text;
 }
 
-glm::dvec3 place_of(const scene::FocusRegion& region, std::uint32_t n, Ground& ground) {
+glm::dvec3 place_of(const scene::FocusRegion& region, std::uint32_t n, scene::Ground& ground) {
     const glm::dvec2 at = region.points[n];
     const earth::Geodetic foot = earth::from_ecef(region.anchor + region.east * at.x + region.north * at.y);
     double height_m =
@@ -54,7 +54,7 @@ struct Found {
     double distance_m = 0;
 };
 
-Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, const glm::dvec3& from, Ground& ground) {
+Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, const glm::dvec3& from, scene::Ground& ground) {
     Found best;
     if (scene::focus_distance_m(region, scene::in_focus_plane(region, from)) <= 0) {
         best.sight = FocusSight::around;
@@ -96,7 +96,7 @@ public:
                                      {middle.x + half, middle.y},
                                      {middle.x, middle.y + half},
                                      {middle.x - half, middle.y}};
-            static_cast<void>(sheet_.signs().polyline(corners, kStroke_px + 2 * kRim_px, kDark, true));
+            static_cast<void>(sheet_.signs().polyline(corners, kStroke_px + 2 * kCueRim_px, kDark, true));
             static_cast<void>(sheet_.signs().polyline(corners, kStroke_px, color_, true));
             write({middle.x, middle.y + half});
             return true;
@@ -119,7 +119,7 @@ public:
             const bool is_down = std::sin(angle) > 0;  // the arrow then stands below its text
             const float top = middle.y - half - 0.5f * texts_px();
             const Point at{middle.x, is_down ? top + texts_px() + half : top + half};
-            draw_arrow(at, angle, half + kRim_px, kDark);
+            draw_arrow(at, angle, half + kCueRim_px, kDark);
             draw_arrow(at, angle, half, color_);
             write({middle.x, is_down ? top : top + 2 * half});
             return true;
@@ -139,7 +139,7 @@ private:
         return {middle.x - 0.5f * width, middle.y - 0.5f * height, width, height};
     }
     [[nodiscard]] bool claim(Point middle, float half) {
-        return sheet_.has_room(kMostVertices, 0) && sheet_.claim_beside(box(middle, half));
+        return sheet_.has_room(kMaxCueVertices, 0) && sheet_.claim_beside(box(middle, half));
     }
     /// The middle of a cue, seen from the picture's middle in this direction; at 1 it touches the edge.
     [[nodiscard]] Point near_edge(double angle, double share) const {
@@ -189,7 +189,7 @@ const char* name_of(FocusSight sight) noexcept {
     return "";
 }
 
-FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, Ground& ground, bool is_metric) {
+FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, bool is_metric) {
     FocusCues cues;
     const glm::dvec3 from = foci.has_own_ship ? foci.own_ship : sheet.view().eye;
     for (std::size_t n = 0; n < foci.regions.size(); ++n) {

@@ -32,6 +32,6 @@ struct FocusCue {
 using FocusCues = std::array<FocusCue, scene::kMaxFoci>;
 
 /// In the sheet's room; distances in nautical miles, or in kilometres.
-[[nodiscard]] FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, Ground& ground, bool is_metric);
+[[nodiscard]] FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, bool is_metric);
 
 }  // namespace tedavis::draw

@@ -34,12 +34,12 @@ FocusState state_of(const flight::OwnShipEstimate& own_ship) {
     }
 }
 
-FoundPlace found_at(double latitude_rad, double longitude_rad, Ground& ground) {
+FoundPlace found_at(double latitude_rad, double longitude_rad, scene::Ground& ground) {
     return {FocusState::shown, latitude_rad, longitude_rad, ground.height_m(latitude_rad, longitude_rad)};
 }
 
 /// The middle of a feature's points, in the plane of angles at the first one.
-FoundPlace middle_of(const scene::Layer& layer, std::uint32_t feature, Ground& ground) {
+FoundPlace middle_of(const scene::Layer& layer, std::uint32_t feature, scene::Ground& ground) {
     const bool is_run = layer.entry->shape == scene::LayerShape::lines || layer.entry->shape == scene::LayerShape::areas;
     const scene::Run run = is_run ? layer.points_of(feature) : scene::Run{feature, 1};
     if (run.count == 0) return {};
@@ -53,7 +53,7 @@ FoundPlace middle_of(const scene::Layer& layer, std::uint32_t feature, Ground& g
     return found_at(first.latitude_rad + north, earth::wrap_longitude(first.longitude_rad + east), ground);
 }
 
-FoundPlace named_in(const scene::Layer& layer, std::string_view name, Ground& ground) {
+FoundPlace named_in(const scene::Layer& layer, std::string_view name, scene::Ground& ground) {
     if (layer.entry->shape == scene::LayerShape::grid) return {};
     for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
         if (layer.name_of(feature) == name) return middle_of(layer, feature, ground);
@@ -125,7 +125,7 @@ FoundPlace find(const FocusSettings& focus, const FocusFrame& frame) {
     }
 }
 
-void make_volume(const FocusSettings& focus, const FoundPlace& found, Ground& ground, FocusRegion& region) {
+void make_volume(const FocusSettings& focus, const FoundPlace& found, scene::Ground& ground, FocusRegion& region) {
     const double geoid_m = ground.undulation_m(found.latitude_rad, found.longitude_rad);
     region.is_ball = focus.shape == FocusShape::sphere;
     region.is_volume = region.is_ball || focus.shape == FocusShape::cuboid;

@@ -49,7 +49,7 @@ struct FocusFrame {
     double own_height_m = 0;              ///< over the ellipsoid
     const scene::Scene* scene = nullptr;  ///< null: there is none
     flight::FlightTime time;
-    Ground& ground;
+    scene::Ground& ground;
     const earth::Geodetic* hazard = nullptr;  ///< where the first one on the way is met; null: there is none
 };
 

@@ -114,7 +114,7 @@ bool GlyphSites::begin(const ElementInput& input, std::int64_t time_ns, scene::G
     return true;
 }
 
-bool GlyphSites::step(Ground& ground, scene::GlyphField& field, std::uint32_t most_sites) {
+bool GlyphSites::step(scene::Ground& ground, scene::GlyphField& field, std::uint32_t most_sites) {
     const ElementInput input{*element_, 0, *layer_, ground, {}, time_ns_, true};
     const bool is_grid = layer_->entry->shape == scene::LayerShape::grid;
     for (std::uint32_t n = 0; n < most_sites && next_ < all_; ++n, ++next_)

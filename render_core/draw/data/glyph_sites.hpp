@@ -37,7 +37,7 @@ public:
     /// Begins the field anew. False, and nothing changes, where the layer has no glyphs.
     bool begin(const ElementInput& input, std::int64_t time_ns, scene::GlyphField& field);
     /// Adds so many sites at most; true when all have been.
-    bool step(Ground& ground, scene::GlyphField& field, std::uint32_t most_sites);
+    bool step(scene::Ground& ground, scene::GlyphField& field, std::uint32_t most_sites);
 
 private:
     [[nodiscard]] scene::GlyphFrame frame_of(const ElementInput& input);

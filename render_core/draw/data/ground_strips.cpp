@@ -26,7 +26,7 @@ SolidLook look_on_ground(const ElementInput& input) {
 }
 
 double width_of(const ElementInput& input, std::uint32_t feature) {
-    const double width = value_or_nan(input.layer, "width", feature);
+    const double width = scene::value_or_nan(input.layer, "width", feature);
     if (width > 0) return width;
     if (input.element.size_m > 0) return input.element.size_m;
     switch (input.layer.entry->role) {

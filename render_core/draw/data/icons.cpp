@@ -11,7 +11,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr float kStroke = 0.2f, kLeastStroke_px = 1.4f, kRim_px = 1.2f;
+constexpr float kIconStroke = 0.2f, kMinIconStroke_px = 1.4f, kIconRim_px = 1.2f;
 constexpr int kCircleSides = 10;
 
 /// Of -1..1, y down; from = to is a dot.
@@ -113,7 +113,7 @@ bool draw_shape(QuadBatch& batch, const Shape& shape, Point middle, float half_p
 
 Icon icon_of(const scene::Layer& layer, std::uint32_t feature) {
     const scene::Attribute* const kind = layer.find("kind");
-    const double code = value_or_nan(layer, "kind", feature);
+    const double code = scene::value_or_nan(layer, "kind", feature);
     if (kind != nullptr && code >= 0 && kind->entry->class_count > 0)
         for (std::size_t n = 0; n < kIcons; ++n)
             if (kind->class_name(static_cast<std::uint32_t>(code)) == kNames[n]) return static_cast<Icon>(n);
@@ -122,9 +122,9 @@ Icon icon_of(const scene::Layer& layer, std::uint32_t feature) {
 
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color) {
     const Shape shape = shape_of(icon);
-    const float width_px = std::max(kLeastStroke_px, kStroke * half_px);
+    const float width_px = std::max(kMinIconStroke_px, kIconStroke * half_px);
     const design::Color rim{0, 0, 0, color.alpha};
-    const bool fits = draw_shape(batch, shape, middle, half_px, width_px + 2 * kRim_px, rim);
+    const bool fits = draw_shape(batch, shape, middle, half_px, width_px + 2 * kIconRim_px, rim);
     return draw_shape(batch, shape, middle, half_px, width_px, color) && fits;
 }
 
@@ -134,8 +134,8 @@ bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Co
     for (int n = 0; n < kDashes; ++n) {
         const float begin = static_cast<float>(n) / kDashes, end = (static_cast<float>(n) + share) / kDashes;
         const Point from = on_circle(middle, radius_px, begin), to = on_circle(middle, radius_px, end);
-        fits = batch.line(from, to, kLeastStroke_px + 2 * kRim_px, {0, 0, 0, color.alpha}) && fits;
-        fits = batch.line(from, to, kLeastStroke_px, color) && fits;
+        fits = batch.line(from, to, kMinIconStroke_px + 2 * kIconRim_px, {0, 0, 0, color.alpha}) && fits;
+        fits = batch.line(from, to, kMinIconStroke_px, color) && fits;
     }
     return fits;
 }

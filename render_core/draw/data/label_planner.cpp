@@ -1,4 +1,5 @@
 #include "render_core/draw/data/label_planner.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kEpoch_s = 0.5;
-static_assert(LabelPlanner::kEpoch.ns == static_cast<std::int64_t>(kEpoch_s * 1e9));
+static_assert(flight::kDecisionInterval.ns == static_cast<std::int64_t>(kEpoch_s * 1e9));
 constexpr double kMostDebt_s = 2;  // of changes that could not wait
 constexpr std::uint8_t kOldest = 255;
 
@@ -18,11 +19,6 @@ bool looks_alike(const Label& a, const Label& b) {
 }
 
 }  // namespace
-
-std::int64_t LabelPlanner::epoch_of(base::Time now) {
-    const std::int64_t number = now.ns / kEpoch.ns;
-    return now.ns < number * kEpoch.ns ? number - 1 : number;
-}
 
 bool LabelPlanner::start(base::Arena& arena) {
     labels_ = arena.allocate_array<Label>(kMost);

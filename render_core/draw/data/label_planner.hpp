@@ -87,11 +87,9 @@ struct LabelMemory;
 class LabelPlanner {
 public:
     static constexpr std::size_t kMost = 255;
-    static constexpr base::Duration kEpoch = base::Duration::milliseconds(500);
     static constexpr std::int64_t kMostGap = 4;
     static constexpr double kHeldBonus = 0.04;
     static constexpr float kMargin = 0.3f;  ///< of the text's size
-    [[nodiscard]] static std::int64_t epoch_of(base::Time now);
 
     [[nodiscard]] bool start(base::Arena& arena);
     /// The next epoch places all at once; until then there is nothing.

@@ -132,7 +132,7 @@ FocusLook LayerFoci::look(const ElementInput& input, std::uint32_t feature) cons
     return frame() == nullptr ? FocusLook() : look_at(*frame_, degree(input, feature));
 }
 
-FocusLook LayerFoci::look_of_point(const PointOfFeature& of) const {
+FocusLook LayerFoci::look_of_point(const scene::PointOfFeature& of) const {
     if (frame() == nullptr) return {};
     const scene::ScenePoint& point = layer_->points[of.point];
     double greatest = 0;

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] double degree(const ElementInput& input, std::uint32_t feature) const;
     [[nodiscard]] FocusLook look(const ElementInput& input, std::uint32_t feature) const;
     /// Of a point of a line or an area; never hidden, for the line is seen whole or not at all.
-    [[nodiscard]] FocusLook look_of_point(const PointOfFeature& of) const;
+    [[nodiscard]] FocusLook look_of_point(const scene::PointOfFeature& of) const;
     /// Of one focus by itself, whether the layer is dangerous or not.
     [[nodiscard]] double degree_in(std::size_t focus, const ElementInput& input, std::uint32_t feature) const;
     [[nodiscard]] bool is_by_value(std::size_t focus) const { return values_[focus].has_value(); }

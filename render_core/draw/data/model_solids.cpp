@@ -18,7 +18,7 @@ constexpr double kNormal = 127;
 glm::dmat3 axes_of(const ElementInput& input, std::uint32_t feature) {
     const scene::ScenePoint& point = input.layer.points[feature];
     const LocalAxes local = local_axes(point.latitude_rad, point.longitude_rad);
-    const double stated = value_or_nan(input.layer, "heading", feature), heading = std::isfinite(stated) ? stated : 0;
+    const double stated = scene::value_or_nan(input.layer, "heading", feature), heading = std::isfinite(stated) ? stated : 0;
     const double c = std::cos(heading), s = std::sin(heading);
     return {local.east * c - local.north * s, local.east * s + local.north * c, local.up};
 }
@@ -67,7 +67,7 @@ bool build(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
     const Placed at = placed(input, layer.points[feature]);
     if (!at.is_known || layer.vertices.empty() || layer.vertices.size() > SolidMesh::kVertices) return false;
     const glm::dmat3 axes = axes_of(input, feature);
-    const double stated = value_or_nan(layer, "scale", feature), scale = stated > 0 ? stated : 1;
+    const double stated = scene::value_or_nan(layer, "scale", feature), scale = stated > 0 ? stated : 1;
     const bool has_own_color = !input.element.by_color.is_used();
     const design::Color color = encoded_color(input, input.element.by_color, feature);
     const scene::Uncertainty unsure = encoded_uncertainty(input, feature);

@@ -189,10 +189,10 @@ class Cable {
 public:
     Cable(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature)
         : mesh_(mesh), input_(input), feature_(feature), run_(input.layer.points_of(feature)) {
-        const double diameter_m = value_or_nan(input.layer, "diameter", feature);
+        const double diameter_m = scene::value_or_nan(input.layer, "diameter", feature);
         radius_m_ = 0.5 * (diameter_m > 0 ? diameter_m : kCable_m);
-        sag_m_ = value_or_nan(input.layer, "sag", feature);
-        height_m_ = value_or_nan(input.layer, "height", feature);
+        sag_m_ = scene::value_or_nan(input.layer, "sag", feature);
+        height_m_ = scene::value_or_nan(input.layer, "height", feature);
         stands_ = input.layer.entry->height_datum == scene::HeightDatum::ground;
         for (std::uint32_t n = 0; n < run_.count; ++n) stands_ = stands_ || std::isnan(point(n).height_m);
     }
@@ -258,7 +258,7 @@ ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const Eleme
     ElementCount count;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
         const Stand stand =
-            stand_of(input, input.layer.points[feature], value_or_nan(input.layer, "height", feature), kUnknownObstacle_m);
+            stand_of(input, input.layer.points[feature], scene::value_or_nan(input.layer, "height", feature), kUnknownObstacle_m);
         bool is_drawn = stand.is_known();
         if (is_drawn) {
             Shape shape(mesh, stand, stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing,

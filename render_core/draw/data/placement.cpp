@@ -32,10 +32,6 @@ scene::Uncertainty uncertainty_of(const scene::Attribute* attribute, const desig
     return holds(attribute, n) ? attribute->uncertainty(n) : scene::Uncertainty();
 }
 
-std::size_t number_of(const scene::Attribute* attribute, const PointOfFeature& of) {
-    return attribute != nullptr && attribute->entry->of == scene::AttributeOf::point ? of.point : of.feature;
-}
-
 }  // namespace
 
 LocalAxes local_axes(double latitude_rad, double longitude_rad) {
@@ -77,14 +73,6 @@ double height_in_datum_m(const ElementInput& input, double latitude_rad, double 
     }
 }
 
-glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature) {
-    const double speed = value_or_nan(input.layer, "speed", feature), toward = value_or_nan(input.layer, "toward", feature);
-    const std::int64_t since = input.layer.entry->data_time_ns;
-    if (!input.has_date || since == scene::kNoTime || !std::isfinite(speed) || !std::isfinite(toward)) return glm::dvec2(0);
-    const double gone_m = speed * 1e-9 * static_cast<double>(input.time_ns - since);
-    return {gone_m * std::sin(toward), gone_m * std::cos(toward)};
-}
-
 namespace {
 
 design::Color color_of_value(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n) {
@@ -115,35 +103,27 @@ double uncertainty_growth_per_hour(const ElementInput& input) {
     return attribute == nullptr ? 0 : static_cast<double>(attribute->entry->uncertainty_growth_per_hour);
 }
 
-double value_or_nan(const scene::Layer& layer, std::string_view name, std::size_t n) {
-    const scene::Attribute* const attribute = layer.find(name);
-    return holds(attribute, n) ? static_cast<double>(attribute->values[n]) : std::numeric_limits<double>::quiet_NaN();
-}
-
-design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, const PointOfFeature& of) {
-    const design::Color color = color_of_value(input, encoding, number_of(input.layer.find(encoding.attribute.view()), of));
+design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, const scene::PointOfFeature& of) {
+    const design::Color color =
+        color_of_value(input, encoding, scene::value_number(input.layer.find(encoding.attribute.view()), of));
     return input.foci == nullptr ? color : shown_color(input.foci->look_of_point(of), color);
 }
 
 scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,
-                                       const PointOfFeature& of) {
+                                       const scene::PointOfFeature& of) {
     const scene::Attribute* const attribute = unsure_attribute(input, encoding);
-    return uncertainty_of(attribute, encoding, number_of(attribute, of));
+    return uncertainty_of(attribute, encoding, scene::value_number(attribute, of));
 }
 
-double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of) {
-    return value_or_nan(layer, attribute, number_of(layer.find(attribute), of));
-}
-
-PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of) {
+PlaceAccuracy place_accuracy(const scene::Layer& layer, const scene::PointOfFeature& of) {
     const auto stated = [&](std::string_view attribute, float whole_m) {
-        const double own_m = value_or_nan(layer, attribute, of);
+        const double own_m = scene::value_or_nan(layer, attribute, of);
         return own_m > 0 ? own_m : static_cast<double>(whole_m);
     };
     return {stated(kPositionAccuracy, layer.entry->position_accuracy_m), stated(kHeightAccuracy, layer.entry->height_accuracy_m)};
 }
 
-PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const PointOfFeature& of, const PlaceAccuracy& worst) {
+PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const scene::PointOfFeature& of, const PlaceAccuracy& worst) {
     PlaceAccuracy accuracy = place_accuracy(layer, of);
     if (!(accuracy.level_m > 0)) accuracy.level_m = worst.level_m;
     if (!(accuracy.height_m > 0)) accuracy.height_m = worst.height_m;

@@ -8,6 +8,7 @@
 
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/feature_values.hpp"
 
 namespace tedavis::draw {
 
@@ -32,9 +33,6 @@ struct Placed {
 /// A height over the ellipsoid as one in the layer's datum: what placed() makes a place of.
 [[nodiscard]] double height_in_datum_m(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m);
 
-/// Metres east and north that a feature with attributes "speed" (m/s) and "toward" (rad) has gone since the data's time.
-[[nodiscard]] glm::dvec2 drift_m(const ElementInput& input, std::uint32_t feature);
-
 /// The colour of an encoding at value n of its attribute; `plain` where the element has no such encoding, the colour of missing
 /// data where the layer has no such attribute, the value is missing, or a nominal palette has no such class. Beside a focus as
 /// its look says (layer_foci.hpp); n then is a feature.
@@ -45,29 +43,21 @@ struct Placed {
 /// Of the uncertainty that encoded_uncertainty() gives.
 [[nodiscard]] double uncertainty_growth_per_hour(const ElementInput& input);
 
-/// Value n of an attribute; NaN where there is none.
-[[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, std::size_t n);
-
-/// A point of a line or an area: attributes of features have values by the one number, those of points by the other.
-struct PointOfFeature {
-    std::uint32_t feature = 0;
-    std::uint32_t point = 0;  ///< of the layer's
-};
 [[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding,
-                                          const PointOfFeature& of);
+                                          const scene::PointOfFeature& of);
 /// Of what the encoding shows; of a plain colour, what encoded_uncertainty() says above.
 [[nodiscard]] scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,
-                                                     const PointOfFeature& of);
-[[nodiscard]] double value_or_nan(const scene::Layer& layer, std::string_view attribute, const PointOfFeature& of);
+                                                     const scene::PointOfFeature& of);
 
 /// How far off a point's place may be (95 %, m), level and upright: the point's attributes "position_accuracy" and
 /// "height_accuracy", else what the layer states as a whole; 0: nobody knows.
 struct PlaceAccuracy {
     double level_m = 0, height_m = 0;
 };
-[[nodiscard]] PlaceAccuracy place_accuracy(const scene::Layer& layer, const PointOfFeature& of);
+[[nodiscard]] PlaceAccuracy place_accuracy(const scene::Layer& layer, const scene::PointOfFeature& of);
 /// The same where what is unknown is as bad as the worst, and heights of which nothing is said are as good as places.
-[[nodiscard]] PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const PointOfFeature& of, const PlaceAccuracy& worst);
+[[nodiscard]] PlaceAccuracy cautious_accuracy(const scene::Layer& layer, const scene::PointOfFeature& of,
+                                              const PlaceAccuracy& worst);
 /// The largest of these attributes over all points; 0 where no point has one.
 [[nodiscard]] PlaceAccuracy worst_accuracy(const scene::Layer& layer);
 /// False where it is 0 everywhere.

@@ -22,8 +22,8 @@ constexpr float kLine_px = 2, kHalo_px = 1.5f;
 constexpr float kTouch_px = 0.25f;  // texts touch the diamond's box; rounding must not make that an overlap
 constexpr int kCircleSides = 24;
 /// Diamond, dashes, cross; a text with its halo; two lines and the circle with their rims: four vertices each.
-constexpr std::size_t kMostVertices = 4 * (8 + 16 + 2), kMostTextVertices = 4 * 2 * 31,
-                      kMostLinkVertices = 4 * 2 * (2 + kCircleSides);
+constexpr std::size_t kMaxTrafficVertices = 4 * (8 + 16 + 2), kMaxTrafficTextVertices = 4 * 2 * 31,
+                      kMaxTrafficLinkVertices = 4 * 2 * (2 + kCircleSides);
 
 /// Of a text, round the diamond.
 enum class Side : std::uint8_t { right, left, below, above };
@@ -62,7 +62,7 @@ public:
 
     /// Without its texts.
     bool add() {
-        if (!look() || !sheet_.has_room(kMostVertices, kMostLinkVertices)) return false;
+        if (!look() || !sheet_.has_room(kMaxTrafficVertices, kMaxTrafficLinkVertices)) return false;
         const float half = half_px();
         const Rect box{spot_.at.x - half, spot_.at.y - half, 2 * half, 2 * half};
         if (!sheet_.claim_under_symbology(box.shrunk(kTouch_px), place_.place)) return false;
@@ -111,7 +111,7 @@ private:
 
     /// Whole where it is seen whole, or not at all: half a number is another number.
     void add_text(const BillboardText& text, const Sides& sides) const {
-        if (text.empty() || !sheet_.has_room(kMostTextVertices, 0)) return;
+        if (text.empty() || !sheet_.has_room(kMaxTrafficTextVertices, 0)) return;
         for (const Side side : sides) {
             const Rect room = box(text.view(), side);
             if (!sheet_.claim_beside(room)) continue;

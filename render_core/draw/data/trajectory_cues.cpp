@@ -107,7 +107,7 @@ private:
     }
 
     [[nodiscard]] TubeColor color_at(const Station& at) const {
-        const PointOfFeature of{feature_, at.point};
+        const scene::PointOfFeature of{feature_, at.point};
         const design::ColorEncoding& by = input_.element.by_color;
         return {encoded_color(input_, by, of), encoded_uncertainty(input_, by, of)};
     }

@@ -156,7 +156,7 @@ bool TubeSolids::add_block(const Work& work, Layer layer, const TubeBlock& block
 }
 
 RingColors TubeSolids::colors_of(const Work& work, const scene::TubeRing& ring) const {
-    const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
+    const scene::PointOfFeature of{work.feature, line_.numbers()[ring.source]};
     const design::DataElement& element = work.input.element;
     const auto shown = [&](const design::ColorEncoding& encoding) {
         return TubeColor{encoded_color(work.input, encoding, of), encoded_uncertainty(work.input, encoding, of)};
@@ -166,7 +166,7 @@ RingColors TubeSolids::colors_of(const Work& work, const scene::TubeRing& ring) 
 }
 
 TubeMargin TubeSolids::margin_of(const Work& work, const scene::TubeRing& ring) const {
-    const PointOfFeature of{work.feature, line_.numbers()[ring.source]};
+    const scene::PointOfFeature of{work.feature, line_.numbers()[ring.source]};
     const PlaceAccuracy accuracy = cautious_accuracy(work.input.layer, of, work.worst);
     return {accuracy.level_m, accuracy.height_m};
 }

@@ -157,7 +157,8 @@ double TubeWay::value_in_metres(const scene::Attribute* attribute, std::uint32_t
 double TubeWay::radius_of(std::uint32_t feature, std::uint32_t point) const {
     if (shown_[2] == nullptr) return radius_m_;
     const double largest = static_cast<double>(shown_[2]->entry->maximum);
-    const double value = value_or_nan(input_->layer, input_->element.size_attribute.view(), PointOfFeature{feature, point});
+    const double value =
+        scene::value_or_nan(input_->layer, input_->element.size_attribute.view(), scene::PointOfFeature{feature, point});
     const double share = largest > 0 && value > 0 ? value / largest : 0;
     return radius_m_ * std::clamp(share, kThinnestTube, 1.0);
 }

@@ -9,7 +9,7 @@ namespace tedavis::draw {
 namespace {
 
 constexpr double kKnot_mps = 1852.0 / 3600.0;
-constexpr float kRim_px = 1.2f, kStroke = 0.05f, kLeastStroke_px = 1.5f;
+constexpr float kBarbRim_px = 1.2f, kBarbStroke = 0.05f, kMinBarbStroke_px = 1.5f;
 constexpr float kRing = 0.09f, kCalmRing = 0.2f;               // of the staff
 constexpr float kFlag = 0.42f, kSlant = 0.16f, kStep = 0.13f;  // length, lean to the tip, from one to the next
 constexpr int kRingSides = 10;
@@ -21,7 +21,7 @@ public:
         // On the screen y is down: turning the way to the tip by a right angle to its right gives the left of the wind.
         side_ = {-from.y, from.x};
         if (style.is_southern) side_ = {from.y, -from.x};
-        width_px_ = std::max(kLeastStroke_px, kStroke * style.staff_px) + 2 * widen_px;
+        width_px_ = std::max(kMinBarbStroke_px, kBarbStroke * style.staff_px) + 2 * widen_px;
     }
 
     bool draw(const scene::Wind& wind) {
@@ -95,11 +95,11 @@ BarbFlags barb_flags(double speed_mps) noexcept {
 
 bool draw_wind_barb(QuadBatch& batch, Point ring, Point from, const scene::Wind& wind, const BarbStyle& style) {
     const design::Color rim{0, 0, 0, style.color.alpha};
-    bool fits = Barb(batch, ring, from, style, kRim_px, rim).draw(wind);
+    bool fits = Barb(batch, ring, from, style, kBarbRim_px, rim).draw(wind);
     fits = Barb(batch, ring, from, style, 0, style.color).draw(wind) && fits;
     const bool is_variable = wind.state == scene::WindState::variable;
     if (!is_variable && wind.state != scene::WindState::unknown) return fits;
-    const TextStyle text{2 * kCalmRing * style.staff_px * 0.8f, style.text, kRim_px, rim};
+    const TextStyle text{2 * kCalmRing * style.staff_px * 0.8f, style.text, kBarbRim_px, rim};
     return batch.text(is_variable ? "V" : "M", ring, TextAnchor::center, text) && fits;
 }
 

@@ -13,8 +13,8 @@ namespace tedavis::draw {
 namespace {
 
 using design::AdjacentShows;
-using display::Element;
-using display::ElementShow;
+using policy::Element;
+using policy::ElementShow;
 
 constexpr design::Color kMapGround{0, 0, 0, 255};  // in no scale of data
 constexpr double kMostLatitude_rad = base::radians(89.875), kLatitudeStep_rad = base::radians(0.125);

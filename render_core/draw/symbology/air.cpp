@@ -7,8 +7,8 @@
 namespace tedavis::draw {
 namespace {
 
-using display::Element;
-using display::ElementShow;
+using policy::Element;
+using policy::ElementShow;
 
 // In texts.
 constexpr float kWidth = 4.6f;

@@ -8,7 +8,7 @@ namespace tedavis::draw {
 namespace {
 
 using base::radians;
-using display::ElementShow;
+using policy::ElementShow;
 
 constexpr int kArcSteps = 24;
 
@@ -214,7 +214,7 @@ void build_aircraft_symbol(const Painter& painter) {
 }  // namespace
 
 void build_attitude(const Painter& painter, const SymbologyInput& input) {
-    const ElementShow show = input.decisions[display::Element::attitude].show;
+    const ElementShow show = input.decisions[policy::Element::attitude].show;
     const Rect& box = painter.layout().attitude;
     if (show == ElementShow::absent) return;
     if (show == ElementShow::failed) return painter.failed(box, "ATTITUDE FAIL");

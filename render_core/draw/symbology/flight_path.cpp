@@ -7,7 +7,7 @@
 namespace tedavis::draw {
 namespace {
 
-using display::ElementShow;
+using policy::ElementShow;
 
 constexpr int kCircleSteps = 16;
 
@@ -29,10 +29,10 @@ void build_symbol(const Painter& painter, Point at, bool conformal) {
 }  // namespace
 
 void build_flight_path(const Painter& painter, const SymbologyInput& input) {
-    const ElementShow show = input.decisions[display::Element::flight_path].show;
+    const ElementShow show = input.decisions[policy::Element::flight_path].show;
     const float t = painter.text_px();
     const Rect& attitude = painter.layout().attitude;
-    if (show == ElementShow::failed && input.decisions[display::Element::attitude].show != ElementShow::failed)
+    if (show == ElementShow::failed && input.decisions[policy::Element::attitude].show != ElementShow::failed)
         painter.crossed_out({attitude.x, attitude.bottom() - 1.4f * t, 2.6f * t, 1.4f * t}, "FPV");
     if (show != ElementShow::normal) return;
     const ProjectedPoint path = project(input.view, {input.velocity_north_mps, input.velocity_east_mps, -input.velocity_up_mps});

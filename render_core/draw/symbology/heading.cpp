@@ -7,8 +7,8 @@
 namespace tedavis::draw {
 namespace {
 
-using display::ElementShow;
 using flight::Signal;
+using policy::ElementShow;
 
 constexpr double kTapeSpan_deg = 60;
 constexpr int kTickStep_deg = 5;
@@ -45,7 +45,7 @@ void build_card(const Painter& painter, const Rect& card, double heading_deg) {
 }  // namespace
 
 void build_heading(const Painter& painter, const SymbologyInput& input) {
-    const display::ElementDecision& decision = input.decisions[display::Element::heading];
+    const policy::ElementDecision& decision = input.decisions[policy::Element::heading];
     const Rect& box = painter.layout().heading;
     if (decision.show == ElementShow::absent) return;
     if (decision.show == ElementShow::failed) return painter.failed(box, "HDG FAIL");

@@ -8,9 +8,9 @@
 namespace tedavis::draw {
 namespace {
 
-using display::Element;
-using display::ElementShow;
 using flight::Signal;
+using policy::Element;
+using policy::ElementShow;
 
 constexpr int kRingSteps = 96;
 constexpr int kDiscSteps = 24;

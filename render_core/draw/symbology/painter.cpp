@@ -84,8 +84,8 @@ void Painter::readout(const Rect& box, std::string_view text, bool flagged) cons
     framed_plate(box, text, 1.15f, flagged ? kCautionColor : kScaleColor);
 }
 
-design::Color label_color(display::ElementShow show) noexcept {
-    return show == display::ElementShow::normal ? kScaleColor : kCautionColor;
+design::Color label_color(policy::ElementShow show) noexcept {
+    return show == policy::ElementShow::normal ? kScaleColor : kCautionColor;
 }
 
 }  // namespace tedavis::draw

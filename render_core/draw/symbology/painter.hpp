@@ -66,6 +66,6 @@ private:
 };
 
 /// Colour of a label by how its element is shown: white, or amber where it is not from its first source or is stale.
-[[nodiscard]] design::Color label_color(display::ElementShow show) noexcept;
+[[nodiscard]] design::Color label_color(policy::ElementShow show) noexcept;
 
 }  // namespace tedavis::draw

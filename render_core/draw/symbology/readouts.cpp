@@ -4,9 +4,9 @@
 namespace tedavis::draw {
 namespace {
 
-using display::Element;
-using display::ElementShow;
-using display::NoticeLevel;
+using policy::Element;
+using policy::ElementShow;
+using policy::NoticeLevel;
 
 /// A label over a number in one box.
 void labelled_number(const Painter& painter, const Rect& box, std::string_view label, std::string_view number, ElementShow show) {
@@ -64,7 +64,7 @@ void build_baro_setting(const Painter& painter, const SymbologyInput& input) {
 }
 
 void build_ground_height(const Painter& painter, const SymbologyInput& input) {
-    const display::ElementDecision& decision = input.decisions[Element::ground_height];
+    const policy::ElementDecision& decision = input.decisions[Element::ground_height];
     const Rect& box = painter.layout().ground_height;
     if (decision.show == ElementShow::absent) return;
     const bool radio = decision.source != flight::Signal::height_above_terrain;
@@ -96,11 +96,11 @@ void build_notices(const Painter& painter, const SymbologyInput& input) {
     const float gap = 0.15f * painter.text_px();
     const auto& notices = input.decisions.notices;
     std::size_t urgent = 0;
-    for (const display::Notice& notice : notices) urgent += notice.level != NoticeLevel::information ? 1 : 0;
+    for (const policy::Notice& notice : notices) urgent += notice.level != NoticeLevel::information ? 1 : 0;
     const std::size_t named = urgent <= kNoticePlaces ? urgent : kNoticePlaces - 1;
     std::size_t place = 0;
     base::FixedString<127> information;
-    for (const display::Notice& notice : notices) {
+    for (const policy::Notice& notice : notices) {
         if (notice.level == NoticeLevel::information) {
             if (!information.empty()) information.append("  \xC2\xB7  ");
             information.append(notice.text.view());

@@ -7,9 +7,9 @@
 namespace tedavis::draw {
 namespace {
 
-using display::Element;
-using display::ElementShow;
 using flight::Signal;
+using policy::Element;
+using policy::ElementShow;
 
 constexpr double kVerticalSpeedEnd_fpm = 2000;
 
@@ -50,7 +50,7 @@ void build_vertical_speed_scale(const Painter& painter, const Rect& scale, doubl
 }  // namespace
 
 void build_airspeed(const Painter& painter, const SymbologyInput& input) {
-    const display::ElementDecision& decision = input.decisions[Element::airspeed];
+    const policy::ElementDecision& decision = input.decisions[Element::airspeed];
     const Rect& box = painter.layout().airspeed;
     if (decision.show == ElementShow::absent) return;
     if (decision.show == ElementShow::failed) return painter.failed(box, "SPD FAIL");
@@ -64,7 +64,7 @@ void build_airspeed(const Painter& painter, const SymbologyInput& input) {
 }
 
 void build_altitude(const Painter& painter, const SymbologyInput& input) {
-    const display::ElementDecision& decision = input.decisions[Element::altitude];
+    const policy::ElementDecision& decision = input.decisions[Element::altitude];
     const Rect& box = painter.layout().altitude;
     if (decision.show == ElementShow::absent) return;
     if (decision.show == ElementShow::failed) return painter.failed(box, "ALT FAIL");

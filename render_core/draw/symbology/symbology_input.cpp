@@ -7,16 +7,16 @@
 namespace tedavis::draw {
 namespace {
 
-using display::Element;
 using flight::Signal;
+using policy::Element;
 
 /// 0 for an element that shows no signal.
-double shown_value(const flight::AircraftState& state, const display::DisplayDecisions& decisions, Element element) {
+double shown_value(const flight::AircraftState& state, const policy::DisplayDecisions& decisions, Element element) {
     const Signal source = decisions[element].source;
     return source == Signal::count_ ? 0 : state[source].value_or(0);
 }
 
-LegendInput make_legend_input(const display::DisplayDecisions& decisions, const design::DesignSettings& design) {
+LegendInput make_legend_input(const policy::DisplayDecisions& decisions, const design::DesignSettings& design) {
     LegendInput legend;
     legend.ground = decisions.show_terrain;
     legend.tint = decisions.show_terrain && design::colors_by_palette(design.terrain.style.texture);
@@ -48,15 +48,15 @@ double true_direction_rad(const flight::AircraftState& state, Signal source) {
 
 }  // namespace
 
-double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
+double view_heading_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) noexcept {
     return true_direction_rad(state, decisions.view_heading);
 }
 
-double map_up_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept {
+double map_up_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) noexcept {
     return true_direction_rad(state, decisions[Element::map_up].source);
 }
 
-SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
+SymbologyInput make_symbology_input(const flight::AircraftState& state, const policy::DisplayDecisions& decisions,
                                     const flight::PhaseStatus& phase, const design::DesignSettings& design, base::Time now,
                                     std::uint32_t width, std::uint32_t height, double gnss_msl_m) noexcept {
     SymbologyInput input;

@@ -7,12 +7,12 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/design/design_settings.hpp"
-#include "render_core/display/display_decisions.hpp"
 #include "render_core/draw/symbology/adjacent_maps.hpp"
 #include "render_core/draw/symbology/data_legend.hpp"
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/display_decisions.hpp"
 
 namespace tedavis::draw {
 
@@ -62,7 +62,7 @@ struct MapInput {
 };
 
 struct SymbologyInput {
-    display::DisplayDecisions decisions;
+    policy::DisplayDecisions decisions;
     design::SymbologySettings shown;
     design::UnusualAttitudeLimits unusual;
     design::Color sky, ground;  ///< of the permanent horizon
@@ -88,13 +88,13 @@ struct SymbologyInput {
 static_assert(std::is_trivially_copyable_v<SymbologyInput>);
 
 /// True heading of the view by the decision's source, 0 where there is none. Terrain, sky and symbols must share it.
-[[nodiscard]] double view_heading_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept;
+[[nodiscard]] double view_heading_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) noexcept;
 
 /// True direction at the top of the map by the decision's source, 0 (north) where there is none.
-[[nodiscard]] double map_up_rad(const flight::AircraftState& state, const display::DisplayDecisions& decisions) noexcept;
+[[nodiscard]] double map_up_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) noexcept;
 
 /// `gnss_msl_m`: the ellipsoid height with the geoid's undulation taken off, for use where the decision shows it.
-[[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const display::DisplayDecisions& decisions,
+[[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const policy::DisplayDecisions& decisions,
                                                   const flight::PhaseStatus& phase, const design::DesignSettings& design,
                                                   base::Time now, std::uint32_t width, std::uint32_t height,
                                                   double gnss_msl_m) noexcept;

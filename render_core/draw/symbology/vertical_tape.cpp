@@ -40,7 +40,7 @@ void build_vertical_tape(const Painter& painter, const VerticalTape& tape) {
     painter.batch().lift_clip();
     const Rect readout{scale.x, scale.center().y - 0.9f * t, scale.width, 1.8f * t};
     const double rounded = std::round(tape.value / tape.readout_step) * tape.readout_step;
-    const bool flagged = tape.show == display::ElementShow::flagged;
+    const bool flagged = tape.show == policy::ElementShow::flagged;
     painter.readout(readout, whole_number(rounded).view(), flagged);
     if (!flagged) return;
     const Rect old{readout.x, readout.bottom(), readout.width, 1.2f * t};

@@ -17,7 +17,7 @@ struct VerticalTape {
     double readout_step = 1;   ///< the readout is rounded to it
     bool ticks_right = false;  ///< ticks on the right edge of the box, numbers left of them; else the other way round
     std::string_view label;    ///< source and unit
-    display::ElementShow show = display::ElementShow::normal;
+    policy::ElementShow show = policy::ElementShow::normal;
 };
 
 void build_vertical_tape(const Painter& painter, const VerticalTape& tape);

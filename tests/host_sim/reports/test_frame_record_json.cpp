@@ -107,11 +107,11 @@ TEST(FrameRecordJson, TellsWhatGivesWayForTheBudgetOfClutter) {
 
 TEST(FrameRecordJson, TellsTheLight) {
     FrameResult result = test_support::frame_result(0, 3);
-    result.record.light = {display::LightSource::fixed, 0, base::kPi / 2};
+    result.record.light = {policy::LightSource::fixed, 0, base::kPi / 2};
     EXPECT_EQ(parsed(result)["light"], Json({{"source", "fixed"}, {"azimuth_deg", 0.0}, {"elevation_deg", 90.0}}));
-    for (const auto& [source, name] : {std::pair{display::LightSource::sun, "sun"},
-                                       {display::LightSource::no_date, "fixed_no_date"},
-                                       {display::LightSource::sun_too_low, "fixed_sun_too_low"}}) {
+    for (const auto& [source, name] : {std::pair{policy::LightSource::sun, "sun"},
+                                       {policy::LightSource::no_date, "fixed_no_date"},
+                                       {policy::LightSource::sun_too_low, "fixed_sun_too_low"}}) {
         result.record.light.source = source;
         EXPECT_EQ(parsed(result)["light"]["source"], name);
     }

@@ -84,7 +84,7 @@ TEST(CueCalls, TheRecordSaysWhy) {
 TEST(CueCalls, WhatIsForbiddenIsToldByThePlanner) {
     design::DesignSettings design;
     ASSERT_TRUE(design.data.elements.try_push_back(with(every_cue())));
-    DisplayDecisions decisions;
+    policy::DisplayDecisions decisions;
     decisions.show_terrain = true;
     EffectFacts facts{asked_effects(design), {}, {}, decisions};
     facts.forbidden.add(Effect::curtains);

@@ -28,7 +28,7 @@ protected:
     }
 
     design::DesignSettings design_;
-    DisplayDecisions decisions_;
+    policy::DisplayDecisions decisions_;
     Eye eye_;
     FrameRecord record_;
 };

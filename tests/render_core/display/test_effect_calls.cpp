@@ -38,7 +38,7 @@ protected:
         decisions_.show_terrain = decisions_.show_warning_colors = true;
         facts_.asked = asked_effects(design_with_everything());
         facts_.is_near = true;
-        facts_.light = LightSource::sun;
+        facts_.light = policy::LightSource::sun;
         facts_.drape = DrapeState::shown;
         facts_.ground_data = facts_.adjacent = GroundDataState::shown;
         facts_.adjacent_maps = 1;
@@ -47,7 +47,7 @@ protected:
     }
     [[nodiscard]] effects::EffectCall call(Effect effect) const { return effect_calls(facts_)[effect]; }
 
-    DisplayDecisions decisions_;
+    policy::DisplayDecisions decisions_;
     EffectFacts facts_{{}, {}, {}, decisions_};
 };
 
@@ -107,7 +107,7 @@ TEST_F(EffectCalls, WithoutTerrainNothingIsCalledFor) {
 
 TEST_F(EffectCalls, WhatLacksItsInputSaysWhich) {
     facts_.drape = DrapeState::not_in_database;
-    facts_.light = LightSource::no_date;
+    facts_.light = policy::LightSource::no_date;
     facts_.ground_data = GroundDataState::out_of_date;
     facts_.adjacent_maps = 0;
     EXPECT_EQ(call(Effect::drape).why, "the terrain database has no image");

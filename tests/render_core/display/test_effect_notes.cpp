@@ -40,7 +40,7 @@ protected:
 
     effects::PlanInput input_;
     effects::DeviceCapability device_;
-    DisplayDecisions decisions_;
+    policy::DisplayDecisions decisions_;
     design::DesignSettings design_;
     std::uint32_t members_ = 0, maps_ = 0;
 };

@@ -73,7 +73,7 @@ public:
     BillboardRoom room;
     design::LabelSettings settings;
     bool shows_places = true;
-    const Crowding* crowding = nullptr;
+    const policy::Declutter* crowding = nullptr;
 
 private:
     const draw::ElementInput* input(const design::DataElement& element, const scene::Layer& layer) override {
@@ -113,7 +113,7 @@ TEST(ElementLabels, AllElementsAreCountedAsOne) {
 
 /// In the left half of the picture, as the epoch saw it.
 TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
-    Crowding crowding;
+    policy::Declutter crowding;
     crowding.roles = 1u << static_cast<unsigned>(LayerRole::place) | 1u << static_cast<unsigned>(LayerRole::obstacle);
     for (std::size_t n = 0; n < crowding.regions.factor.size(); ++n)
         if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowding.regions.factor[n] = 0.25f;

@@ -23,13 +23,13 @@ using test_support::kBadStates;
 using test_support::map_conditions;
 using test_support::put_signal;
 
-constexpr Element kNone = Element::count_;
+constexpr policy::Element kNone = policy::Element::count_;
 
 /// One row of the table in the module's README, which is written independently of the policy's own: what is left on the
 /// display for missing, stale, lost and invalid.
 struct Row {
     Signal signal = Signal::count_;
-    Element element = kNone;
+    policy::Element element = kNone;
     std::array<std::string, 4> alone;          ///< all other signals valid
     std::array<std::string, 4> without_peers;  ///< no other source of the same information received
 };
@@ -60,7 +60,7 @@ std::vector<Row> read_table(const std::string& prefix) {
             if (cells[0] == prefix + to_string(static_cast<Signal>(n))) row.signal = static_cast<Signal>(n);
         if (row.signal == Signal::count_) continue;  // the table's head
         const auto element = std::find(std::begin(kElementNames), std::end(kElementNames), cells[1]);
-        if (element != std::end(kElementNames)) row.element = static_cast<Element>(element - std::begin(kElementNames));
+        if (element != std::end(kElementNames)) row.element = static_cast<policy::Element>(element - std::begin(kElementNames));
         EXPECT_EQ(row.element == kNone, cells[1].empty()) << "no such element: " << cells[1];
         for (std::size_t n = 0; n < 4; ++n) {
             row.alone[n] = cells[2 + n];
@@ -105,7 +105,7 @@ std::vector<Signal> peers_of(Signal signal) {
     return peers;
 }
 
-std::string picture(const DisplayDecisions& decisions, const Row& row, SignalState state) {
+std::string picture(const policy::DisplayDecisions& decisions, const Row& row, SignalState state) {
     std::string text;
     if (decisions.show_terrain) text += 'T';
     if (decisions.show_warning_colors) text += 'W';
@@ -120,8 +120,8 @@ TEST(FailurePolicy, TheTableHasARowForEverySignal) {
         const auto rows =
             std::count_if(table().begin(), table().end(), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
         EXPECT_EQ(rows, 1) << to_string(static_cast<Signal>(i));
-        EXPECT_EQ(signal_rule(static_cast<Signal>(i)).signal, static_cast<Signal>(i));
-        EXPECT_EQ(consequences(signal_rule(static_cast<Signal>(i)), SignalState::valid), kNoConsequence);
+        EXPECT_EQ(policy::signal_rule(static_cast<Signal>(i)).signal, static_cast<Signal>(i));
+        EXPECT_EQ(policy::consequences(policy::signal_rule(static_cast<Signal>(i)), SignalState::valid), kNoConsequence);
     }
 }
 
@@ -141,10 +141,10 @@ TEST(FailurePolicy, EveryCellWithoutAnotherSourceOfTheInformation) {
             AircraftState state = everything_valid();
             for (Signal peer : peers_of(row.signal)) put_signal(state, peer, SignalState::missing);
             put_signal(state, row.signal, kBadStates[i]);
-            const DisplayDecisions decisions = decide_on(state);
+            const policy::DisplayDecisions decisions = decide_on(state);
             EXPECT_EQ(picture(decisions, row, kBadStates[i]), row.without_peers[i])
                 << to_string(row.signal) << "." << to_string(kBadStates[i]);
-            const bool attitude_lost = decisions[Element::attitude].show == ElementShow::failed;
+            const bool attitude_lost = decisions[policy::Element::attitude].show == policy::ElementShow::failed;
             EXPECT_EQ(decisions.plain_horizon, !decisions.show_terrain && !attitude_lost);
         }
 }
@@ -158,7 +158,7 @@ TEST(FailurePolicy, EveryCellOnTheMap) {
             EXPECT_EQ(picture(decide_on(state, map_conditions()), row, kBadStates[i]), row.alone[i])
                 << to_string(row.signal) << "." << to_string(kBadStates[i]);
             for (Signal peer : peers_of(row.signal)) put_signal(state, peer, SignalState::missing);
-            const DisplayDecisions decisions = decide_on(state, map_conditions());
+            const policy::DisplayDecisions decisions = decide_on(state, map_conditions());
             EXPECT_EQ(picture(decisions, row, kBadStates[i]), row.without_peers[i])
                 << "alone " << to_string(row.signal) << "." << to_string(kBadStates[i]);
             EXPECT_FALSE(decisions.plain_horizon);

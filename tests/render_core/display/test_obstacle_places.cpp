@@ -61,7 +61,7 @@ public:
         EXPECT_TRUE(reports_.try_push_back(report));
     }
     ObstaclePlaces places(terrain::DrawnSight* sight = nullptr) {
-        HazardWatch watch(settings_, way_, ground_, 0);
+        policy::HazardWatch watch(settings_, way_, ground_, 0);
         return obstacle_places({scene_.scene(), {}, ground_, eye_, sight, reports_, labels_}, watch);
     }
     [[nodiscard]] const scene::Layer& layer() const { return scene_.scene().layers()[0]; }
@@ -77,7 +77,7 @@ private:
     LoadedScene scene_;
     design::PrioritySettings settings_;
     LevelGround ground_;
-    PredictedTrack way_;
+    policy::PredictedTrack way_;
     draw::SignView eye_;
     design::DataElement element_;
     ElementReports reports_;

@@ -112,7 +112,7 @@ TEST_F(ScenePassesStart, SaysWhichBudgetHasNoRoom) {
 
 TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
     ASSERT_EQ(start().message.view(), "");
-    DisplayDecisions decisions;
+    policy::DisplayDecisions decisions;
     decisions.plain_horizon = true;
     EyeInput level;
     level.own_ship = {0.8, 0.2, {1000}};

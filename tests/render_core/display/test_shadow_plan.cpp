@@ -33,7 +33,7 @@ TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
     light_.elevation_rad = 0.03;
     EXPECT_EQ(call().why, "the sun stands below 3 degrees");
     light_.elevation_rad = 0.7;
-    light_.source = LightSource::sun_too_low;
+    light_.source = policy::LightSource::sun_too_low;
     EXPECT_EQ(call().why, "the sun stands below 3 degrees") << "though the ground is lit otherwise";
     EXPECT_EQ(call().kind, Kind::not_called_for);
 }

@@ -14,7 +14,7 @@ constexpr std::uint32_t kWidth = 640, kHeight = 480;
 
 struct Planned {
     explicit Planned(const design::DesignSettings& design) : design_(design) {
-        decisions = decide_display(state, test_support::kHillsNow, conditions, design_);
+        decisions = policy::decide_display(state, test_support::kHillsNow, conditions, design_);
         record.time = test_support::kHillsNow;
     }
     /// False where a legend has no room.
@@ -26,8 +26,8 @@ struct Planned {
     }
     design::DesignSettings design_;
     flight::AircraftState state = test_support::aircraft_over_hills(2000);
-    DisplayConditions conditions;
-    DisplayDecisions decisions;
+    policy::DisplayConditions conditions;
+    policy::DisplayDecisions decisions;
     Eye eye;
     FrameRecord record;
     draw::HeightSpan heights{100, 2000};

@@ -16,7 +16,7 @@ using test_support::mixed_file;
 using test_support::OpenedGround;
 using test_support::rough_file;
 
-/// Ground with memory of its own.
+/// scene::Ground with memory of its own.
 struct Held {
     explicit Held(OpenedGround& of, std::int64_t bytes_off = 0)
         : memory((TracedGround::bytes_needed(of.database.lattice())) / 8 + 1) {

@@ -16,7 +16,7 @@ namespace {
 using test_support::scene_point;
 
 /// Rises to the east.
-class Slope final : public Ground {
+class Slope final : public scene::Ground {
 public:
     double height_m(double, double longitude_rad) override { return 1e6 * (longitude_rad - base::radians(9.8)); }
     double undulation_m(double, double) override { return 0; }

@@ -1,4 +1,5 @@
 #include "render_core/draw/data/label_planner.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -189,9 +190,9 @@ TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
     EXPECT_FALSE(plan.planner.is_due(51));
     plan.decide(many, 52);
     EXPECT_EQ(named(), 20) << "after an epoch without labels";
-    EXPECT_EQ(LabelPlanner::epoch_of({-1}), -1);
-    EXPECT_EQ(LabelPlanner::epoch_of({499'999'999}), 0);
-    EXPECT_EQ(LabelPlanner::epoch_of({500'000'000}), 1);
+    EXPECT_EQ(flight::decision_interval_of({-1}), -1);
+    EXPECT_EQ(flight::decision_interval_of({499'999'999}), 0);
+    EXPECT_EQ(flight::decision_interval_of({500'000'000}), 1);
 }
 
 TEST(LabelPlanner, LooksAreComparedWithTheFrameBefore) {

@@ -115,9 +115,9 @@ TEST(Placement, WhatNobodyStatesIsNeverCertain) {
 TEST(Placement, ValuesThatAreNotThereAreNaN) {
     ElementOfTest test(test_support::small_points());
     const scene::Layer& layer = test.input().layer;
-    EXPECT_EQ(value_or_nan(layer, "kind", 1), 1);
-    EXPECT_TRUE(std::isnan(value_or_nan(layer, "kind", 3)));
-    EXPECT_TRUE(std::isnan(value_or_nan(layer, "colour", 0)));
+    EXPECT_EQ(scene::value_or_nan(layer, "kind", 1), 1);
+    EXPECT_TRUE(std::isnan(scene::value_or_nan(layer, "kind", 3)));
+    EXPECT_TRUE(std::isnan(scene::value_or_nan(layer, "colour", 0)));
 }
 
 TEST(Placement, AxesOfAPlaceInSpaceAreThoseOfItsCoordinates) {

@@ -42,7 +42,7 @@ double distance_m(const Place& a, const Place& b) {
 }
 
 /// Hills, wherever the world is turned to.
-class Hills final : public Ground {
+class Hills final : public scene::Ground {
 public:
     explicit Hills(double turned_deg = 0) : turned_rad_(base::radians(turned_deg)) {}
     double height_m(double latitude_rad, double longitude_rad) override {
@@ -74,7 +74,7 @@ protected:
         EXPECT_TRUE(cues.start(arena, 1024));
     }
 
-    CueCount add(ElementOfTest& test, Cue cue, Ground& ground, const glm::dvec3& eye = glm::dvec3(0)) {
+    CueCount add(ElementOfTest& test, Cue cue, scene::Ground& ground, const glm::dvec3& eye = glm::dvec3(0)) {
         room.batch.clear();
         const ElementInput made = test.input();
         const ElementInput input{made.element, made.group, made.layer, ground, made.missing, made.time_ns, made.has_date, eye};

@@ -11,9 +11,9 @@
 namespace tedavis::draw::test_air {
 namespace {
 
-using display::Element;
-using display::ElementShow;
 using flight::Signal;
+using policy::Element;
+using policy::ElementShow;
 using test_support::BatchStore;
 using test_support::kSceneNow;
 

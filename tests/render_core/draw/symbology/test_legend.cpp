@@ -50,9 +50,9 @@ TEST(Legend, NamesWhatIsOnThePicture) {
     input.decisions.unusual_attitude = true;
     EXPECT_EQ(legend_text(input), "");
     // The decisions of a display without and with terrain reach it.
-    display::DisplayConditions conditions = test_support::scene_conditions();
+    policy::DisplayConditions conditions = test_support::scene_conditions();
     EXPECT_TRUE(calm_input().legend.tint);
-    conditions.terrain = display::TerrainSource::none;
+    conditions.terrain = policy::TerrainSource::none;
     EXPECT_FALSE(test_support::scene_input(test_support::scene_state(30, 2, 0), 640, 480, conditions).legend.ground);
 }
 

@@ -17,9 +17,9 @@ namespace tedavis::draw::test_map_symbols {
 namespace {
 
 using base::radians;
-using display::Element;
-using display::ElementShow;
 using flight::Signal;
+using policy::Element;
+using policy::ElementShow;
 using test_support::BatchStore;
 using test_support::scene_input;
 using test_support::scene_state;

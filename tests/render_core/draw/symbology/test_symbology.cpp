@@ -16,9 +16,9 @@
 namespace tedavis::draw::test_symbology {
 namespace {
 
-using display::Element;
-using display::ElementShow;
 using flight::Signal;
+using policy::Element;
+using policy::ElementShow;
 using test_support::BatchStore;
 using test_support::kSceneNow;
 using test_support::Picture;
@@ -106,7 +106,7 @@ TEST(Symbology, PhaseAndNoticesStayInTheirBoxes) {
             input.decisions.notices.clear();
             for (std::size_t i = 0; i < notices; ++i)
                 ASSERT_TRUE(
-                    input.decisions.notices.try_push_back({display::NoticeLevel::caution, "TERRAIN DATABASE FAILURE 12345"}));
+                    input.decisions.notices.try_push_back({policy::NoticeLevel::caution, "TERRAIN DATABASE FAILURE 12345"}));
             BatchStore store;
             build_notices(Painter(store.batch, layout), input);
             expect_inside(store.batch, layout.notices, "notices");

@@ -9,9 +9,9 @@ namespace tedavis::draw::test_symbology_input {
 namespace {
 
 using base::radians;
-using display::DisplayDecisions;
-using display::Element;
 using flight::Signal;
+using policy::DisplayDecisions;
+using policy::Element;
 using test_support::kSceneNow;
 
 DisplayDecisions decisions_from(Signal view_heading) {

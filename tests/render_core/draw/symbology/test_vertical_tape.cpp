@@ -73,7 +73,7 @@ TEST(VerticalTape, AFlaggedValueLooksDifferent) {
     VerticalTape tape = speed_tape(100);
     BatchStore normal, flagged;
     build_vertical_tape(Painter(normal.batch, layout()), tape);
-    tape.show = display::ElementShow::flagged;
+    tape.show = policy::ElementShow::flagged;
     build_vertical_tape(Painter(flagged.batch, layout()), tape);
     const auto amber = [](const BatchStore& store) {
         int count = 0;

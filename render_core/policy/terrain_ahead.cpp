@@ -1,13 +1,13 @@
-#include "render_core/display/terrain_ahead.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/element_input.hpp"
+#include "render_core/scene/ground.hpp"
 #include "render_core/scene/scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ double required_clearance_m(flight::FlightPhase phase, double up_mps) noexcept {
 }
 
 TerrainWatch::TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
-                           draw::Ground& ground)
+                           scene::Ground& ground)
     : track_(track), ground_(ground) {
     find_runways(layers);
     const double below_m = ground_.height_m(track.from.latitude_rad, track.from.longitude_rad);
@@ -149,4 +149,4 @@ TerrainWatch::NearRunway TerrainWatch::nearest_runway(const earth::Geodetic& pla
     return {nearest.distance_m, ground_.height_m(nearest.at.latitude_rad, nearest.at.longitude_rad)};
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

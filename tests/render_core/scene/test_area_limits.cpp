@@ -1,4 +1,4 @@
-#include "render_core/draw/data/area_limits.hpp"
+#include "render_core/scene/area_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::draw::test_area_limits {
+namespace tedavis::scene::test_area_limits {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -15,10 +15,10 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 void bind(host_sim::LayerDraft& layer, const char* name, float value, const std::vector<std::string>& classes = {}) {
     host_sim::AttributeDraft attribute;
     attribute.name = name;
-    attribute.of = scene::AttributeOf::feature;
+    attribute.of = AttributeOf::feature;
     attribute.values = {value};
     attribute.classes = classes;
-    if (!classes.empty()) attribute.scale = scene::AttributeScale::nominal;
+    if (!classes.empty()) attribute.scale = AttributeScale::nominal;
     layer.attributes.push_back(attribute);
 }
 
@@ -28,9 +28,9 @@ struct Stated {
 test_support::LoadedScene area(const Stated& stated) {
     host_sim::LayerDraft layer;
     layer.name = "zone";
-    layer.shape = scene::LayerShape::areas;
-    layer.role = scene::LayerRole::airspace;
-    layer.points = {{0.8, 0.17, 0, 0, scene::kNoTime}, {0.8, 0.171, 0, 0, scene::kNoTime}, {0.801, 0.17, 0, 0, scene::kNoTime}};
+    layer.shape = LayerShape::areas;
+    layer.role = LayerRole::airspace;
+    layer.points = {{0.8, 0.17, 0, 0, kNoTime}, {0.8, 0.171, 0, 0, kNoTime}, {0.801, 0.17, 0, 0, kNoTime}};
     layer.starts = {0, 3};
     bind(layer, "floor", stated.floor_m);
     bind(layer, "floor_datum", stated.floor_datum, {"msl", "ground", "standard"});
@@ -60,22 +60,22 @@ TEST(AreaLimits, WhatIsNotStatedIsSaid) {
 TEST(AreaLimits, HaveTheirDatumElseTheLayers) {
     const test_support::LoadedScene loaded = area({100, 1, 200, 2});
     const AreaLimits limits = area_limits(loaded.layer(), 0);
-    EXPECT_EQ(limits.floor.datum, scene::HeightDatum::ground);
-    EXPECT_EQ(limits.ceiling.datum, scene::HeightDatum::msl) << "flight levels are drawn at their heights";
+    EXPECT_EQ(limits.floor.datum, HeightDatum::ground);
+    EXPECT_EQ(limits.ceiling.datum, HeightDatum::msl) << "flight levels are drawn at their heights";
     EXPECT_NEAR(limits.ceiling.m, 200, 1e-6);
     host_sim::LayerDraft house;
     house.name = "house";
-    house.shape = scene::LayerShape::areas;
-    house.points = {{0.8, 0.17, 0, 0, scene::kNoTime}, {0.8, 0.171, 0, 0, scene::kNoTime}, {0.801, 0.17, 0, 0, scene::kNoTime}};
+    house.shape = LayerShape::areas;
+    house.points = {{0.8, 0.17, 0, 0, kNoTime}, {0.8, 0.171, 0, 0, kNoTime}, {0.801, 0.17, 0, 0, kNoTime}};
     house.starts = {0, 3};
-    house.height_datum = scene::HeightDatum::ellipsoid;
+    house.height_datum = HeightDatum::ellipsoid;
     bind(house, "height", 12);
     const test_support::LoadedScene built(house);
     const AreaLimits of_house = area_limits(built.layer(), 0);
     EXPECT_TRUE(std::isnan(of_house.floor.m));
-    EXPECT_EQ(of_house.floor.datum, scene::HeightDatum::ellipsoid);
-    EXPECT_EQ(of_house.ceiling.datum, scene::HeightDatum::ground) << "a height is over the ground";
+    EXPECT_EQ(of_house.floor.datum, HeightDatum::ellipsoid);
+    EXPECT_EQ(of_house.ceiling.datum, HeightDatum::ground) << "a height is over the ground";
 }
 
 }  // namespace
-}  // namespace tedavis::draw::test_area_limits
+}  // namespace tedavis::scene::test_area_limits

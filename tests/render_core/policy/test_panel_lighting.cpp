@@ -1,4 +1,4 @@
-#include "render_core/display/panel_lighting.hpp"
+#include "render_core/policy/panel_lighting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::display::test_panel_lighting {
+namespace tedavis::policy::test_panel_lighting {
 namespace {
 
 constexpr std::int64_t kDay_ns = 86'400'000'000'000;
@@ -53,4 +53,4 @@ TEST(PanelLighting, WithoutADateItIsDay) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_panel_lighting
+}  // namespace tedavis::policy::test_panel_lighting

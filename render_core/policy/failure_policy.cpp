@@ -1,8 +1,8 @@
-#include "render_core/display/failure_policy.hpp"
+#include "render_core/policy/failure_policy.hpp"
 
 #include <cmath>
 
-namespace tedavis::display {
+namespace tedavis::policy {
 namespace {
 
 using base::SignalState;
@@ -380,4 +380,4 @@ DisplayDecisions decide_display(const flight::AircraftState& state, base::Time n
     return Policy(state, now, conditions, design).decide();
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,8 +1,8 @@
-#include "render_core/display/crowding.hpp"
+#include "render_core/policy/declutter.hpp"
 
 #include <gtest/gtest.h>
 
-namespace tedavis::display::test_crowding {
+namespace tedavis::policy::test_declutter {
 namespace {
 
 using scene::LayerRole;
@@ -27,17 +27,17 @@ design::PrioritySettings priority_of(double terrain, double data, double obstacl
     return priority;
 }
 
-bool gives_way(const Crowding& crowding, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
+bool gives_way(const Declutter& crowding, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
     design::DataElement element;
     element.technique = technique;
     EXPECT_EQ(crowding.regions_of(element, role, true), nullptr) << "what warns";
     return crowding.regions_of(element, role, false) != nullptr;
 }
 
-TEST(Crowding, WhatComesFirstNeverGivesWay) {
+TEST(Declutter, WhatComesFirstNeverGivesWay) {
     const scene::DetailRegions map = crowded(9);
     const design::PrioritySettings data = priority_of(0.3, 1, 0.5), terrain = priority_of(1, 0.3, 1);
-    const Crowding in_cruise = crowding_of(map, data, data.weights), low = crowding_of(map, terrain, terrain.weights);
+    const Declutter in_cruise = declutter_of(map, data, data.weights), low = declutter_of(map, terrain, terrain.weights);
     EXPECT_FALSE(gives_way(in_cruise, LayerRole::wind));
     EXPECT_TRUE(gives_way(in_cruise, LayerRole::obstacle));
     EXPECT_TRUE(gives_way(low, LayerRole::wind));
@@ -45,23 +45,23 @@ TEST(Crowding, WhatComesFirstNeverGivesWay) {
     EXPECT_TRUE(gives_way(in_cruise, LayerRole::wind, design::DataTechnique::uncertainty_only));
     design::AspectWeights unsure = data.weights;
     unsure.of[design::kUncertaintyAspect] = 1;
-    EXPECT_FALSE(gives_way(crowding_of(map, data, unsure), LayerRole::wind, design::DataTechnique::uncertainty_only))
+    EXPECT_FALSE(gives_way(declutter_of(map, data, unsure), LayerRole::wind, design::DataTechnique::uncertainty_only))
         << "raised for the moment";
 }
 
-TEST(Crowding, WhereAllRegionsKeepAllNothingGivesWay) {
+TEST(Declutter, WhereAllRegionsKeepAllNothingGivesWay) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 0.3);
-    EXPECT_FALSE(gives_way(crowding_of({}, priority, priority.weights), LayerRole::wind));
-    EXPECT_TRUE(gives_way(crowding_of(crowded(9), priority, priority.weights), LayerRole::wind)) << "control";
+    EXPECT_FALSE(gives_way(declutter_of({}, priority, priority.weights), LayerRole::wind));
+    EXPECT_TRUE(gives_way(declutter_of(crowded(9), priority, priority.weights), LayerRole::wind)) << "control";
 }
 
-TEST(Crowding, AtMostEverythingButWhatComesFirstKeepsTheLeast) {
+TEST(Declutter, AtMostEverythingButWhatComesFirstKeepsTheLeast) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 1);
-    const Crowding most = crowding_of(effects::least_detail(), priority, priority.weights);
+    const Declutter most = declutter_of(effects::least_detail(), priority, priority.weights);
     for (const float factor : most.regions.factor) EXPECT_EQ(factor, static_cast<float>(effects::kLeastDetailLeft));
     EXPECT_TRUE(gives_way(most, LayerRole::wind));
     EXPECT_FALSE(gives_way(most, LayerRole::obstacle));
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_crowding
+}  // namespace tedavis::policy::test_declutter

@@ -1,6 +1,6 @@
-#include "render_core/display/predicted_track.hpp"
+#include "render_core/policy/predicted_track.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 earth::Geodetic PredictedTrack::at(double seconds, double right_m) const {
     const double speed_mps = ground_speed_mps();
@@ -11,4 +11,4 @@ earth::Geodetic PredictedTrack::at(double seconds, double right_m) const {
             {from.height.m + up_mps * seconds}};
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

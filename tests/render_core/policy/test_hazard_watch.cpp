@@ -1,4 +1,4 @@
-#include "render_core/display/hazard_watch.hpp"
+#include "render_core/policy/hazard_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display::test_hazard_watch {
+namespace tedavis::policy::test_hazard_watch {
 namespace {
 
 using test_support::LevelGround;
@@ -142,7 +142,7 @@ TEST(HazardWatch, TerrainIsOneWhereTheWayComesDownToIt) {
 }
 
 /// Rises to 2000 m beyond a line east of where the way begins.
-class RidgeEast final : public draw::Ground {
+class RidgeEast final : public scene::Ground {
 public:
     double height_m(double, double longitude_rad) override { return longitude_rad > from_rad ? 2000 : 600; }
     double undulation_m(double, double) override { return 0; }
@@ -162,4 +162,4 @@ TEST(HazardWatch, TerrainAsideIsOneAsFarAsAnythingElse) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_hazard_watch
+}  // namespace tedavis::policy::test_hazard_watch

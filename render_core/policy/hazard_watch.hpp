@@ -14,10 +14,11 @@
 #include <limits>
 
 #include "render_core/design/priority.hpp"
-#include "render_core/display/predicted_track.hpp"
-#include "render_core/draw/data/element_input.hpp"
+#include "render_core/policy/predicted_track.hpp"
+#include "render_core/scene/ground.hpp"
+#include "render_core/scene/scene.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 /// Shares 0..1 by aspect; 0 of those that are no hazard.
 using HazardShares = std::array<double, design::kMaxAspects>;
@@ -26,7 +27,7 @@ class HazardWatch {
 public:
     static constexpr int kSteps = 24;
     /// All must stay while it is asked. `time_ns`: the frame's, for what moves.
-    HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, draw::Ground& ground,
+    HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, scene::Ground& ground,
                 std::int64_t time_ns);
 
     [[nodiscard]] double terrain_share();
@@ -55,10 +56,10 @@ private:
 
     const design::PrioritySettings& settings_;
     const PredictedTrack& track_;
-    draw::Ground& ground_;
+    scene::Ground& ground_;
     std::int64_t time_ns_;
     double soonest_s_ = std::numeric_limits<double>::infinity();
     double metres_per_latitude_, metres_per_longitude_;  ///< a radian's
 };
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

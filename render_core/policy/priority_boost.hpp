@@ -19,21 +19,21 @@
 
 #include "render_core/base/time.hpp"
 #include "render_core/design/priority.hpp"
-#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_time.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 /// That aspects are weighed by.
-struct WeighedInstant {
+struct PriorityInstant {
     base::Time now{0};  ///< the source's
     flight::FlightTime time;
     flight::OwnShipEstimate own_ship;
     flight::FlightPhase phase;
 };
 
-struct WeightRaises {
+struct PriorityBoosts {
     std::array<double, design::kMaxAspects> of{};  ///< 0..1, above the stated weights
     bool has_hazard = false;
     earth::Geodetic hazard;  ///< with it: where the first one is met; height over the ellipsoid
@@ -41,24 +41,24 @@ struct WeightRaises {
 };
 
 /// What is asked for at an instant.
-class RaiseSource {
+class BoostSource {
 public:
-    virtual ~RaiseSource() = default;
-    [[nodiscard]] virtual WeightRaises raises_at(const WeighedInstant& instant) = 0;
+    virtual ~BoostSource() = default;
+    [[nodiscard]] virtual PriorityBoosts boosts_at(const PriorityInstant& instant) = 0;
 
 protected:
-    RaiseSource() = default;
-    RaiseSource(const RaiseSource&) = default;
-    RaiseSource& operator=(const RaiseSource&) = default;
+    BoostSource() = default;
+    BoostSource(const BoostSource&) = default;
+    BoostSource& operator=(const BoostSource&) = default;
 };
 
-class RaisedWeights {
+class PriorityBoost {
 public:
     static constexpr double kMostRise = 0.25, kMostFall = 0.125;  ///< of a weight, from one epoch to the next
     static constexpr std::int64_t kHeldEpochs = 4;                ///< two seconds
 
     /// `design`: a number for each of the display's designs; `source` answers for that one.
-    void follow(const WeighedInstant& instant, RaiseSource& source, std::size_t design);
+    void follow(const PriorityInstant& instant, BoostSource& source, std::size_t design);
     void forget() { *this = {}; }
     [[nodiscard]] design::AspectWeights above(const design::AspectWeights& stated) const;
     /// Null where there is none.
@@ -68,17 +68,17 @@ public:
     [[nodiscard]] bool is_anew() const { return is_anew_; }
 
 private:
-    void approach(const WeightRaises& asked, std::int64_t epochs);
+    void approach(const PriorityBoosts& asked, std::int64_t epochs);
 
     void follow_alert(TerrainAhead asked, std::int64_t epochs);
 
-    WeightRaises raises_;
+    PriorityBoosts raises_;
     std::int64_t alert_epochs_left_ = 0;  ///< the alert stays for them without being asked for
-    WeighedInstant instant_;              ///< the epoch's first
+    PriorityInstant instant_;             ///< the epoch's first
     base::Time last_now_{0};
     flight::OwnShipEstimate last_own_;
     std::size_t design_ = 0;
     bool is_decided_ = false, is_anew_ = false;
 };
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,4 +1,4 @@
-#include "render_core/draw/data/area_limits.hpp"
+#include "render_core/scene/area_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,29 +6,29 @@
 #include <string_view>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/placement.hpp"
+#include "render_core/scene/feature_values.hpp"
 
-namespace tedavis::draw {
+namespace tedavis::scene {
 namespace {
 
 /// "msl", "ground", "standard"; empty where the attribute is not there.
-std::string_view datum_name(const scene::Layer& layer, std::string_view attribute, std::uint32_t feature) {
-    const scene::Attribute* const datum = layer.find(attribute);
+std::string_view datum_name(const Layer& layer, std::string_view attribute, std::uint32_t feature) {
+    const Attribute* const datum = layer.find(attribute);
     const double code = value_or_nan(layer, attribute, feature);
     return datum == nullptr || !(code >= 0) ? std::string_view() : datum->class_name(static_cast<std::uint32_t>(code));
 }
 
-HeightLimit limit_of(const scene::Layer& layer, std::string_view attribute, std::string_view datum, std::uint32_t feature) {
+HeightLimit limit_of(const Layer& layer, std::string_view attribute, std::string_view datum, std::uint32_t feature) {
     const std::string_view name = datum_name(layer, datum, feature);
     return {value_or_nan(layer, attribute, feature), name.empty()       ? layer.entry->height_datum
-                                                     : name == "ground" ? scene::HeightDatum::ground
-                                                                        : scene::HeightDatum::msl};
+                                                     : name == "ground" ? HeightDatum::ground
+                                                                        : HeightDatum::msl};
 }
 
 void append_limit(const HeightLimit& limit, bool is_standard, LimitsText& text) {
     constexpr double kMost_ft = 999'999;
     if (std::isnan(limit.m)) return text.append("?");
-    const bool is_ground = limit.datum == scene::HeightDatum::ground;
+    const bool is_ground = limit.datum == HeightDatum::ground;
     if (is_ground && limit.m <= 0) return text.append("GND");
     const auto feet = static_cast<int>(std::lround(std::clamp(limit.m / base::kMetresPerFoot, -kMost_ft, kMost_ft)));
     char number[24];
@@ -41,14 +41,14 @@ void append_limit(const HeightLimit& limit, bool is_standard, LimitsText& text) 
 
 }  // namespace
 
-AreaLimits area_limits(const scene::Layer& layer, std::uint32_t feature) {
+AreaLimits area_limits(const Layer& layer, std::uint32_t feature) {
     AreaLimits limits{limit_of(layer, "floor", "floor_datum", feature), limit_of(layer, "ceiling", "ceiling_datum", feature)};
     const double height_m = value_or_nan(layer, "height", feature);
-    if (std::isnan(limits.ceiling.m) && !std::isnan(height_m)) limits.ceiling = {height_m, scene::HeightDatum::ground};
+    if (std::isnan(limits.ceiling.m) && !std::isnan(height_m)) limits.ceiling = {height_m, HeightDatum::ground};
     return limits;
 }
 
-LimitsText limits_text(const scene::Layer& layer, std::uint32_t feature) {
+LimitsText limits_text(const Layer& layer, std::uint32_t feature) {
     const AreaLimits limits = area_limits(layer, feature);
     LimitsText text;
     if (std::isnan(limits.floor.m) && std::isnan(limits.ceiling.m)) return text;
@@ -58,4 +58,4 @@ LimitsText limits_text(const scene::Layer& layer, std::uint32_t feature) {
     return text;
 }
 
-}  // namespace tedavis::draw
+}  // namespace tedavis::scene

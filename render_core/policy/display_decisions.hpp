@@ -9,10 +9,10 @@
 
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/fixed_vector.hpp"
-#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/signal.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 /// The pieces of information on the display.
 enum class Element : std::uint8_t {
@@ -73,4 +73,4 @@ struct DisplayDecisions {
 };
 static_assert(std::is_trivially_copyable_v<DisplayDecisions>);
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,12 +1,12 @@
-#include "render_core/display/hazard_watch.hpp"
+#include "render_core/policy/hazard_watch.hpp"
 
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/area_limits.hpp"
-#include "render_core/draw/data/placement.hpp"
+#include "render_core/scene/area_limits.hpp"
+#include "render_core/scene/feature_values.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -22,7 +22,7 @@ double distance_m(double east, double north, double to_east, double to_north) {
 
 }  // namespace
 
-HazardWatch::HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, draw::Ground& ground,
+HazardWatch::HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, scene::Ground& ground,
                          std::int64_t time_ns)
     : settings_(settings),
       track_(track),
@@ -100,8 +100,7 @@ double HazardWatch::layer_share(const scene::Layer& layer) {
 }
 
 double HazardWatch::seconds_to(const scene::Layer& layer, std::uint32_t feature) {
-    const design::DataElement plain;
-    const glm::dvec2 drift = draw::drift_m({plain, 0, layer, ground_, {}, time_ns_, true}, feature);
+    const glm::dvec2 drift = scene::drift_m(layer, feature, time_ns_, true);
     const scene::Run run = layer.points_of(feature);
     if (is_aside(layer, run, {drift.x, drift.y})) return kNever;
     for (int step = 0; step < kSteps; ++step)
@@ -147,10 +146,10 @@ bool HazardWatch::is_at_height(const scene::Layer& layer, std::uint32_t feature,
         }
         return !(at.height.m > over_ellipsoid_m(top_m, layer.entry->height_datum, at) + clearance_m());
     }
-    const draw::AreaLimits limits = draw::area_limits(layer, feature);
+    const scene::AreaLimits limits = scene::area_limits(layer, feature);
     const bool is_over = at.height.m > over_ellipsoid_m(limits.ceiling.m, limits.ceiling.datum, at) + clearance_m();
     const bool is_under = at.height.m < over_ellipsoid_m(limits.floor.m, limits.floor.datum, at) - clearance_m();
     return !is_over && !is_under;
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,4 +1,4 @@
-#include "render_core/display/terrain_ahead.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "tests/support/built_element.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::display::test_terrain_ahead {
+namespace tedavis::policy::test_terrain_ahead {
 namespace {
 
 using flight::FlightPhase;
@@ -39,7 +39,7 @@ const FlightPhase kAllPhases[] = {{},
 double metres_per_longitude() { return earth::prime_vertical_radius_m(kLatitude) * std::cos(kLatitude); }
 
 /// Heights over the ellipsoid by metres north and east of where the track begins.
-class MadeGround final : public draw::Ground {
+class MadeGround final : public scene::Ground {
 public:
     explicit MadeGround(std::function<double(double, double)> height) : height_(std::move(height)) {}
     double height_m(double latitude_rad, double longitude_rad) override {
@@ -73,10 +73,10 @@ struct Flown {
     PredictedTrack track{{kLatitude, kLongitude, {1000}}, 70, 0, 0};
     FlightPhase phase{Scenario::cruise, 0};
 
-    double seconds(draw::Ground& ground, base::Span<const scene::Layer> layers = {}) const {
+    double seconds(scene::Ground& ground, base::Span<const scene::Layer> layers = {}) const {
         return TerrainWatch(track, phase, layers, ground).seconds_to_terrain();
     }
-    TerrainAhead ahead(draw::Ground& ground, base::Span<const scene::Layer> layers = {}) const {
+    TerrainAhead ahead(scene::Ground& ground, base::Span<const scene::Layer> layers = {}) const {
         return TerrainWatch(track, phase, layers, ground).ahead();
     }
 };
@@ -232,4 +232,4 @@ TEST(TerrainAhead, NoMountainIsMissed) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_terrain_ahead
+}  // namespace tedavis::policy::test_terrain_ahead

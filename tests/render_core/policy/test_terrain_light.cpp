@@ -1,4 +1,4 @@
-#include "render_core/display/terrain_light.hpp"
+#include "render_core/policy/terrain_light.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/placed_aircraft.hpp"
 
-namespace tedavis::display::test_terrain_light {
+namespace tedavis::policy::test_terrain_light {
 namespace {
 
 using base::degrees;
@@ -226,4 +226,4 @@ TEST(TerrainLight, TheRecordSaysWhoShines) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_terrain_light
+}  // namespace tedavis::policy::test_terrain_light

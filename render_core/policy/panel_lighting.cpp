@@ -1,4 +1,4 @@
-#include "render_core/display/panel_lighting.hpp"
+#include "render_core/policy/panel_lighting.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -7,11 +7,10 @@
 #include "render_core/base/utc_time.hpp"
 #include "render_core/earth/sun_position.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 namespace {
 
 constexpr double kDay_rad = base::radians(6), kNight_rad = base::radians(-6);
-constexpr double kNanosecondsPerSecond = 1e9;
 
 glm::dvec3 factors(design::Color color) { return glm::dvec3(color.red, color.green, color.blue) / 255.0; }
 
@@ -31,8 +30,8 @@ PanelLight panel_light(const design::ViewEffects& effects, const earth::Geodetic
         case design::PanelLighting::automatic: break;
     }
     if (!base::can_be_utc(flight_time)) return {{1, 1, 1}, false};
-    const double utc_s = static_cast<double>(flight_time.ns) / kNanosecondsPerSecond;
+    const double utc_s = base::seconds_since_1970(flight_time);
     return {white_by_sun(effects, earth::sun_position(utc_s, place.latitude_rad, place.longitude_rad).elevation_rad)};
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -20,18 +20,16 @@
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/span.hpp"
-#include "render_core/display/predicted_track.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/predicted_track.hpp"
 
-namespace tedavis::draw {
-class Ground;
-}
 namespace tedavis::scene {
+class Ground;
 struct Layer;
 struct ScenePoint;
 }  // namespace tedavis::scene
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 enum class TerrainAhead : std::uint8_t {
     none,
@@ -49,7 +47,7 @@ public:
     /// All must stay while it is asked. `layers`: of the scene, or empty; of more than kMaxRunways runways near the track the
     /// others are taken for ground.
     TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
-                 draw::Ground& ground);
+                 scene::Ground& ground);
 
     [[nodiscard]] TerrainAhead ahead();
     /// Until the track is too close to the ground; infinite where it is not within kLookAhead_s.
@@ -70,7 +68,7 @@ private:
     [[nodiscard]] NearRunway nearest_runway(const earth::Geodetic& place);
 
     const PredictedTrack& track_;
-    draw::Ground& ground_;
+    scene::Ground& ground_;
     base::FixedVector<RunwayLine, kMaxRunways> runways_;  ///< that the track can come near to
     double height_above_ground_m_;                        ///< of the own ship; infinite where the ground is not known
     double clearance_m_;
@@ -79,4 +77,4 @@ private:
 /// What the phase requires, in metres, for level flight and for a descent of more than 500 ft/min.
 [[nodiscard]] double required_clearance_m(flight::FlightPhase phase, double up_mps) noexcept;
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,4 +1,4 @@
-#include "render_core/display/failure_policy.hpp"
+#include "render_core/policy/failure_policy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/policy_states.hpp"
 
-namespace tedavis::display::test_failure_policy {
+namespace tedavis::policy::test_failure_policy {
 namespace {
 
 using base::SignalState;
@@ -422,4 +422,4 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_failure_policy
+}  // namespace tedavis::policy::test_failure_policy

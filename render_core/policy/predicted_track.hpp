@@ -10,7 +10,7 @@
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 struct PredictedTrack {
     earth::Geodetic from;  ///< where the own ship is
@@ -25,4 +25,4 @@ struct PredictedTrack {
     [[nodiscard]] earth::Geodetic at(double seconds, double right_m = 0) const;
 };
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

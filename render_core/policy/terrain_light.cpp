@@ -1,4 +1,4 @@
-#include "render_core/display/terrain_light.hpp"
+#include "render_core/policy/terrain_light.hpp"
 
 #include <cmath>
 
@@ -6,13 +6,7 @@
 #include "render_core/earth/sun_position.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::display {
-namespace {
-
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-
-}  // namespace
-
+namespace tedavis::policy {
 TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geodetic& place, base::Time flight_time) noexcept {
     TerrainLight light;
     light.azimuth_rad = shade.lights[0].azimuth_rad;
@@ -23,7 +17,7 @@ TerrainLight terrain_light(const design::ShadeSettings& shade, const earth::Geod
         light.source = LightSource::no_date;
         return light;
     }
-    const double utc_s = static_cast<double>(utc.ns) / static_cast<double>(kNanosecondsPerSecond);
+    const double utc_s = base::seconds_since_1970(utc);
     const earth::SunPosition sun = earth::sun_position(utc_s, place.latitude_rad, place.longitude_rad);
     light.source = sun.elevation_rad < kLowestSun_rad ? LightSource::sun_too_low : LightSource::sun;
     if (light.source == LightSource::sun_too_low) return light;
@@ -38,4 +32,4 @@ glm::dvec3 towards_light(double azimuth_rad, double elevation_rad, const earth::
            glm::dvec3(c * std::cos(azimuth_rad), c * std::sin(azimuth_rad), -std::sin(elevation_rad));
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -7,9 +7,9 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/effects/clutter_budget.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
-struct Crowding {
+struct Declutter {
     scene::DetailRegions regions;
     std::uint32_t roles = 0;          ///< of layers that give way; a bit for each scene::LayerRole
     bool lowers_uncertainty = false;  ///< glyphs that say nothing else
@@ -20,7 +20,7 @@ struct Crowding {
 };
 
 /// `regions`: what each keeps of its detail; where all keep all of it, nothing gives way.
-[[nodiscard]] Crowding crowding_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
-                                   const design::AspectWeights& weights) noexcept;
+[[nodiscard]] Declutter declutter_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
+                                     const design::AspectWeights& weights) noexcept;
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,4 +1,4 @@
-#include "render_core/display/predicted_track.hpp"
+#include "render_core/policy/predicted_track.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
-namespace tedavis::display::test_predicted_track {
+namespace tedavis::policy::test_predicted_track {
 namespace {
 
 PredictedTrack track(double north_mps, double east_mps, double up_mps = 0) {
@@ -41,4 +41,4 @@ TEST(PredictedTrack, RightIsRightOfTheTrack) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_predicted_track
+}  // namespace tedavis::policy::test_predicted_track

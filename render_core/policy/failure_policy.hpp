@@ -10,12 +10,12 @@
 #include "render_core/base/stamped.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/design/design_settings.hpp"
-#include "render_core/display/display_decisions.hpp"
-#include "render_core/display/terrain_ahead.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/display_decisions.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 /// The state of the terrain database for this frame.
 enum class TerrainSource : std::uint8_t {
@@ -86,4 +86,4 @@ struct SignalRule {
 [[nodiscard]] DisplayDecisions decide_display(const flight::AircraftState& state, base::Time now,
                                               const DisplayConditions& conditions, const design::DesignSettings& design) noexcept;
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

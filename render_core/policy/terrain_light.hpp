@@ -11,7 +11,7 @@
 #include "render_core/design/terrain_style.hpp"
 #include "render_core/earth/geodetic.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 enum class LightSource : std::uint8_t {
     fixed,        ///< by the design
@@ -34,4 +34,4 @@ struct TerrainLight {
 /// Unit vector, ECEF, from `place` to where a light shines from.
 [[nodiscard]] glm::dvec3 towards_light(double azimuth_rad, double elevation_rad, const earth::Geodetic& place) noexcept;
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,4 +1,4 @@
-#include "render_core/display/raised_weights.hpp"
+#include "render_core/policy/priority_boost.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,21 +6,21 @@
 #include <cmath>
 #include <vector>
 
-namespace tedavis::display::test_raised_weights {
+namespace tedavis::policy::test_priority_boost {
 namespace {
 
 constexpr std::size_t kTerrain = design::kTerrainAspect, kUnsure = design::kUncertaintyAspect;
 
 /// Asks for the same at every instant, and notes which.
-class Asked final : public RaiseSource {
+class Asked final : public BoostSource {
 public:
-    WeightRaises raises;
+    PriorityBoosts raises;
     std::int64_t none_before_ns = 0;
     std::vector<std::int64_t> instants;
 
-    [[nodiscard]] WeightRaises raises_at(const WeighedInstant& instant) override {
+    [[nodiscard]] PriorityBoosts boosts_at(const PriorityInstant& instant) override {
         instants.push_back(instant.now.ns);
-        return instant.now.ns < none_before_ns ? WeightRaises() : raises;
+        return instant.now.ns < none_before_ns ? PriorityBoosts() : raises;
     }
     void ask(std::size_t aspect, double raise) {
         raises = {};
@@ -32,12 +32,12 @@ public:
 
 struct Flight {
     Asked asked;
-    RaisedWeights raised;
+    PriorityBoost raised;
     std::size_t design = 0;
     double latitude_rad = 0.8;
 
     double follow(double seconds) {
-        WeighedInstant instant;
+        PriorityInstant instant;
         instant.now = base::Time{std::llround(seconds * 1e9)};
         instant.own_ship.position.latitude_rad = latitude_rad;
         raised.follow(instant, asked, design);
@@ -50,7 +50,7 @@ struct Flight {
     }
 };
 
-TEST(RaisedWeights, TheFirstEpochHasWhatIsAskedFor) {
+TEST(PriorityBoost, TheFirstEpochHasWhatIsAskedFor) {
     Flight flight;
     flight.asked.ask(kTerrain, 0.7);
     EXPECT_EQ(flight.follow(3.2), 0.7);
@@ -58,7 +58,7 @@ TEST(RaisedWeights, TheFirstEpochHasWhatIsAskedFor) {
     EXPECT_EQ(flight.raised.hazard()->latitude_rad, 0.7);
 }
 
-TEST(RaisedWeights, WhatFlickersFromFrameToFrameDoesNot) {
+TEST(PriorityBoost, WhatFlickersFromFrameToFrameDoesNot) {
     Flight flight;
     std::size_t changes = 0;
     double before = 0, most = 0;
@@ -73,11 +73,11 @@ TEST(RaisedWeights, WhatFlickersFromFrameToFrameDoesNot) {
         before = raise;
     }
     EXPECT_LE(changes, 20u);
-    EXPECT_LE(most, RaisedWeights::kMostRise);
+    EXPECT_LE(most, PriorityBoost::kMostRise);
     EXPECT_EQ(flight.asked.instants.size(), 20u) << "asked once an epoch";
 }
 
-TEST(RaisedWeights, ItRisesAndFallsLittleByLittle) {
+TEST(PriorityBoost, ItRisesAndFallsLittleByLittle) {
     Flight flight;
     EXPECT_EQ(flight.follow(0), 0);
     flight.asked.ask(kTerrain, 0.6);
@@ -95,7 +95,7 @@ TEST(RaisedWeights, ItRisesAndFallsLittleByLittle) {
 }
 
 /// As if the flight had come to it for the first time.
-TEST(RaisedWeights, AnEarlierInstantFollowsFromNothing) {
+TEST(PriorityBoost, AnEarlierInstantFollowsFromNothing) {
     Flight flight;
     flight.asked.ask(kTerrain, 1);
     EXPECT_EQ(flight.follow(20), 1);
@@ -103,7 +103,7 @@ TEST(RaisedWeights, AnEarlierInstantFollowsFromNothing) {
     EXPECT_EQ(flight.follow(10), 0);
 }
 
-TEST(RaisedWeights, TheSameInstantElsewhereIsDecidedAnew) {
+TEST(PriorityBoost, TheSameInstantElsewhereIsDecidedAnew) {
     Flight flight;
     EXPECT_EQ(flight.follow(5), 0);
     flight.asked.ask(kTerrain, 0.9);
@@ -114,11 +114,11 @@ TEST(RaisedWeights, TheSameInstantElsewhereIsDecidedAnew) {
     EXPECT_TRUE(flight.raised.is_anew());
 }
 
-TEST(RaisedWeights, AnotherDesignDecidesTheEpochAtItsFirstInstant) {
+TEST(PriorityBoost, AnotherDesignDecidesTheEpochAtItsFirstInstant) {
     Flight flight;
     flight.follow(5);
     flight.follow(5.5);
-    const RaisedWeights before = flight.raised;
+    const PriorityBoost before = flight.raised;
     flight.follow(5.75);
     flight.design = 1;
     flight.asked.ask(kTerrain, 0.9);
@@ -137,7 +137,7 @@ TEST(RaisedWeights, AnotherDesignDecidesTheEpochAtItsFirstInstant) {
     EXPECT_EQ(other.asked.instants.back(), 6'000'000'000);
 }
 
-TEST(RaisedWeights, NoWeightIsAboveOne) {
+TEST(PriorityBoost, NoWeightIsAboveOne) {
     Flight flight;
     flight.asked.ask(kUnsure, 0.6);
     flight.follow(1);
@@ -148,7 +148,7 @@ TEST(RaisedWeights, NoWeightIsAboveOne) {
     EXPECT_EQ(flight.raised.hazard(), nullptr) << "what is stale lies nowhere";
 }
 
-TEST(RaisedWeights, AnAlertComesAtOnceAndStaysForTwoSeconds) {
+TEST(PriorityBoost, AnAlertComesAtOnceAndStaysForTwoSeconds) {
     Flight flight;
     flight.follow(10);
     EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none);
@@ -167,7 +167,7 @@ TEST(RaisedWeights, AnAlertComesAtOnceAndStaysForTwoSeconds) {
     EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none) << "control";
 }
 
-TEST(RaisedWeights, AnotherDesignKeepsTheAlert) {
+TEST(PriorityBoost, AnotherDesignKeepsTheAlert) {
     Flight flight;
     flight.asked.raises.terrain_ahead = TerrainAhead::warning;
     flight.follow(10);
@@ -182,4 +182,4 @@ TEST(RaisedWeights, AnotherDesignKeepsTheAlert) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_raised_weights
+}  // namespace tedavis::policy::test_priority_boost

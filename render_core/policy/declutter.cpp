@@ -1,17 +1,17 @@
-#include "render_core/display/crowding.hpp"
+#include "render_core/policy/declutter.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
-const scene::DetailRegions* Crowding::regions_of(const design::DataElement& element, scene::LayerRole role,
-                                                 bool warns) const noexcept {
+const scene::DetailRegions* Declutter::regions_of(const design::DataElement& element, scene::LayerRole role,
+                                                  bool warns) const noexcept {
     const bool says_uncertainty = element.technique == design::DataTechnique::uncertainty_only;
     const bool gives_way = says_uncertainty ? lowers_uncertainty : (roles >> static_cast<unsigned>(role) & 1u) != 0;
     return gives_way && !warns ? &regions : nullptr;
 }
 
-Crowding crowding_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
-                     const design::AspectWeights& weights) noexcept {
-    Crowding crowding;
+Declutter declutter_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
+                       const design::AspectWeights& weights) noexcept {
+    Declutter crowding;
     crowding.regions = regions;
     if (crowding.regions.is_whole()) return crowding;
     for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
@@ -20,4 +20,4 @@ Crowding crowding_of(const scene::DetailRegions& regions, const design::Priority
     return crowding;
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -10,7 +10,7 @@
 #include "render_core/design/view_effects.hpp"
 #include "render_core/earth/geodetic.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 
 struct PanelLight {
     glm::dvec3 white{1, 1, 1};  ///< what every colour is multiplied with, 0..1
@@ -20,4 +20,4 @@ struct PanelLight {
 [[nodiscard]] PanelLight panel_light(const design::ViewEffects& effects, const earth::Geodetic& place,
                                      base::Time flight_time) noexcept;
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy

@@ -1,10 +1,10 @@
-#include "render_core/display/raised_weights.hpp"
+#include "render_core/policy/priority_boost.hpp"
 
 #include <algorithm>
 
-#include "render_core/draw/data/label_planner.hpp"
+#include "render_core/flight/decision_interval.hpp"
 
-namespace tedavis::display {
+namespace tedavis::policy {
 namespace {
 
 bool is_same_flight(const flight::OwnShipEstimate& a, const flight::OwnShipEstimate& b) {
@@ -16,22 +16,22 @@ bool is_same_flight(const flight::OwnShipEstimate& a, const flight::OwnShipEstim
 
 }  // namespace
 
-void RaisedWeights::follow(const WeighedInstant& instant, RaiseSource& source, std::size_t design) {
+void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, std::size_t design) {
     // The same instant elsewhere: nobody flies there.
     const bool leaps = is_decided_ && instant.now == last_now_ && !is_same_flight(instant.own_ship, last_own_);
     last_now_ = instant.now;
     last_own_ = instant.own_ship;
     if (is_decided_ && !leaps && design != design_) {
         const TerrainAhead alert = raises_.terrain_ahead;
-        raises_ = source.raises_at(instant_);
+        raises_ = source.boosts_at(instant_);
         raises_.terrain_ahead = alert;
         is_anew_ = true;
     }
     design_ = design;
-    const std::int64_t epoch = draw::LabelPlanner::epoch_of(instant.now);
-    const std::int64_t passed = epoch - draw::LabelPlanner::epoch_of(instant_.now);
+    const std::int64_t epoch = flight::decision_interval_of(instant.now);
+    const std::int64_t passed = epoch - flight::decision_interval_of(instant_.now);
     if (is_decided_ && passed == 0 && !leaps) return;
-    const WeightRaises asked = source.raises_at(instant);
+    const PriorityBoosts asked = source.boosts_at(instant);
     const bool begins = !is_decided_ || leaps || passed < 0;
     if (begins)
         raises_ = asked;
@@ -43,7 +43,7 @@ void RaisedWeights::follow(const WeighedInstant& instant, RaiseSource& source, s
     is_anew_ = leaps;
 }
 
-void RaisedWeights::approach(const WeightRaises& asked, std::int64_t epochs) {
+void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t epochs) {
     bool is_falling = false;
     for (std::size_t n = 0; n < raises_.of.size(); ++n) {
         double& raise = raises_.of[n];
@@ -56,7 +56,7 @@ void RaisedWeights::approach(const WeightRaises& asked, std::int64_t epochs) {
     raises_.hazard = asked.hazard;
 }
 
-void RaisedWeights::follow_alert(TerrainAhead asked, std::int64_t epochs) {
+void PriorityBoost::follow_alert(TerrainAhead asked, std::int64_t epochs) {
     if (asked != TerrainAhead::none)
         alert_epochs_left_ = kHeldEpochs;
     else if (alert_epochs_left_ = std::max<std::int64_t>(alert_epochs_left_ - epochs, 0); alert_epochs_left_ > 0)
@@ -64,10 +64,10 @@ void RaisedWeights::follow_alert(TerrainAhead asked, std::int64_t epochs) {
     raises_.terrain_ahead = asked;
 }
 
-design::AspectWeights RaisedWeights::above(const design::AspectWeights& stated) const {
+design::AspectWeights PriorityBoost::above(const design::AspectWeights& stated) const {
     design::AspectWeights weights = stated;
     for (std::size_t n = 0; n < weights.of.size(); ++n) weights.of[n] = std::min(weights.of[n] + raises_.of[n], 1.0);
     return weights;
 }
 
-}  // namespace tedavis::display
+}  // namespace tedavis::policy
