@@ -33,7 +33,7 @@ base::Error BoardDisplay::open_terrain() {
     auto file = platform::open_file(settings_.terrain.c_str());
     if (!file.ok()) return base::make_error(file.error().message.view());
     terrain_file_ = std::move(file.value());
-    const std::uint32_t tickets = display::TerrainScene::reader_tickets(settings_.device);
+    const std::uint32_t tickets = display::TerrainPlanner::reader_tickets(settings_.device);
     auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
     if (!reader.ok()) return base::make_error(reader.error().message.view());
     terrain_reader_ = std::move(reader.value());

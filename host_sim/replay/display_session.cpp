@@ -90,7 +90,7 @@ void DisplaySession::open_terrain(const std::string& path) {
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     terrain_file_ = std::move(file.value());
-    const std::uint32_t tickets = display::TerrainScene::reader_tickets(device_);
+    const std::uint32_t tickets = display::TerrainPlanner::reader_tickets(device_);
     auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
     if (!reader.ok()) throw UserError(std::string(reader.error().message.view()));
     terrain_reader_ = std::move(reader.value());

@@ -52,13 +52,18 @@ base::Error Display::start_drawing(const TerrainInput& terrain) {
                 static_cast<void>(designs.try_push_back(drawn));
     if (base::Error error = start_drawers(designs)) return error;
     if (terrain.file == nullptr) return {};
-    return terrain_.start(
-        gl_, terrain, designs, settings_.device, memory_.terrain(),
-        {terrain.workers, &memory_.traced_terrain(), settings_.width_px + 2 * stereo_margin_px(design_), settings_.height_px});
+    const TerrainMemory lines = memory_.terrain();
+    if (base::Error error = terrain_.start(terrain, designs, settings_.device, lines)) return error;
+    const draw::TracePlace traced{terrain.workers, &memory_.traced_terrain(), settings_.width_px + 2 * stereo_margin_px(design_),
+                                  settings_.height_px};
+    if (base::Error error = terrain_painter_.start(gl_, terrain_, designs, settings_.device, lines.staging, traced)) return error;
+    terrain_.follow_painter(terrain_painter_.reads_pages(), terrain_painter_.tracer());
+    terrain_.set_design(designs[0]);
+    return {};
 }
 
 base::Error Display::start_data(base::ByteSource* scene) {
-    const std::uint32_t ground_side = terrain_.is_started() ? terrain_.ground_side() : 0;
+    const std::uint32_t ground_side = terrain_.is_started() ? terrain_painter_.ground_side() : 0;
     if (base::Error error = data_.start(scene, memory_.scene(), ground_side)) return error;
     bool has_data = data_.has_scene() || settings_.expects_scene;
     draw::DataVariant variant{design_.sky.air.is_shown};
@@ -112,7 +117,7 @@ void Display::stop() {
     clutter_.destroy(gl_);
     dimmer_.destroy(gl_);
     elements_.destroy(gl_);
-    terrain_.destroy(gl_);
+    terrain_painter_.destroy(gl_);
 }
 
 bool Display::take_scene(const scene::Scene& scene) {

@@ -25,7 +25,7 @@
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/symbology_data.hpp"
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_painter.hpp"
 #include "render_core/display/view_transition.hpp"
 #include "render_core/draw/dimmer.hpp"
 #include "render_core/draw/quad_drawer.hpp"
@@ -265,7 +265,8 @@ private:
     bool is_new_to_phases_ = true;
     gl::Gl gl_;
     DisplayMemory memory_;
-    TerrainScene terrain_;
+    TerrainPlanner terrain_;
+    TerrainPainter terrain_painter_;
     SpatialData data_;
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;

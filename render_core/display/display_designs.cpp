@@ -66,7 +66,7 @@ bool Display::can_show(const design::DesignSettings& possible) const {
     for (const design::DesignSettings* const design : {&weighted, &possible})
         for (const bool has_focus : {false, true}) {
             const draw::DrawnDesign drawn = drawn_design(*design, has_focus);
-            if (!passes_.shows(drawn) || !terrain_.shows(drawn)) return false;
+            if (!passes_.shows(drawn) || !terrain_painter_.shows(drawn)) return false;
         }
     return true;
 }
@@ -155,7 +155,8 @@ void Display::keep_scene() {
 
 draw::TerrainDrawResult Display::draw_kept() {
     kept_view_ = eye_.view;
-    return passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
+    const SeenTerrain seen = terrain_.seen_from(eye_.view);
+    return passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_});
 }
 
 void Display::begin_fade(base::Time now) {

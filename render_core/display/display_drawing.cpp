@@ -10,9 +10,10 @@ void Display::draw(base::Surface& surface) {
     gl_.begin_frame();
     work_ = {};
     gl::bind_surface(gl_, surface);
-    if (terrain_.is_started() && data_.take_change() && !terrain_.set_ground_data(gl_, data_.ground()))
+    if (terrain_.is_started() && data_.take_change() && !terrain_painter_.set_ground_data(gl_, data_.ground()))
         flag("ground_data.missing", record_);
-    const bool ready = decisions_.show_terrain && terrain_.prepare(gl_, make_terrain_input(context()));
+    const bool ready =
+        decisions_.show_terrain && terrain_painter_.prepare(gl_, terrain_.seen_from(eye_.view), make_terrain_input(context()));
     if (elements_.is_started()) elements_.prepare(gl_);
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
@@ -58,13 +59,13 @@ void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
         design::DesignSettings bare = settings_.design;
         bare.data.ground.uncertainty.strength = bare.data.ground.overlay.strength = 0;
         if (last < PictureLayer::data) bare.data.ground.opacity = 0;
-        terrain_.set_design(gl_, drawn_design(bare, draws_foci_));
+        terrain_painter_.set_design(gl_, drawn_design(bare, draws_foci_));
     }
     gl_.begin_frame();
     gl::bind_surface(gl_, surface);
     static_cast<void>(paint(surface));
     if (last < PictureLayer::uncertainty && terrain_.is_started())
-        terrain_.set_design(gl_, drawn_design(settings_.design, draws_foci_));
+        terrain_painter_.set_design(gl_, drawn_design(settings_.design, draws_foci_));
     last_layer_ = PictureLayer::symbology;
     work_ = work;
 }
@@ -76,7 +77,8 @@ draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
         gl::bind_surface(gl_, surface);
         return drawn;  // what was kept covers the surface
     }
-    return passes_.draw(gl_, surface, {context(), plan_, terrain_, elements_, work_, terrain_has_void_});
+    const SeenTerrain seen = terrain_.seen_from(eye_.view);
+    return passes_.draw(gl_, surface, {context(), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_});
 }
 
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {
@@ -87,8 +89,9 @@ draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide sid
         elements_.prepare(gl_);
     }
     const bool has_shadow_map = side == draw::EyeSide::right;
+    const SeenTerrain seen = terrain_.seen_from(eye.view);
     return passes_.draw(gl_, stereo_.target(),
-                        {context_of(eye), plan_, terrain_, elements_, work_, terrain_has_void_, has_shadow_map});
+                        {context_of(eye), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_, has_shadow_map});
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.

@@ -10,7 +10,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/spatial_data.hpp"
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_planner.hpp"
 
 namespace tedavis::display {
 

@@ -111,7 +111,8 @@ void Display::show_look() {
     has_new_look_ = false;
     const draw::DrawnDesign drawn = drawn_design(settings_.design, draws_foci_);
     passes_.set_design(drawn);
-    terrain_.set_design(gl_, drawn);
+    terrain_.set_design(drawn);
+    terrain_painter_.set_design(gl_, drawn);
 }
 
 ObstaclePlaces Display::obstacles_ahead() {

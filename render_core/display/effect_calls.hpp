@@ -10,7 +10,7 @@
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_planner.hpp"
 #include "render_core/draw/focus_ground.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/earth/atmosphere.hpp"

@@ -6,7 +6,8 @@
 #include "render_core/display/data_elements.hpp"
 #include "render_core/display/effect_work.hpp"
 #include "render_core/display/frame_record.hpp"
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_planner.hpp"
+#include "render_core/draw/terrain_draw_result.hpp"
 #include "render_core/effects/frame_budget.hpp"
 
 namespace tedavis::display {

@@ -10,7 +10,7 @@ namespace {
 void draw_terrain(gl::Gl& gl, const PassInput& input, const draw::DepthRange& range, draw::TerrainDrawResult& drawn) {
     gl->Enable(GL_DEPTH_TEST);
     gl->Enable(GL_CULL_FACE);
-    input.terrain.draw(gl, make_terrain_input(input.frame), range, drawn);
+    input.terrain.draw(gl, input.seen, make_terrain_input(input.frame), range, drawn);
     gl->Disable(GL_CULL_FACE);
 }
 
@@ -19,7 +19,7 @@ void draw_terrain_depths(gl::Gl& gl, const PassInput& input, const draw::DepthRa
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl->Enable(GL_DEPTH_TEST);
     gl->Enable(GL_CULL_FACE);
-    input.terrain.draw_depths(gl, make_terrain_input(input.frame), range, not_counted);
+    input.terrain.draw_depths(gl, input.seen, make_terrain_input(input.frame), range, not_counted);
     gl->Disable(GL_CULL_FACE);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -39,7 +39,7 @@ draw::FocusRange context_range(const design::DesignSettings& design) {
 
 draw::DataFrame data_frame(const PassInput& input) {
     draw::DataFrame frame = make_data_frame(input.frame);
-    frame.grid = {&input.frame.design.terrain.style.grid, &input.terrain.database()};
+    frame.grid = {&input.frame.design.terrain.style.grid, input.seen.database};
     frame.without_uncertainty = input.frame.last < PictureLayer::uncertainty;
     return frame;
 }
@@ -160,7 +160,8 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     }
     const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
-    const PassInput drawing{frame, input.plan, input.terrain, input.elements, input.work, input.has_void, input.has_shadow_map};
+    const PassInput drawing{frame,          input.plan, input.terrain,  input.seen,
+                            input.elements, input.work, input.has_void, input.has_shadow_map};
     draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place, drawing, drawn);
     if (has_shafts) {
         draw_shafts(gl, drawing, shadow);
@@ -195,13 +196,13 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
     place.bind(gl);
     const bool shows_terrain = input.frame.decisions.show_terrain;
     const bool off_screen = shows_terrain && goes_off_screen_;
-    const bool is_traced = off_screen && input.terrain.is_traced();
+    const bool is_traced = off_screen && input.seen.is_traced;
     if (off_screen && !is_traced)
         picture_.begin(gl);
     else
         gl->Clear(GL_DEPTH_BUFFER_BIT);
     if (is_traced)
-        input.terrain.draw_traced(gl, make_terrain_input(input.frame), picture_.scene());
+        input.terrain.draw_traced(gl, input.seen, make_terrain_input(input.frame), picture_.scene());
     else if (shows_terrain)
         draw_ranges(gl, input, drawn);
     else
@@ -218,7 +219,7 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
 
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.
 void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainDrawResult& drawn) {
-    const draw::DepthPlan depth = input.terrain.depth_plan(input.frame.eye.view);
+    const draw::DepthPlan& depth = input.seen.depth;
     for (std::size_t n = 0; n < depth.count; ++n) {
         if (n > 0) gl->Clear(GL_DEPTH_BUFFER_BIT);
         draw_terrain(gl, input, depth.ranges[n], drawn);
@@ -234,7 +235,7 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
 
 /// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
 void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input) {
-    const draw::DepthPlan depth = input.terrain.depth_plan(input.frame.eye.view);
+    const draw::DepthPlan& depth = input.seen.depth;
     for (std::size_t n = 0; n < depth.count; ++n) {
         gl->Clear(GL_DEPTH_BUFFER_BIT);
         draw_terrain_depths(gl, input, depth.ranges[n]);
@@ -247,7 +248,7 @@ void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input)
 draw::PictureInput ScenePasses::picture_input(const PassInput& input) {
     draw::PictureInput picture = make_picture_input(input.frame);
     picture.outlined = input.plan.runs(effects::Effect::silhouettes);
-    picture.ground = input.terrain.drawn_part(input.frame.eye.view);
+    picture.ground = input.seen.part;
     picture.has_void = input.has_void;
     return picture;
 }

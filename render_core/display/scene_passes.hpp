@@ -13,7 +13,7 @@
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/effect_work.hpp"
 #include "render_core/display/shadow_casters.hpp"
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_painter.hpp"
 #include "render_core/draw/light_shafts.hpp"
 #include "render_core/draw/picture_pass.hpp"
 #include "render_core/draw/sky_drawer.hpp"
@@ -26,7 +26,8 @@ namespace tedavis::display {
 struct PassInput {
     const DrawContext& frame;
     const effects::FramePlan& plan;
-    TerrainScene& terrain;
+    TerrainPainter& terrain;
+    const SeenTerrain& seen;  ///< from the frame's eye
     DataElements& elements;
     EffectWorkTable& work;
     bool has_void = false;        ///< ground without data is in view

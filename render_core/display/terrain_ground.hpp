@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_planner.hpp"
 #include "render_core/draw/data/element_input.hpp"
 
 namespace tedavis::display {
@@ -13,7 +13,7 @@ namespace tedavis::display {
 class TerrainGround final : public scene::Ground {
 public:
     /// The terrain must be started, and stay.
-    TerrainGround(TerrainScene& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
+    TerrainGround(TerrainPlanner& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
 
     [[nodiscard]] double height_m(double latitude_rad, double longitude_rad) override {
         const terrain::HeightAnswer ground = terrain_.true_height(latitude_rad, longitude_rad);
@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    TerrainScene& terrain_;
+    TerrainPlanner& terrain_;
     double flat_msl_m_;  ///< NaN: as it is
 };
 

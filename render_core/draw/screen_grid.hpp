@@ -5,17 +5,13 @@
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/draw/screen_part.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
 
 namespace tedavis::draw {
 
 inline constexpr gl::AttributeBinding kScreenAttributes[] = {{"position", 0}};
-
-/// The screen where x * right + y * up <= limit, x and y from -1 at the left and bottom to 1.
-struct ScreenPart {
-    float right = 0, up = 0, limit = 1;  ///< the whole screen
-};
 
 class ScreenGrid {
 public:

@@ -18,7 +18,7 @@ using terrain::SelectedChunk;
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
 constexpr std::uint32_t kFocusRow = 1;          // below the palette, where a design has foci
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
-constexpr std::uint64_t kSlotIndices = std::uint64_t{terrain::kMaxChunkTriangles} * 3;
+constexpr std::uint64_t kSlotIndices = terrain::ChunkIndices::kMaxIndices;
 
 /// After the palette and the baked maps; eight units are enough on the smallest device.
 constexpr std::uint32_t kGroundMapUnit = design::kBakedMaps + 1, kGroundColorUnit = design::kBakedMaps + 2;
@@ -49,9 +49,10 @@ bool has_foci(DrawnDesigns designs) {
 
 }  // namespace
 
-base::Error TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
-                                 effects::DeviceSettings& device, base::Arena& staging) {
+base::Error TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store, terrain::ChunkIndices& indices,
+                                 DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging) {
     store_ = &store;
+    chunk_indices_ = &indices;
     design_ = *designs[0].design;
     if (base::Error error = start_memory(gl, device, staging)) return error;
     if (base::Error error = start_pages(gl, designs, device, staging)) return error;
@@ -83,11 +84,8 @@ bool TerrainDrawer::shows(const DrawnDesign& design) const {
 base::Error TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const std::uint32_t slots = device.max_chunk_slots;
     slots_ = staging.allocate_array<GpuSlot>(slots);
-    index_staging_ = staging.allocate_array<std::uint16_t>(kSlotIndices);
-    scratch_ = static_cast<terrain::ChunkMeshScratch*>(staging.allocate(sizeof *scratch_, alignof(terrain::ChunkMeshScratch)));
-    if (slots_.empty() || index_staging_.empty() || scratch_ == nullptr)
-        return base::make_error(
-            "the budget line 'staging' is too small for the terrain's index staging; raise it in the device file");
+    if (slots_.empty())
+        return base::make_error("the budget line 'staging' is too small for the terrain's slots; raise it in the device file");
     for (GpuSlot& slot : slots_) slot = GpuSlot{};
     auto vertices = gl::make_buffer(gl, *device.budget.find(effects::kTerrainVertices), gl::BufferKind::vertices,
                                     gl::BufferUse::streamed, slots * kSlotVertexBytes);
@@ -218,16 +216,6 @@ bool TerrainDrawer::prepare(gl::Gl& gl, base::Span<const SelectedChunk> selected
     return true;
 }
 
-terrain::MeshCount TerrainDrawer::build_indices(const SelectedChunk& chunk) {
-    return terrain::build_chunk_indices(*chunk.entry, store_->vertices(chunk.slot), store_->indices(chunk.slot),
-                                        chunk.coarser_edges, *scratch_, index_staging_);
-}
-
-base::Span<const std::uint16_t> TerrainDrawer::drawn_indices(const SelectedChunk& chunk) {
-    const terrain::MeshCount mesh = build_indices(chunk);
-    return {index_staging_.data(), mesh.sound ? mesh.indices : 0};
-}
-
 bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
     GpuSlot& gpu = slots_[chunk.slot];
     const std::uint32_t generation = store_->generation(chunk.slot);
@@ -238,11 +226,11 @@ bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
         gpu = {generation, 0, 0, false};
     }
     if (gpu.indexed && gpu.coarser_edges == chunk.coarser_edges) return true;
-    const terrain::MeshCount mesh = build_indices(chunk);
-    if (!mesh.sound || !indices_.upload(gl, chunk.slot * kSlotIndices * sizeof(std::uint16_t), index_staging_.data(),
-                                        mesh.indices * sizeof(std::uint16_t)))
+    const terrain::IndexList list = chunk_indices_->of(chunk);
+    if (!list.sound || !indices_.upload(gl, chunk.slot * kSlotIndices * sizeof(std::uint16_t), list.indices.data(),
+                                        list.indices.size() * sizeof(std::uint16_t)))
         return false;
-    gpu = {generation, mesh.indices, chunk.coarser_edges, true};
+    gpu = {generation, static_cast<std::uint32_t>(list.indices.size()), chunk.coarser_edges, true};
     return true;
 }
 

@@ -15,11 +15,12 @@
 #include "render_core/draw/ground_map.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_bands.hpp"
+#include "render_core/draw/terrain_draw_result.hpp"
 #include "render_core/draw/terrain_uniforms.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/buffer.hpp"
-#include "render_core/terrain/chunk_mesh.hpp"
+#include "render_core/terrain/chunk_indices.hpp"
 #include "render_core/terrain/lod_selection.hpp"
 #include "render_core/terrain/terrain_store.hpp"
 
@@ -42,11 +43,6 @@ struct TerrainDrawInput {
     bool blurs_context = true;                  ///< false: brightness stands for it
 };
 
-struct TerrainDrawResult {
-    std::uint32_t triangles = 0;
-    std::uint32_t draws = 0;
-};
-
 class TerrainDrawer {
 public:
     /// For chunks without attribute pages, with them, and with a coast as well. Of codes: sea and void by the vertices, land
@@ -61,8 +57,9 @@ public:
     static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
     /// For designs that follow one another while it runs; the first is drawn first.
-    [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainStore& store, DrawnDesigns designs,
-                                    effects::DeviceSettings& device, base::Arena& staging);
+    /// Store and index lists must outlive it.
+    [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainStore& store, terrain::ChunkIndices& indices,
+                                    DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging);
     /// Whether there are the programs and maps that a design needs.
     [[nodiscard]] bool shows(const DrawnDesign& design) const;
     /// From here on another design, which shows() has said it can.
@@ -80,8 +77,6 @@ public:
     /// test and culling as the caller set them.
     void draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
               const DepthRange& range, TerrainDrawResult& result);
-    /// The index list that a chunk is drawn with; after prepare().
-    [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk);
     /// Whether the style, or a coast in the database, asks for attribute pages; after start().
     [[nodiscard]] bool reads_pages() const;
     void destroy(gl::Gl& gl);
@@ -127,7 +122,6 @@ private:
     [[nodiscard]] bool has_ground_data() const { return style().variant.ground_data; }
     [[nodiscard]] bool is_coded() const { return style().variant.output == TerrainOutput::code; }
     void upload_palette(gl::Gl& gl);
-    [[nodiscard]] terrain::MeshCount build_indices(const terrain::SelectedChunk& chunk);
     [[nodiscard]] bool upload_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk);
     [[nodiscard]] bool upload_page(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input);
     [[nodiscard]] PageChoice page_of(const terrain::ChunkKey& key) const;
@@ -145,6 +139,7 @@ private:
     void draw_chunk(gl::Gl& gl, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result);
 
     const terrain::TerrainStore* store_ = nullptr;
+    terrain::ChunkIndices* chunk_indices_ = nullptr;
     design::DesignSettings design_;
     base::FixedVector<Style, kMaxStyles> styles_;
     std::size_t style_ = 0, magnified_style_ = 0;  ///< of design_
@@ -158,8 +153,6 @@ private:
     base::Span<GpuSlot> slots_;
     base::Span<PageSlot> page_slots_;
     base::Span<std::uint32_t> drape_generations_;  ///< by slot: what was uploaded
-    base::Span<std::uint16_t> index_staging_;
-    terrain::ChunkMeshScratch* scratch_ = nullptr;
 };
 
 }  // namespace tedavis::draw

@@ -23,26 +23,6 @@ TraceState traced_state_of(TracedGroundFault fault) {
 
 }  // namespace
 
-std::string_view reason_of(TraceState state) {
-    constexpr std::string_view kReasons[] = {"",
-                                             "",
-                                             "the tracer draws no such style",
-                                             "the ground is drawn flat",
-                                             "the device's lane is es2",
-                                             "the device has no memory for it",
-                                             "the database is larger than the device's memory for it",
-                                             "the database goes round the Earth or over a pole",
-                                             "the database is damaged",
-                                             "the eye is too close to a pole"};
-    return kReasons[static_cast<std::size_t>(state)];
-}
-
-TraceState trace_state_of(const DrawnDesign& design) {
-    if (design.design->terrain.renderer != design::TerrainRenderer::trace) return TraceState::not_asked_for;
-    if (design.design->view.reference == design::Reference::flat) return TraceState::not_flat;
-    return design.output == TerrainOutput::code ? TraceState::traced : TraceState::not_by_style;
-}
-
 base::Error TracedTerrain::start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
                                  effects::DeviceSettings& device, const TracePlace& place) {
     database_ = &database;
@@ -78,7 +58,7 @@ base::Error TracedTerrain::start_pictures(gl::Gl& gl, base::BudgetTable& budget)
 
 void TracedTerrain::see(const terrain::View& view) {
     if (has_seen_ && is_same_picture(view, seen_)) return;
-    if (can_see(view))
+    if (can_trace(*database_, view))
         view_.trace(ground_, space(), view, workers());
     else
         view_.clear();

@@ -12,27 +12,12 @@
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_triangle.hpp"
 #include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/draw/trace_state.hpp"
 #include "render_core/draw/traced_codes.hpp"
 #include "render_core/draw/traced_view.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::draw {
-
-/// What becomes of terrain that a design wants traced.
-enum class TraceState : std::uint8_t {
-    not_asked_for,
-    traced,
-    not_by_style,   ///< other than codes (terrain_program.hpp)
-    not_flat,       ///< the design shows a plane
-    not_on_lane,    ///< a shader of ES 2 cannot leave depths
-    not_on_device,  ///< which has no memory for it
-    database_too_large,
-    database_round,
-    database_damaged,
-    place_too_polar,  ///< of the eye, in this frame
-};
-/// Why the rasterizer draws; empty where it does not stand in.
-[[nodiscard]] std::string_view reason_of(TraceState state);
 
 /// What tracing takes beside the terrain's own; without an arena there is none.
 struct TracePlace {
@@ -41,9 +26,6 @@ struct TracePlace {
     std::uint32_t width_px = 0, height_px = 0;
 };
 
-/// Whether the tracer can draw a design at all, wherever.
-[[nodiscard]] TraceState trace_state_of(const DrawnDesign& design);
-
 class TracedTerrain {
 public:
     /// Of the whole database that the query answers from; state() says whether it can trace it.
@@ -51,9 +33,6 @@ public:
                                     effects::DeviceSettings& device, const TracePlace& place);
     /// not_asked_for before start().
     [[nodiscard]] TraceState state() const { return state_; }
-
-    /// Whether it can trace this view.
-    [[nodiscard]] bool can_see(const terrain::View& view) const { return raytrace::can_trace(space(), view); }
 
     /// Codes, into a whole picture of the size at start. No terrain lies beyond the view's far plane: the nearer it is, the less
     /// there is to trace. Where it cannot see there is nothing.

@@ -51,7 +51,9 @@ public:
           terrain_(bytes_, session_.device.max_chunk_slots, pages ? session_.device.attribute_pages : 0),
           design_(design) {
         const draw::DrawnDesign only = drawn(design);
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
+        EXPECT_TRUE(indices_.start(terrain_.store(), staging_));
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), indices_, {&only, 1}, session_.device, staging_).message.view(),
+                  "");
         session_.gl.seal();
     }
     ~ChunkDrawing() {
@@ -122,6 +124,7 @@ private:
     design::DesignSettings design_;
     std::vector<std::uint8_t> staging_memory_ = std::vector<std::uint8_t>(8 << 20);
     base::Arena staging_{staging_memory_.data(), staging_memory_.size()};
+    terrain::ChunkIndices indices_;
     draw::TerrainDrawer drawer_;
     draw::TerrainDrawResult result_;
     terrain::LodResult lod_;

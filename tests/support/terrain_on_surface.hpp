@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_painter.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/gl_session.hpp"
 
@@ -23,13 +23,17 @@ public:
             arena("terrain_drape"), arena("lod_scratch"),         arena("staging")};
         const display::TerrainInput input{&terrain, &reader_, terrain::ArrivalMode::exact};
         const draw::DrawnDesign only{&design_, draw::output_of(design_, session_.device.capability.depth24_targets)};
-        const base::Error error = scene_.start(session_.gl, input, {&only, 1}, session_.device, memory);
-        if (error) throw std::runtime_error(error.message.c_str());
+        if (const base::Error error = scene_.start(input, {&only, 1}, session_.device, memory))
+            throw std::runtime_error(error.message.c_str());
+        if (const base::Error error = painter_.start(session_.gl, scene_, {&only, 1}, session_.device, memory.staging))
+            throw std::runtime_error(error.message.c_str());
+        scene_.follow_painter(painter_.reads_pages(), painter_.tracer());
+        scene_.set_design(only);
         session_.surface->release_current();
     }
     ~TerrainOnSurface() {
         make_current();
-        scene_.destroy(session_.gl);
+        painter_.destroy(session_.gl);
     }
     TerrainOnSurface(const TerrainOnSurface&) = delete;
     TerrainOnSurface& operator=(const TerrainOnSurface&) = delete;
@@ -41,7 +45,8 @@ public:
         constexpr int kMostTimes = 64;
         for (int n = 0; n < kMostTimes; ++n)
             if (scene_.plan(eye, design_).pending == 0) break;
-        if (!scene_.prepare(session_.gl, input_)) throw std::runtime_error("the terrain cannot be uploaded");
+        if (!painter_.prepare(session_.gl, scene_.seen_from(input_.view), input_))
+            throw std::runtime_error("the terrain cannot be uploaded");
         session_.surface->release_current();
     }
     /// On the cleared surface, which is current, until it is finished.
@@ -52,8 +57,8 @@ public:
         gl->Enable(GL_DEPTH_TEST);
         gl->Enable(GL_CULL_FACE);
         draw::TerrainDrawResult drawn;
-        scene_.draw(gl, input_, {input_.view.near_m, std::fmax(scene_.farthest_depth_m(input_.view), 2 * input_.view.near_m)},
-                    drawn);
+        const double far_m = std::fmax(scene_.farthest_depth_m(input_.view), 2 * input_.view.near_m);
+        painter_.draw(gl, scene_.seen_from(input_.view), input_, {input_.view.near_m, far_m}, drawn);
         gl->Finish();
     }
     void make_current() {
@@ -61,7 +66,7 @@ public:
         session_.gl.activate();
     }
     void release_current() { session_.surface->release_current(); }
-    [[nodiscard]] display::TerrainScene& scene() { return scene_; }
+    [[nodiscard]] display::TerrainPlanner& scene() { return scene_; }
     [[nodiscard]] const terrain::View& view() const { return input_.view; }
 
 private:
@@ -80,7 +85,8 @@ private:
     base::SynchronousReader reader_;
     design::DesignSettings design_;
     std::vector<std::unique_ptr<Block>> blocks_;
-    display::TerrainScene scene_;
+    display::TerrainPlanner scene_;
+    display::TerrainPainter painter_;
     draw::TerrainDrawInput input_;
 };
 

@@ -121,13 +121,15 @@ TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
     const Eye eye = make_eye(level, design_.view, 0);
     const FrameRecord record;
     const DrawContext frame{design_, decisions, eye, record};
-    const auto terrain = std::make_unique<TerrainScene>();
+    const auto terrain = std::make_unique<TerrainPainter>();
+    const SeenTerrain nothing;
     const auto elements = std::make_unique<DataElements>();
     EffectWorkTable work;
     session_.gl.seal();
     session_.gl.begin_frame();
     gl::bind_surface(session_.gl, *session_.surface);
-    const draw::TerrainDrawResult drawn = passes_.draw(session_.gl, *session_.surface, {frame, {}, *terrain, *elements, work});
+    const draw::TerrainDrawResult drawn =
+        passes_.draw(session_.gl, *session_.surface, {frame, {}, *terrain, nothing, *elements, work});
     EXPECT_EQ(drawn.draws, 0u);
     const auto pixels = session_.pixels();
     const std::uint8_t* const top = pixels.data() + (std::size_t{kWidth} * kHeight - kWidth / 2) * 4;

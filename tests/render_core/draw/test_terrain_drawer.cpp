@@ -210,10 +210,12 @@ TEST(TerrainDrawer, CodesTakeNoPalette) {
         const test_support::DrawnTerrain terrain(bytes, session.device.max_chunk_slots);
         std::vector<std::uint8_t> memory(8 << 20);
         base::Arena staging(memory.data(), memory.size());
+        terrain::ChunkIndices indices;
+        EXPECT_TRUE(indices.start(terrain.store(), staging));
         TerrainDrawer drawer;
         const design::DesignSettings design = clear_design();
         const DrawnDesign only{&design, output};
-        EXPECT_EQ(drawer.start(session.gl, terrain.store(), {&only, 1}, session.device, staging).message.view(), "");
+        EXPECT_EQ(drawer.start(session.gl, terrain.store(), indices, {&only, 1}, session.device, staging).message.view(), "");
         EXPECT_TRUE(drawer.shows(only));
         drawer.set_design(session.gl, only);
         const std::uint64_t taken = session.device.budget.find(effects::kRenderTargets)->use.in_use;

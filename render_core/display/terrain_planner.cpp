@@ -1,11 +1,10 @@
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_planner.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render_core/draw/terrain_uniforms.hpp"
 #include "render_core/terrain/lod_refinement.hpp"
 #include "render_core/terrain/projected_error.hpp"
 
@@ -78,12 +77,12 @@ TerrainPlan as_traced(TerrainPlan plan) {
 
 std::string_view database_fault(std::string_view sentence) { return base::text_behind(kOfDatabase, sentence); }
 
-std::uint32_t TerrainScene::reader_tickets(const effects::DeviceSettings& device) {
+std::uint32_t TerrainPlanner::reader_tickets(const effects::DeviceSettings& device) {
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
 }
 
-base::Error TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::DrawnDesigns designs,
-                                effects::DeviceSettings& device, const TerrainMemory& memory, const draw::TracePlace& traced) {
+base::Error TerrainPlanner::start(const TerrainInput& input, draw::DrawnDesigns designs, effects::DeviceSettings& device,
+                                  const TerrainMemory& memory) {
     device_ = &device;
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
     if (!opened.ok()) return database_error(opened.error());
@@ -91,45 +90,30 @@ base::Error TerrainScene::start(gl::Gl& gl, const TerrainInput& input, draw::Dra
     for (const draw::DrawnDesign& drawn : designs)
         if (needs_map(drawn.design->terrain.style, design::BakedMap::drape)) decide_drape();
     if (base::Error error = start_store(input, memory)) return error;
-    if (base::Error error = start_selection(memory.lod)) return error;
-    if (base::Error error = drawer_.start(gl, store_, designs, device, memory.staging)) return error;
-    store_.fetch_attributes(drawer_.reads_pages());
-    if (base::Error error = start_tracing(gl, designs, traced)) return error;
+    if (base::Error error = start_selection(memory)) return error;
     started_ = true;
     return {};
 }
 
-/// Only where a design can be traced is anything kept for it.
-base::Error TerrainScene::start_tracing(gl::Gl& gl, draw::DrawnDesigns designs, draw::TracePlace place) {
-    base::Error error;
-    for (const draw::DrawnDesign& drawn : designs)
-        if (draw::trace_state_of(drawn) == draw::TraceState::traced && traced_.state() == draw::TraceState::not_asked_for)
-            error = traced_.start(gl, database_, heights_, *device_, place);
-    follow_trace(designs[0]);
-    return error;
+void TerrainPlanner::follow_painter(bool reads_pages, draw::TraceState tracer) {
+    store_.fetch_attributes(reads_pages);
+    tracer_ = tracer;
 }
 
-void TerrainScene::follow_trace(const draw::DrawnDesign& design) {
+void TerrainPlanner::set_design(const draw::DrawnDesign& design) {
+    if (!started_) return;
     design_trace_ = draw::trace_state_of(design);
-    if (design_trace_ == draw::TraceState::traced) design_trace_ = traced_.state();
+    if (design_trace_ == draw::TraceState::traced) design_trace_ = tracer_;
     trace_ = design_trace_;
-    if (is_traced()) design_ = *design.design;
 }
 
-void TerrainScene::follow_trace(const terrain::View& view) {
-    const bool is_lost = design_trace_ == draw::TraceState::traced && !traced_.can_see(view);
+void TerrainPlanner::follow_view(const terrain::View& view) {
+    const bool is_lost = design_trace_ == draw::TraceState::traced && !draw::can_trace(database_, view);
     trace_ = is_lost ? draw::TraceState::place_too_polar : design_trace_;
 }
 
-bool TerrainScene::shows(const draw::DrawnDesign& design) const {
-    if (!started_) return true;
-    const bool is_new_to_rays =
-        draw::trace_state_of(design) == draw::TraceState::traced && traced_.state() == draw::TraceState::not_asked_for;
-    return drawer_.shows(design) && !is_new_to_rays;
-}
-
 /// Pages are read only where a style shows them.
-void TerrainScene::decide_drape() {
+void TerrainPlanner::decide_drape() {
     const terrain::FileHeader& h = database_.header();
     drape_ = h.drape_posts == 0          ? DrapeState::not_in_database
              : device_->drape_pages == 0 ? DrapeState::not_on_device
@@ -140,7 +124,7 @@ void TerrainScene::decide_drape() {
     drape_detail_ = {draw::drape_texel_size(database_.lattice(), middle).north_m, h.drape_level};
 }
 
-base::Error TerrainScene::start_store(const TerrainInput& input, const TerrainMemory& memory) {
+base::Error TerrainPlanner::start_store(const TerrainInput& input, const TerrainMemory& memory) {
     if (!heights_.start(database_, memory.payloads))
         return base::make_error(
             "the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
@@ -156,38 +140,30 @@ base::Error TerrainScene::start_store(const TerrainInput& input, const TerrainMe
     return failure.error == terrain::TdbError::none ? base::Error{} : database_error(failure);
 }
 
-base::Error TerrainScene::start_selection(base::Arena& lod) {
+base::Error TerrainPlanner::start_selection(const TerrainMemory& memory) {
     const std::uint32_t slots = device_->max_chunk_slots;
-    selected_ = lod.allocate_array<terrain::SelectedChunk>(slots);
-    wanted_ = lod.allocate_array<terrain::WantedChunk>(slots);
-    if (selected_.empty() || wanted_.empty() || !selector_.start(lod, kNodesPerSlot * slots))
+    selected_ = memory.lod.allocate_array<terrain::SelectedChunk>(slots);
+    wanted_ = memory.lod.allocate_array<terrain::WantedChunk>(slots);
+    if (selected_.empty() || wanted_.empty() || !selector_.start(memory.lod, kNodesPerSlot * slots))
         return base::make_error("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+    if (!chunk_indices_.start(store_, memory.staging))
+        return base::make_error(
+            "the budget line 'staging' is too small for the index lists of chunks; raise it in the device file");
     return {};
 }
 
-void TerrainScene::set_design(gl::Gl& gl, const draw::DrawnDesign& design) {
-    if (!started_) return;
-    drawer_.set_design(gl, design);
-    follow_trace(design);
-}
-
-void TerrainScene::destroy(gl::Gl& gl) {
-    traced_.destroy(gl);
-    drawer_.destroy(gl);
-}
-
-terrain::HeightAnswer TerrainScene::true_height(double latitude_rad, double longitude_rad) {
+terrain::HeightAnswer TerrainPlanner::true_height(double latitude_rad, double longitude_rad) {
     return heights_.at(latitude_rad, longitude_rad);
 }
 
 /// Chunks in view and above it for which there are slots: what roots and chunks beside the view leave, half of all at least.
-std::uint32_t TerrainScene::parts_in_view() const {
+std::uint32_t TerrainPlanner::parts_in_view() const {
     const std::uint32_t slots = device_->max_chunk_slots, top = database_.lattice().levels() - 1;
     const std::uint32_t roots = database_.lattice().grid_columns(top) * database_.lattice().grid_rows(top);
     return std::max(slots / 2, slots - std::min(slots, roots + kSlotsBeside));
 }
 
-terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& design, const Eye& eye, double tau_factor) const {
+terrain::LodSettings TerrainPlanner::lod_settings(const design::DesignSettings& design, const Eye& eye, double tau_factor) const {
     terrain::LodSettings lod;
     lod.tau_px = design.terrain.tau_px * tau_factor;
     lod.max_triangles = device_->triangle_budget;
@@ -202,17 +178,17 @@ terrain::LodSettings TerrainScene::lod_settings(const design::DesignSettings& de
 }
 
 /// The view with what is known of the ground close to its eye. Of each view anew: a wider one sees more of the ground below.
-terrain::View TerrainScene::over_ground(terrain::View view) {
+terrain::View TerrainPlanner::over_ground(terrain::View view) {
     view.ground = terrain::near_ground(heights_, view);
     return view;
 }
 
-TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& design, double tau_factor) {
+TerrainPlan TerrainPlanner::plan(const Eye& eye, const design::DesignSettings& design, double tau_factor) {
     const terrain::LodSettings lod = lod_settings(design, eye, tau_factor);
     store_.begin_frame();
     TerrainPlan plan;
     terrain::View view = eye.view;
-    follow_trace(view);
+    follow_view(view);
     plan.is_unmagnified = !view.magnifiers.empty() && !can_magnify(view, lod);
     if (plan.is_unmagnified) view.magnifiers.clear();
     const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(view)), needed_soon(lod, parts_in_view()),
@@ -230,7 +206,7 @@ TerrainPlan TerrainScene::plan(const Eye& eye, const design::DesignSettings& des
     return plan;
 }
 
-void TerrainScene::widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod) {
+void TerrainPlanner::widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod) {
     const terrain::View seen = over_ground(view);
     for (const terrain::SelectedChunk& chunk : selected()) {
         if (terrain::is_outside_view(*chunk.entry, seen, double{greatest_lift_m(chunk.lift)})) continue;
@@ -246,7 +222,7 @@ void TerrainScene::widen_error(const terrain::View& view, const design::DesignSe
 
 /// Not where they take of the ground's triangles what its accuracy needs. Of what would be drawn if all had arrived, so that no
 /// arrival changes the answer.
-bool TerrainScene::can_magnify(const terrain::View& view, const terrain::LodSettings& lod) {
+bool TerrainPlanner::can_magnify(const terrain::View& view, const terrain::LodSettings& lod) {
     const terrain::LodResult with = selector_.select(store_, over_ground(view), lod, SelectionKind::ideal, selected_);
     if (!is_short(with)) return true;
     terrain::View unmoved = view;
@@ -258,7 +234,7 @@ bool TerrainScene::can_magnify(const terrain::View& view, const terrain::LodSett
 /// Chunks that reach into both ranges of depth are drawn twice, which the budget of triangles bears too. Where the ranges part
 /// follows from what is selected; so where it matters a second selection knows it from the first, a little widened, and where
 /// even that is not enough, twice the half is the whole.
-terrain::LodResult TerrainScene::select_drawn(const terrain::View& view, terrain::LodSettings lod) {
+terrain::LodResult TerrainPlanner::select_drawn(const terrain::View& view, terrain::LodSettings lod) {
     const terrain::View seen = over_ground(view);
     const std::uint32_t budget = lod.max_triangles;
     terrain::LodResult result;
@@ -273,7 +249,7 @@ terrain::LodResult TerrainScene::select_drawn(const terrain::View& view, terrain
     return result;
 }
 
-std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const {
+std::uint32_t TerrainPlanner::submitted_triangles(const terrain::View& view) const {
     const draw::DepthPlan depth = depth_plan(view);
     std::uint32_t triangles = 0;
     for (const terrain::SelectedChunk& chunk : selected()) {
@@ -285,63 +261,43 @@ std::uint32_t TerrainScene::submitted_triangles(const terrain::View& view) const
     return triangles;
 }
 
-draw::DepthPlan TerrainScene::depth_plan(const terrain::View& view) const {
+SeenTerrain TerrainPlanner::seen_from(const terrain::View& view) const {
+    if (!started_) return {};
+    return {selected(), depth_plan(view), drawn_part(view), is_traced(), &database_};
+}
+
+draw::DepthPlan TerrainPlanner::depth_plan(const terrain::View& view) const {
     return draw::plan_depth(view.near_m, std::fmin(std::fmax(farthest_depth_m(view), 2 * view.near_m), view.far_m));
 }
 
-double TerrainScene::farthest_m(const terrain::View& view) const {
+double TerrainPlanner::farthest_m(const terrain::View& view) const {
     const draw::DepthPlan depth = depth_plan(view);
     const double corner = std::hypot(view.half_width_tangent(), view.half_height_tangent());
     return depth.ranges[0].far_m * std::hypot(1, corner);
 }
 
-double TerrainScene::nearest_m(const terrain::View& view) const {
+double TerrainPlanner::nearest_m(const terrain::View& view) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const terrain::SelectedChunk& chunk : selected())
         nearest = std::fmin(nearest, terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)}).near_m);
     return std::fmax(nearest, view.near_m);
 }
 
-void TerrainScene::rest() {
+void TerrainPlanner::rest() {
     if (!started_) return;
     store_.begin_frame();
     store_.want({});
     chunks_ = 0;
 }
 
-bool TerrainScene::prepare(gl::Gl& gl, const draw::TerrainDrawInput& input) {
-    return is_traced() || drawer_.prepare(gl, selected(), input);
-}
-
-void TerrainScene::draw(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
-                        draw::TerrainDrawResult& result) {
-    drawer_.draw(gl, selected(), input, range, result);
-}
-
-/// Rays end behind the last of the terrain.
-draw::TerrainDrawInput TerrainScene::no_farther(draw::TerrainDrawInput input) const {
-    input.view.far_m = depth_plan(input.view).ranges[0].far_m;
-    return input;
-}
-
-void TerrainScene::draw_traced(gl::Gl& gl, const draw::TerrainDrawInput& input, const gl::Texture& picture) {
-    traced_.draw(gl, design_, no_farther(input), picture);
-}
-
-void TerrainScene::draw_depths(gl::Gl& gl, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
-                               draw::TerrainDrawResult& result) {
-    if (is_traced()) return traced_.draw_depths(gl, no_farther(input), range);
-    drawer_.draw(gl, selected(), input, range, result);
-}
-
-double TerrainScene::farthest_depth_m(const terrain::View& view) const {
+double TerrainPlanner::farthest_depth_m(const terrain::View& view) const {
     double farthest = 0;
     for (const terrain::SelectedChunk& chunk : selected())
         farthest = std::fmax(farthest, terrain::depth_span(*chunk.entry, view, double{greatest_lift_m(chunk.lift)}).far_m);
     return farthest;
 }
 
-draw::ScreenPart TerrainScene::drawn_part(const terrain::View& view) const {
+draw::ScreenPart TerrainPlanner::drawn_part(const terrain::View& view) const {
     const glm::dvec3 up = glm::normalize(view.eye);
     glm::dvec2 on_screen(glm::dot(up, view.right), glm::dot(up, view.down));
     const double length = glm::length(on_screen);
@@ -355,19 +311,19 @@ draw::ScreenPart TerrainScene::drawn_part(const terrain::View& view) const {
             static_cast<float>(highest + kSkyMargin_px / view.focal_px)};
 }
 
-base::Span<const terrain::ChunkVertex> TerrainScene::vertices(const terrain::SelectedChunk& chunk) {
+base::Span<const terrain::ChunkVertex> TerrainPlanner::vertices(const terrain::SelectedChunk& chunk) {
     return store_.vertices(chunk.slot);
 }
 
-base::Span<const std::uint16_t> TerrainScene::stored_indices(const terrain::SelectedChunk& chunk) {
+base::Span<const std::uint16_t> TerrainPlanner::stored_indices(const terrain::SelectedChunk& chunk) {
     return store_.indices(chunk.slot);
 }
 
-base::Span<const std::uint16_t> TerrainScene::drawn_indices(const terrain::SelectedChunk& chunk) {
-    return drawer_.drawn_indices(chunk);
+base::Span<const std::uint16_t> TerrainPlanner::drawn_indices(const terrain::SelectedChunk& chunk) {
+    return chunk_indices_.of(chunk).indices;
 }
 
-terrain::DrawnPoint TerrainScene::drawn_point(double latitude_rad, double longitude_rad) {
+terrain::DrawnPoint TerrainPlanner::drawn_point(double latitude_rad, double longitude_rad) {
     const terrain::LatticePoint point = database_.lattice().point(latitude_rad, longitude_rad);
     const terrain::SelectedChunk* chunk = terrain::chunk_under(database_.lattice(), selected(), point);
     if (chunk == nullptr) return {};

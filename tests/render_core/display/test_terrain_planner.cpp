@@ -1,4 +1,4 @@
-#include "render_core/display/terrain_scene.hpp"
+#include "render_core/display/terrain_painter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_ray_caster.hpp"
 
-namespace tedavis::display::test_terrain_scene {
+namespace tedavis::display::test_terrain_planner {
 namespace {
 
 using base::radians;
@@ -68,13 +68,16 @@ public:
             arenas_[n] = base::Arena(memory_[n].data(), memory_[n].size());
         }
         const draw::DrawnDesign only{&design};
-        error = scene.start(at_.gl, {&bytes_, &reader_, terrain::ArrivalMode::exact}, {&only, 1}, at_.device,
+        error = scene.start({&bytes_, &reader_, terrain::ArrivalMode::exact}, {&only, 1}, at_.device,
                             {arenas_[0], arenas_[1], arenas_[2], arenas_[3], arenas_[4], arenas_[5], arenas_[6]});
+        if (!error) error = painter.start(at_.gl, scene, {&only, 1}, at_.device, arenas_[6]);
+        if (!error) scene.follow_painter(painter.reads_pages(), painter.tracer());
+        if (!error) scene.set_design(only);
         at_.gl.seal();
     }
     ~Stage() {
         at_.gl.retire();
-        scene.destroy(at_.gl);
+        painter.destroy(at_.gl);
     }
     /// With everything arrived.
     TerrainPlan settled(const Eye& eye) {
@@ -82,17 +85,18 @@ public:
         for (int n = 0; n < 4; ++n) plan = scene.plan(eye, design_);
         return plan;
     }
-    bool prepare(const Eye& eye) { return scene.prepare(at_.gl, input(eye)); }
+    bool prepare(const Eye& eye) { return painter.prepare(at_.gl, scene.seen_from(eye.view), input(eye)); }
     draw::TerrainDrawResult draw(const Eye& eye) {
         draw::TerrainDrawResult result;
         gl::bind_surface(at_.gl, *at_.surface);
-        scene.draw(at_.gl, input(eye), {eye.view.near_m, eye.view.far_m}, result);
+        painter.draw(at_.gl, scene.seen_from(eye.view), input(eye), {eye.view.near_m, eye.view.far_m}, result);
         EXPECT_EQ(at_.gl.denied().total, 0u);
         return result;
     }
-    bool shows(const design::DesignSettings& design) const { return scene.shows({&design}); }
+    bool shows(const design::DesignSettings& design) const { return painter.shows({&design}); }
 
-    TerrainScene scene;
+    TerrainPlanner scene;
+    TerrainPainter painter;
     base::Error error;
 
 private:
@@ -115,7 +119,7 @@ private:
     base::Arena arenas_[kLines];
 };
 
-TEST(TerrainScene, TheLineThatDoesNotHoldIsNamed) {
+TEST(TerrainPlanner, TheLineThatDoesNotHoldIsNamed) {
     EXPECT_EQ(Stage(plain_design()).error.message.view(), "");
     for (const std::string line : {"terrain_chunk_slots", "terrain_heights", "terrain_attributes", "lod_scratch", "staging"}) {
         const Stage stage(plain_design(), line);
@@ -126,14 +130,14 @@ TEST(TerrainScene, TheLineThatDoesNotHoldIsNamed) {
     }
 }
 
-TEST(TerrainScene, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
+TEST(TerrainPlanner, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
     std::vector<std::uint8_t> image = hills().image;
     image[100] ^= 8;
     const Stage stage(plain_design(), "", image);
     EXPECT_EQ(database_fault(stage.error.message.view()).find("has a damaged header (offset 0); get a whole copy"), 0u);
 }
 
-TEST(TerrainScene, TracedTerrainHasNoErrorWhateverHasArrived) {
+TEST(TerrainPlanner, TracedTerrainHasNoErrorWhateverHasArrived) {
     Stage stage(plain_design());
     const TerrainPlan plan = stage.scene.plan(eye_at(96, 96, 2600, 40, -15), plain_design());
     EXPECT_GT(plan.lod.worst_error_px, 0);
@@ -147,7 +151,7 @@ TEST(TerrainScene, TracedTerrainHasNoErrorWhateverHasArrived) {
     EXPECT_EQ(traced.pending, plan.pending) << "of what else reads chunks";
 }
 
-TEST(TerrainScene, RaysThatCannotBeLeaveTriangles) {
+TEST(TerrainPlanner, RaysThatCannotBeLeaveTriangles) {
     design::DesignSettings design = plain_design();
     EXPECT_EQ(Stage(design).scene.trace_state(), draw::TraceState::not_asked_for);
     design.terrain.renderer = design::TerrainRenderer::trace;
@@ -157,7 +161,7 @@ TEST(TerrainScene, RaysThatCannotBeLeaveTriangles) {
     EXPECT_TRUE(stage.shows(plain_design()));
 }
 
-TEST(TerrainScene, CoarserFirstThenRefinedToTau) {
+TEST(TerrainPlanner, CoarserFirstThenRefinedToTau) {
     Stage stage(plain_design());
     const Eye eye = eye_at(96, 96, 2600, 40, -15);
     double last_px = 1e9;
@@ -176,7 +180,7 @@ TEST(TerrainScene, CoarserFirstThenRefinedToTau) {
 }
 
 /// Boxes alone say for these eyes, from which the near plane is a metre away, several times as much.
-TEST(TerrainScene, CloseOverTheGroundTauIsReached) {
+TEST(TerrainPlanner, CloseOverTheGroundTauIsReached) {
     Stage stage(plain_design());
     design::DesignSettings design = plain_design();
     design.terrain.tau_px = 0.5;
@@ -202,7 +206,7 @@ TEST(TerrainScene, CloseOverTheGroundTauIsReached) {
 }
 
 // A frame without terrain is a frame: what was seen before it falls out of the window.
-TEST(TerrainScene, RestingForgetsAsFramesDo) {
+TEST(TerrainPlanner, RestingForgetsAsFramesDo) {
     Stage stage(plain_design());
     const Eye eye = eye_at(96, 96, 2600, 40, -15);
     EXPECT_EQ(stage.settled(eye).pending, 0u);
@@ -214,7 +218,7 @@ TEST(TerrainScene, RestingForgetsAsFramesDo) {
     EXPECT_EQ(stage.scene.plan(eye, plain_design()).pending, 0u) << "control: a single one does not";
 }
 
-TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
+TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
     Stage stage(plain_design());
     for (const double heading : {0.0, 130.0, 250.0}) {
         const Eye eye = eye_at(96, 96, 2600, heading, -10);
@@ -284,14 +288,14 @@ std::vector<glm::dvec3> raised_box(const terrain::ChunkEntry& entry, double lift
     return corners;
 }
 
-TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
+TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
     Stage stage(plain_design());
     int narrow = 0;
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double pitch : {-10.0, 4.0, -89.99}) {
             const Eye eye = rolled(eye_at(96, 96, 2600, 130, pitch), roll);
             static_cast<void>(stage.settled(eye));
-            const draw::ScreenPart part = stage.scene.drawn_part(eye.view);
+            const draw::ScreenPart part = stage.scene.seen_from(eye.view).part;
             narrow += part.limit < 0.9f * (std::abs(part.right) + std::abs(part.up)) ? 1 : 0;
             for (const terrain::SelectedChunk& chunk : stage.scene.selected())
                 ASSERT_LT(highest_of(vertices_of(chunk), eye.view, part), double{part.limit} - 1 / eye.view.focal_px)
@@ -301,7 +305,7 @@ TEST(TerrainScene, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
 }
 
 /// Conservative-up raises vertices, with a large tau by tens of metres, and out of the boxes of their chunks.
-TEST(TerrainScene, LiftedChunksLieWithinTheDrawnPartToo) {
+TEST(TerrainPlanner, LiftedChunksLieWithinTheDrawnPartToo) {
     design::DesignSettings design = plain_design();
     design.terrain.conservative_up = true;
     design.terrain.tau_px = 12;
@@ -312,7 +316,7 @@ TEST(TerrainScene, LiftedChunksLieWithinTheDrawnPartToo) {
             for (const double msl_m : {900.0, 1500.0, 2600.0}) {
                 const Eye eye = rolled(eye_at(96, 96, msl_m, heading, -4), roll);
                 static_cast<void>(stage.settled(eye));
-                const draw::ScreenPart part = stage.scene.drawn_part(eye.view);
+                const draw::ScreenPart part = stage.scene.seen_from(eye.view).part;
                 const double limit = double{part.limit} - 1 / eye.view.focal_px;
                 for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
                     SCOPED_TRACE(::testing::Message() << roll << ", " << heading << ", " << msl_m);
@@ -329,7 +333,7 @@ TEST(TerrainScene, LiftedChunksLieWithinTheDrawnPartToo) {
 }
 
 /// What stands on the ground stands on what is drawn: within tau of the true surface, by an oracle of its own.
-TEST(TerrainScene, DrawnPointsLieWithinTauOfTheTrueSurface) {
+TEST(TerrainPlanner, DrawnPointsLieWithinTauOfTheTrueSurface) {
     Stage stage(plain_design());
     const test_support::RasterRayCaster truth(raster());
     const Eye eye = eye_at(96, 96, 2600, 40, -15);
@@ -359,7 +363,7 @@ TEST(TerrainScene, DrawnPointsLieWithinTauOfTheTrueSurface) {
     EXPECT_FALSE(stage.scene.drawn_point(radians(48.5), radians(9.6)).found) << "outside";
 }
 
-TEST(TerrainScene, DesignsOfOtherProgramsAreRefused) {
+TEST(TerrainPlanner, DesignsOfOtherProgramsAreRefused) {
     Stage stage(plain_design());
     design::DesignSettings other = plain_design();
     other.terrain.tau_px = 3;
@@ -368,7 +372,7 @@ TEST(TerrainScene, DesignsOfOtherProgramsAreRefused) {
     EXPECT_FALSE(stage.shows(other));
 }
 
-TEST(TerrainScene, TheTrueHeightIsThatOfThePosts) {
+TEST(TerrainPlanner, TheTrueHeightIsThatOfThePosts) {
     Stage stage(plain_design());
     for (const std::uint32_t n : {3u, 77u, 150u}) {
         const terrain::HeightAnswer answer = stage.scene.true_height(radians(raster().north_deg - n * raster().step_lat_deg),
@@ -379,4 +383,4 @@ TEST(TerrainScene, TheTrueHeightIsThatOfThePosts) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_terrain_scene
+}  // namespace tedavis::display::test_terrain_planner

@@ -1,0 +1,32 @@
+#include "render_core/draw/trace_state.hpp"
+
+#include "render_core/draw/traced_ground.hpp"
+#include "render_core/raytrace/space/trace_ground.hpp"
+
+namespace tedavis::draw {
+
+std::string_view reason_of(TraceState state) {
+    constexpr std::string_view kReasons[] = {"",
+                                             "",
+                                             "the tracer draws no such style",
+                                             "the ground is drawn flat",
+                                             "the device's lane is es2",
+                                             "the device has no memory for it",
+                                             "the database is larger than the device's memory for it",
+                                             "the database goes round the Earth or over a pole",
+                                             "the database is damaged",
+                                             "the eye is too close to a pole"};
+    return kReasons[static_cast<std::size_t>(state)];
+}
+
+TraceState trace_state_of(const DrawnDesign& design) {
+    if (design.design->terrain.renderer != design::TerrainRenderer::trace) return TraceState::not_asked_for;
+    if (design.design->view.reference == design::Reference::flat) return TraceState::not_flat;
+    return design.output == TerrainOutput::code ? TraceState::traced : TraceState::not_by_style;
+}
+
+bool can_trace(const terrain::TerrainDatabase& database, const terrain::View& view) {
+    return raytrace::can_trace({database, TracedGround::all_of(database.lattice()), 1.0}, view);
+}
+
+}  // namespace tedavis::draw

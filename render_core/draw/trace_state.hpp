@@ -1,0 +1,35 @@
+/// Whether terrain that a design wants traced can be, and why not. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/terrain/terrain_database.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::draw {
+
+/// What becomes of terrain that a design wants traced.
+enum class TraceState : std::uint8_t {
+    not_asked_for,
+    traced,
+    not_by_style,   ///< other than codes (terrain_program.hpp)
+    not_flat,       ///< the design shows a plane
+    not_on_lane,    ///< a shader of ES 2 cannot leave depths
+    not_on_device,  ///< which has no memory for it
+    database_too_large,
+    database_round,
+    database_damaged,
+    place_too_polar,  ///< of the eye, in this frame
+};
+/// Why the rasterizer draws; empty where it does not stand in.
+[[nodiscard]] std::string_view reason_of(TraceState state);
+
+/// Whether the tracer can draw a design at all, wherever.
+[[nodiscard]] TraceState trace_state_of(const DrawnDesign& design);
+
+/// Whether rays from a view can be traced over the whole of a database.
+[[nodiscard]] bool can_trace(const terrain::TerrainDatabase& database, const terrain::View& view);
+
+}  // namespace tedavis::draw
