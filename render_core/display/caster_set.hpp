@@ -1,17 +1,18 @@
 /// What casts shadows in a frame: data elements of the roles that a design names, as they are drawn.
 ///
-/// Plain data but for what it refers to: the display's own. Thread  the display's.
+/// Plain data but for what it refers to, which stays until the next plan. Thread  the display's.
 #pragma once
 
-#include "render_core/display/glyph_elements.hpp"
+#include "render_core/draw/data/glyph_batch.hpp"
+#include "render_core/draw/data/solid_batch.hpp"
 #include "render_core/draw/data/solid_casters.hpp"
 
 namespace tedavis::display {
 
 struct CasterSet {
-    const draw::SolidBuffers* solids[draw::SolidDrawer::kMostBuffers] = {};
+    const draw::SolidBatch* solids[draw::SolidDrawer::kMostBuffers] = {};
     draw::CasterGroups groups;
-    GlyphElements* glyphs = nullptr;
+    const draw::GlyphBatch* glyphs = nullptr;
     std::uint32_t glyph_slots = 0;  ///< a bit each
 };
 

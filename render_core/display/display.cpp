@@ -77,7 +77,9 @@ base::Error Display::start_data(base::ByteSource* scene) {
     }
     if (!has_data || !terrain_.is_started()) return {};
     set_elements();
-    return elements_.start(gl_, settings_.device.budget, memory_.elements(), quad_drawer_, variant);
+    const ElementPlanner::Memory lines = memory_.elements();
+    if (base::Error error = elements_.start(draw::GlyphDrawer::has_instances(gl_), settings_.device.budget, lines)) return error;
+    return element_painter_.start(gl_, settings_.device.budget, lines, elements_, quad_drawer_, variant);
 }
 
 /// 0: one picture is for both eyes.
@@ -104,7 +106,10 @@ base::Error Display::start_drawers(draw::DrawnDesigns designs) {
     if (base::Error error = clutter_.start(gl_, settings_.device.budget, designs, width_px, height_px)) return error;
     if (dims)
         if (base::Error error = dimmer_.start(gl_, settings_.device.budget)) return error;
-    return quad_drawer_.start(gl_, settings_.device.budget, memory_.symbology(), draw::kSymbologyVertices);
+    if (!symbology_.start(memory_.symbology(), draw::kSymbologyVertices))
+        return base::make_error("the budget line '", effects::kSymbology,
+                                "' is too small for the symbology; raise it in the device file");
+    return quad_drawer_.start(gl_, settings_.device.budget, symbology_);
 }
 
 void Display::stop() {
@@ -116,7 +121,7 @@ void Display::stop() {
     saliency_.destroy(gl_);
     clutter_.destroy(gl_);
     dimmer_.destroy(gl_);
-    elements_.destroy(gl_);
+    element_painter_.destroy(gl_);
     terrain_painter_.destroy(gl_);
 }
 
@@ -379,7 +384,7 @@ void Display::put_symbology() {
     const DrawContext frame = context();
     maps_beside_ =
         plan_symbology({frame, state_, settings_.width_px, settings_.height_px, over, data_, data_plan_, elements_.reports()},
-                       quad_drawer_.batch(), record_);
+                       symbology_, record_);
 }
 
 void Display::plan_data() {

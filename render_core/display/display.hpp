@@ -13,9 +13,9 @@
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/phase_designs.hpp"
 #include "render_core/display/clutter_control.hpp"
-#include "render_core/display/data_elements.hpp"
 #include "render_core/display/display_memory.hpp"
 #include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/element_painter.hpp"
 #include "render_core/display/eye.hpp"
 #include "render_core/display/eye_pair.hpp"
 #include "render_core/display/foci_plan.hpp"
@@ -239,6 +239,8 @@ private:
     [[nodiscard]] DrawContext context() const { return context_of(eye_); }
     [[nodiscard]] DrawContext context_of(const Eye& eye) const;
     [[nodiscard]] ElementFrame element_frame(scene::Ground& ground, const terrain::View& view, const flight::FlownWay* way) const;
+    draw::TerrainDrawResult draw_passes(const gl::DrawPlace& place, const Eye& eye, bool has_shadow_map = false);
+    void prepare_elements();
     [[nodiscard]] bool shows_elements() const { return elements_.is_started() && decisions_.show_terrain; }
     void plan_signs(const Eye& eye, SignFrame signs);
     [[nodiscard]] draw::TerrainDrawResult paint(base::Surface& surface);
@@ -270,7 +272,8 @@ private:
     SpatialData data_;
     SpatialDataPlan data_plan_;
     MapsBeside maps_beside_;
-    DataElements elements_;
+    ElementPlanner elements_;
+    ElementPainter element_painter_;
     bool has_epochs_ = false;  ///< there is terrain, or some design has labels or weights
     policy::PriorityBoost raised_;
     FociPlan foci_;            ///< of the planned frame
@@ -289,6 +292,7 @@ private:
     SaliencyView saliency_;
     draw::Dimmer dimmer_;
     policy::PanelLight panel_;
+    draw::QuadBatch symbology_;
     draw::QuadDrawer quad_drawer_;
     bool terrain_failed_ = false;
     effects::FrameBudget frame_budget_;

@@ -44,7 +44,7 @@ void Display::plan_detail_again(bool is_shown) {
     SignFrame signs;
     signs.is_planned_again = !is_shown;
     plan_signs(eye_, signs);
-    elements_.prepare(gl_);
+    prepare_elements();
     if (!is_shown) return;
     const std::uint32_t changed = record_.labels.changed;
     note_labels();

@@ -60,7 +60,7 @@ void Display::follow_foci() {
 bool Display::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
     if (!is_dimmable || !saliency_.shows(possible.effects.saliency) || !clutter_.can_show(possible) ||
-        stereo_margin_px(possible) != stereo_.margin_px() || !elements_.can_show(possible))
+        stereo_margin_px(possible) != stereo_.margin_px() || !element_painter_.can_show(possible))
         return false;
     const design::DesignSettings weighted = design::weighted(possible);
     for (const design::DesignSettings* const design : {&weighted, &possible})
@@ -155,8 +155,7 @@ void Display::keep_scene() {
 
 draw::TerrainDrawResult Display::draw_kept() {
     kept_view_ = eye_.view;
-    const SeenTerrain seen = terrain_.seen_from(eye_.view);
-    return passes_.draw(gl_, fade_.target(), {context(), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_});
+    return draw_passes(fade_.target(), eye_);
 }
 
 void Display::begin_fade(base::Time now) {

@@ -14,7 +14,7 @@ void Display::draw(base::Surface& surface) {
         flag("ground_data.missing", record_);
     const bool ready =
         decisions_.show_terrain && terrain_painter_.prepare(gl_, terrain_.seen_from(eye_.view), make_terrain_input(context()));
-    if (elements_.is_started()) elements_.prepare(gl_);
+    prepare_elements();
     if (decisions_.show_terrain && !ready) {
         terrain_failed_ = true;
         give_up_terrain(policy::TerrainSource::failed);
@@ -77,8 +77,7 @@ draw::TerrainDrawResult Display::draw_scene(base::Surface& surface) {
         gl::bind_surface(gl_, surface);
         return drawn;  // what was kept covers the surface
     }
-    const SeenTerrain seen = terrain_.seen_from(eye_.view);
-    return passes_.draw(gl_, surface, {context(), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_});
+    return draw_passes(surface, eye_);
 }
 
 draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide side) {
@@ -86,12 +85,9 @@ draw::TerrainDrawResult Display::draw_eye(const EyePair& pair, draw::EyeSide sid
     if (shows_elements()) {
         plan_signs(eye, {{}, {}, {}, 2 * stereo_.margin_px(), stereo_.screen_begins_px(side, pair.shift_px), true});
         elements_.stand_at(eye.view.eye);
-        elements_.prepare(gl_);
+        prepare_elements();
     }
-    const bool has_shadow_map = side == draw::EyeSide::right;
-    const SeenTerrain seen = terrain_.seen_from(eye.view);
-    return passes_.draw(gl_, stereo_.target(),
-                        {context_of(eye), plan_, terrain_painter_, seen, elements_, work_, terrain_has_void_, has_shadow_map});
+    return draw_passes(stereo_.target(), eye, side == draw::EyeSide::right);
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.
@@ -111,6 +107,20 @@ draw::TerrainDrawResult Display::draw_eyes(base::Surface& surface) {
     static_cast<void>(draw_eye(eyes_, EyeSide::right));
     stereo_.put(gl_, surface, mode, EyeSide::right, eyes_.shift_px);
     return drawn;
+}
+
+draw::TerrainDrawResult Display::draw_passes(const gl::DrawPlace& place, const Eye& eye, bool has_shadow_map) {
+    const SeenTerrain seen = terrain_.seen_from(eye.view);
+    const PlannedElements data = elements_.planned();
+    const CasterSet casters = elements_.casters(settings_.design.effects.shadows.casters);
+    const DrawContext frame = context_of(eye);
+    return passes_.draw(
+        gl_, place,
+        {frame, plan_, terrain_painter_, seen, element_painter_, data, casters, work_, terrain_has_void_, has_shadow_map});
+}
+
+void Display::prepare_elements() {
+    if (elements_.is_started()) element_painter_.prepare(gl_, elements_.planned());
 }
 
 /// In the screen's plane.

@@ -74,7 +74,7 @@ void Display::plan_signs(const Eye& eye, SignFrame signs) {
     signs.text_px = text_px(context(), settings_.width_px, settings_.height_px);
     signs.sight = &sight;
     signs.is_metric = settings_.design.symbology.legend_unit == design::HeightUnit::metres;
-    signs.symbology = free_view_active_ ? nullptr : &quad_drawer_.batch();
+    signs.symbology = free_view_active_ ? nullptr : &symbology_;
     elements_.plan_signs(element_frame(ground, eye.view, way_), signs);
 }
 

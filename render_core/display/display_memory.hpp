@@ -8,7 +8,7 @@
 
 #include "render_core/base/error.hpp"
 #include "render_core/base/memory_budget.hpp"
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_planner.hpp"
 
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] base::Arena& traced_terrain() { return traced_; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
-    [[nodiscard]] DataElements::Memory elements() { return {solids_, glyphs_, billboards_}; }
+    [[nodiscard]] ElementPlanner::Memory elements() { return {solids_, glyphs_, billboards_}; }
 
 private:
     struct Part {

@@ -312,7 +312,7 @@ double air_bound(const design::AirSettings& air, double farthest_m) noexcept {
     return std::sqrt(-std::expm1(-per_m * farthest_m));
 }
 
-draw::FocusRange focus_of(const design::DepthOfField& field, const DataElements& elements, const glm::dvec3& eye) {
+draw::FocusRange focus_of(const design::DepthOfField& field, const ElementPlanner& elements, const glm::dvec3& eye) {
     if (field.blur_px <= 0) return {};
     draw::FocusRange focus{true, field.focus_near_m, field.focus_far_m, field.blur_px};
     if (field.focus_role == scene::LayerRole::count) return focus;

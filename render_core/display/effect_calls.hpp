@@ -7,7 +7,7 @@
 
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/cue_calls.hpp"
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/display/terrain_planner.hpp"
@@ -83,7 +83,7 @@ struct EffectFacts {
 /// The same of air: as dense all the way as at sea level.
 [[nodiscard]] double air_bound(const design::AirSettings& air, double farthest_m) noexcept;
 /// By distance, or as far as what is shown of the role reaches.
-[[nodiscard]] draw::FocusRange focus_of(const design::DepthOfField& field, const DataElements& elements, const glm::dvec3& eye);
+[[nodiscard]] draw::FocusRange focus_of(const design::DepthOfField& field, const ElementPlanner& elements, const glm::dvec3& eye);
 /// The widest blur, in pixels, of what is between these distances.
 [[nodiscard]] double blur_bound(const draw::FocusRange& focus, double nearest_m, double farthest_m) noexcept;
 

@@ -3,8 +3,8 @@
 /// Pure; any thread. Memory  the caller's list; what does not fit in it is refused and counted there.
 #pragma once
 
-#include "render_core/display/data_elements.hpp"
 #include "render_core/display/data_legends.hpp"
+#include "render_core/display/element_planner.hpp"
 
 namespace tedavis::display {
 

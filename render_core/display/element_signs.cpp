@@ -1,7 +1,7 @@
 // The signs of the data elements: icons, names, diagrams, barbs, and the cues of hidden foci, on their sheet.
 #include <optional>
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/draw/data/diagrams.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
@@ -17,9 +17,9 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 }  // namespace
 
 /// Of the reports that are shown in the frame.
-class DataElements::LabelInputs final : public ElementLabels::Inputs {
+class ElementPlanner::LabelInputs final : public ElementLabels::Inputs {
 public:
-    LabelInputs(const DataElements& elements, const ElementFrame& frame) : elements_(elements), frame_(frame) {}
+    LabelInputs(const ElementPlanner& elements, const ElementFrame& frame) : elements_(elements), frame_(frame) {}
 
     [[nodiscard]] const draw::ElementInput* input(const design::DataElement& element, const scene::Layer& layer) override {
         for (std::size_t n = 0; n < elements_.reports_.size(); ++n) {
@@ -31,19 +31,19 @@ public:
     }
 
 private:
-    const DataElements& elements_;
+    const ElementPlanner& elements_;
     const ElementFrame& frame_;
     std::optional<draw::ElementInput> input_;  ///< that was asked for last
 };
 
-void DataElements::decide_labels(const ElementFrame& frame, double text_px) {
+void ElementPlanner::decide_labels(const ElementFrame& frame, double text_px) {
     labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci});
 }
 
-void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
+void ElementPlanner::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
     if (!signs.is_planned_again) decide_labels(frame, signs.text_px);
-    sheet_.begin({sign_drawer_.batch(), link_drawer_.batch(), frame.view, signs.text_px, signs.sight, signs.symbology,
-                  static_cast<float>(signs.margin_px), static_cast<float>(signs.screen_begins_px)});
+    sheet_.begin({signs_, links_, frame.view, signs.text_px, signs.sight, signs.symbology, static_cast<float>(signs.margin_px),
+                  static_cast<float>(signs.screen_begins_px)});
     LabelInputs inputs(*this, frame);
     ElementLabels::Pass labels(labels_, sheet_, inputs, frame.crowding);
     labels.add_protected();
@@ -61,13 +61,13 @@ void DataElements::plan_signs(const ElementFrame& frame, const SignFrame& signs)
     if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, signs.is_metric);
 }
 
-void DataElements::plan_detail(const ElementFrame& frame) {
+void ElementPlanner::plan_detail(const ElementFrame& frame) {
     glyphs_.begin_plan();
     plan_glyphs(frame, nullptr);
 }
 
 /// Other aircraft and diagrams. Only what is valid now: what is not shown must take no room from what is.
-void DataElements::plan_billboards(const ElementFrame& frame) {
+void ElementPlanner::plan_billboards(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || !is_billboard_technique(report.element->technique)) continue;
@@ -76,7 +76,7 @@ void DataElements::plan_billboards(const ElementFrame& frame) {
 }
 
 /// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.
-void DataElements::plan_own_winds(const ElementFrame& frame) {
+void ElementPlanner::plan_own_winds(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.state != ElementState::shown || report.element->own != design::OwnData::wind) continue;

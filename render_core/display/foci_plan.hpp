@@ -3,7 +3,7 @@
 /// Pure but for the ground, which is asked. Bounded. Thread  the ground's.
 #pragma once
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/draw/data/focus_values.hpp"
 
@@ -18,7 +18,7 @@ struct FociPlan {
 /// `foci` must stay. Empty where there are none.
 [[nodiscard]] FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame);
 
-/// What a frame's record says of its foci; after DataElements::plan_signs().
-void note_foci(const FociPlan& plan, const DataElements& elements, const ElementFrame& frame, FrameRecord& record);
+/// What a frame's record says of its foci; after ElementPlanner::plan_signs().
+void note_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameRecord& record);
 
 }  // namespace tedavis::display

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "render_core/display/data_elements.hpp"
 #include "render_core/display/effect_work.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/terrain_planner.hpp"
 #include "render_core/draw/terrain_draw_result.hpp"

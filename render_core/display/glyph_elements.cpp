@@ -119,12 +119,9 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
     return scale;
 }
 
-base::Error GlyphElements::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air, bool with_shadows) {
-    base::BudgetLine& line = *budget.find(effects::kSceneGlyphVertices);
-    const draw::GlyphRoom room = draw::glyph_room(gl, memory.use().capacity, line.bytes, kMostFields);
-    if (base::Error error = drawer_.start(gl, line, memory, with_air)) return error;
-    if (with_shadows)
-        if (base::Error error = drawer_.start_casters(gl)) return error;
+base::Error GlyphElements::start(bool has_instances, const base::BudgetTable& budget, base::Arena& memory) {
+    const std::uint64_t gpu_bytes = budget.find(effects::kSceneGlyphVertices)->bytes;
+    const draw::GlyphRoom room = draw::glyph_room(has_instances, memory.use().capacity, gpu_bytes, kMostFields);
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
     const bool has_selection = selection_.start(memory, room.glyphs);
     const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);
@@ -292,12 +289,6 @@ std::uint32_t GlyphElements::slots_of(const design::CasterRoles& roles) const {
 void GlyphElements::stand_at(const glm::dvec3& eye) {
     batch_.move(glm::vec3(batch_eye_ - eye));
     batch_eye_ = eye;
-}
-
-void GlyphElements::prepare(gl::Gl& gl) { drawer_.upload(gl, batch_); }
-
-std::uint32_t GlyphElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range) {
-    return batch_.instances().empty() ? 0 : drawer_.draw(gl, frame, range);
 }
 
 }  // namespace tedavis::display

@@ -1,18 +1,19 @@
-/// Elements of the data aspect that are glyphs: a field of sites each, what a view shows of it, and its drawing.
+/// Elements of the data aspect that are glyphs: a field of sites each, and what a view shows of it; no GL.
 ///
-///   start(...) · set(...) an element a slot · plan(frame) each frame, without GL · prepare(gl) · draw(gl, range)
+///   start(...) · set(...) an element a slot · plan(frame) each frame · batch() for the painter
 ///
 /// Values at a time are those of the whole minute before it. The next minute's field is made ahead, some sites a frame, so that
 /// no frame stalls; a jump in time makes it at once. What is shown never depends on where a run began.
 /// The memory for sites is shared out anew when elements are set: who needs little gets it whole, the others share the rest.
-/// Memory    the budget lines scene_glyphs (CPU) and scene_glyph_vertices (GPU). Thread  the display's. Failure  start() gives
-///           one sentence; elements beyond the slots are refused.
+/// Memory    the budget line scene_glyphs. Thread  the display's. Failure  start() gives one message; elements beyond the slots
+/// are refused.
 #pragma once
 
+#include "render_core/base/memory_budget.hpp"
 #include "render_core/design/shadow_settings.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
-#include "render_core/draw/data/glyph_drawer.hpp"
+#include "render_core/draw/data/glyph_batch.hpp"
 #include "render_core/draw/data/glyph_encoding.hpp"
 #include "render_core/draw/data/glyph_sites.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
@@ -41,9 +42,8 @@ class GlyphElements {
 public:
     static constexpr std::size_t kSlots = 3;
 
-    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, bool with_air = false,
-                                    bool with_shadows = false);
-    [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
+    /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. The arena keeps the drawer's share free.
+    [[nodiscard]] base::Error start(bool has_instances, const base::BudgetTable& budget, base::Arena& memory);
     /// Nothing is shown from here on.
     void clear();
     /// One more. False where no slot is left or the layer has nothing that glyphs show. Element and layer must stay.
@@ -64,16 +64,9 @@ public:
     [[nodiscard]] const draw::GlyphBatch& batch() const { return batch_; }
     /// A bit for each element of these roles.
     [[nodiscard]] std::uint32_t slots_of(const design::CasterRoles& roles) const;
-    /// Into a level of a map of shadows. Returns the number of draws.
-    std::uint32_t draw_casters(gl::Gl& gl, std::uint32_t slots, const draw::CasterView& view) {
-        return drawer_.draw_casters(gl, slots, view);
-    }
 
-    /// Seen from another eye than the planned one from here on; before prepare().
+    /// Seen from another eye than the planned one from here on.
     void stand_at(const glm::dvec3& eye);
-    void prepare(gl::Gl& gl);
-    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthRange& range);
-    void destroy(gl::Gl& gl) { drawer_.destroy(gl); }
 
 private:
     struct Slot {
@@ -99,7 +92,6 @@ private:
     scene::GlyphSelection selection_;
     draw::GlyphBatch batch_;
     glm::dvec3 batch_eye_{0};  ///< that its places are relative to
-    draw::GlyphDrawer drawer_;
     base::Arena site_memory_;
     std::uint32_t most_glyphs_ = 0;
     bool is_shared_out_ = false;

@@ -44,7 +44,7 @@ draw::DataFrame data_frame(const PassInput& input) {
     return frame;
 }
 
-bool draws_elements(const PassInput& input) { return input.frame.last >= PictureLayer::data && input.elements.has_anything(); }
+bool draws_elements(const PassInput& input) { return input.frame.last >= PictureLayer::data && input.data.shown != 0; }
 
 /// What is not to be blurred leaves a distance that is in focus.
 void leave_distances(DrawContext& frame) {
@@ -127,11 +127,10 @@ draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
     const bool is_read = input.plan.runs(effects::Effect::soft_shadows) || input.plan.runs(effects::Effect::volumetric_light);
     if (!is_read || !shadows_.is_started() || input.frame.shadows.state != ShadowState::cast) return {};
     const ShadowPlan& plan = input.frame.shadows;
-    const CasterSet casters = input.elements.casters(input.frame.design.effects.shadows.casters);
     EffectWork map;
     if (!input.has_shadow_map) {
         const WorkScope work(gl, map);
-        static_cast<void>(shadows_.draw(gl, casters, plan.frame, input.frame.eye.view.eye));
+        static_cast<void>(shadows_.draw(gl, input.elements, input.casters, plan.frame, input.frame.eye.view.eye));
     }
     for (const effects::Effect reader : {effects::Effect::soft_shadows, effects::Effect::volumetric_light})
         if (input.plan.runs(reader)) input.work[reader] += map;
@@ -160,15 +159,16 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     }
     const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
-    const PassInput drawing{frame,          input.plan, input.terrain,  input.seen,
-                            input.elements, input.work, input.has_void, input.has_shadow_map};
+    const PassInput drawing{frame,      input.plan,    input.terrain, input.seen,     input.elements,
+                            input.data, input.casters, input.work,    input.has_void, input.has_shadow_map};
     draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place, drawing, drawn);
     if (has_shafts) {
         draw_shafts(gl, drawing, shadow);
         effects.shafts = &shafts_.texture();
     }
     if (has_effects) finish_effects(gl, place, effects, frame.blurs_context, input.work);
-    if (frame.decisions.show_terrain && frame.last >= PictureLayer::labels) input.elements.draw_signs(gl, width_px_, height_px_);
+    if (frame.decisions.show_terrain && frame.last >= PictureLayer::labels)
+        input.elements.draw_signs(gl, input.data, width_px_, height_px_);
     return drawn;
 }
 
@@ -228,7 +228,7 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
         if (n == 0) sky_.draw(gl, make_sky_input(input.frame));
         if (!draws_elements(input)) continue;
         gl->Enable(GL_DEPTH_TEST);
-        input.elements.draw(gl, data_frame(input), depth, n);
+        input.elements.draw(gl, input.data, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
 }
@@ -240,7 +240,7 @@ void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input)
         gl->Clear(GL_DEPTH_BUFFER_BIT);
         draw_terrain_depths(gl, input, depth.ranges[n]);
         if (n > 0) picture_.repaint(gl, input.frame.design, picture_input(input));
-        input.elements.draw(gl, data_frame(input), depth, n);
+        input.elements.draw(gl, input.data, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }
 }

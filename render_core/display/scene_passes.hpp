@@ -9,9 +9,9 @@
 ///           gives one sentence.
 #pragma once
 
-#include "render_core/display/data_elements.hpp"
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/effect_work.hpp"
+#include "render_core/display/element_painter.hpp"
 #include "render_core/display/shadow_casters.hpp"
 #include "render_core/display/terrain_painter.hpp"
 #include "render_core/draw/light_shafts.hpp"
@@ -28,7 +28,9 @@ struct PassInput {
     const effects::FramePlan& plan;
     TerrainPainter& terrain;
     const SeenTerrain& seen;  ///< from the frame's eye
-    DataElements& elements;
+    ElementPainter& elements;
+    const PlannedElements& data;
+    const CasterSet& casters;
     EffectWorkTable& work;
     bool has_void = false;        ///< ground without data is in view
     bool has_shadow_map = false;  ///< the frame's, from its other picture

@@ -4,7 +4,7 @@
 /// sentence.
 #pragma once
 
-#include "render_core/display/caster_set.hpp"
+#include "render_core/display/element_painter.hpp"
 #include "render_core/draw/shadow_map.hpp"
 
 namespace tedavis::display {
@@ -14,8 +14,9 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
     [[nodiscard]] bool is_started() const { return map_.is_started(); }
     [[nodiscard]] const draw::ShadowMap& map() const { return map_; }
-    /// `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the number of draws.
-    std::uint32_t draw(gl::Gl& gl, const CasterSet& casters, const draw::ShadowFrame& frame, const glm::dvec3& eye) const;
+    /// `elements` draws the casters. `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, ElementPainter& elements, const CasterSet& casters, const draw::ShadowFrame& frame,
+                       const glm::dvec3& eye) const;
     void destroy(gl::Gl& gl);
 
 private:

@@ -30,10 +30,10 @@ public:
         for (const draw::SolidPiece& piece : batch.pieces())
             if (draw::casts_shadow(piece, groups)) add({piece.anchor, double{piece.radius_m}, double{piece.top_m}});
     }
-    void add_glyphs(const GlyphElements& glyphs, std::uint32_t slots) {
-        for (const draw::GlyphRun& run : glyphs.batch().runs()) {
+    void add_glyphs(const draw::GlyphBatch& glyphs, std::uint32_t slots) {
+        for (const draw::GlyphRun& run : glyphs.runs()) {
             if ((slots >> run.slot & 1u) == 0 || !draw::casts_shadow(run)) continue;
-            for (const draw::GlyphInstance& glyph : glyphs.batch().of(run)) {
+            for (const draw::GlyphInstance& glyph : glyphs.of(run)) {
                 const glm::dvec3 place = scene_.view.eye + glm::dvec3(glyph.place);
                 const auto reach_m = static_cast<double>(glm::length(glyph.size_m));
                 add({place, reach_m, earth::from_ecef(place).height.m + reach_m});
@@ -62,8 +62,8 @@ ShadowPlan plan_shadows(const ShadowScene& scene, const CasterSet& casters) {
     plan.in_air = scene.settings.in_air;
     plan.steps = scene.settings.steps;
     Casters found(scene, plan);
-    for (const draw::SolidBuffers* const solids : casters.solids)
-        if (solids != nullptr) found.add_solids(solids->batch(), casters.groups);
+    for (const draw::SolidBatch* const solids : casters.solids)
+        if (solids != nullptr) found.add_solids(*solids, casters.groups);
     if (casters.glyphs != nullptr) found.add_glyphs(*casters.glyphs, casters.glyph_slots);
     plan.top_msl_m = plan.frame.top_m - scene.undulation_m + kHeightMargin_m;
     return plan;

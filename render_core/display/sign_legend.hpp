@@ -5,7 +5,7 @@
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/draw/symbology/data_legend.hpp"
 
 namespace tedavis::display {

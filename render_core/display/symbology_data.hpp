@@ -1,7 +1,7 @@
 /// What the symbology of a frame tells of its spatial data: legends, and maps beside the picture. Pure; any thread.
 #pragma once
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/spatial_data.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"

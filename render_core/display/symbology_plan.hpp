@@ -2,8 +2,8 @@
 /// layout has them, and signs where the symbology leaves the picture free. So neither covers the other. Pure; any thread.
 #pragma once
 
-#include "render_core/display/data_elements.hpp"
 #include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/element_planner.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/effects/device.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -42,11 +43,27 @@ Rect common(const Rect& a, const Rect& b) {
     return {x, y, std::min(a.right(), b.right()) - x, std::min(a.bottom(), b.bottom()) - y};
 }
 
+constexpr std::size_t kLinkShare = 4;  // links have one in so many of the vertices of billboards
+
+/// Signs and links together.
+std::size_t billboard_vertices(const base::BudgetTable& budget) {
+    constexpr std::uint64_t kMax = 65'536;
+    const std::uint64_t room = budget.find(effects::kSceneBillboardVertices)->bytes / QuadBatch::kBytesAVertex;
+    return static_cast<std::size_t>(std::min(room, kMax));
+}
+
 }  // namespace
 
 QuadBatch::QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices)
     : vertices_(vertices), indices_(indices) {
     use_.capacity = std::min(vertices.size(), kMaxQuadVertices);
+}
+
+bool QuadBatch::start(base::Arena& memory, std::size_t max_vertices) {
+    const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
+    const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
+    *this = QuadBatch(vertices, indices);
+    return !vertices.empty() && !indices.empty();
 }
 
 void QuadBatch::clear() {
@@ -215,5 +232,12 @@ bool QuadBatch::glyphs(std::string_view text, Point pen, const TextStyle& style,
     }
     return fits;
 }
+
+std::size_t max_sign_vertices(const base::BudgetTable& budget) {
+    const std::size_t vertices = billboard_vertices(budget);
+    return vertices - vertices / kLinkShare;
+}
+
+std::size_t max_link_vertices(const base::BudgetTable& budget) { return billboard_vertices(budget) / kLinkShare; }
 
 }  // namespace tedavis::draw

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/memory_budget.hpp"
 #include "render_core/base/resource_use.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/design/color.hpp"
@@ -50,7 +51,12 @@ inline constexpr float kLargeBox_px2 = 4096;
 
 class QuadBatch {
 public:
+    /// Bytes of the batch, and of buffers that hold a copy of it, for each vertex.
+    static constexpr std::uint64_t kBytesAVertex = sizeof(QuadVertex) + sizeof(std::uint16_t) * 3 / 2;
+
     QuadBatch() = default;
+    /// With room for so many vertices, at most 65,536, from an arena. False where it does not hold them.
+    [[nodiscard]] bool start(base::Arena& memory, std::size_t max_vertices);
     /// At most 65,536 vertices are used, since indices have 16 bits.
     QuadBatch(base::Span<QuadVertex> vertices, base::Span<std::uint16_t> indices);
 
@@ -104,5 +110,9 @@ private:
     float from_m_ = 0, to_m_ = 0;
     base::ResourceUse use_;
 };
+
+/// Vertices of the batches of signs, and of the lines among the terrain, that a device's budget holds.
+[[nodiscard]] std::size_t max_sign_vertices(const base::BudgetTable& budget);
+[[nodiscard]] std::size_t max_link_vertices(const base::BudgetTable& budget);
 
 }  // namespace tedavis::draw

@@ -20,7 +20,6 @@ constexpr gl::AttributeBinding kAttributes[] = {
 enum QuadUniform : std::size_t { kQuadClipPerPixel, kQuadAtlas, kQuadDepth, kQuadParting, kQuadIsNearer };
 constexpr const char* kUniforms[] = {"clip_per_pixel", "atlas", "depth", "parting_m", "is_nearer"};
 constexpr std::string_view kGlyphs = "#define GLYPHS 1\n", kAmongTerrain = "#define AMONG_TERRAIN 1\n";
-constexpr std::size_t kLinkShare = 4;  // links have one in so many of the vertices of billboards
 
 base::Error build_program(gl::Gl& gl, std::string_view defines, gl::Program& program) {
     const bool with_depth = defines == kAmongTerrain;
@@ -36,15 +35,6 @@ base::Error build_program(gl::Gl& gl, std::string_view defines, gl::Program& pro
     return {};
 }
 
-constexpr QuadLines kBillboardLines{effects::kSceneBillboards, effects::kSceneBillboardVertices};
-
-/// Signs and links together.
-std::size_t billboard_vertices(base::BudgetTable& budget) {
-    constexpr std::uint64_t kMost = 65'536;
-    const std::uint64_t room = budget.find(effects::kSceneBillboardVertices)->bytes / QuadDrawer::kBytesAVertex;
-    return static_cast<std::size_t>(std::min(room, kMost));
-}
-
 void point_attributes(gl::Gl& gl) {
     const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
     constexpr GLsizei kStride = sizeof(QuadVertex);
@@ -57,44 +47,37 @@ void point_attributes(gl::Gl& gl) {
 
 }  // namespace
 
-base::Error QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices) {
-    base::Error error = make_buffers(gl, budget, memory, {effects::kSymbology, effects::kSymbologyVertices}, max_vertices);
-    if (!error) error = make_typeface(gl, budget);
+base::Error QuadDrawer::start(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch) {
     boxes_ = &box_program_;
     glyphs_ = &glyph_program_;
-    if (!error) error = build_program(gl, "", box_program_);
-    return error.message.empty() ? build_program(gl, kGlyphs, glyph_program_) : error;
+    if (base::Error error = make_buffers(gl, *budget.find(effects::kSymbologyVertices), batch)) return error;
+    if (base::Error error = make_typeface(gl, budget)) return error;
+    if (base::Error error = build_program(gl, "", box_program_)) return error;
+    return build_program(gl, kGlyphs, glyph_program_);
 }
 
-base::Error QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender) {
+base::Error QuadDrawer::start_signs(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch, const QuadDrawer& lender) {
     typeface_ = lender.typeface_;
     boxes_ = lender.boxes_;
     glyphs_ = lender.glyphs_;
-    const std::size_t vertices = billboard_vertices(budget);
-    return make_buffers(gl, budget, memory, kBillboardLines, vertices - vertices / kLinkShare);
+    return make_buffers(gl, *budget.find(effects::kSceneBillboardVertices), batch);
 }
 
-base::Error QuadDrawer::start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory) {
+base::Error QuadDrawer::start_links(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch) {
     boxes_ = &box_program_;
-    base::Error error = make_buffers(gl, budget, memory, kBillboardLines, billboard_vertices(budget) / kLinkShare);
-    return error.message.empty() ? build_program(gl, kAmongTerrain, box_program_) : error;
+    if (base::Error error = make_buffers(gl, *budget.find(effects::kSceneBillboardVertices), batch)) return error;
+    return build_program(gl, kAmongTerrain, box_program_);
 }
 
-base::Error QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
-                                     std::size_t max_vertices) {
-    const auto vertices = memory.allocate_array<QuadVertex>(max_vertices);
-    const auto indices = memory.allocate_array<std::uint16_t>(max_vertices * 3 / 2);
-    if (vertices.empty() || indices.empty())
-        return base::make_error("the budget line '", lines.batch,
-                                "' is too small for the symbology; raise it in the device file");
-    batch_ = QuadBatch(vertices, indices);
-    base::BudgetLine& quads = *budget.find(lines.buffers);
+base::Error QuadDrawer::make_buffers(gl::Gl& gl, base::BudgetLine& line, const QuadBatch& batch) {
+    batch_ = &batch;
+    const std::size_t vertices = batch.use().capacity, indices = vertices * 3 / 2;
     auto vertex_buffer =
-        gl::make_buffer(gl, quads, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices.size() * sizeof(QuadVertex));
+        gl::make_buffer(gl, line, gl::BufferKind::vertices, gl::BufferUse::streamed, vertices * sizeof(QuadVertex));
     if (!vertex_buffer.ok()) return vertex_buffer.error();
     vertices_ = static_cast<gl::Buffer&&>(vertex_buffer.value());
     auto index_buffer =
-        gl::make_buffer(gl, quads, gl::BufferKind::indices, gl::BufferUse::streamed, indices.size() * sizeof(std::uint16_t));
+        gl::make_buffer(gl, line, gl::BufferKind::indices, gl::BufferUse::streamed, indices * sizeof(std::uint16_t));
     if (!index_buffer.ok()) return index_buffer.error();
     indices_ = static_cast<gl::Buffer&&>(index_buffer.value());
     return {};
@@ -113,8 +96,8 @@ base::Error QuadDrawer::make_typeface(gl::Gl& gl, base::BudgetTable& budget) {
 }
 
 bool QuadDrawer::upload(gl::Gl& gl) {
-    const auto vertices = batch_.vertices();
-    const auto indices = batch_.indices();
+    const auto vertices = batch_->vertices();
+    const auto indices = batch_->indices();
     is_uploaded_ = !indices.empty() && vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(QuadVertex)) &&
                    indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t));
     return is_uploaded_;
@@ -147,8 +130,8 @@ void QuadDrawer::set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) co
 }
 
 std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last) {
-    const auto vertices = batch_.vertices();
-    const auto indices = batch_.indices();
+    const auto vertices = batch_->vertices();
+    const auto indices = batch_->indices();
     gl->Disable(GL_CULL_FACE);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -165,7 +148,7 @@ std::uint32_t QuadDrawer::draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32
     indices_.bind(gl);
     for (GLuint attribute = kPosition; attribute <= last; ++attribute) gl->EnableVertexAttribArray(attribute);
     point_attributes(gl);
-    const base::Span<const QuadRun> runs = batch_.runs();
+    const base::Span<const QuadRun> runs = batch_->runs();
     for (std::size_t n = 0; n < runs.size(); ++n) {
         const std::uint32_t end = n + 1 < runs.size() ? runs[n + 1].first_index : static_cast<std::uint32_t>(indices.size());
         if (runs[n].glyphs && glyphs_ == nullptr) continue;

@@ -1,7 +1,7 @@
-/// Holds a batch of flat symbology and draws it over the picture: symbology, signs; or lines that stand among the terrain.
+/// Draws a batch of flat symbology over the picture: symbology, signs; or lines that stand among the terrain.
 ///
-/// Memory    the batch from the arena, one vertex and one index buffer from a budget line, the typeface from `font_atlas` unless
-///           another drawer lends its own; all at start(). Thread  the GL thread. Failure  start() gives one sentence.
+/// Memory    one vertex and one index buffer from a budget line, the typeface from `font_atlas` unless another drawer lends its
+///           own; all at start(). The batch is the caller's. Thread  the GL thread. Failure  start() gives one message.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -13,26 +13,15 @@
 
 namespace tedavis::draw {
 
-/// Budget lines of a drawer.
-struct QuadLines {
-    std::string_view batch;    ///< CPU
-    std::string_view buffers;  ///< GPU
-};
-
 class QuadDrawer {
 public:
-    /// Bytes of the batch, and of its buffers, for each vertex.
-    static constexpr std::uint64_t kBytesAVertex = sizeof(QuadVertex) + sizeof(std::uint16_t) * 3 / 2;
-
-    /// `max_vertices` up to 65,536. An empty sentence means success.
-    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, std::size_t max_vertices);
+    /// The batch must stay, and be of no more vertices later.
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch);
     /// Of signs, with typeface and programs of `lender`, which must outlive it.
-    [[nodiscard]] base::Error start_signs(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadDrawer& lender);
+    [[nodiscard]] base::Error start_signs(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch,
+                                          const QuadDrawer& lender);
     /// Of lines among the terrain, without a typeface.
-    [[nodiscard]] base::Error start_links(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory);
-    /// To be filled for the frame; build_symbology clears it first.
-    [[nodiscard]] QuadBatch& batch() { return batch_; }
-    [[nodiscard]] const QuadBatch& batch() const { return batch_; }
+    [[nodiscard]] base::Error start_links(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch);
 
     /// Uploads the batch and draws it into the bound framebuffer of `width` x `height` pixels, blended over what is there;
     /// the picture's alpha stays. Leaves depth test, culling and blending off. Returns the number of draws.
@@ -46,13 +35,12 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetTable& budget, base::Arena& memory, const QuadLines& lines,
-                                           std::size_t max_vertices);
+    [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetLine& line, const QuadBatch& batch);
     [[nodiscard]] base::Error make_typeface(gl::Gl& gl, base::BudgetTable& budget);
     void set_depths(gl::Gl& gl, const DepthPlan& plan, std::size_t n) const;
     std::uint32_t draw_runs(gl::Gl& gl, std::uint32_t width, std::uint32_t height, GLuint last_attribute);
 
-    QuadBatch batch_;
+    const QuadBatch* batch_ = nullptr;
     gl::Program box_program_, glyph_program_;
     const gl::Program *boxes_ = nullptr, *glyphs_ = nullptr;  ///< own or lent; the second draws everything, links have none
     gl::Buffer vertices_, indices_;

@@ -87,7 +87,7 @@ public:
           scale_(speed_colors()) {
         base::BudgetLine& gpu = *budget_.find(effects::kSceneGlyphVertices);
         base::Arena arena(block_.data(), block_.size());
-        const draw::GlyphRoom room = draw::glyph_room(session_.gl, block_.size(), gpu.bytes, 1);
+        const draw::GlyphRoom room = draw::glyph_room(draw::GlyphDrawer::has_instances(session_.gl), block_.size(), gpu.bytes, 1);
         const bool has_started = drawer_.start(session_.gl, gpu, arena).message.empty() && selection_.start(arena, room.glyphs) &&
                                  field_.start(arena, room.sites);
         instances_ = arena.allocate_array<draw::GlyphInstance>(room.glyphs);

@@ -10,6 +10,7 @@
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
@@ -60,7 +61,7 @@ protected:
     static constexpr double kLatitude = 0.8203, kLongitude = 0.1745;
     GlSession session_{"egl", "es3-mid"};
     std::vector<unsigned char> block_;
-    draw::SolidBuffers solids_;
+    test_support::FilledSolids solids_;
     display::ShadowCasters casters_;
     draw::SolidMesh mesh_;
     terrain::View view_;

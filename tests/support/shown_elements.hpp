@@ -5,11 +5,12 @@
 
 #include <vector>
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_painter.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "tests/support/built_element.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
@@ -36,15 +37,19 @@ protected:
             arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
         }
         base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).message.view(), "");
-        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).message.view(), "");
+        EXPECT_TRUE(typeface_.take(arenas_[3], draw::kSymbologyVertices));
+        EXPECT_EQ(typeface_.start(session_.gl, budget, typeface_.batch()).message.view(), "");
+        const display::ElementPlanner::Memory memory{arenas_[0], arenas_[1], arenas_[2]};
+        const bool has_instances = draw::GlyphDrawer::has_instances(session_.gl);
+        EXPECT_EQ(elements_.start(has_instances, budget, memory).message.view(), "");
+        EXPECT_EQ(painter_.start(session_.gl, budget, memory, elements_, typeface_).message.view(), "");
         session_.gl.seal();
         const glm::dvec3 eye = earth::to_ecef({base::radians(46.7), base::radians(9.82), {3000}});
         frame_.view = free_view(eye, earth::body_axes(base::radians(46.7), base::radians(9.82), 0, 0, 0), 64, 48, 10);
     }
     ~ShownElements() override {
         session_.gl.retire();
-        elements_.destroy(session_.gl);
+        painter_.destroy(session_.gl);
         typeface_.destroy(session_.gl);
     }
     std::uint64_t line(std::string_view name) { return session_.device.budget.find(name)->bytes; }
@@ -66,9 +71,10 @@ protected:
         session_.gl->ClearColor(0, 0, 0, 1);
         session_.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         session_.gl->Enable(GL_DEPTH_TEST);
-        elements_.prepare(session_.gl);
-        static_cast<void>(elements_.draw(session_.gl, frame_, {{{10, 100'000}, {}}, 1}, 0));
-        static_cast<void>(elements_.draw_signs(session_.gl, frame_.view.width, frame_.view.height));
+        const display::PlannedElements planned = elements_.planned();
+        painter_.prepare(session_.gl, planned);
+        static_cast<void>(painter_.draw(session_.gl, planned, frame_, {{{10, 100'000}, {}}, 1}, 0));
+        static_cast<void>(painter_.draw_signs(session_.gl, planned, frame_.view.width, frame_.view.height));
         EXPECT_EQ(session_.gl.denied().total, 0u);
         const auto pixels = session_.pixels();
         std::size_t drawn = 0;
@@ -82,8 +88,9 @@ protected:
     base::Arena arenas_[4];
     LevelGround ground_;
     design::DataElementList asked_;
-    draw::QuadDrawer typeface_;
-    display::DataElements elements_;
+    FilledQuads typeface_;
+    display::ElementPlanner elements_;
+    display::ElementPainter painter_;
     draw::DataFrame frame_;
 };
 

@@ -72,8 +72,8 @@ bool GlyphDrawer::has_instances(const gl::Gl& gl) {
     return gl.has(gl::CallId::DrawElementsInstanced) && gl.has(gl::CallId::VertexAttribDivisor);
 }
 
-std::uint32_t GlyphDrawer::instances_within(const gl::Gl& gl, std::uint64_t gpu_bytes) {
-    if (!has_instances(gl)) return 0xFFFFFFFFu;
+std::uint32_t GlyphDrawer::instances_within(bool has_instances, std::uint64_t gpu_bytes) {
+    if (!has_instances) return 0xFFFFFFFFu;
     return gpu_bytes < kShapeBytes ? 0 : static_cast<std::uint32_t>((gpu_bytes - kShapeBytes) / sizeof(GlyphInstance));
 }
 
@@ -82,16 +82,16 @@ std::uint32_t GlyphDrawer::corners_within(std::uint64_t gpu_bytes) {
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(gpu_bytes / kACorner, kMostCorners));
 }
 
-std::uint64_t GlyphDrawer::bytes_needed(const gl::Gl& gl, std::uint64_t gpu_bytes) {
+std::uint64_t GlyphDrawer::bytes_needed(bool has_instances, std::uint64_t gpu_bytes) {
     const std::uint64_t shapes = sizeof(GlyphShapes) + 3 * alignof(std::max_align_t);
-    if (has_instances(gl)) return shapes;
+    if (has_instances) return shapes;
     return shapes + std::uint64_t{corners_within(gpu_bytes)} * (sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t));
 }
 
 base::Error GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air) {
     with_air_ = with_air;
     is_instanced_ = has_instances(gl);
-    most_instances_ = instances_within(gl, line.bytes);
+    most_instances_ = instances_within(is_instanced_, line.bytes);
     shapes_ = memory.allocate_array<GlyphShapes>(1);
     const base::Error little = base::make_error("the memory for glyphs is too small; raise the budget lines 'scene_glyphs' and '",
                                                 effects::kSceneGlyphVertices, "' in the device file");

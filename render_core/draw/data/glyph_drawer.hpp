@@ -24,10 +24,12 @@ struct GlyphAxes {
 
 class GlyphDrawer {
 public:
+    /// Whether the device draws instances: es3.
+    [[nodiscard]] static bool has_instances(const gl::Gl& gl);
     /// Of the arena, for so many instances a frame.
-    [[nodiscard]] static std::uint64_t bytes_needed(const gl::Gl& gl, std::uint64_t gpu_bytes);
+    [[nodiscard]] static std::uint64_t bytes_needed(bool has_instances, std::uint64_t gpu_bytes);
     /// How many instances so many bytes of the GPU hold; on devices without instances as many as one likes.
-    [[nodiscard]] static std::uint32_t instances_within(const gl::Gl& gl, std::uint64_t gpu_bytes);
+    [[nodiscard]] static std::uint32_t instances_within(bool has_instances, std::uint64_t gpu_bytes);
     /// Takes the whole line. An empty sentence means success.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
@@ -54,7 +56,6 @@ private:
     static_assert(sizeof(Corner) == 20);
     static constexpr std::uint32_t kIndicesACorner = 3;
 
-    [[nodiscard]] static bool has_instances(const gl::Gl& gl);
     [[nodiscard]] static std::uint32_t corners_within(std::uint64_t gpu_bytes);
     [[nodiscard]] base::Error build_programs(gl::Gl& gl);
     [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetLine& line);

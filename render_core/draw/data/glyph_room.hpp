@@ -1,9 +1,7 @@
-/// How a device's budget lines for glyphs are shared out. Pure but for what the device has; any thread.
+/// How a device's budget lines for glyphs are shared out. Pure; any thread.
 #pragma once
 
 #include <cstdint>
-
-#include "render_core/gl/gl.hpp"
 
 namespace tedavis::draw {
 
@@ -12,9 +10,9 @@ struct GlyphRoom {
     std::uint32_t glyphs = 0;  ///< of a frame: of the selection (scene::GlyphSelection) and of the batch
 };
 
-/// Of the lines scene_glyphs and scene_glyph_vertices, for so many fields; the drawer's own share is taken off before. At most
-/// kGlyphShare of the rest are glyphs of a frame.
-[[nodiscard]] GlyphRoom glyph_room(const gl::Gl& gl, std::uint64_t cpu_bytes, std::uint64_t gpu_bytes,
+/// `has_instances`: GlyphDrawer::has_instances() of the device. Of the lines scene_glyphs and scene_glyph_vertices, for so many
+/// fields; the drawer's own share is taken off before. At most kGlyphShare of the rest are glyphs of a frame.
+[[nodiscard]] GlyphRoom glyph_room(bool has_instances, std::uint64_t cpu_bytes, std::uint64_t gpu_bytes,
                                    std::uint32_t fields) noexcept;
 inline constexpr double kGlyphShare = 0.2;
 

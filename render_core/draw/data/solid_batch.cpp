@@ -43,6 +43,10 @@ SolidBatch::SolidBatch(base::Span<SolidVertex> vertices, base::Span<std::uint16_
     use_.capacity = vertices.size();
 }
 
+SolidBatch::SolidBatch(base::Arena& memory, const SolidRoom& room)
+    : SolidBatch(memory.allocate_array<SolidVertex>(room.vertices), memory.allocate_array<std::uint16_t>(room.indices),
+                 memory.allocate_array<SolidPiece>(room.pieces)) {}
+
 void SolidBatch::clear() {
     vertex_count_ = index_count_ = piece_count_ = 0;
     begins_piece_ = true;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "render_core/base/memory_budget.hpp"
 #include "render_core/base/resource_use.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/design/color.hpp"
@@ -65,6 +66,16 @@ struct SolidPiece {
     std::uint32_t first_index = 0, indices = 0;
 };
 
+/// Room of a batch, and of buffers that hold a copy of it.
+struct SolidRoom {
+    std::uint32_t vertices = 0, indices = 0, pieces = 0;
+
+    [[nodiscard]] std::uint64_t gpu_bytes() const {
+        return std::uint64_t{vertices} * sizeof(SolidVertex) + std::uint64_t{indices} * sizeof(std::uint16_t);
+    }
+    [[nodiscard]] std::uint64_t cpu_bytes() const { return gpu_bytes() + std::uint64_t{pieces} * sizeof(SolidPiece); }
+};
+
 class SolidBatch {
 public:
     /// More vertices would not be told apart by 16 bits, of which one value is left for a restart.
@@ -74,6 +85,8 @@ public:
 
     SolidBatch() = default;
     SolidBatch(base::Span<SolidVertex> vertices, base::Span<std::uint16_t> indices, base::Span<SolidPiece> pieces);
+    /// With this room from an arena; what the arena does not hold is no room.
+    SolidBatch(base::Arena& memory, const SolidRoom& room);
 
     /// Empties the batch; counters of refusals stay.
     void clear();

@@ -88,10 +88,9 @@ void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float g
     gl->Uniform4f(fading, is_transparency ? strength : 0, is_transparency ? 0 : strength, look.fading_levels, grown);
 }
 
-base::Error SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+base::Error SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, const SolidBatch& batch, const SolidRoom& room,
                                 gl::BufferUse use) {
-    batch_ = SolidBatch(memory.allocate_array<SolidVertex>(room.vertices), memory.allocate_array<std::uint16_t>(room.indices),
-                        memory.allocate_array<SolidPiece>(room.pieces));
+    batch_ = &batch;
     auto vertices = gl::make_buffer(gl, line, gl::BufferKind::vertices, use, std::uint64_t{room.vertices} * sizeof(SolidVertex));
     if (!vertices.ok()) return vertices.error();
     vertices_ = static_cast<gl::Buffer&&>(vertices.value());
@@ -102,8 +101,8 @@ base::Error SolidBuffers::start(gl::Gl& gl, base::BudgetLine& line, base::Arena&
 }
 
 bool SolidBuffers::upload(gl::Gl& gl) const {
-    const auto vertices = batch_.vertices();
-    const auto indices = batch_.indices();
+    const auto vertices = batch_->vertices();
+    const auto indices = batch_->indices();
     return vertices_.upload(gl, 0, vertices.data(), vertices.size() * sizeof(SolidVertex)) &&
            indices_.upload(gl, 0, indices.data(), indices.size() * sizeof(std::uint16_t));
 }

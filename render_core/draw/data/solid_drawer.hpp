@@ -15,15 +15,6 @@
 
 namespace tedavis::draw {
 
-struct SolidRoom {
-    std::uint32_t vertices = 0, indices = 0, pieces = 0;
-
-    [[nodiscard]] std::uint64_t gpu_bytes() const {
-        return std::uint64_t{vertices} * sizeof(SolidVertex) + std::uint64_t{indices} * sizeof(std::uint16_t);
-    }
-    [[nodiscard]] std::uint64_t cpu_bytes() const { return gpu_bytes() + std::uint64_t{pieces} * sizeof(SolidPiece); }
-};
-
 /// What is drawn of the batches.
 struct SolidFrame {
     const DataFrame& frame;
@@ -32,20 +23,20 @@ struct SolidFrame {
     bool has_date = false;             ///< without, nothing ages
 };
 
-/// A batch and its copy on the GPU.
+/// The copy of a batch on the GPU.
 class SolidBuffers {
 public:
-    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, const SolidRoom& room,
+    /// The batch must stay; `room`: that it has.
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, const SolidBatch& batch, const SolidRoom& room,
                                     gl::BufferUse use);
-    [[nodiscard]] SolidBatch& batch() { return batch_; }
-    [[nodiscard]] const SolidBatch& batch() const { return batch_; }
+    [[nodiscard]] const SolidBatch& batch() const { return *batch_; }
     /// After the batch has changed. False when it cannot be had; then nothing of it may be drawn.
     [[nodiscard]] bool upload(gl::Gl& gl) const;
     void bind(gl::Gl& gl) const;
     void destroy(gl::Gl& gl);
 
 private:
-    SolidBatch batch_;
+    const SolidBatch* batch_ = nullptr;
     gl::Buffer vertices_, indices_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render_core/draw/data/glyph_drawer.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
@@ -31,7 +32,10 @@ struct GlyphView {
     explicit GlyphView(const char* device = "es3-mid") : session("egl", device), scene(changing_air()) {
         block.resize(session.device.budget.find(effects::kSceneGlyphs)->bytes);
         base::Arena arena(block.data(), block.size());
-        EXPECT_EQ(glyphs.start(session.gl, session.device.budget, arena, false).message.view(), "");
+        const bool has_instances = draw::GlyphDrawer::has_instances(session.gl);
+        EXPECT_EQ(glyphs.start(has_instances, session.device.budget, arena).message.view(), "");
+        base::BudgetLine& line = *session.device.budget.find(effects::kSceneGlyphVertices);
+        EXPECT_EQ(drawer.start(session.gl, line, arena).message.view(), "");
         session.gl.seal();
         element.technique = DataTechnique::spheres;
         element.by_color.attribute = "temperature";
@@ -45,7 +49,7 @@ struct GlyphView {
     }
     ~GlyphView() {
         session.gl.retire();
-        glyphs.destroy(session.gl);
+        drawer.destroy(session.gl);
     }
     bool add() { return glyphs.add(element, scene.layer()); }
     draw::ElementCount plan(std::int64_t time_ns, bool has_date = true) {
@@ -57,8 +61,8 @@ struct GlyphView {
         session.gl->ClearColor(0, 0, 0, 1);
         session.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         session.gl->Enable(GL_DEPTH_TEST);
-        glyphs.prepare(session.gl);
-        static_cast<void>(glyphs.draw(session.gl, frame, {10, 400'000}));
+        drawer.upload(session.gl, glyphs.batch());
+        if (!glyphs.batch().instances().empty()) static_cast<void>(drawer.draw(session.gl, frame, {10, 400'000}));
         EXPECT_EQ(session.gl.denied().total, 0u);
         return session.pixels();
     }
@@ -73,6 +77,7 @@ struct GlyphView {
     std::vector<unsigned char> block;
     design::DataElement element;
     GlyphElements glyphs;
+    draw::GlyphDrawer drawer;
     draw::DataFrame frame;
 };
 
@@ -243,11 +248,9 @@ TEST(GlyphElements, ALineThatIsTooSmallIsNamed) {
     std::vector<unsigned char> block(1000);
     base::Arena arena(block.data(), block.size());
     GlyphElements glyphs;
-    EXPECT_NE(glyphs.start(session.gl, session.device.budget, arena, false).message.view().find("scene_glyphs"),
-              std::string_view::npos);
+    EXPECT_NE(glyphs.start(true, session.device.budget, arena).message.view().find("scene_glyphs"), std::string_view::npos);
     session.gl.seal();
     session.gl.retire();
-    glyphs.destroy(session.gl);
 }
 
 }  // namespace

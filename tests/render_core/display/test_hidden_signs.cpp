@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_painter.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/built_element.hpp"
 #include "tests/support/drawn_meshes.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/selection.hpp"
@@ -54,8 +55,12 @@ public:
             arenas_[n] = base::Arena(blocks_[n].data(), blocks_[n].size());
         }
         base::BudgetTable& budget = session_.device.budget;
-        EXPECT_EQ(typeface_.start(session_.gl, budget, arenas_[3], draw::kSymbologyVertices).message.view(), "");
-        EXPECT_EQ(elements_.start(session_.gl, budget, {arenas_[0], arenas_[1], arenas_[2]}, typeface_).message.view(), "");
+        EXPECT_TRUE(typeface_.take(arenas_[3], draw::kSymbologyVertices));
+        EXPECT_EQ(typeface_.start(session_.gl, budget, typeface_.batch()).message.view(), "");
+        const ElementPlanner::Memory memory{arenas_[0], arenas_[1], arenas_[2]};
+        const bool has_instances = draw::GlyphDrawer::has_instances(session_.gl);
+        EXPECT_EQ(elements_.start(has_instances, budget, memory).message.view(), "");
+        EXPECT_EQ(painter_.start(session_.gl, budget, memory, elements_, typeface_).message.view(), "");
         session_.gl.seal();
         const double latitude = base::radians(46.7), longitude = base::radians(kLongitude_deg);
         ground_.height = kPlain_m + WrittenTdb::undulation_m(latitude);
@@ -72,7 +77,7 @@ public:
     }
     ~Signs() {
         session_.gl.retire();
-        elements_.destroy(session_.gl);
+        painter_.destroy(session_.gl);
         typeface_.destroy(session_.gl);
     }
     Signs(const Signs&) = delete;
@@ -94,9 +99,10 @@ public:
         session_.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         session_.gl->ClearDepthf(1);
         session_.gl->Enable(GL_DEPTH_TEST);
-        elements_.prepare(session_.gl);
-        static_cast<void>(elements_.draw(session_.gl, frame_, {{{10, 100'000}, {}}, 1}, 0));
-        static_cast<void>(elements_.draw_signs(session_.gl, kWidth, kHeight));
+        const PlannedElements planned = elements_.planned();
+        painter_.prepare(session_.gl, planned);
+        static_cast<void>(painter_.draw(session_.gl, planned, frame_, {{{10, 100'000}, {}}, 1}, 0));
+        static_cast<void>(painter_.draw_signs(session_.gl, planned, kWidth, kHeight));
         EXPECT_EQ(session_.gl.denied().total, 0u);
         Pixels rgba = session_.pixels();
         for (std::size_t row = 0; row < kHeight / 2; ++row)
@@ -128,8 +134,9 @@ private:
     base::Arena arenas_[4];
     test_support::LevelGround ground_;
     design::DataElementList asked_;
-    draw::QuadDrawer typeface_;
-    DataElements elements_;
+    test_support::FilledQuads typeface_;
+    ElementPlanner elements_;
+    ElementPainter painter_;
     draw::DataFrame frame_;
 };
 

@@ -123,13 +123,13 @@ TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
     const DrawContext frame{design_, decisions, eye, record};
     const auto terrain = std::make_unique<TerrainPainter>();
     const SeenTerrain nothing;
-    const auto elements = std::make_unique<DataElements>();
+    const auto elements = std::make_unique<ElementPainter>();
     EffectWorkTable work;
     session_.gl.seal();
     session_.gl.begin_frame();
     gl::bind_surface(session_.gl, *session_.surface);
     const draw::TerrainDrawResult drawn =
-        passes_.draw(session_.gl, *session_.surface, {frame, {}, *terrain, nothing, *elements, work});
+        passes_.draw(session_.gl, *session_.surface, {frame, {}, *terrain, nothing, *elements, {}, {}, work});
     EXPECT_EQ(drawn.draws, 0u);
     const auto pixels = session_.pixels();
     const std::uint8_t* const top = pixels.data() + (std::size_t{kWidth} * kHeight - kWidth / 2) * 4;

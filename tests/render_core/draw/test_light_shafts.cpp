@@ -11,6 +11,7 @@
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
@@ -102,7 +103,7 @@ protected:
     std::vector<unsigned char> block_;
     ShadowMap map_;
     SolidCasters casters_;
-    SolidBuffers solids_;
+    test_support::FilledSolids solids_;
     SolidMesh mesh_;
     LightShafts shafts_;
     ViewEffectsPass pass_;

@@ -17,6 +17,7 @@
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/draped_database.hpp"
 #include "tests/support/drawn_terrain.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_scene.hpp"
 
@@ -167,7 +168,7 @@ private:
     TerrainDrawer drawer_;
     TerrainDrawResult drawn_;
     double tau_px_ = 1;
-    SolidBuffers solids_;
+    test_support::FilledSolids solids_;
     SolidDrawer solid_drawer_;
     SolidMesh mesh_;
 };

@@ -10,6 +10,7 @@
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/batch_rasterizer.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/symbology_scene.hpp"
 
@@ -24,8 +25,8 @@ struct QuadSession {
         : session(backend, device, width, height),
           block(session.device.budget.find(effects::kSymbology)->bytes),
           arena(block.data(), block.size()) {
-        const base::Error error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
-        EXPECT_EQ(error.message.view(), "");
+        EXPECT_TRUE(quads.take(arena, kSymbologyVertices));
+        EXPECT_EQ(quads.start(session.gl, session.device.budget, quads.batch()).message.view(), "");
         if (with_links) start_links();
         session.gl.seal();
     }
@@ -38,8 +39,10 @@ struct QuadSession {
     void start_links() {
         billboard_block.resize(session.device.budget.find(effects::kSceneBillboards)->bytes);
         base::Arena own(billboard_block.data(), billboard_block.size());
-        EXPECT_EQ(links.start_links(session.gl, session.device.budget, own).message.view(), "");
-        EXPECT_EQ(signs.start_signs(session.gl, session.device.budget, own, quads).message.view(), "");
+        base::BudgetTable& budget = session.device.budget;
+        EXPECT_TRUE(links.take(own, max_link_vertices(budget)) && signs.take(own, max_sign_vertices(budget)));
+        EXPECT_EQ(links.start_links(session.gl, budget, links.batch()).message.view(), "");
+        EXPECT_EQ(signs.start_signs(session.gl, budget, signs.batch(), quads).message.view(), "");
     }
     /// RGBA8, bottom row first, over a plain background.
     std::vector<std::uint8_t> picture() {
@@ -52,9 +55,9 @@ struct QuadSession {
     GlSession session;
     std::vector<unsigned char> block;
     base::Arena arena;
-    QuadDrawer quads;
+    test_support::FilledQuads quads;
     std::vector<unsigned char> billboard_block;
-    QuadDrawer links, signs;
+    test_support::FilledQuads links, signs;
 };
 
 TEST(QuadDrawer, DrawsWhatTheFormulaSays) {
@@ -92,11 +95,14 @@ TEST(QuadDrawer, AnEmptyBatchLeavesThePicture) {
 
 TEST(QuadDrawer, RefusesTooSmallABudgetWithTheLinesName) {
     GlSession session("egl", "es3-mid");
-    std::vector<unsigned char> little(100);
-    base::Arena arena(little.data(), little.size());
-    QuadDrawer quads;
-    const base::Error error = quads.start(session.gl, session.device.budget, arena, kSymbologyVertices);
-    EXPECT_NE(error.message.view().find("'symbology'"), std::string_view::npos);
+    std::vector<unsigned char> block(session.device.budget.find(effects::kSymbology)->bytes);
+    base::Arena arena(block.data(), block.size());
+    test_support::FilledQuads quads;
+    ASSERT_TRUE(quads.take(arena, kSymbologyVertices));
+    session.device.budget.find(effects::kSymbologyVertices)->bytes = 100;
+    const base::Error error = quads.start(session.gl, session.device.budget, quads.batch());
+    EXPECT_NE(error.message.view().find("'symbology_vertices'"), std::string_view::npos);
+    quads.destroy(session.gl);
 }
 
 TEST(QuadDrawer, OsMesaAndEglAgreeBitForBit) {
@@ -186,7 +192,7 @@ TEST(QuadDrawer, ALineThroughBothRangesIsDrawnOnceEverywhere) {
 TEST(QuadDrawer, SignsBorrowWhatTheSymbologyHas) {
     QuadSession gl("egl", "es2-small", 640, 480, true);
     const TextStyle style{24, {255, 255, 255}};
-    for (QuadDrawer* drawer : {&gl.quads, &gl.signs})
+    for (test_support::FilledQuads* drawer : {&gl.quads, &gl.signs})
         ASSERT_TRUE(drawer->batch().text("Davos", {320, 240}, TextAnchor::center, style));
     const auto expected = gl.picture();
     gl.quads.batch().clear();

@@ -13,6 +13,7 @@
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
@@ -167,7 +168,7 @@ private:
     std::vector<unsigned char> block_;
     ShadowMap map_;
     SolidCasters casters_;
-    SolidBuffers solids_;
+    test_support::FilledSolids solids_;
     SolidMesh mesh_;
     terrain::View view_;
     std::vector<std::uint8_t> shade_;

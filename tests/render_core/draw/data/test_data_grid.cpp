@@ -17,6 +17,7 @@
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/raster_scene.hpp"
@@ -148,7 +149,7 @@ private:
 
     test_support::GlSession session_;
     std::vector<unsigned char> block_;
-    SolidBuffers solids_;
+    test_support::FilledSolids solids_;
     SolidDrawer drawer_;
     SolidMesh mesh_;
 };

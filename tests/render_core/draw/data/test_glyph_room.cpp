@@ -19,7 +19,7 @@ TEST(GlyphRoom, AllOfItFitsTheLinesOfShippedDevices) {
             test_support::GlSession session("egl", device);
             base::BudgetLine& gpu = *session.device.budget.find(effects::kSceneGlyphVertices);
             const std::uint64_t cpu = session.device.budget.find(effects::kSceneGlyphs)->bytes;
-            const GlyphRoom room = glyph_room(session.gl, cpu, gpu.bytes, fields);
+            const GlyphRoom room = glyph_room(GlyphDrawer::has_instances(session.gl), cpu, gpu.bytes, fields);
             EXPECT_GT(room.sites, device == "es2-small" ? 500u : 100'000u) << device;
             EXPECT_GT(room.glyphs, device == "es2-small" ? 200u : 10'000u) << device;
             std::vector<unsigned char> block(cpu);
@@ -38,10 +38,13 @@ TEST(GlyphRoom, AllOfItFitsTheLinesOfShippedDevices) {
 
 TEST(GlyphRoom, ThereMayBeNone) {
     test_support::GlSession session("egl", "es2-small");
-    EXPECT_EQ(glyph_room(session.gl, 0, 0, 1).sites, 0u);
-    EXPECT_EQ(glyph_room(session.gl, 1 << 20, 32768, 0).sites, 0u);
-    EXPECT_EQ(glyph_room(session.gl, GlyphDrawer::bytes_needed(session.gl, 32768) + 200, 32768, 1).sites, 0u);
-    EXPECT_GT(glyph_room(session.gl, 1 << 20, 32768, 1).sites, 0u);
+    EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl), 0, 0, 1).sites, 0u);
+    EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl), 1 << 20, 32768, 0).sites, 0u);
+    EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl),
+                         GlyphDrawer::bytes_needed(GlyphDrawer::has_instances(session.gl), 32768) + 200, 32768, 1)
+                  .sites,
+              0u);
+    EXPECT_GT(glyph_room(GlyphDrawer::has_instances(session.gl), 1 << 20, 32768, 1).sites, 0u);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
+#include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
 
@@ -78,7 +79,7 @@ struct SolidSession {
 
     GlSession session;
     std::vector<unsigned char> block;
-    SolidBuffers solids;
+    test_support::FilledSolids solids;
     SolidDrawer drawer;
     SolidMesh mesh;
     DataFrame frame;

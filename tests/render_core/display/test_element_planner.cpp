@@ -1,4 +1,4 @@
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "tests/support/sent_traffic.hpp"
 #include "tests/support/shown_elements.hpp"
 
-namespace tedavis::display::test_data_elements {
+namespace tedavis::display::test_element_planner {
 namespace {
 
 using design::DataTechnique;
@@ -25,10 +25,10 @@ using test_support::kHour_ns;
 using test_support::kNoDate;
 using test_support::kNow;
 
-using DataElementsTest = test_support::ShownElements;
+using ElementPlannerTest = test_support::ShownElements;
 using test_support::scene_draft;
 
-TEST_F(DataElementsTest, WhatIsAskedForIsDrawnAndCounted) {
+TEST_F(ElementPlannerTest, WhatIsAskedForIsDrawnAndCounted) {
     ask_for("zones", DataTechnique::prism);
     plan();
     EXPECT_EQ(state(0), ElementState::shown);
@@ -36,14 +36,14 @@ TEST_F(DataElementsTest, WhatIsAskedForIsDrawnAndCounted) {
     EXPECT_GT(drawn_pixels(), 50u);
 }
 
-TEST_F(DataElementsTest, NothingAskedForDrawsNothing) {
+TEST_F(ElementPlannerTest, NothingAskedForDrawsNothing) {
     plan();
     EXPECT_FALSE(elements_.has_anything());
     EXPECT_EQ(elements_.reports().size(), 0u);
     EXPECT_EQ(drawn_pixels(), 0u);
 }
 
-TEST_F(DataElementsTest, WhatIsNotValidNowIsHiddenUntilItIs) {
+TEST_F(ElementPlannerTest, WhatIsNotValidNowIsHiddenUntilItIs) {
     ask_for("zones", DataTechnique::prism);
     plan({kNow.ns - 1});
     EXPECT_EQ(state(0), ElementState::out_of_date);
@@ -85,7 +85,7 @@ struct OwnShip {
     base::Time now;
 };
 
-TEST_F(DataElementsTest, TheOwnFlightIsShownWithAndWithoutAScene) {
+TEST_F(ElementPlannerTest, TheOwnFlightIsShownWithAndWithoutAScene) {
     OwnShip ship;
     for (const bool has_scene : {true, false}) {
         asked_.clear();
@@ -118,7 +118,7 @@ TEST_F(DataElementsTest, TheOwnFlightIsShownWithAndWithoutAScene) {
     }
 }
 
-TEST_F(DataElementsTest, TheTrailIsAsWideAsItsPlaceIsUnsure) {
+TEST_F(ElementPlannerTest, TheTrailIsAsWideAsItsPlaceIsUnsure) {
     design::DataElement& trail = ask_for("", DataTechnique::tube);
     trail.own = design::OwnData::trail;
     trail.size_m = 20;
@@ -137,7 +137,7 @@ TEST_F(DataElementsTest, TheTrailIsAsWideAsItsPlaceIsUnsure) {
     EXPECT_LE(pixels(design::ElementUncertainty::none, 300), sure) << "control";
 }
 
-TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
+TEST_F(ElementPlannerTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
     OwnShip ship;
     ask_for("", DataTechnique::tube).own = design::OwnData::trail;
     const auto pixels = [&] {
@@ -159,7 +159,7 @@ TEST_F(DataElementsTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
 }
 
 /// Beside the scene's, by the same techniques, by role and by name, and by the source's own time.
-TEST_F(DataElementsTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
+TEST_F(ElementPlannerTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
     const base::Time now = base::Time{} + base::Duration::seconds(500);
     flight::AircraftState aircraft;
     aircraft.traffic.is_received = true;
@@ -199,7 +199,7 @@ TEST_F(DataElementsTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
     }
 }
 
-TEST_F(DataElementsTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {
+TEST_F(ElementPlannerTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {
     ask_for("zoo", DataTechnique::prism);
     ask_for("masts", DataTechnique::prism);
     plan();
@@ -208,7 +208,7 @@ TEST_F(DataElementsTest, LayersThatAreNotThereOrOfAnotherKindAreSaid) {
     EXPECT_FALSE(elements_.has_anything());
 }
 
-TEST_F(DataElementsTest, ARoleNamesAllItsLayers) {
+TEST_F(ElementPlannerTest, ARoleNamesAllItsLayers) {
     design::DataElement& element = ask_for("", DataTechnique::prism);
     element.role = scene::LayerRole::no_go;
     plan();
@@ -219,7 +219,7 @@ TEST_F(DataElementsTest, ARoleNamesAllItsLayers) {
     EXPECT_EQ(elements_.reports().size(), 0u) << "there may be none";
 }
 
-TEST_F(DataElementsTest, GlyphsAreCountedWhole) {
+TEST_F(ElementPlannerTest, GlyphsAreCountedWhole) {
     design::DataElement& element = ask_for("air", DataTechnique::spheres);
     element.heights_m.clear();
     plan();
@@ -227,7 +227,7 @@ TEST_F(DataElementsTest, GlyphsAreCountedWhole) {
     EXPECT_EQ(elements_.reports()[0].count.all(), 12u) << "posts of the lowest level";
 }
 
-TEST_F(DataElementsTest, OnlyFieldsMayBeSampledMoreSparsely) {
+TEST_F(ElementPlannerTest, OnlyFieldsMayBeSampledMoreSparsely) {
     ask_for("air", DataTechnique::spheres).heights_m.clear();
     ask_for("zones", DataTechnique::prism);
     plan();
@@ -247,14 +247,14 @@ TEST_F(DataElementsTest, OnlyFieldsMayBeSampledMoreSparsely) {
     EXPECT_EQ(elements_.counters().features + elements_.counters().glyphs, 0u);
 }
 
-TEST_F(DataElementsTest, MoreGlyphsThanSlotsAreRefused) {
+TEST_F(ElementPlannerTest, MoreGlyphsThanSlotsAreRefused) {
     for (std::size_t n = 0; n <= GlyphElements::kSlots; ++n) ask_for("air", DataTechnique::spheres);
     plan();
     for (std::size_t n = 0; n < GlyphElements::kSlots; ++n) EXPECT_EQ(state(n), ElementState::shown) << n;
     EXPECT_EQ(state(GlyphElements::kSlots), ElementState::no_room);
 }
 
-TEST_F(DataElementsTest, AnotherDesignTakesEffectWithTheNextPlan) {
+TEST_F(ElementPlannerTest, AnotherDesignTakesEffectWithTheNextPlan) {
     ask_for("zones", DataTechnique::prism);
     plan();
     EXPECT_GT(drawn_pixels(), 50u);
@@ -263,7 +263,7 @@ TEST_F(DataElementsTest, AnotherDesignTakesEffectWithTheNextPlan) {
     EXPECT_EQ(drawn_pixels(), 0u);
 }
 
-TEST_F(DataElementsTest, AnotherSceneLeavesNothingOfTheOneBefore) {
+TEST_F(ElementPlannerTest, AnotherSceneLeavesNothingOfTheOneBefore) {
     ask_for("zones", DataTechnique::prism);
     plan();
     host_sim::SceneDraft draft = scene_draft();
@@ -277,7 +277,7 @@ TEST_F(DataElementsTest, AnotherSceneLeavesNothingOfTheOneBefore) {
     EXPECT_EQ(drawn_pixels(), 0u);
 }
 
-TEST_F(DataElementsTest, AFrameWithoutTerrainShowsNone) {
+TEST_F(ElementPlannerTest, AFrameWithoutTerrainShowsNone) {
     ask_for("zones", DataTechnique::prism);
     plan();
     elements_.rest();
@@ -294,4 +294,4 @@ TEST(ElementState, HasAReasonOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_data_elements
+}  // namespace tedavis::display::test_element_planner

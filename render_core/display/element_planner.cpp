@@ -1,4 +1,4 @@
-#include "render_core/display/data_elements.hpp"
+#include "render_core/display/element_planner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,20 +19,6 @@ using design::DataTechnique;
 
 constexpr std::uint32_t kStandingQuarters = 3;  // of the room; the rest moves
 constexpr std::uint32_t kVerticesAPiece = 64, kIndicesAVertex = 3;
-
-struct Rooms {
-    draw::SolidRoom standing, moving;
-};
-
-Rooms rooms_of(std::uint64_t gpu_bytes) {
-    constexpr std::uint64_t kQuarterVertex = 4 * (sizeof(draw::SolidVertex) + kIndicesAVertex * sizeof(std::uint16_t));
-    const auto quarter = static_cast<std::uint32_t>(gpu_bytes / kQuarterVertex);
-    const auto room = [&](std::uint32_t quarters) {
-        const std::uint32_t vertices = quarter * quarters;
-        return draw::SolidRoom{vertices, vertices * kIndicesAVertex, vertices / kVerticesAPiece};
-    };
-    return {room(kStandingQuarters), room(4 - kStandingQuarters)};
-}
 
 bool shows_solids(const scene::Layer& layer) {
     const scene::LayerRole role = layer.entry->role;
@@ -89,25 +75,33 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
 
 }  // namespace
 
-base::Error DataElements::start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                const draw::DataVariant& variant) {
-    base::BudgetLine& line = *budget.find(effects::kSceneSolidVertices);
-    const Rooms rooms = rooms_of(line.bytes);
-    if (base::Error error = standing_.start(gl, line, memory.solids, rooms.standing, gl::BufferUse::fixed)) return error;
-    if (base::Error error = moving_.start(gl, line, memory.solids, rooms.moving, gl::BufferUse::streamed)) return error;
-    if (base::Error error = glyphs_.start(gl, budget, memory.glyphs, variant.air, variant.shadows)) return error;
+SolidRooms solid_rooms(const base::BudgetTable& budget) {
+    constexpr std::uint64_t kQuarterVertex = 4 * (sizeof(draw::SolidVertex) + kIndicesAVertex * sizeof(std::uint16_t));
+    const auto quarter = static_cast<std::uint32_t>(budget.find(effects::kSceneSolidVertices)->bytes / kQuarterVertex);
+    const auto room = [&](std::uint32_t quarters) {
+        const std::uint32_t vertices = quarter * quarters;
+        return draw::SolidRoom{vertices, vertices * kIndicesAVertex, vertices / kVerticesAPiece};
+    };
+    return {room(kStandingQuarters), room(4 - kStandingQuarters)};
+}
+
+base::Error ElementPlanner::start(bool has_instances, const base::BudgetTable& budget, const Memory& memory) {
+    const SolidRooms rooms = solid_rooms(budget);
+    standing_ = draw::SolidBatch(memory.solids, rooms.standing);
+    moving_ = draw::SolidBatch(memory.solids, rooms.moving);
+    if (base::Error error = glyphs_.start(has_instances, budget, memory.glyphs)) return error;
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
         return base::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
     if (!sheet_.start(memory.billboards) || !labels_.start(memory.billboards) || !own_.start(memory.billboards) ||
-        !traffic_.start(memory.billboards))
+        !traffic_.start(memory.billboards) || !links_.start(memory.billboards, draw::max_link_vertices(budget)) ||
+        !signs_.start(memory.billboards, draw::max_sign_vertices(budget)))
         return base::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
-    if (base::Error error = link_drawer_.start_links(gl, budget, memory.billboards)) return error;
-    if (base::Error error = sign_drawer_.start_signs(gl, budget, memory.billboards, typeface)) return error;
-    return drawer_.start(gl, memory.solids, rooms.standing.pieces + rooms.moving.pieces, variant);
+    is_started_ = true;
+    return {};
 }
 
 /// Builders that keep nothing from one element to the next share their memory.
-bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertices) {
+bool ElementPlanner::start_scratch(base::Arena& memory, std::uint32_t batch_vertices) {
     const std::uint32_t rings = draw::TubeSolids::rings_for(batch_vertices);
     const draw::IsosurfaceRoom room = draw::IsosurfaceRoom::beside(batch_vertices);
     const std::uint64_t bytes = std::max(draw::TubeSolids::bytes_needed(rings), draw::IsosurfaceSolids::bytes_needed(room));
@@ -115,10 +109,10 @@ bool DataElements::start_scratch(base::Arena& memory, std::uint32_t batch_vertic
     return tubes_.start(for_tubes, rings) && isosurfaces_.start(for_isosurfaces, room) && cues_.start(for_cues, rings);
 }
 
-bool DataElements::distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const {
+bool ElementPlanner::distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const {
     bool is_any = false;
-    for (const draw::SolidBuffers* const solids : {&standing_, &moving_})
-        for (const draw::SolidPiece& piece : solids->batch().pieces()) {
+    for (const draw::SolidBatch* const solids : {&standing_, &moving_})
+        for (const draw::SolidPiece& piece : solids->pieces()) {
             const std::size_t report = piece.look.group;
             if (report >= reports_.size() || (shown_ >> report & 1u) == 0 || reports_[report].layer->entry->role != role)
                 continue;
@@ -130,8 +124,8 @@ bool DataElements::distances_m(scene::LayerRole role, const glm::dvec3& eye, ter
     return is_any;
 }
 
-void DataElements::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& labels,
-                       std::size_t design) {
+void ElementPlanner::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& labels,
+                         std::size_t design) {
     labels_.set(scene, elements, labels, design);
     scene_ = scene;
     elements_ = &elements;
@@ -142,7 +136,7 @@ void DataElements::set(const scene::Scene* scene, const design::DataElementList&
     shown_ = 0;
 }
 
-ElementState DataElements::state_of(const ElementReport& report) const {
+ElementState ElementPlanner::state_of(const ElementReport& report) const {
     if (report.layer == nullptr) return ElementState::no_such_layer;
     if (!shows(*report.element, *report.layer)) return ElementState::wrong_layer;
     if (report.element->own != design::OwnData::none || report.layer == &traffic_.layer())
@@ -151,7 +145,7 @@ ElementState DataElements::state_of(const ElementReport& report) const {
     return is_valid_at(*report.layer, time_) ? ElementState::shown : ElementState::out_of_date;
 }
 
-void DataElements::plan(const ElementFrame& frame) {
+void ElementPlanner::plan(const ElementFrame& frame) {
     time_ = frame.time;
     shown_ = 0;
     if (elements_ == nullptr) return;
@@ -165,17 +159,17 @@ void DataElements::plan(const ElementFrame& frame) {
         reports_[n].suppressed_labels = labels_.suppressed(*reports_[n].element, *reports_[n].layer);
     }
     take_foci(frame);
-    if (has_changed_) build(standing_.batch(), false, frame);
-    build(moving_.batch(), true, frame);
+    if (has_changed_) build(standing_, false, frame);
+    build(moving_, true, frame);
     judge_sight(frame);
     glyphs_.begin_plan();
     plan_glyphs(frame, nullptr);
-    is_uploaded_ = is_uploaded_ && !has_changed_;
+    standing_key_ += has_changed_ ? 1 : 0;
     has_changed_ = false;
 }
 
 /// What stands has the look that the foci give it.
-void DataElements::take_foci(const ElementFrame& frame) {
+void ElementPlanner::take_foci(const ElementFrame& frame) {
     const bool changes = frame.foci != nullptr && frame.foci->changes_data();
     const std::uint64_t key = changes ? draw::key_of(*frame.foci, time_.utc.ns, time_.is_date) : 0;
     has_changed_ = has_changed_ || key != foci_key_;
@@ -185,7 +179,7 @@ void DataElements::take_foci(const ElementFrame& frame) {
                                                 : draw::LayerFoci(frame.foci, *reports_[n].layer, time_.utc.ns, time_.is_date);
 }
 
-draw::FocusCounts DataElements::count_in_focus(const ElementFrame& frame, std::size_t focus) const {
+draw::FocusCounts ElementPlanner::count_in_focus(const ElementFrame& frame, std::size_t focus) const {
     draw::FocusCounts counts;
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         if (reports_[n].state != ElementState::shown) continue;
@@ -198,21 +192,21 @@ draw::FocusCounts DataElements::count_in_focus(const ElementFrame& frame, std::s
 }
 
 /// The layer is there from the first frame on in which there is a receiver.
-void DataElements::hear_traffic(const ElementFrame& frame) {
+void ElementPlanner::hear_traffic(const ElementFrame& frame) {
     const bool hears = frame.own.aircraft != nullptr && frame.own.aircraft->traffic.is_received;
     has_changed_ = has_changed_ || hears != hears_traffic_;
     hears_traffic_ = hears;
     if (hears) traffic_.take(frame.own.aircraft->traffic, frame.time.utc - frame.own.now);
 }
 
-void DataElements::rest() {
+void ElementPlanner::rest() {
     shown_ = 0;
     labels_.rest();
     label_counts_ = {};
     for (ElementReport& report : reports_) report.state = ElementState::no_terrain;
 }
 
-void DataElements::begin_reports() {
+void ElementPlanner::begin_reports() {
     reports_.clear();
     glyphs_.clear();
     for (const design::DataElement& element : *elements_) {
@@ -223,7 +217,7 @@ void DataElements::begin_reports() {
     }
 }
 
-void DataElements::begin_scene_reports(const design::DataElement& element) {
+void ElementPlanner::begin_scene_reports(const design::DataElement& element) {
     const std::size_t before = reports_.size();
     if (hears_traffic_ && is_meant(element, traffic_.layer())) begin_report(element, &traffic_.layer());
     if (scene_ != nullptr)
@@ -237,7 +231,7 @@ void DataElements::begin_scene_reports(const design::DataElement& element) {
 }
 
 /// Glyphs, signs and surfaces count by themselves what is not in view.
-void DataElements::judge_sight(const ElementFrame& frame) {
+void ElementPlanner::judge_sight(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         const DataTechnique technique = report.element->technique;
@@ -249,7 +243,7 @@ void DataElements::judge_sight(const ElementFrame& frame) {
 }
 
 /// With a sheet those that stand on it, else the others.
-void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
+void ElementPlanner::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         const ElementReport& report = reports_[n];
         if (report.state == ElementState::shown && report.slot < GlyphElements::kSlots &&
@@ -259,7 +253,7 @@ void DataElements::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* 
 }
 
 /// Fields may be sampled more sparsely; what stands for one thing each may not.
-void DataElements::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet) {
+void ElementPlanner::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet) {
     ElementReport& report = reports_[n];
     const scene::LayerRole role = report.layer->entry->role;
     const bool is_sampled = role == scene::LayerRole::field || role == scene::LayerRole::wind || role == scene::LayerRole::sample;
@@ -272,11 +266,11 @@ void DataElements::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw
 }
 
 /// A full list has counted the refusal itself.
-void DataElements::begin_report(const design::DataElement& element, const scene::Layer* layer) {
+void ElementPlanner::begin_report(const design::DataElement& element, const scene::Layer* layer) {
     static_cast<void>(reports_.try_push_back({ElementState::no_such_layer, &element, layer, {}}));
 }
 
-draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame& frame) const {
+draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFrame& frame) const {
     const scene::Layer& layer = *reports_[report].layer;
     // What is heard is as old as the source's own time says, whether UTC is known or not.
     const bool is_heard = &layer == &traffic_.layer();
@@ -294,7 +288,7 @@ draw::ElementInput DataElements::input_of(std::size_t report, const ElementFrame
 }
 
 /// What stands is built whether it is valid now or not: it may become so.
-void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
+void ElementPlanner::build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
     batch.clear();
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
@@ -309,7 +303,7 @@ void DataElements::build(draw::SolidBatch& batch, bool moving, const ElementFram
 }
 
 /// In the room that all elements have left. Lines that travel are built every frame, whatever they stand on.
-void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
+void ElementPlanner::build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         if (report.layer == nullptr || !shows(*report.element, *report.layer)) continue;
@@ -323,7 +317,7 @@ void DataElements::build_cues(draw::SolidBatch& batch, bool moving, const Elemen
     }
 }
 
-draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {
+draw::ElementCount ElementPlanner::build_element(draw::SolidBatch& batch, const draw::ElementInput& input) {
     switch (input.element.technique) {
         case DataTechnique::prism: return draw::add_area_prisms(batch, mesh_, input);
         case DataTechnique::tube:
@@ -335,7 +329,7 @@ draw::ElementCount DataElements::build_element(draw::SolidBatch& batch, const dr
     }
 }
 
-ElementCounters DataElements::counters() const {
+ElementCounters ElementPlanner::counters() const {
     ElementCounters counters;
     if (shown_ == 0) return counters;
     for (const ElementReport& report : reports_)
@@ -344,43 +338,14 @@ ElementCounters DataElements::counters() const {
     return counters;
 }
 
-CasterSet DataElements::casters(const design::CasterRoles& roles) {
-    CasterSet casters{{&standing_, &moving_}, {}, &glyphs_, shown_ == 0 ? 0 : glyphs_.slots_of(roles)};
+CasterSet ElementPlanner::casters(const design::CasterRoles& roles) const {
+    CasterSet casters{{&standing_, &moving_}, {}, &glyphs_.batch(), shown_ == 0 ? 0 : glyphs_.slots_of(roles)};
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         if ((shown_ >> n & 1u) == 0 || !roles.has(reports_[n].layer->entry->role)) continue;
         casters.groups.all |= 1u << n;
         if (reports_[n].layer->entry->role == scene::LayerRole::obstacle) casters.groups.thin |= 1u << n;
     }
     return casters;
-}
-
-void DataElements::prepare(gl::Gl& gl) {
-    if (reports_.empty()) return;
-    is_uploaded_ = is_uploaded_ || standing_.upload(gl);
-    moving_is_uploaded_ = moving_.upload(gl);
-    glyphs_.prepare(gl);
-    static_cast<void>(link_drawer_.upload(gl));
-}
-
-std::uint32_t DataElements::draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthPlan& depth, std::size_t n) {
-    if (!is_uploaded_ || !moving_is_uploaded_ || shown_ == 0) return 0;
-    const draw::SolidBuffers* const solids[] = {&standing_, &moving_};
-    const draw::DepthRange& range = depth.ranges[n];
-    const std::uint32_t draws = drawer_.draw(gl, solids, {frame, shown_, time_.utc.ns, time_.is_date}, range);
-    return draws + glyphs_.draw(gl, frame, range) + link_drawer_.draw_within(gl, frame.view.width, frame.view.height, depth, n);
-}
-
-std::uint32_t DataElements::draw_signs(gl::Gl& gl, std::uint32_t width, std::uint32_t height) {
-    return shown_ == 0 ? 0 : sign_drawer_.draw(gl, width, height);
-}
-
-void DataElements::destroy(gl::Gl& gl) {
-    glyphs_.destroy(gl);
-    drawer_.destroy(gl);
-    sign_drawer_.destroy(gl);
-    link_drawer_.destroy(gl);
-    standing_.destroy(gl);
-    moving_.destroy(gl);
 }
 
 }  // namespace tedavis::display

@@ -1,11 +1,13 @@
-/// Elements of the data aspect over the terrain: what the design asks for of the scene's layers, built and drawn.
+/// Which elements of the data aspect a frame shows over the terrain, and their geometry: what the design asks for of the scene's
+/// layers; no GL.
 ///
-///   start(...) · set(scene, design) when either has changed · plan(frame) each frame, without GL · draw(gl, range)
+///   start(...) · set(scene, design) when either has changed · plan(frame) each frame · planned(): what a painter is given
 ///
 /// What a layer says once is built by set() and stands, until foci that change the data move; what moves, the own flight and
-/// other aircraft among it, is built by every plan(). Memory    the budget lines scene_solids, scene_glyphs and scene_billboards
-/// (CPU), and the lines of their vertices (GPU). Thread  the display's. Failure  start() gives one
-///           sentence; a layer or attribute that is not there, or no room, hides features, which are counted.
+/// other aircraft among it, is built by every plan().
+///
+/// Memory    the budget lines scene_solids, scene_glyphs and scene_billboards. Thread  the display's. Failure  start() gives one
+///           message; a layer or attribute that is not there, or no room, hides features, which are counted.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
@@ -21,11 +23,11 @@
 #include "render_core/draw/data/focus_cues.hpp"
 #include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
-#include "render_core/draw/data/solid_drawer.hpp"
+#include "render_core/draw/data/solid_batch.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/draw/data/trajectory_cues.hpp"
 #include "render_core/draw/data/tube_solids.hpp"
-#include "render_core/draw/quad_drawer.hpp"
+#include "render_core/draw/quad_batch.hpp"
 #include "render_core/flight/flight_time.hpp"
 #include "render_core/policy/declutter.hpp"
 
@@ -58,21 +60,29 @@ struct SignFrame {
     bool is_metric = false;                      ///< distances are in kilometres, not in nautical miles
 };
 
-class DataElements {
+/// Room of what stands, and of what moves.
+struct SolidRooms {
+    draw::SolidRoom standing, moving;
+};
+[[nodiscard]] SolidRooms solid_rooms(const base::BudgetTable& budget);
+
+/// What a frame draws of the elements. What it refers to stays until the next plan.
+struct PlannedElements {
+    std::uint32_t shown = 0;         ///< a bit a report: the group of what it draws
+    bool has_reports = false;        ///< something is asked for: there is something to upload
+    std::uint64_t standing_key = 0;  ///< another one: what stands has been built anew
+    flight::FlightTime time;
+};
+
+class ElementPlanner {
 public:
     struct Memory {
         base::Arena &solids, &glyphs, &billboards;
     };
-    /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `typeface`: the drawer
-    /// that lends it; must outlive this.
-    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const Memory& memory, const draw::QuadDrawer& typeface,
-                                    const draw::DataVariant& variant = {});
-    [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
-    /// False where the design needs programs that were not built.
-    [[nodiscard]] bool can_show(const design::DesignSettings& design) const {
-        return !is_started() ||
-               ((drawer_.has_grid() || !has_grid_on_data(design)) && (drawer_.can_magnify() || !design::magnifies(design)));
-    }
+    /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `has_instances`:
+    /// draw::GlyphDrawer::has_instances() of the device.
+    [[nodiscard]] base::Error start(bool has_instances, const base::BudgetTable& budget, const Memory& memory);
+    [[nodiscard]] bool is_started() const { return is_started_; }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
     /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing. `design`: its number among
@@ -104,18 +114,18 @@ public:
     /// What became of the cues to hidden foci; after plan_signs().
     [[nodiscard]] const draw::FocusCues& focus_cues() const { return focus_cues_; }
 
-    /// What is shown of these roles and casts shadows; after plan(). To be drawn after prepare().
-    [[nodiscard]] CasterSet casters(const design::CasterRoles& roles);
+    /// What is shown of these roles and casts shadows; after plan().
+    [[nodiscard]] CasterSet casters(const design::CasterRoles& roles) const;
 
-    /// Uploads what is new; before draw().
-    void prepare(gl::Gl& gl);
-    /// Seen from another eye than the planned one from the next prepare() on.
+    /// Seen from another eye than the planned one from here on.
     void stand_at(const glm::dvec3& eye) { glyphs_.stand_at(eye); }
-    /// What stands in the n-th range of depth, but for the signs. Returns the number of draws.
-    std::uint32_t draw(gl::Gl& gl, const draw::DataFrame& frame, const draw::DepthPlan& depth, std::size_t n);
-    /// After the last range, over the picture; leaves the depth test off.
-    std::uint32_t draw_signs(gl::Gl& gl, std::uint32_t width, std::uint32_t height);
-    void destroy(gl::Gl& gl);
+    [[nodiscard]] PlannedElements planned() const { return {shown_, !reports_.empty(), standing_key_, time_}; }
+    /// What planned() is drawn from.
+    [[nodiscard]] const draw::SolidBatch& standing() const { return standing_; }
+    [[nodiscard]] const draw::SolidBatch& moving() const { return moving_; }
+    [[nodiscard]] const draw::GlyphBatch& glyphs() const { return glyphs_.batch(); }
+    [[nodiscard]] const draw::QuadBatch& signs() const { return signs_; }
+    [[nodiscard]] const draw::QuadBatch& links() const { return links_; }
 
 private:
     class LabelInputs;
@@ -137,12 +147,11 @@ private:
     [[nodiscard]] draw::ElementCount build_element(draw::SolidBatch& batch, const draw::ElementInput& input);
 
     GlyphElements glyphs_;
-    draw::SolidDrawer drawer_;
-    draw::QuadDrawer sign_drawer_, link_drawer_;
+    draw::QuadBatch signs_, links_;
     draw::BillboardSheet sheet_;
     ElementLabels labels_;
     LabelCounts label_counts_;  ///< of the planned frame
-    draw::SolidBuffers standing_, moving_;
+    draw::SolidBatch standing_, moving_;
     draw::SolidMesh mesh_;
     draw::TubeSolids tubes_;
     draw::TrajectoryCues cues_;
@@ -159,7 +168,8 @@ private:
     draw::FocusCues focus_cues_{};
     std::uint64_t foci_key_ = 0;  ///< of those that what stands was built with; 0: none
     bool has_changed_ = false;
-    bool is_uploaded_ = false, moving_is_uploaded_ = false;
+    std::uint64_t standing_key_ = 0;
+    bool is_started_ = false;
 };
 
 }  // namespace tedavis::display

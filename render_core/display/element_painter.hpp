@@ -1,0 +1,53 @@
+/// Draws the elements of the data aspect that were planned.
+///
+///   start(...) · prepare(planned) and draw(...) each frame
+///
+/// Memory    the rest of the lines scene_solids and scene_glyphs, and the lines of their vertices (GPU). Thread  the GL thread.
+/// Failure   start() gives one message.
+#pragma once
+
+#include "render_core/display/caster_set.hpp"
+#include "render_core/display/element_planner.hpp"
+#include "render_core/draw/data/glyph_drawer.hpp"
+#include "render_core/draw/data/solid_drawer.hpp"
+#include "render_core/draw/quad_drawer.hpp"
+
+namespace tedavis::display {
+
+class ElementPainter {
+public:
+    /// The planner is started and must outlive it: what it has built is uploaded from its memory. `typeface`: the drawer that
+    /// lends it; must outlive it, too.
+    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const ElementPlanner::Memory& memory,
+                                    const ElementPlanner& planner, const draw::QuadDrawer& typeface,
+                                    const draw::DataVariant& variant = {});
+    [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
+    /// False where the design needs programs that were not built.
+    [[nodiscard]] bool can_show(const design::DesignSettings& design) const {
+        return !is_started() ||
+               ((drawer_.has_grid() || !has_grid_on_data(design)) && (drawer_.can_magnify() || !design::magnifies(design)));
+    }
+
+    /// Uploads what is new; before draw().
+    void prepare(gl::Gl& gl, const PlannedElements& planned);
+    /// What stands in the n-th range of depth, but for the signs. Returns the number of draws.
+    std::uint32_t draw(gl::Gl& gl, const PlannedElements& planned, const draw::DataFrame& frame, const draw::DepthPlan& depth,
+                       std::size_t n);
+    /// After the last range, over the picture; leaves the depth test off.
+    std::uint32_t draw_signs(gl::Gl& gl, const PlannedElements& planned, std::uint32_t width, std::uint32_t height);
+    /// What casts shadows, into a level of their map that has been begun; after prepare(). Returns the number of draws.
+    std::uint32_t draw_casters(gl::Gl& gl, const draw::SolidCasters& solids, const CasterSet& casters,
+                               const draw::CasterView& view);
+    void destroy(gl::Gl& gl);
+
+private:
+    const ElementPlanner* planner_ = nullptr;
+    draw::SolidBuffers standing_, moving_;
+    draw::SolidDrawer drawer_;
+    draw::GlyphDrawer glyph_drawer_;
+    draw::QuadDrawer sign_drawer_, link_drawer_;
+    std::uint64_t standing_key_ = 0;  ///< of what is uploaded
+    bool moving_is_uploaded_ = false;
+};
+
+}  // namespace tedavis::display
