@@ -12,16 +12,13 @@ constexpr double kSpared = 1;  // budgets of excess, of all regions together, fo
 
 }  // namespace
 
-base::Error ClutterControl::start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
-                                  std::uint32_t height_px) {
-    constexpr std::int64_t kLabelEpochs[] = {2, 1};
-    epoch_.ns = flight::kDecisionInterval.ns * kLabelEpochs[gl.device().lane == effects::Lane::es2 ? 0 : 1];
+void ClutterControl::start(effects::Lane lane, draw::DrawnDesigns designs) {
+    constexpr std::int64_t kIntervals[] = {2, 1};
+    epoch_.ns = flight::kDecisionInterval.ns * kIntervals[lane == effects::Lane::es2 ? 0 : 1];
     for (const draw::DrawnDesign& drawn : designs) {
         shows_ = shows_ || drawn.design->effects.clutter != design::ClutterView::none;
         has_budget_ = has_budget_ || drawn.design->priority.held_clutter() < 1;
     }
-    if (!shows_ && !has_budget_) return {};
-    return pass_.start(gl, budget, width_px, height_px, shows_);
 }
 
 bool ClutterControl::can_show(const design::DesignSettings& design) const {
@@ -102,10 +99,8 @@ base::Time ClutterControl::needed_since(base::Time time) const {
     return base::Time{epoch_of(time) * epoch_.ns - kHeld.ns};
 }
 
-void ClutterControl::measure(gl::Gl& gl, const base::Surface& surface) {
-    pass_.measure(gl, surface);
+void ClutterControl::take(const effects::ClutterMap& map) {
     Held& held = place_of(epoch_of(now_));
-    const effects::ClutterMap map = pass_.densities(gl, surface);
     if (step_ == Step::whole) {
         held = Held();
         held.is_known = true;
@@ -145,11 +140,6 @@ void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
 void ClutterControl::ask_for(Step step, const scene::DetailRegions& regions) {
     step_ = step;
     step_regions_ = regions;
-}
-
-void ClutterControl::show(gl::Gl& gl, const base::Surface& surface, design::ClutterView view) {
-    pass_.measure(gl, surface);
-    pass_.show(gl, view == design::ClutterView::edges ? draw::EdgeView::edges : draw::EdgeView::regions);
 }
 
 }  // namespace tedavis::display

@@ -11,16 +11,15 @@
 ///
 ///   follow(...), regions(...), plan(...) each frame · then draw: step() says which picture is to be measured, until none is
 ///
-/// Memory    draw::EdgePass's, where a design has a budget or shows its edges; else none. Thread  the GL thread; but for start(),
-///           measure() and show() pure. Failure  start(): one sentence.
+/// Plain data: a copy is what one frame leaves to the next. Pure; any thread.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/time.hpp"
-#include "render_core/display/effect_work.hpp"
-#include "render_core/draw/edge_pass.hpp"
 #include "render_core/draw/terrain_program.hpp"
 #include "render_core/effects/clutter_budget.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/terrain/view.hpp"
 
 namespace tedavis::display {
 
@@ -30,10 +29,12 @@ public:
     static constexpr int kMostTries = 3;
     enum class Step : std::uint8_t { none, whole, least, tried };
 
-    [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, draw::DrawnDesigns designs, std::uint32_t width_px,
-                                    std::uint32_t height_px);
-    /// Whether what start() built does what the design asks for.
+    void start(effects::Lane lane, draw::DrawnDesigns designs);
+    /// Whether one of the designs of start() does what this one asks for.
     [[nodiscard]] bool can_show(const design::DesignSettings& design) const;
+    /// Whether edges are measured at all, and whether a design shows them.
+    [[nodiscard]] bool measures() const { return shows_ || has_budget_; }
+    [[nodiscard]] bool shows() const { return shows_; }
 
     /// Before regions(): the same instant seen from elsewhere follows from nothing.
     void follow(base::Time now, const terrain::View& view);
@@ -58,11 +59,8 @@ public:
     [[nodiscard]] Step step() const { return step_; }
     /// What each region keeps in the picture that it asks for.
     [[nodiscard]] scene::DetailRegions step_regions() const { return step_regions_; }
-    /// Of the picture that is on the surface, which is the one that step() asks for.
-    void measure(gl::Gl& gl, const base::Surface& surface);
-    /// The design's view of what is on the surface, measured for that, over it.
-    void show(gl::Gl& gl, const base::Surface& surface, design::ClutterView view);
-    void destroy(gl::Gl& gl) { pass_.destroy(gl); }
+    /// What was measured of the picture that step() asks for; the next step follows from it.
+    void take(const effects::ClutterMap& map);
 
 private:
     static constexpr std::size_t kMostHeld = 4;
@@ -84,8 +82,7 @@ private:
     /// What a frame goes by: earlier epochs, or, where none is known, its own.
     [[nodiscard]] Deciding deciding(base::Time now, std::size_t design) const;
 
-    draw::EdgePass pass_;
-    bool shows_ = false, has_budget_ = false;  ///< what pass_ was started for
+    bool shows_ = false, has_budget_ = false;  ///< one of the designs
     base::Duration epoch_{0};
     std::array<Held, kMostHeld + 1> held_;
     Step step_ = Step::none;
@@ -97,5 +94,6 @@ private:
     base::Time last_now_{0};
     glm::dvec3 last_eye_{0}, last_forward_{0};
 };
+static_assert(std::is_trivially_copyable_v<ClutterControl>);
 
 }  // namespace tedavis::display

@@ -1,400 +1,266 @@
 #include "render_core/display/display.hpp"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "render_core/base/units.hpp"
 #include "render_core/design/weighted_design.hpp"
-#include "render_core/display/data_legends.hpp"
 #include "render_core/display/effect_calls.hpp"
-#include "render_core/display/frame_notes.hpp"
-#include "render_core/display/symbology_plan.hpp"
-#include "render_core/display/terrain_ground.hpp"
-#include "render_core/draw/symbology/symbology.hpp"
-#include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::display {
 
-using flight::Signal;
+using effects::Effect;
+
+namespace {
+
+constexpr std::size_t kMaxDrawn = 2 * (design::kMaxPhaseDesigns + 1);
+
+/// Every design as its weights leave it, the one that is shown first; and as it was read, whose programs show it at any weights.
+struct WeightedDesigns {
+    explicit WeightedDesigns(const FramePlanner& planner) {
+        for (std::size_t place = 0; place < planner.design_count(); ++place) {
+            weighted[place] = design::weighted(planner.design_at(place));
+            static_cast<void>(all.try_push_back(&weighted[place]));
+        }
+        for (std::size_t place = 0; place < planner.design_count(); ++place)
+            if (planner.design_at(place).priority.is_stated) static_cast<void>(all.try_push_back(&planner.design_at(place)));
+    }
+    design::DesignSettings weighted[design::kMaxPhaseDesigns + 1];
+    base::FixedVector<const design::DesignSettings*, kMaxDrawn> all;
+};
+
+}  // namespace
 
 base::Error Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
-    settings_ = settings;
-    if (base::Error error = take_designs(settings)) return error;
-    if (base::Error error = memory_.cut(settings_.device.budget, memory)) return error;
-    gl_.use_programs(settings.programs);
-    if (auto opened = gl_.open(surface, settings_.device.capability); !opened.ok()) return opened.error();
-    if (base::Error error = start_drawing(terrain)) return error;
-    if (base::Error error = start_data(scene)) return error;
-    note_epochs();
-    gl_.seal();
-    gl_.use_programs(nullptr);
-    memory_.note_use(settings_.device.budget);
+    if (base::Error error = planner_.take_designs(settings, memory_)) return error;
+    base::BudgetTable& budget = planner_.settings().device.budget;
+    if (base::Error error = arenas_.cut(budget, memory)) return error;
+    if (base::Error error = painter_.open(surface, settings.device, settings.programs)) return error;
+    if (base::Error error = start_all(terrain, scene)) return error;
+    painter_.seal();
+    arenas_.note_use(budget);
     return {};
 }
 
-/// Every design as its weights leave it, the one that is shown first; and as it was read, whose programs show it at any weights.
-/// Those with foci also as they are where there is none.
-base::Error Display::start_drawing(const TerrainInput& terrain) {
-    constexpr std::size_t kMost = 2 * (design::kMaxPhaseDesigns + 1);
-    design::DesignSettings weighted[design::kMaxPhaseDesigns + 1];
-    base::FixedVector<const design::DesignSettings*, kMost> all;
-    for (std::size_t place = 0; place <= phases_.size(); ++place) {
-        weighted[place] = design::weighted(design_at(place));
-        static_cast<void>(all.try_push_back(&weighted[place]));
-    }
-    for (std::size_t place = 0; place <= phases_.size(); ++place)
-        if (design_at(place).priority.is_stated) static_cast<void>(all.try_push_back(&design_at(place)));
-    base::FixedVector<draw::DrawnDesign, 2 * kMost> designs;
+/// Designs with foci are drawn as they are where there is none, too.
+base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* scene) {
+    DisplaySettings& settings = planner_.settings();
+    const WeightedDesigns weighted(planner_);
+    base::FixedVector<draw::DrawnDesign, 2 * kMaxDrawn> designs;
     for (const bool has_focus : {false, true})
-        for (const design::DesignSettings* const design : all)
-            if (const draw::DrawnDesign drawn = drawn_design(*design, has_focus); drawn.has_focus == has_focus)
-                static_cast<void>(designs.try_push_back(drawn));
-    if (base::Error error = start_drawers(designs)) return error;
-    if (terrain.file == nullptr) return {};
-    const TerrainMemory lines = memory_.terrain();
-    if (base::Error error = terrain_.start(terrain, designs, settings_.device, lines)) return error;
-    const draw::TracePlace traced{terrain.workers, &memory_.traced_terrain(), settings_.width_px + 2 * stereo_margin_px(design_),
-                                  settings_.height_px};
-    if (base::Error error = terrain_painter_.start(gl_, terrain_, designs, settings_.device, lines.staging, traced)) return error;
-    terrain_.follow_painter(terrain_painter_.reads_pages(), terrain_painter_.tracer());
-    terrain_.set_design(designs[0]);
+        for (const design::DesignSettings* const design : weighted.all) {
+            const draw::DrawnDesign drawn = draw::drawn_as(*design, settings.device.capability.depth24_targets, has_focus);
+            if (drawn.has_focus == has_focus) static_cast<void>(designs.try_push_back(drawn));
+        }
+    const PainterStart start{settings.device, designs, settings.width_px, settings.height_px,
+                             planner_.stereo_margin_px(planner_.design_at(0))};
+    if (base::Error error = planner_.start_symbology(arenas_.symbology())) return error;
+    if (base::Error error = painter_.start(start, planner_)) return error;
+    if (base::Error error = planner_.start_terrain(terrain, designs, arenas_.terrain())) return error;
+    if (base::Error error = painter_.start_terrain(start, planner_, arenas_, terrain.workers)) return error;
+    const PainterAbilities painter = painter_.abilities();
+    if (base::Error error = planner_.start_scene(scene, arenas_.scene(), painter.ground_side)) return error;
+    if (planner_.has_data_to_show()) {
+        const bool has_instances = draw::GlyphDrawer::has_instances(painter_.gl());
+        if (base::Error error = planner_.start_elements(has_instances, arenas_.elements())) return error;
+        if (base::Error error = painter_.start_elements(planner_, arenas_)) return error;
+    }
+    planner_.follow_painter(painter, designs, memory_);
     return {};
 }
 
-base::Error Display::start_data(base::ByteSource* scene) {
-    const std::uint32_t ground_side = terrain_.is_started() ? terrain_painter_.ground_side() : 0;
-    if (base::Error error = data_.start(scene, memory_.scene(), ground_side)) return error;
-    bool has_data = data_.has_scene() || settings_.expects_scene;
-    draw::DataVariant variant{design_.sky.air.is_shown};
-    for (std::size_t place = 0; place <= phases_.size(); ++place) {
-        const design::DesignSettings& design = design_at(place);
-        has_data =
-            has_data || !design.foci.empty() || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
-        variant.grid = variant.grid || has_grid_on_data(design);
-        variant.shadows = variant.shadows || design.effects.shadows.is_any();
-        variant.magnified = variant.magnified || design::magnifies(design);
-    }
-    if (!has_data || !terrain_.is_started()) return {};
-    set_elements();
-    const ElementPlanner::Memory lines = memory_.elements();
-    if (base::Error error = elements_.start(draw::GlyphDrawer::has_instances(gl_), settings_.device.budget, lines)) return error;
-    return element_painter_.start(gl_, settings_.device.budget, lines, elements_, quad_drawer_, variant);
+void Display::stop() { painter_.stop(); }
+
+bool Display::asks_for_rays(const DisplaySettings& settings) {
+    bool asks = settings.design.terrain.renderer == design::TerrainRenderer::trace;
+    const std::size_t count = settings.phases != nullptr ? settings.phases->size() : 0;
+    for (std::size_t place = 1; place <= count; ++place)
+        asks = asks || settings.phases->at(place).terrain.renderer == design::TerrainRenderer::trace;
+    return asks;
 }
 
-/// 0: one picture is for both eyes.
-std::uint32_t Display::stereo_margin_px(const design::DesignSettings& design) const {
-    if (design.effects.stereo.mode == design::StereoMode::none) return 0;
-    return eye_margin_px(design.view.horizontal_field_of_view_rad, settings_.width_px);
+bool Display::can_show(const design::DesignSettings& possible) const {
+    return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && painter_.can_show(possible);
 }
 
-base::Error Display::start_drawers(draw::DrawnDesigns designs) {
-    const std::uint32_t width_px = settings_.width_px, height_px = settings_.height_px;
-    const std::uint32_t margin_px = stereo_margin_px(design_);
-    bool fades = false, dims = false;
-    for (const draw::DrawnDesign& drawn : designs) {
-        fades = fades || drawn.design->effects.fade_s > 0;
-        dims = dims || drawn.design->effects.lighting != design::PanelLighting::day;
-    }
-    const bool is_stereo = margin_px > 0;
-    if (is_stereo)
-        if (base::Error error = stereo_.start(gl_, settings_.device.budget, width_px, height_px, margin_px)) return error;
-    if (fades && !is_stereo)
-        if (base::Error error = fade_.start(gl_, settings_.device.budget, width_px, height_px)) return error;
-    if (base::Error error = passes_.start(gl_, settings_.device, designs, width_px + 2 * margin_px, height_px)) return error;
-    if (base::Error error = saliency_.start(gl_, settings_.device.budget, designs, width_px, height_px)) return error;
-    if (base::Error error = clutter_.start(gl_, settings_.device.budget, designs, width_px, height_px)) return error;
-    if (dims)
-        if (base::Error error = dimmer_.start(gl_, settings_.device.budget)) return error;
-    if (!symbology_.start(memory_.symbology(), draw::kSymbologyVertices))
-        return base::make_error("the budget line '", effects::kSymbology,
-                                "' is too small for the symbology; raise it in the device file");
-    return quad_drawer_.start(gl_, settings_.device.budget, symbology_);
-}
-
-void Display::stop() {
-    gl_.retire();
-    quad_drawer_.destroy(gl_);
-    passes_.destroy(gl_);
-    stereo_.destroy(gl_);
-    fade_.destroy(gl_);
-    saliency_.destroy(gl_);
-    clutter_.destroy(gl_);
-    dimmer_.destroy(gl_);
-    element_painter_.destroy(gl_);
-    terrain_painter_.destroy(gl_);
-}
-
-bool Display::take_scene(const scene::Scene& scene) {
-    const bool is_unexpected = terrain_.is_started() && !data_.has_scene() && !settings_.expects_scene;
-    if (is_unexpected || !data_.is_newer(scene)) return false;
+bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {
+    const std::size_t count = phases != nullptr ? phases->size() : 0;
+    for (std::size_t place = 0; place <= count; ++place)
+        if (!can_show(possible_design(place == 0 ? design : phases->at(place), planner_.settings().device))) return false;
     keep_scene();
-    if (!data_.take(scene)) return false;
-    note_epochs();
-    clutter_.forget();
-    if (!elements_.is_started()) return true;
-    set_elements();
-    elements_.labels().forget();
+    planner_.set_designs(design, phases, memory_);
     return true;
 }
 
-base::Stamped<double> Display::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
-    if (!terrain_.is_started() || own_ship.state != base::SignalState::valid) return {};
-    const terrain::HeightAnswer ground = terrain_.true_height(own_ship.position.latitude_rad, own_ship.position.longitude_rad);
-    if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea) return {};
-    const double undulation = own_ship.height_is_geometric ? ground.undulation.m : 0;
-    const auto quality = own_ship.height_is_geometric ? base::Quality::good : base::Quality::degraded;
-    return {own_ship.position.height.m - undulation - ground.height.m, now, quality};
+/// All designs are judged before any is changed.
+bool Display::set_foci(const design::FocusList& chosen) {
+    for (std::size_t place = 0; place < planner_.design_count(); ++place) {
+        design::DesignSettings design;
+        if (!planner_.with_foci(chosen, place, design) || !can_show(design)) return false;
+    }
+    planner_.set_foci(chosen, memory_);
+    return true;
 }
 
-policy::TerrainSource Display::terrain_source(const flight::OwnShipEstimate& own_ship) {
-    if (!terrain_.is_started())
-        return settings_.terrain_failed_at_start ? policy::TerrainSource::failed : policy::TerrainSource::none;
-    if (terrain_failed_) return policy::TerrainSource::failed;
-    const bool inside =
-        terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
-    return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
+bool Display::take_scene(const scene::Scene& scene) {
+    if (!planner_.accepts(scene)) return false;
+    keep_scene();
+    return planner_.take_scene(scene, memory_);
+}
+
+/// What is planned, once more, before it is replaced.
+void Display::keep_scene() {
+    if (!planner_.fades() || memory_.frames == 0) return;
+    painter_.draw_kept(frame_);
+    planner_.keep_scene(frame_, memory_);
 }
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                      const flight::FlownWay* way) {
-    follow_phase(phase, now);
-    begin_update(state, phase, now);
-    plan_crowding();
-    follow_foci();
-    if (has_new_look_) show_look();
-    plan_terrain();
-    plan_data();
-    plan_elements(way);
-    plan_effects();
+    planner_.plan({state, phase, now, way}, memory_, frame_);
+    record_ = {};
+    static_cast<FrameStatement&>(record_) = frame_;
 }
 
-/// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.
-void Display::begin_update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
-    state_ = state;
-    conditions_ = {};
-    conditions_.terrain = terrain_source(state.own_ship);
-    conditions_.phase = phase;
-    conditions_.generated_flight = settings_.generated_flight;
-    const DrapeState drape = terrain_.drape(settings_.design.terrain.style);
-    conditions_.image_is_missing = drape == DrapeState::not_in_database || drape == DrapeState::not_on_device;
-    if (conditions_.terrain == policy::TerrainSource::ready && state.is_valid(Signal::height_above_terrain, now) &&
-        state[Signal::height_above_terrain].value_or(0) < 0)
-        conditions_.terrain = policy::TerrainSource::above_own_ship;
-    conditions_.shows_measure = shows_measure();
-    conditions_.is_reduced = settings_.design.degradation.show_reduced && frame_budget_.is_reduced();
-    weigh(now);
-    transition_.step(settings_.design.view.mode, settings_.design.view.transition_s, now);
-    decide(now);
-    begin_record(now);
-    plan_view();
-    plan_foci();
-    magnify();
-    decide_labels();
+void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                       const flight::FlownWay* way) {
+    const std::uint64_t frames = memory_.frames;
+    update(state, phase, now, way);
+    memory_.frames = frames;
 }
 
-void Display::plan_effects() {
-    EffectFacts facts{asked(), settings_.device.forbidden, effects_in_reserve(settings_.design), decisions_};
-    facts.is_near = is_near();
-    facts.light = record_.light.source;
-    facts.drape = terrain_.drape(settings_.design.terrain.style);
-    facts.ground_data = data_plan_.ground;
-    facts.adjacent = maps_beside_.state;
-    facts.adjacent_maps = maps_beside_.drawn;
-    facts.haze_per_m = eye_.haze_per_m;
-    if (decisions_.show_terrain && !elements_.has_anything()) {
-        facts.nearest_m = terrain_.nearest_m(eye_.view);
-        facts.farthest_m = terrain_.farthest_m(eye_.view);
+void Display::approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    planner_.decide_interval({state, phase, now, nullptr}, memory_, scratch_);
+}
+
+void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+    constexpr int kMaxTimes = 64;
+    forget_turns();
+    for (int n = 0; n < kMaxTimes; ++n) {
+        approach(state, phase, now);
+        if (frame_.terrain.pending == 0) return;
     }
-    facts.parallax_px = parallax_bound_px(eyes_, eye_.view.focal_px, facts.nearest_m, facts.farthest_m);
-    shadows_ = plan_shadows();
-    facts.shadows = shadows_;
-    focus_ = focus_of(settings_.design.effects.depth_of_field, elements_, eye_.view.eye);
-    facts.focus = focus_;
-    panel_ = policy::panel_light(settings_.design.effects, state_.own_ship.position, record_.flight_time.utc);
-    facts.panel = panel_;
-    facts.cues = cue_states(elements_.reports());
-    facts.air = settings_.design.sky.air;
-    facts.has_foci = foci_.foci.is_any();
-    facts.context_blur_px = terrain_of_context(settings_.design.foci).blur_px;
-    facts.reads_distances = reads_distances(settings_.design);
-    facts.shows_clutter = settings_.design.effects.clutter != design::ClutterView::none;
-    const double held_clutter = settings_.design.priority.held_clutter();
-    facts.has_what_gives_way = held_clutter < 1 && has_what_gives_way();
-    facts.is_stereo = stereo_.is_started();
-    facts.is_forced = effects_are_forced_;
-    fade_share_ = next_fade_share();
-    facts.fade_share = fade_share_;
-    record_.design = design_at(turn_ == Turn::keeps ? turns_to_ : shown_).name;
-    record_.earlier_share = fade_share_;
-    facts.order = order_of(settings_.design);
-    count();
-    plan_ = frame_budget_.plan(effect_calls(facts), settings_.device.capability, counters_, terrain_tolerance(), record_.time);
-    saliency_.plan(plan_.runs(effects::Effect::saliency), record_.time);
-    const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
-    clutter_.plan(plan_.runs(effects::Effect::clutter), record_.time, shown_, may_hold ? held_clutter : 1);
 }
 
-ShadowPlan Display::plan_shadows() {
-    const design::ShadowSettings& settings = settings_.design.effects.shadows;
-    if (!settings.is_any() || !decisions_.show_terrain || !elements_.is_started()) return {};
-    const earth::Geodetic eye = earth::from_ecef(eye_.view.eye);
-    const terrain::HeightAnswer ground = terrain_.true_height(eye.latitude_rad, eye.longitude_rad);
-    const double lowest_m = double{terrain_.database().header().min_height_m};
-    const bool is_known = ground.status == terrain::HeightStatus::land || ground.status == terrain::HeightStatus::sea;
-    const double ground_m = eye_.view.is_flat() ? eye_.view.flat_msl_m : is_known ? ground.height.m : lowest_m;
-    return display::plan_shadows({settings, record_.light, eye_.view, std::fmax(eye_msl_m_ - ground_m, 0), undulation_m(eye),
-                                  std::fmin(lowest_m, ground_m), terrain_.nearest_m(eye_.view),
-                                  settings_.device.capability.shadow_map_px, data_plan_.ground == GroundDataState::shown},
-                                 elements_.casters(settings.casters));
+EpochMemory Display::epoch() const { return {memory_.labels, memory_.boost}; }
+
+void Display::restore(const EpochMemory& memory) {
+    const LabelEpoch now = memory_.labels;
+    memory_.labels = memory.labels;
+    memory_.labels.labels.gone = 0;
+    memory_.labels.is_anew = false;
+    memory_.labels.last_now = now.last_now;
+    memory_.labels.last_eye = now.last_eye;
+    memory_.labels.last_forward = now.last_forward;
+    memory_.boost = memory.weights;
 }
 
-void Display::count() {
-    const ElementCounters elements = elements_.counters();
-    counters_.megapixels = settings_.width_px * 1e-6 * settings_.height_px;
-    counters_.triangles = record_.terrain.triangles;
-    counters_.maps = maps_beside_.drawn;
-    counters_.elements = elements.features;
-    counters_.glyphs = elements.glyphs;
+void Display::draw(base::Surface& surface) {
+    painter_.begin(surface);
+    if (!painter_.prepare(frame_)) planner_.plan_without_terrain(memory_, frame_);
+    const draw::TerrainDrawResult terrain = paint_measured(surface);
+    planner_.conclude(memory_, frame_);
+    record_ = record_of(frame_, painter_.drawn(terrain), planner_.elements().reports(), budget());
 }
 
-void Display::decide(base::Time now) {
-    conditions_.is_map = is_map();
-    decisions_ = policy::decide_display(state_, now, conditions_, settings_.design);
-    // On the way between 3D and the map what holds for 3D holds; without terrain there is no way to be seen.
-    if (!transition_.is_under_way() || decisions_.show_terrain) return;
-    transition_.arrive();
-    conditions_.is_map = is_map();
-    decisions_ = policy::decide_display(state_, now, conditions_, settings_.design);
+/// Data on the ground go by the strength that their program draws them with.
+void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
+    const EffectWorkTable work = painter_.work();
+    painter_.bare_ground(frame_, last);
+    painter_.begin(surface);
+    static_cast<void>(paint(surface, last, false));
+    painter_.restore_ground(frame_);
+    painter_.work() = work;
 }
 
-/// Terrain that turns out not to be had: its notice must be on this frame already.
-void Display::give_up_terrain(policy::TerrainSource reason) {
-    conditions_.terrain = reason;
-    decide_again();
-}
-
-void Display::decide_again() {
-    decisions_ = policy::decide_display(state_, record_.time, conditions_, settings_.design);
-    for (const auto& name : decisions_.flags) flag(name.view(), record_);
-}
-
-void Display::begin_record(base::Time now) {
-    record_ = FrameRecord{};
-    record_.frame = frame_++;
-    record_.time = now;
-    record_.phase = conditions_.phase;
-    record_.own_ship = state_.own_ship;
-    record_.heading_rad = draw::view_heading_rad(state_, decisions_);
-    record_.pitch_rad = state_[Signal::pitch].value_or(0);
-    record_.roll_rad = state_[Signal::roll].value_or(0);
-    record_.view.mode = settings_.design.view.mode;
-    const bool is_far = record_.view.mode != design::ViewMode::perspective;
-    record_.view.transition = is_far ? transition_.map_share() : 1 - transition_.map_share();
-    for (std::size_t n = 0; n < flight::kSignalCount; ++n) record_.signals[n] = state_.state_of(static_cast<Signal>(n), now);
-    record_.scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
-    record_.flight_time = flight::flight_time(state_.utc, now);
-    if (state_.utc.state == base::SignalState::lost) flag("utc.lost", record_);
-    record_.light =
-        policy::terrain_light(settings_.design.terrain.style.shade, state_.own_ship.position, record_.flight_time.utc);
-    for (const auto& name : decisions_.flags) flag(name.view(), record_);
-}
-
-void Display::plan_view() {
-    const earth::Geodetic& place = state_.own_ship.position;
-    const double undulation = undulation_m(place);
-    aircraft_msl_m_ = place.height.m - (state_.own_ship.height_is_geometric ? undulation : 0);
-    record_.altitude_msl_m = aircraft_msl_m_;
-    EyeInput input;
-    input.own_ship = {place.latitude_rad, place.longitude_rad, {aircraft_msl_m_ + undulation}};
-    input.msl_m = aircraft_msl_m_;
-    input.above_ground_m = state_[Signal::height_above_terrain].value_or(aircraft_msl_m_);
-    input.heading_rad = record_.heading_rad;
-    input.pitch_rad = record_.pitch_rad;
-    input.roll_rad = record_.roll_rad;
-    input.map_up_rad = draw::map_up_rad(state_, decisions_);
-    input.map_share = free_view_active_ ? 0 : transition_.map_share();
-    input.width_px = settings_.width_px;
-    input.height_px = settings_.height_px;
-    eye_ = make_eye(input, settings_.design.view, settings_.design.sky.haze_distance_m);
-    if (free_view_active_) eye_.view = free_view_;
-    if (settings_.design.view.reference == design::Reference::flat) eye_.view.flat_msl_m = settings_.design.view.flat_msl_m;
-    const earth::Geodetic eye_place = earth::from_ecef(eye_.view.eye);
-    eye_msl_m_ = eye_place.height.m - undulation_m(eye_place);
-    eyes_ = {};
-    if (stereo_.is_started() && is_near())
-        eyes_ = eye_pair(settings_.design.effects.stereo, eye_.view.focal_px, eye_.view.near_m, stereo_.margin_px());
-    seen_ = seen_by_both(eye_.view, eyes_);
-}
-
-double Display::undulation_m(const earth::Geodetic& place) const {
-    return terrain_.is_started() ? terrain_.database().undulation(place.latitude_rad, place.longitude_rad).m : 0;
-}
-
-void Display::plan_terrain() {
-    const double tau_factor = frame_budget_.tau_factor(terrain_tolerance());
-    record_.terrain.tau_px = settings_.design.terrain.tau_px * tau_factor;
-    if (!decisions_.show_terrain) {
-        terrain_.rest();
-        return;
+draw::TerrainDrawResult Display::paint(base::Surface& surface, PictureLayer last, bool is_unseen) {
+    const draw::TerrainDrawResult drawn = draw_scene(surface, last, is_unseen);
+    if (!is_unseen) painter_.draw_fade(frame_);
+    const bool is_whole = last == PictureLayer::symbology;
+    if (!frame_.is_free_view && is_whole) painter_.draw_symbology(frame_, surface);
+    if (is_whole) measure(surface, is_unseen);
+    if (is_unseen) return drawn;
+    if (is_whole && memory_.saliency.runs()) {
+        painter_.draw_saliency(frame_, surface, memory_.saliency.measures());
+        if (memory_.saliency.measures()) memory_.saliency.take();
     }
-    widen_bands();
-    Eye seen = eye_;
-    seen.view = seen_;
-    TerrainPlan plan = terrain_.plan(seen, settings_.design, tau_factor);
-    if (plan.is_unmagnified) stop_magnifying();
-    if (eyes_.base_m > 0)
-        for (const draw::EyeSide side : draw::kEyeSides)
-            terrain_.widen_error(eye_of(eye_, eyes_, side, stereo_.margin_px()).view, settings_.design, plan.lod);
-    if (terrain_.is_traced()) plan = as_traced(plan);
-    if (!plan.lod.within_budget) {
-        give_up_terrain(policy::TerrainSource::over_budget);
-        return;
+    painter_.dim(frame_);
+    return drawn;
+}
+
+draw::TerrainDrawResult Display::draw_scene(base::Surface& surface, PictureLayer last, bool is_unseen) {
+    if (painter_.abilities().is_stereo) return draw_sides(surface, last);
+    if (frame_.keeps_scene && !is_unseen) {
+        const draw::TerrainDrawResult drawn = painter_.draw_kept(frame_);
+        gl::bind_surface(painter_.gl(), surface);
+        return drawn;  // what was kept covers the surface
     }
-    terrain_has_void_ = plan.has_void;
-    note_terrain(plan, record_);
-    note_renderer(settings_.design.terrain.renderer, terrain_.trace_state(), record_);
-    // What budgets leave is the best there will be, and is said to be coarse.
-    if (plan.pending != 0 && plan.lod.worst_waiting_px > settings_.design.degradation.terrain_removed_px) {
-        give_up_terrain(policy::TerrainSource::too_coarse);
-        return;
+    return painter_.draw_scene(frame_, frame_.camera, surface, last);
+}
+
+draw::TerrainDrawResult Display::draw_side(const EyePair& pair, draw::EyeSide side, PictureLayer last) {
+    const PlannedCamera camera = planner_.plan_side(pair, side, memory_, frame_);
+    painter_.prepare_elements(camera);
+    return painter_.draw_side(frame_, camera, last, side);
+}
+
+/// One picture is for both where they cannot be told apart; in its own colours then.
+draw::TerrainDrawResult Display::draw_sides(base::Surface& surface, PictureLayer last) {
+    using draw::EyeSide;
+    const design::StereoMode mode = frame_.shown->effects.stereo.mode;
+    if (!frame_.effects.runs(Effect::stereo)) {
+        const draw::TerrainDrawResult drawn = draw_side({}, EyeSide::left, last);
+        const bool has_halves = mode == design::StereoMode::side_by_side;
+        painter_.put_side(surface, has_halves ? mode : design::StereoMode::none, EyeSide::left, 0);
+        if (has_halves) painter_.put_side(surface, mode, EyeSide::right, 0);
+        return drawn;
     }
-    if (plan.lod.worst_coarse_px <= settings_.design.degradation.terrain_error_px) return;
-    conditions_.terrain_is_coarse = true;
-    decide_again();
+    const draw::TerrainDrawResult drawn = draw_side(frame_.eyes, EyeSide::left, last);
+    painter_.put_side(surface, mode, EyeSide::left, frame_.eyes.shift_px);
+    const WorkScope work(painter_.gl(), painter_.work()[Effect::stereo]);
+    static_cast<void>(draw_side(frame_.eyes, EyeSide::right, last));
+    painter_.put_side(surface, mode, EyeSide::right, frame_.eyes.shift_px);
+    return drawn;
 }
 
-void Display::widen_bands() {
-    if (!decisions_.show_warning_colors) return;
-    design::HeightAccuracy accuracy;
-    if (state_.is_valid(Signal::vertical_accuracy, record_.time))
-        accuracy.position_m = state_[Signal::vertical_accuracy].value_or(0);
-    accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
-    record_.bands = design::band_widening(settings_.design.widening, band_deviations_, accuracy);
-    if (record_.bands.position_assumed) flag("vertical_accuracy.assumed", record_);
-    if (record_.bands.terrain_assumed) flag("terrain.accuracy_assumed", record_);
+/// Where the picture that is shown has all its detail it is the one that is measured.
+draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
+    constexpr PictureLayer kWhole = PictureLayer::symbology;
+    if (memory_.clutter.step() == ClutterControl::Step::none) return paint(surface, kWhole, false);
+    const bool is_whole = frame_.declutter.regions.is_whole() && !frame_.keeps_scene && frame_.earlier_share <= 0;
+    if (is_whole) {
+        const EffectWorkTable work = painter_.work();
+        const draw::TerrainDrawResult drawn = paint(surface, kWhole, false);
+        if (memory_.clutter.step() == ClutterControl::Step::none) return drawn;
+        const EffectWork measured = painter_.work()[Effect::clutter];
+        painter_.work() = work;
+        painter_.work()[Effect::clutter] = measured;
+    }
+    measure_unseen(surface);
+    planner_.plan_measured(frame_.declutter, memory_, frame_);
+    painter_.prepare_elements(frame_.camera);
+    return paint(surface, kWhole, false);
 }
 
-void Display::put_symbology() {
-    maps_beside_ = {};
-    if (free_view_active_) return;
-    const draw::SymbolGround over = transition_.is_under_way() ? draw::SymbolGround::moving
-                                    : conditions_.is_map       ? draw::SymbolGround::map
-                                                               : draw::SymbolGround::perspective;
-    const DrawContext frame = context();
-    maps_beside_ =
-        plan_symbology({frame, state_, settings_.width_px, settings_.height_px, over, data_, data_plan_, elements_.reports()},
-                       symbology_, record_);
+/// What is on the surface, where it is what is to be measured; else its edges, where the design shows them.
+void Display::measure(base::Surface& surface, bool is_unseen) {
+    const design::ClutterView view = frame_.shown->effects.clutter;
+    if (memory_.clutter.step() != ClutterControl::Step::none) memory_.clutter.take(painter_.measure_clutter(surface));
+    if (is_unseen || view == design::ClutterView::none || !frame_.effects.runs(Effect::clutter)) return;
+    painter_.show_clutter(surface, view);
 }
 
-void Display::plan_data() {
-    data_plan_ = data_.plan(settings_.design.data, record_.flight_time);
-    if (data_plan_.ground == GroundDataState::not_asked_for) return;
-    if (data_plan_.ground != GroundDataState::shown) flag("ground_data.missing", record_);
-    if (!record_.flight_time.is_date) flag("ground_data.no_date", record_);
-    const scene::GridSlice* const slice = data_.ground();
-    if (slice != nullptr && is_in_another_unit(settings_.design.data.ground.scale.palette, *slice->attribute()->entry))
-        flag("ground_data.unit", record_);
+/// Of the design that is shown alone, whatever fades. The surface is left with a picture that is nobody's.
+void Display::measure_unseen(base::Surface& surface) {
+    const policy::Declutter shown = frame_.declutter;
+    const EffectWorkTable work = painter_.work();
+    EffectWork unseen = painter_.work()[Effect::clutter];
+    while (memory_.clutter.step() != ClutterControl::Step::none) {
+        const WorkScope scope(painter_.gl(), unseen, 2);
+        planner_.plan_probe(memory_, frame_);
+        painter_.prepare_elements(frame_.camera);
+        static_cast<void>(paint(surface, PictureLayer::symbology, true));
+    }
+    frame_.declutter = shown;
+    painter_.work() = work;
+    painter_.work()[Effect::clutter] = unseen;
 }
 
 }  // namespace tedavis::display

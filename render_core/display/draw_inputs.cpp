@@ -12,6 +12,21 @@ constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A
 
 }  // namespace
 
+DrawContext context_of(const PlannedFrame& frame, const Eye& eye, PictureLayer last) {
+    DrawContext context{*frame.shown, frame.decisions, eye, frame};
+    context.aircraft_msl_m = frame.altitude_msl_m;
+    context.eye_msl_m = frame.eye_msl_m;
+    context.map_share = frame.map_share;
+    context.focus = frame.focus;
+    context.shadows = frame.shadows;
+    context.haze_per_m = frame.effects.runs(effects::Effect::haze) ? frame.camera.eye.haze_per_m : 0;
+    context.is_free_view = frame.is_free_view;
+    context.last = last;
+    if (frame.draws_foci) context.foci = &frame.foci_plan.foci.regions;
+    context.heights = frame.heights;
+    return context;
+}
+
 draw::HeightSpan height_span(const terrain::FileHeader& header) {
     return {double{header.min_height_m}, double{header.max_height_m}};
 }

@@ -4,6 +4,7 @@
 #include "render_core/display/eye.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planned_frame.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/picture_pass.hpp"
@@ -20,7 +21,7 @@ struct DrawContext {
     const design::DesignSettings& design;
     const policy::DisplayDecisions& decisions;
     const Eye& eye;
-    const FrameRecord& record;
+    const FrameStatement& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;
     double haze_per_m = 0;                           ///< as planned; 0 for none
     double map_share = 0;                            ///< of the way from 3D to the map, 0..1
@@ -35,6 +36,9 @@ struct DrawContext {
     bool blurs_context = false;                      ///< round them
     PictureLayer last = PictureLayer::symbology;     ///< nothing is drawn that lies before it
 };
+
+/// Of a planned frame, seen by one of its cameras.
+[[nodiscard]] DrawContext context_of(const PlannedFrame& frame, const Eye& eye, PictureLayer last = PictureLayer::symbology);
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);
 [[nodiscard]] draw::TerrainDrawInput make_terrain_input(const DrawContext& frame);

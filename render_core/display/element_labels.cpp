@@ -148,6 +148,10 @@ void ElementLabels::keep(LabelEpoch& memory) const {
     memory.now = epoch_now_;
     memory.text_px = text_px_;
     memory.design = decided_for_;
+    memory.is_anew = is_anew_;
+    memory.last_now = last_now_;
+    memory.last_eye = last_eye_;
+    memory.last_forward = last_forward_;
 }
 
 void ElementLabels::restore(const LabelEpoch& memory) {
@@ -157,7 +161,10 @@ void ElementLabels::restore(const LabelEpoch& memory) {
     epoch_now_ = memory.now;
     text_px_ = memory.text_px;
     decided_for_ = memory.design;
-    is_anew_ = false;
+    is_anew_ = memory.is_anew;
+    last_now_ = memory.last_now;
+    last_eye_ = memory.last_eye;
+    last_forward_ = memory.last_forward;
 }
 
 void ElementLabels::skip(base::Time now) {

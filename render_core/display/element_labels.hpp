@@ -50,7 +50,7 @@ struct LabelFrame {
 /// False where the layer's data are out of date; true where nobody knows the time.
 [[nodiscard]] bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time);
 
-/// What an epoch leaves to the next one, and to a turn of designs. Plain data.
+/// What a frame leaves to the next one, and to a turn of designs. Plain data.
 struct LabelEpoch {
     draw::LabelMemory labels;
     terrain::View view;  ///< at the epoch's first instant, with what follows
@@ -58,6 +58,12 @@ struct LabelEpoch {
     base::Time now{0};
     double text_px = 16;
     std::size_t design = 0;
+    bool is_anew = false;
+    base::Time last_now{0};
+    glm::dvec3 last_eye{0}, last_forward{0};
+
+    /// What they are has changed, or the scene: the next frame places all at once.
+    void forget() { labels = {}; }
 };
 
 class ElementLabels {
@@ -66,11 +72,6 @@ public:
     /// All must stay. `design`: a number for each of the display's designs. Another one's labels are decided anew by decide().
     void set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
              std::size_t design = 0);
-    /// Of all designs: what they are has changed, or the scene.
-    void forget() {
-        planner_.forget();
-        planner_.rest();
-    }
     /// Whether an element of the scene has labels.
     [[nodiscard]] static bool is_any(const scene::Scene& scene, const design::DataElementList& elements);
 
@@ -81,8 +82,6 @@ public:
     [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
     void keep(LabelEpoch& memory) const;
     void restore(const LabelEpoch& memory);
-    /// The epoch was decided by one design, and then anew for another.
-    [[nodiscard]] bool is_anew() const { return is_anew_; }
 
     /// Where an element's layer is shown in the frame: null where it is not.
     class Inputs {

@@ -44,15 +44,6 @@ std::uint32_t ElementPainter::draw_signs(gl::Gl& gl, const PlannedElements& plan
     return planned.shown == 0 ? 0 : sign_drawer_.draw(gl, width, height);
 }
 
-std::uint32_t ElementPainter::draw_casters(gl::Gl& gl, const draw::SolidCasters& solids, const CasterSet& casters,
-                                           const draw::CasterView& view) {
-    const draw::SolidBuffers* const buffers[] = {&standing_, &moving_};
-    std::uint32_t draws = 0;
-    if (casters.solids[0] != nullptr) draws += solids.draw(gl, buffers, casters.groups, view);
-    if (casters.glyph_slots != 0) draws += glyph_drawer_.draw_casters(gl, casters.glyph_slots, view);
-    return draws;
-}
-
 void ElementPainter::destroy(gl::Gl& gl) {
     glyph_drawer_.destroy(gl);
     drawer_.destroy(gl);

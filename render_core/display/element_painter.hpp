@@ -14,6 +14,12 @@
 
 namespace tedavis::display {
 
+/// Of the batches of a CasterSet, in its order.
+struct CasterDrawers {
+    const draw::SolidBuffers* solids[draw::SolidDrawer::kMostBuffers] = {};
+    draw::GlyphDrawer* glyphs = nullptr;
+};
+
 class ElementPainter {
 public:
     /// The planner is started and must outlive it: what it has built is uploaded from its memory. `typeface`: the drawer that
@@ -35,9 +41,8 @@ public:
                        std::size_t n);
     /// After the last range, over the picture; leaves the depth test off.
     std::uint32_t draw_signs(gl::Gl& gl, const PlannedElements& planned, std::uint32_t width, std::uint32_t height);
-    /// What casts shadows, into a level of their map that has been begun; after prepare(). Returns the number of draws.
-    std::uint32_t draw_casters(gl::Gl& gl, const draw::SolidCasters& solids, const CasterSet& casters,
-                               const draw::CasterView& view);
+    /// What draws the elements that cast shadows; after prepare().
+    [[nodiscard]] CasterDrawers caster_drawers() { return {{&standing_, &moving_}, &glyph_drawer_}; }
     void destroy(gl::Gl& gl);
 
 private:

@@ -77,7 +77,7 @@ FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame)
     return plan;
 }
 
-void note_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameRecord& record) {
+void note_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameStatement& record) {
     const draw::FrameFoci& foci = plan.foci;
     for (std::size_t n = 0; n < foci.regions.size(); ++n) {
         const design::FocusSettings& focus = (*foci.foci)[n];

@@ -56,14 +56,14 @@ void note_count(const ElementReport& report, DataRecord& type) {
 
 }  // namespace
 
-void flag(std::string_view name, FrameRecord& record) {
+void flag(std::string_view name, FrameStatement& record) {
     for (const Name& known : record.flags)
         if (known.view() == name) return;
     // A full list has counted the refusal itself.
     static_cast<void>(record.flags.try_push_back(Name(name)));
 }
 
-void note_stale(std::string_view layer, base::Duration age, FrameRecord& record) {
+void note_stale(std::string_view layer, base::Duration age, FrameStatement& record) {
     if (age.ns <= 0) return;
     flag("data.stale", record);
     for (const StaleRecord& known : record.stale)
@@ -82,7 +82,7 @@ void add_technique(std::string_view name, double detail, AspectRecord& aspect) {
     aspect.technique.append(name);
 }
 
-void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
+void note_terrain(const TerrainPlan& plan, FrameStatement& record) {
     TerrainRecord& terrain = record.terrain;
     terrain.worst_error_px = plan.lod.worst_error_px;
     terrain.tau_reached_px = plan.lod.tau_reached_px;
@@ -102,7 +102,7 @@ void note_terrain(const TerrainPlan& plan, FrameRecord& record) {
     terrain.worst_chunk.append(base::digits(worst.j).view());
 }
 
-void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record) {
+void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record) {
     const auto drawn = state == draw::TraceState::traced ? design::TerrainRenderer::trace : design::TerrainRenderer::raster;
     record.terrain.renderer = Name(design::kTerrainRendererNames[static_cast<std::size_t>(drawn)]);
     if (drawn == asked) return;

@@ -13,18 +13,18 @@
 namespace tedavis::display {
 
 /// Once, however often it is raised. A full list counts what it refuses.
-void flag(std::string_view name, FrameRecord& record);
+void flag(std::string_view name, FrameStatement& record);
 
 /// Once a layer, with the flag data.stale; an age of 0 is none.
-void note_stale(std::string_view layer, base::Duration age, FrameRecord& record);
+void note_stale(std::string_view layer, base::Duration age, FrameStatement& record);
 
 /// One more technique that shows an aspect, named once; the aspect's detail is that of the most detailed one.
 void add_technique(std::string_view name, double detail, AspectRecord& aspect);
 
 /// Asks for record.terrain.tau_px. Triangles are those planned until note_drawn().
-void note_terrain(const TerrainPlan& plan, FrameRecord& record);
+void note_terrain(const TerrainPlan& plan, FrameStatement& record);
 /// With the flag terrain.not_traced where rays were asked for and triangles are drawn.
-void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameRecord& record);
+void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record);
 /// Counts by type, an effect an element ("data.tube"), and the techniques of all that is shown of the data and of their
 /// uncertainty.
 void note_elements(const ElementReports& reports, FrameRecord& record);

@@ -128,7 +128,8 @@ struct ClutterRecord {
     std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
 };
 
-struct FrameRecord {
+/// What the plan of a frame states for its record.
+struct FrameStatement {
     std::uint64_t frame = 0;
     base::Time time;
     flight::FlightTime flight_time;  ///< by which data are valid and have an age
@@ -143,16 +144,19 @@ struct FrameRecord {
     policy::TerrainLight light;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
-    std::uint64_t scene_revision = 0;  ///< of the scene database that is shown; 0: none
-    base::FixedVector<DataRecord, 16> data;
+    std::uint64_t scene_revision = 0;          ///< of the scene database that is shown; 0: none
     base::FixedVector<StaleRecord, 16> stale;  ///< with the flag data.stale
     LabelRecord labels;
     base::FixedVector<FocusRecord, scene::kMaxFoci> foci;
+    base::FixedString<47> design;  ///< that the phase has
+    double earlier_share = 0;      ///< of the design before it, which fades out
+};
+
+struct FrameRecord : FrameStatement {
+    base::FixedVector<DataRecord, 16> data;
     ByteRecord bytes;
     GovernorRecord governor;
     base::FixedVector<EffectRecord, 32> effects;
-    base::FixedString<47> design;  ///< that the phase has
-    double earlier_share = 0;      ///< of the design before it, which fades out
     AspectRecord terrain_aspect, data_aspect, uncertainty_aspect;
     base::FixedVector<WeightRecord, design::kMaxAspects> weights;
     ClutterRecord clutter;

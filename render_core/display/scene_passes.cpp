@@ -130,7 +130,8 @@ draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
     EffectWork map;
     if (!input.has_shadow_map) {
         const WorkScope work(gl, map);
-        static_cast<void>(shadows_.draw(gl, input.elements, input.casters, plan.frame, input.frame.eye.view.eye));
+        static_cast<void>(
+            shadows_.draw(gl, input.elements.caster_drawers(), input.casters, plan.frame, input.frame.eye.view.eye));
     }
     for (const effects::Effect reader : {effects::Effect::soft_shadows, effects::Effect::volumetric_light})
         if (input.plan.runs(reader)) input.work[reader] += map;

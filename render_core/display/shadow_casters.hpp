@@ -14,8 +14,9 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
     [[nodiscard]] bool is_started() const { return map_.is_started(); }
     [[nodiscard]] const draw::ShadowMap& map() const { return map_; }
-    /// `elements` draws the casters. `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the number of draws.
-    std::uint32_t draw(gl::Gl& gl, ElementPainter& elements, const CasterSet& casters, const draw::ShadowFrame& frame,
+    /// `drawers`: what the casters are uploaded to. `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the
+    /// number of draws.
+    std::uint32_t draw(gl::Gl& gl, const CasterDrawers& drawers, const CasterSet& casters, const draw::ShadowFrame& frame,
                        const glm::dvec3& eye) const;
     void destroy(gl::Gl& gl);
 

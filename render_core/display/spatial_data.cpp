@@ -106,7 +106,7 @@ SpatialDataPlan SpatialData::plan(const design::DataStyle& design, const flight:
     }
     plan.member = moment.member;
     if (moment.member != scene::kMean) plan.members = members_shown(design.ground);
-    if (slice_.show(moment)) has_changed_ = true;
+    if (slice_.show(moment)) ++ground_key_;
     show(true);
     prepare_next(time, design.ground);
     return plan;
@@ -139,14 +139,8 @@ void SpatialData::prepare_next(const flight::FlightTime& time, const design::Gro
 }
 
 void SpatialData::show(bool shown) {
-    has_changed_ = has_changed_ || shown != is_shown_;
+    if (shown != is_shown_) ++ground_key_;
     is_shown_ = shown;
-}
-
-bool SpatialData::take_change() {
-    const bool has_changed = has_changed_;
-    has_changed_ = false;
-    return has_changed;
 }
 
 }  // namespace tedavis::display

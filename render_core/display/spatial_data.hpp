@@ -1,6 +1,6 @@
 /// The scene of a display: spatial data in memory, and what of it colours the ground now.
 ///
-///   start(...) · plan(design, time) each frame, without GL · take_change() before drawing
+///   start(...) · plan(design, time) each frame, without GL · ground() and ground_key() for the painter
 ///
 /// Time      data follow the flight's time where it is a date; where it is none (a board whose bus states no UTC) they stand at
 ///           their own first time. Slices are of whole minutes, so that the same moment shows the same picture.
@@ -65,8 +65,8 @@ public:
 
     /// What colours the ground from here on, or why nothing does.
     [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, const flight::FlightTime& time);
-    /// True once after the texels of the ground, or whether there are any, have changed.
-    [[nodiscard]] bool take_change();
+    /// Another number after the texels of the ground, or whether there are any, have changed; 0 before the first.
+    [[nodiscard]] std::uint64_t ground_key() const { return ground_key_; }
     /// What colours the ground; null for nothing.
     [[nodiscard]] const scene::GridSlice* ground() const { return is_shown_ ? &slice_ : nullptr; }
 
@@ -82,7 +82,8 @@ private:
     scene::Scene scene_;
     scene::GridSlice slice_;
     std::uint32_t most_side_ = 0;
-    bool has_scene_ = false, is_shown_ = false, has_changed_ = false;
+    bool has_scene_ = false, is_shown_ = false;
+    std::uint64_t ground_key_ = 0;
 };
 
 }  // namespace tedavis::display

@@ -22,7 +22,7 @@ std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layo
 }
 
 void flag_symbology_data(const draw::SymbologyInput& symbology, const draw::Layout& layout, GroundDataState maps,
-                         FrameRecord& record) noexcept {
+                         FrameStatement& record) noexcept {
     if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0) flag("legend.cut", record);
     if (maps == GroundDataState::not_asked_for || symbology.decisions.unusual_attitude) return;
     if (maps != GroundDataState::shown) return flag("adjacent.missing", record);

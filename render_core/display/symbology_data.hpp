@@ -30,6 +30,6 @@ struct SymbologyData {
 [[nodiscard]] std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layout& layout) noexcept;
 /// Flags what should be there and has no room, or no data.
 void flag_symbology_data(const draw::SymbologyInput& symbology, const draw::Layout& layout, GroundDataState maps,
-                         FrameRecord& record) noexcept;
+                         FrameStatement& record) noexcept;
 
 }  // namespace tedavis::display

@@ -20,7 +20,7 @@ double text_px(const DrawContext& frame, std::uint32_t width, std::uint32_t heig
     return static_cast<double>(draw::make_layout(width, height, frame.design.view.dpi).text_px);
 }
 
-MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameRecord& record) {
+MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameStatement& record) {
     const DrawContext& frame = planned.frame;
     draw::SymbologyInput symbology =
         draw::make_symbology_input(planned.state, frame.decisions, frame.record.phase, frame.design, frame.record.time,

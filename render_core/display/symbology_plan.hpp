@@ -23,6 +23,6 @@ struct SymbologyFrame {
 [[nodiscard]] double text_px(const DrawContext& frame, std::uint32_t width, std::uint32_t height);
 
 /// Fills the batch, and flags in the record what should be there and has no room, or no data.
-MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameRecord& record);
+MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameStatement& record);
 
 }  // namespace tedavis::display

@@ -11,8 +11,8 @@ base::Error StereoPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32
     return picture_.start(gl, budget, width_px + 2 * margin_px, height_px);
 }
 
-std::int32_t StereoPass::screen_begins_px(EyeSide side, std::int32_t shift_px) const {
-    const auto margin = static_cast<std::int32_t>(margin_px_);
+std::int32_t StereoPass::screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px) {
+    const auto margin = static_cast<std::int32_t>(margin_px);
     const std::int32_t shift = std::clamp(shift_px, -margin, margin);
     return side == EyeSide::left ? margin + shift : margin - shift;
 }
@@ -23,7 +23,7 @@ void StereoPass::put(gl::Gl& gl, const base::Surface& surface, design::StereoMod
     if (mode == design::StereoMode::side_by_side) begin_half(gl, surface, side);
     if (is_anaglyph) gl->ColorMask(is_left, !is_left, !is_left, GL_TRUE);
     gl->Disable(GL_BLEND);
-    picture_.draw(gl, screen_begins_px(side, shift_px), width_px_);
+    picture_.draw(gl, screen_begins_px(margin_px_, side, shift_px), width_px_);
     if (is_anaglyph) gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     end_halves(gl, surface);
 }

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
     /// Where the screen begins in an eye's picture, pixels from its left edge. `shift_px`: of each eye's picture towards its own
     /// side, -margin..margin.
-    [[nodiscard]] std::int32_t screen_begins_px(EyeSide side, std::int32_t shift_px) const;
+    [[nodiscard]] static std::int32_t screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px);
     /// Puts what was drawn last into the place that the eye has on the surface: side by side its half, in an anaglyph its colours
     /// (red for the left eye), with no mode all of it.
     void put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px);

@@ -14,6 +14,7 @@ public:
         return SolidBuffers::start(gl, line, filled_, room, use);
     }
     [[nodiscard]] draw::SolidBatch& batch() { return filled_; }
+    [[nodiscard]] const draw::SolidBatch& batch() const { return filled_; }
 
 private:
     draw::SolidBatch filled_;

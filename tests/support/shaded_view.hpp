@@ -49,7 +49,7 @@ protected:
     }
     [[nodiscard]] display::CasterSet set() const {
         display::CasterSet set;
-        set.solids[0] = set.solids[1] = &solids_;
+        set.solids[0] = set.solids[1] = &solids_.batch();
         set.groups.all = groups_;
         return set;
     }
@@ -61,7 +61,7 @@ protected:
     static constexpr double kLatitude = 0.8203, kLongitude = 0.1745;
     GlSession session_{"egl", "es3-mid"};
     std::vector<unsigned char> block_;
-    test_support::FilledSolids solids_;
+    FilledSolids solids_;
     display::ShadowCasters casters_;
     draw::SolidMesh mesh_;
     terrain::View view_;

@@ -236,6 +236,7 @@ void LabelPlanner::keep(LabelMemory& memory) const {
     memory.suppressed = suppressed_;
     memory.has_memory = has_memory_;
     memory.was_skipped = was_skipped_;
+    memory.gone = gone_;
     memory.labels.clear();
     for (const Label& label : labels()) static_cast<void>(memory.labels.try_push_back(label));
 }
@@ -246,7 +247,7 @@ void LabelPlanner::restore(const LabelMemory& memory) {
     suppressed_ = memory.suppressed;
     has_memory_ = memory.has_memory;
     was_skipped_ = memory.was_skipped;
-    gone_ = 0;
+    gone_ = memory.gone;
     count_ = memory.labels.size();
     std::copy_n(memory.labels.data(), count_, labels_.data());
 }

@@ -158,12 +158,13 @@ private:
     bool has_memory_ = false, was_skipped_ = false, is_first_ = true;
 };
 
-/// All that one epoch leaves to the next. Plain data.
+/// All that one frame leaves to the next. Plain data.
 struct LabelMemory {
     std::int64_t epoch = 0;
     double changes_left = 0;
     std::array<std::uint32_t, kMostLabelGroups> suppressed{};
     bool has_memory = false, was_skipped = false;
+    std::uint32_t gone = 0;  ///< labels that a frame has not counted yet
     base::FixedVector<Label, LabelPlanner::kMost> labels;
 };
 

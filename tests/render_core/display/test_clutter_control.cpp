@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/edge_pass.hpp"
 #include "render_core/effects/device.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
@@ -41,13 +42,17 @@ public:
             gl::make_texture(session_.gl, line_, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kWidth, kHeight});
         texture_ = std::move(texture.value());
         const draw::DrawnDesign drawn{&design};
-        EXPECT_EQ(control.start(session_.gl, session_.device.budget, {&drawn, 1}, kWidth, kHeight).message.view(), "");
+        control.start(session_.device.capability.lane, {&drawn, 1});
+        if (control.measures()) {
+            const base::Error error = edges_.start(session_.gl, session_.device.budget, kWidth, kHeight, control.shows());
+            EXPECT_EQ(error.message.view(), "");
+        }
         session_.gl.seal();
     }
     ~Striped() {
         EXPECT_EQ(session_.gl.denied().total, 0u);
         session_.gl.retire();
-        control.destroy(session_.gl);
+        edges_.destroy(session_.gl);
         EXPECT_EQ(target_bytes(), 0u);
         texture_.destroy(session_.gl);
         triangle_.destroy(session_.gl);
@@ -61,7 +66,8 @@ public:
         measured = 0;
         while (control.step() != Step::none && measured < 9) {
             put(control.step() == Step::whole ? whole_px : control.step() == Step::least ? least_px : tried_px);
-            control.measure(session_.gl, *session_.surface);
+            edges_.measure(session_.gl, *session_.surface);
+            control.take(edges_.densities(session_.gl, *session_.surface));
             ++measured;
         }
     }
@@ -75,6 +81,7 @@ public:
     int tried_px = 32;  ///< of the picture that may suffice
 
 private:
+    draw::EdgePass edges_;
     void put(int stripe_px) {
         std::vector<std::uint8_t> rgba(std::size_t{4} * kWidth * kHeight, 90);
         for (std::size_t n = 0; n < rgba.size(); n += 4) {

@@ -35,7 +35,7 @@ struct Cut {
 
 TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
-    ASSERT_EQ(cut.message, "");
+    ASSERT_EQ(cut.sentence, "");
     const TerrainMemory terrain = cut.memory.terrain();
     const std::pair<const base::Arena*, const char*> arenas[] = {
         {&terrain.index, "terrain_index"},      {&terrain.records, "terrain_chunk_slots"},
@@ -78,9 +78,9 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     const base::BudgetTable budget = small_budget();
     std::uint64_t processor_bytes = 0;
     for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
-    EXPECT_EQ(Cut(processor_bytes - 1).message,
+    EXPECT_EQ(Cut(processor_bytes - 1).sentence,
               "the reservation does not hold the budget line 'scene_billboards'; lower the budgets in the device file");
-    EXPECT_EQ(Cut(10).message,
+    EXPECT_EQ(Cut(10).sentence,
               "the reservation does not hold the budget line 'terrain_heights'; lower the budgets in the device file");
     EXPECT_GE(DisplayMemory::bytes_needed(budget), processor_bytes);
 }

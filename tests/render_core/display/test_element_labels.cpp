@@ -209,7 +209,7 @@ TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
     const LabelEpoch before = memory_of(shown);
     shown.set(1);
     EXPECT_EQ(shown.frame(10.3, 180).placed, 0u) << "behind";
-    EXPECT_TRUE(shown.labels.is_anew());
+    EXPECT_TRUE(memory_of(shown).is_anew);
     other.set(1);
     static_cast<void>(other.frame(10.1));
     EXPECT_TRUE(are_same(memory_of(shown), memory_of(other)));
@@ -218,7 +218,7 @@ TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
     EXPECT_FALSE(are_same(memory_of(shown), memory_of(late))) << "control: seen from where the design turned";
     // One that comes from the epoch before goes on likewise.
     static_cast<void>(shown.frame(10.6, 20));
-    EXPECT_FALSE(shown.labels.is_anew());
+    EXPECT_FALSE(memory_of(shown).is_anew);
     other.labels.restore(before);
     static_cast<void>(other.frame(10.6, 20));
     EXPECT_TRUE(are_same(memory_of(shown), memory_of(other)));

@@ -121,7 +121,7 @@ TEST(FailurePolicy, TheTableHasARowForEverySignal) {
             std::count_if(table().begin(), table().end(), [&](const Row& r) { return r.signal == static_cast<Signal>(i); });
         EXPECT_EQ(rows, 1) << to_string(static_cast<Signal>(i));
         EXPECT_EQ(policy::signal_rule(static_cast<Signal>(i)).signal, static_cast<Signal>(i));
-        EXPECT_EQ(policy::consequences(policy::signal_rule(static_cast<Signal>(i)), SignalState::valid), kNoConsequence);
+        EXPECT_EQ(policy::consequences(policy::signal_rule(static_cast<Signal>(i)), SignalState::valid), policy::kNoConsequence);
     }
 }
 

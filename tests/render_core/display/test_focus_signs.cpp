@@ -31,7 +31,7 @@ protected:
     }
     draw::ElementCount count(const FociOfTest* foci) {
         elements_.set(&scene_.scene(), asked_);
-        elements_.labels().forget();
+        elements_.labels().restore({});
         ElementFrame frame{ground_, frame_.view, {255, 0, 255}, flight::time_of_source(test_support::kNow)};
         frame.foci = foci == nullptr ? nullptr : &foci->frame();
         elements_.plan(frame);

@@ -97,7 +97,9 @@ public:
         detail_ = {base::radians(std::ldexp(h.step_lat_deg / 4, h.drape_level)) * 6371000, h.drape_level};
         const DrawnDesign only{&design_, output_of(design_, true)};
         EXPECT_EQ(only.output, TerrainOutput::color) << "codes have no borders";
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
+        EXPECT_TRUE(indices_.start(terrain_.store(), staging_));
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), indices_, {&only, 1}, session_.device, staging_).message.view(),
+                  "");
         base::Arena arena(block_.data(), block_.size());
         base::BudgetLine& line = *session_.device.budget.find(effects::kSceneSolidVertices);
         EXPECT_TRUE(solids_.start(session_.gl, line, arena, {4096, 8192, 64}, gl::BufferUse::streamed).message.empty());
@@ -165,6 +167,7 @@ private:
     std::vector<std::uint8_t> staging_memory_ = std::vector<std::uint8_t>(4 << 20);
     base::Arena staging_{staging_memory_.data(), staging_memory_.size()};
     std::vector<unsigned char> block_ = std::vector<unsigned char>(1u << 22);
+    terrain::ChunkIndices indices_;
     TerrainDrawer drawer_;
     TerrainDrawResult drawn_;
     double tau_px_ = 1;

@@ -62,7 +62,9 @@ public:
         detail_ = {base::radians(std::ldexp(h.step_lat_deg / 4, h.drape_level)) * 6371000, h.drape_level};
         const design::DesignSettings design = image_design();
         const DrawnDesign only{&design};
-        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), {&only, 1}, session_.device, staging_).message.view(), "");
+        EXPECT_TRUE(indices_.start(terrain_.store(), staging_));
+        EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), indices_, {&only, 1}, session_.device, staging_).message.view(),
+                  "");
         session_.gl.seal();
     }
     ~Drawing() {
@@ -101,6 +103,7 @@ private:
     terrain::DrapeDetail detail_;
     std::vector<std::uint8_t> staging_memory_ = std::vector<std::uint8_t>(4 << 20);
     base::Arena staging_{staging_memory_.data(), staging_memory_.size()};
+    terrain::ChunkIndices indices_;
     TerrainDrawer drawer_;
 };
 

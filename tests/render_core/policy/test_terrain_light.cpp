@@ -213,13 +213,13 @@ TEST(TerrainLight, TheRecordSaysWhoShines) {
     WallPicture picture;
     const auto effect_at = [&](const char* when) {
         static_cast<void>(picture.row(utc(when)));
-        for (const EffectRecord& effect : picture.display.display().record().effects)
+        for (const display::EffectRecord& effect : picture.display.display().record().effects)
             if (effect.name.view() == "moving_sun") return effect;
-        return EffectRecord{};
+        return display::EffectRecord{};
     };
-    EXPECT_EQ(effect_at("2026-03-21T12:00:00Z").state, EffectState::run);
-    const EffectRecord night = effect_at("2026-03-21T22:00:00Z");
-    EXPECT_EQ(night.state, EffectState::replaced);
+    EXPECT_EQ(effect_at("2026-03-21T12:00:00Z").state, display::EffectState::run);
+    const display::EffectRecord night = effect_at("2026-03-21T22:00:00Z");
+    EXPECT_EQ(night.state, display::EffectState::replaced);
     EXPECT_EQ(night.replaced_by.view(), "fixed_light");
     EXPECT_NE(std::string(night.reason.view()).find("below 3 degrees"), std::string::npos);
     EXPECT_NE(std::string(effect_at("1980-01-01T12:00:00Z").reason.view()).find("sun_utc"), std::string::npos);

@@ -1,4 +1,4 @@
-#include "render_core/display/saliency_view.hpp"
+#include "render_core/display/saliency_schedule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display::test_saliency_view {
+namespace tedavis::display::test_saliency_schedule {
 namespace {
 
 using effects::Effect;
@@ -63,7 +63,7 @@ Bare without(const char* device) {
     return bare;
 }
 
-TEST(SaliencyView, CostsNothingWhereItIsNotComputed) {
+TEST(SaliencySchedule, CostsNothingWhereItIsNotComputed) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         const Bare bare = without(device);
         Shown shown(design::SaliencyView::heat, device);
@@ -80,7 +80,7 @@ TEST(SaliencyView, CostsNothingWhereItIsNotComputed) {
     }
 }
 
-TEST(SaliencyView, ADeviceThatCannotCopyItsPictureSaysSoAndPaysNothing) {
+TEST(SaliencySchedule, ADeviceThatCannotCopyItsPictureSaysSoAndPaysNothing) {
     const design::DesignSettings possible =
         possible_design(design_with(design::SaliencyView::heat), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.effects.saliency.view, design::SaliencyView::none);
@@ -91,7 +91,7 @@ TEST(SaliencyView, ADeviceThatCannotCopyItsPictureSaysSoAndPaysNothing) {
     EXPECT_EQ(plan[Effect::saliency].reason, "the device cannot copy what it has drawn");
 }
 
-TEST(SaliencyView, AMapIsGreyAndHeatLetsThePictureThrough) {
+TEST(SaliencySchedule, AMapIsGreyAndHeatLetsThePictureThrough) {
     const Bare bare = without("es3-mid");
     std::vector<std::uint8_t> map;
     {
@@ -122,7 +122,7 @@ TEST(SaliencyView, AMapIsGreyAndHeatLetsThePictureThrough) {
     EXPECT_GT(both / std::sqrt(of_bare * of_hot), 0.4) << "what was seen is still seen";
 }
 
-TEST(SaliencyView, TheSmallLaneMeasuresTwiceASecond) {
+TEST(SaliencySchedule, TheSmallLaneMeasuresTwiceASecond) {
     Shown shown(design::SaliencyView::map, "es2-small");
     static_cast<void>(shown.at(0));
     EXPECT_EQ(shown.effect().passes, 2u);
@@ -144,7 +144,7 @@ TEST(SaliencyView, TheSmallLaneMeasuresTwiceASecond) {
     EXPECT_EQ(shown.display.display().gl().denied().total, 0u);
 }
 
-TEST(SaliencyView, TheLargeLaneMeasuresEveryFrameAndNeedsNoOther) {
+TEST(SaliencySchedule, TheLargeLaneMeasuresEveryFrameAndNeedsNoOther) {
     Shown shown(design::SaliencyView::map, "es3-mid");
     for (const double seconds : {0.0, 0.1, 0.2}) {
         static_cast<void>(shown.at(seconds));
@@ -155,7 +155,7 @@ TEST(SaliencyView, TheLargeLaneMeasuresEveryFrameAndNeedsNoOther) {
     EXPECT_EQ(shown.display.display().needed_since(now).ns, now.ns);
 }
 
-TEST(SaliencyView, AnotherDesignMayShowItOnlyWhereTheDisplayWasStartedForIt) {
+TEST(SaliencySchedule, AnotherDesignMayShowItOnlyWhereTheDisplayWasStartedForIt) {
     Shown shown(design::SaliencyView::heat, "es3-mid");
     Display& display = shown.display.display();
     EXPECT_TRUE(display.set_design(design_with(design::SaliencyView::none)));
@@ -163,7 +163,7 @@ TEST(SaliencyView, AnotherDesignMayShowItOnlyWhereTheDisplayWasStartedForIt) {
     EXPECT_FALSE(display.set_design(design_with(design::SaliencyView::map)));
 }
 
-TEST(SaliencyView, InAnUnusualAttitudeNothingLiesOverThePicture) {
+TEST(SaliencySchedule, InAnUnusualAttitudeNothingLiesOverThePicture) {
     Shown shown(design::SaliencyView::map, "es3-mid");
     shown.state = test_support::aircraft_over_hills(1600, 30, 40);
     static_cast<void>(shown.at(0.1));
@@ -172,4 +172,4 @@ TEST(SaliencyView, InAnUnusualAttitudeNothingLiesOverThePicture) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_saliency_view
+}  // namespace tedavis::display::test_saliency_schedule

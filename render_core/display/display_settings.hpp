@@ -1,0 +1,21 @@
+/// What a display is started with.
+#pragma once
+
+#include "render_core/base/ports/program_store.hpp"
+#include "render_core/design/phase_designs.hpp"
+#include "render_core/effects/device.hpp"
+
+namespace tedavis::display {
+
+struct DisplaySettings {
+    effects::DeviceSettings device;
+    design::DesignSettings design;                 ///< where no phase has another
+    const design::PhaseDesigns* phases = nullptr;  ///< null: none has; copied at start()
+    std::uint32_t width_px = 0, height_px = 0;
+    bool generated_flight = false;           ///< said on the display
+    bool expects_scene = false;              ///< one may come later, by take_scene()
+    bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
+    base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
+};
+
+}  // namespace tedavis::display

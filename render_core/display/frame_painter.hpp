@@ -1,0 +1,109 @@
+/// Draws planned frames: uploads what is new of them, and executes them. It decides nothing.
+///
+///   start...(...) · begin(surface) · prepare(frame) · draw_scene(...) · draw_over_scene(...) · finish(...)
+///
+/// Memory    GPU lines and arenas of the device's budget table, at start. Thread  the GL thread, on which the surface is current.
+/// Failure   the start gives one message; terrain that cannot be uploaded is told by prepare().
+#pragma once
+
+#include "render_core/base/ports/surface.hpp"
+#include "render_core/display/display_memory.hpp"
+#include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/element_painter.hpp"
+#include "render_core/display/frame_planner.hpp"
+#include "render_core/display/scene_passes.hpp"
+#include "render_core/draw/dimmer.hpp"
+#include "render_core/draw/edge_pass.hpp"
+#include "render_core/draw/quad_drawer.hpp"
+#include "render_core/draw/saliency_pass.hpp"
+#include "render_core/draw/scene_fade.hpp"
+#include "render_core/gl/gl.hpp"
+
+namespace tedavis::display {
+
+/// What drawing a frame took, and whether all of the plan could be drawn.
+struct DrawnFrame {
+    draw::TerrainDrawResult terrain;
+    EffectWorkTable work;
+    std::uint64_t uploaded_bytes = 0;
+    bool ground_data_is_missing = false;  ///< the device has no room for it
+};
+
+/// Of a size, for these designs; the first is drawn first. All must stay until start is over.
+struct PainterStart {
+    effects::DeviceSettings& device;
+    draw::DrawnDesigns designs;
+    std::uint32_t width_px = 0, height_px = 0, stereo_margin_px = 0;
+};
+
+class FramePainter {
+public:
+    [[nodiscard]] base::Error open(base::Surface& surface, const effects::DeviceSettings& device, base::ProgramStore* programs);
+    /// The planner must outlive the painter: what it builds is drawn from its memory.
+    [[nodiscard]] base::Error start(const PainterStart& start, const FramePlanner& planner);
+    [[nodiscard]] base::Error start_terrain(const PainterStart& start, FramePlanner& planner, DisplayMemory& memory,
+                                            base::Workers* workers);
+    [[nodiscard]] base::Error start_elements(const FramePlanner& planner, DisplayMemory& memory);
+    /// No object is made from here on.
+    void seal();
+    void stop();
+    [[nodiscard]] PainterAbilities abilities() const;
+    /// Whether what was started shows a design, as it is possible on the device (`possible`), too.
+    [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
+
+    void begin(base::Surface& surface);
+    /// Uploads what is new. False where the planned terrain cannot be drawn.
+    [[nodiscard]] bool prepare(const PlannedFrame& frame);
+    void prepare_elements(const PlannedCamera& camera);
+    /// Terrain, sky, data and signs as a camera of the frame sees them, up to a layer.
+    draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedCamera& camera, const gl::DrawPlace& place,
+                                       PictureLayer last = PictureLayer::symbology, bool has_shadow_map = false);
+    /// Into the picture that later frames fade from.
+    draw::TerrainDrawResult draw_kept(const PlannedFrame& frame);
+    /// For one eye of a pair; then put_side() puts it onto the surface.
+    draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedCamera& camera, PictureLayer last,
+                                      draw::EyeSide side);
+    void put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px);
+    /// What fades out.
+    void draw_fade(const PlannedFrame& frame);
+    /// In the screen's plane.
+    void draw_symbology(const PlannedFrame& frame, const base::Surface& surface);
+    /// The density of edges of what is on the surface.
+    [[nodiscard]] effects::ClutterMap measure_clutter(const base::Surface& surface);
+    void show_clutter(const base::Surface& surface, design::ClutterView view);
+    /// The saliency map over what is on the surface, measured anew or as it was; and the light of the panel.
+    void draw_saliency(const PlannedFrame& frame, const base::Surface& surface, bool measures);
+    void dim(const PlannedFrame& frame);
+
+    /// The ground's colours without what lies before a layer; then as the frame has them.
+    void bare_ground(const PlannedFrame& frame, PictureLayer last);
+    void restore_ground(const PlannedFrame& frame);
+
+    [[nodiscard]] EffectWorkTable& work() { return drawn_.work; }
+    [[nodiscard]] DrawnFrame drawn(const draw::TerrainDrawResult& terrain);
+    [[nodiscard]] gl::Gl& gl() { return gl_; }
+    [[nodiscard]] const gl::Gl& gl() const { return gl_; }
+
+private:
+    [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design, bool has_focus) const;
+    void follow_look(const PlannedFrame& frame);
+
+    gl::Gl gl_;
+    effects::DeviceSettings* device_ = nullptr;
+    std::uint32_t width_px_ = 0, height_px_ = 0;
+    std::uint64_t look_key_ = 0, ground_key_ = 0;  ///< of what was prepared last
+    bool has_terrain_ = false;
+    TerrainPainter terrain_;
+    ElementPainter elements_;
+    ScenePasses passes_;
+    draw::StereoPass stereo_;
+    draw::SceneFade fade_;
+    draw::SaliencyPass saliency_;
+    draw::EdgePass edges_;
+    draw::Dimmer dimmer_;
+    draw::QuadDrawer symbology_;
+    ClutterControl clutter_;  ///< what the designs ask for
+    DrawnFrame drawn_;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,81 @@
+/// All that was decided of one frame, with the reasons that its record states: what the planner hands to the painter.
+///
+/// Plain but for references to the planner's own, which stay until the next plan. Thread  the display's.
+#pragma once
+
+#include "render_core/display/caster_set.hpp"
+#include "render_core/display/element_planner.hpp"
+#include "render_core/display/eye.hpp"
+#include "render_core/display/eye_pair.hpp"
+#include "render_core/display/foci_plan.hpp"
+#include "render_core/display/frame_record.hpp"
+#include "render_core/display/shadow_plan.hpp"
+#include "render_core/display/spatial_data.hpp"
+#include "render_core/display/symbology_data.hpp"
+#include "render_core/display/terrain_planner.hpp"
+#include "render_core/draw/color_table.hpp"
+#include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/view_effects_pass.hpp"
+#include "render_core/effects/effect_planner.hpp"
+#include "render_core/effects/frame_budget.hpp"
+#include "render_core/flight/flown_way.hpp"
+#include "render_core/policy/declutter.hpp"
+#include "render_core/policy/failure_policy.hpp"
+#include "render_core/policy/panel_lighting.hpp"
+
+namespace tedavis::display {
+
+/// What stands in the picture of one camera: the frame's own, or one of a pair.
+struct PlannedCamera {
+    Eye eye;
+    SeenTerrain terrain;
+    PlannedElements data;
+    CasterSet casters;
+};
+
+/// How the budget of clutter is held: what the frame follows from, and what gives way in it.
+struct PlannedClutter {
+    effects::ClutterMeasures measured;
+    effects::ClutterMap reached;
+    std::uint32_t roles = 0;  ///< of layers that give way; a bit for each scene::LayerRole
+};
+
+struct PlannedFrame : FrameStatement {
+    flight::AircraftState state;
+    const flight::FlownWay* trail = nullptr;  ///< null where nobody keeps it
+    policy::DisplayConditions conditions;
+    policy::DisplayDecisions decisions;
+    design::AspectWeights weights;
+
+    const design::DesignSettings* shown = nullptr;  ///< the design that is shown, at these weights
+    std::uint64_t look_key = 0;                     ///< another one: painters must be told of the design anew
+    bool draws_foci = false;                        ///< with what they change of the ground
+
+    PlannedCamera camera;
+    terrain::View seen;  ///< all that is drawn of the frame: the camera's view, or as wide as a picture for each eye
+    EyePair eyes;
+    double eye_msl_m = 0;
+    double map_share = 0;       ///< of the way from 3D to the map, 0..1
+    bool is_free_view = false;  ///< the camera is nobody's
+    bool is_map = false;
+    bool terrain_has_void = false;
+    draw::HeightSpan heights;  ///< of the whole database
+
+    FociPlan foci_plan;
+    policy::Declutter declutter;
+    PlannedClutter clutter;
+    SpatialDataPlan data;
+    std::uint64_t ground_key = 0;                    ///< another one: `ground_slice` has changed
+    const scene::GridSlice* ground_slice = nullptr;  ///< what colours the ground; null for nothing
+    MapsBeside maps_beside;
+
+    ShadowPlan shadows;
+    draw::FocusRange focus;
+    policy::PanelLight panel;
+    effects::FramePlan effects;
+    effects::FrameCounters counters;
+    effects::BudgetReport budget;
+    bool keeps_scene = false;  ///< the picture is kept for the frames that follow, which another design shows
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,38 @@
+#include "render_core/display/record_of.hpp"
+
+#include "render_core/display/effect_notes.hpp"
+#include "render_core/display/frame_notes.hpp"
+
+namespace tedavis::display {
+namespace {
+
+ClutterRecord clutter_of(const PlannedFrame& plan) {
+    ClutterRecord record;
+    record.budget = plan.shown->priority.held_clutter();
+    if (record.budget >= 1) return record;
+    record.measured = plan.clutter.measured;
+    record.reached = plan.clutter.reached;
+    record.left = plan.declutter.regions;
+    record.roles = plan.clutter.roles;
+    return record;
+}
+
+}  // namespace
+
+FrameRecord record_of(const PlannedFrame& plan, const DrawnFrame& drawn, const ElementReports& reports,
+                      const base::BudgetTable& table) {
+    FrameRecord record;
+    static_cast<FrameStatement&>(record) = plan;
+    if (drawn.ground_data_is_missing) flag("ground_data.missing", record);
+    note_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn}, record);
+    note_budget(plan.budget, record);
+    note_elements(reports, record);
+    record.clutter = clutter_of(plan);
+    note_weights(plan.shown->priority, plan.weights, record);
+    note_drawn(drawn.terrain, table, record);
+    note_work(drawn.work, record);
+    record.bytes.uploaded = drawn.uploaded_bytes;
+    return record;
+}
+
+}  // namespace tedavis::display
