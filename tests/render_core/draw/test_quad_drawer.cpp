@@ -11,6 +11,7 @@
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/symbology_scene.hpp"
 
 namespace tedavis::draw::test_quad_drawer {
