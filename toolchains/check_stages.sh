@@ -1,4 +1,4 @@
-# The stages of ./check, sourced by it. Uses its variables: full, joint, logs, jobs, shards, passed, failed, summary.
+# The stages of ./check, sourced by it. Uses its variables: full, joint, logs, jobs, slow_programs, passed, failed, summary.
 
 held=true
 
@@ -57,13 +57,16 @@ print_summary() {
     echo "$passed passed, $failed failed"
 }
 
-# run_programs PRESET PATTERN [EXCEPT]: the matching test programs, each in a few processes of many tests: fixtures are slow.
+# run_programs PRESET PATTERN [EXCEPT]: the matching test programs, each in a few processes of many suites: the fixtures of a suite are
+# slow. The slow programs come first and in more parts, so that all processors end at about the same time.
 run_programs() {
-    local outputs status program shard
+    local outputs status programs program
     outputs=$(mktemp -d)
-    for program in $(test_targets "build/$1" "$2" "${3:-^$}"); do
-        for ((shard = 0; shard < shards; shard++)); do echo "$program $shard"; done
-    done | xargs -L 1 -P "$jobs" bash -c "run_shard build/$1/bin $outputs \$0 \$1"
+    programs=$(test_targets "build/$1" "$2" "${3:-^$}")
+    {
+        for program in $(grep -E "$slow_programs" <<<"$programs"); do part_suites "build/$1/bin/$program" "$outputs/$program" 4; done
+        for program in $(grep -vE "$slow_programs" <<<"$programs"); do part_suites "build/$1/bin/$program" "$outputs/$program" 2; done
+    } | xargs -L 1 -P "$jobs" bash -c "run_part build/$1/bin $outputs \$0 \$1"
     cat "$outputs"/*.held "$outputs"/*.failed 2>/dev/null
     # "[==========] 83 tests from 21 test suites ran.", "[  PASSED  ] 83 tests."
     awk '/^\[==========\] .* ran\./ { all += $2 } /^\[  PASSED  \]/ { held += $4 } END { printf "held %d of %d\n", held, all }' "$outputs"/*
@@ -73,24 +76,37 @@ run_programs() {
     return "$status"
 }
 
-# run_shard FOLDER OUTPUTS PROGRAM INDEX: every test of a program whose number, modulo the shards, is the index.
+# part_suites PROGRAM FILES PARTS: deals the suites of a test program to so many files FILES.N.suites, each a filter of GoogleTest, and
+# prints a line "NAME N" for each file. A program that cannot say its suites is one part: it will fail.
+part_suites() {
+    "$1" --gtest_list_tests 2>/dev/null | sed -nE 's/^([^ ]+\.)( .*)?$/\1*/p' |
+        awk -v files="$2" -v parts="$3" '{ printf "%s:", $0 > (files "." (NR - 1) % parts ".suites") }'
+    if [ ! -e "$2.0.suites" ]; then printf '*' >"$2.0.suites"; fi
+    local part
+    for part in "$2".*.suites; do
+        part=${part%.suites}
+        echo "${1##*/} ${part##*.}"
+    done
+}
+
+# run_part FOLDER OUTPUTS PROGRAM PART: the suites of a program that stand in the part's file.
 # LeakSanitizer looks for leaks from a second process when all tests are done, and that one now and then crashes over threads of
-# the GL driver that are just ending: then nothing is known of leaks, and the shard is run once more.
-run_shard() {
+# the GL driver that are just ending: then nothing is known of leaks, and the part is run once more.
+run_part() {
     local output=$2/$3.$4 status=0
-    test_shard "$@" || status=$?
+    test_part "$@" || status=$?
     if [ "$status" -ne 0 ] && grep -q "LeakSanitizer has encountered a fatal error" "$output"; then
         status=0
-        test_shard "$@" || status=$?
+        test_part "$@" || status=$?
     fi
     if [ "$status" -eq 0 ]; then
         mv "$output" "$output.held"
     else
-        echo "$3, part $4 of $shards: ended with $status" >>"$output"
+        echo "$3, part $4: ended with $status" >>"$output"
         mv "$output" "$output.failed"
     fi
 }
-test_shard() { GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$4 timeout 900 "$1/$3" --gtest_brief=1 >"$2/$3.$4" 2>&1; }
+test_part() { timeout 900 "$1/$3" --gtest_brief=1 --gtest_filter="$(<"$2/$3.$4.suites")" >"$2/$3.$4" 2>&1; }
 
 # test_targets FOLDER PATTERN [EXCEPT]: names of test programs of a configured build folder, by extended regular expressions.
 test_targets() {
@@ -154,9 +170,13 @@ check_layout() {
     }
 }
 
-# check_tidy FULL: the changed sources that the host build compiles, at most 12 unless FULL is true.
+# check_tidy FULL: the changed sources that the host build compiles, at most 40 unless FULL is true. Of a function that branches much the
+# analyzer then walks the first 40,000 steps, and not 225,000: half of the time goes into the last steps of a few functions.
 check_tidy() {
-    local files compiled most=12
+    local files compiled most=40
+    analyzer_steps=40000
+    if [ "$1" = true ]; then analyzer_steps=225000; fi
+    export analyzer_steps
     compiled=$(mktemp)
     compiled_sources | sort -u | while read -r file; do [ ! -f "$file" ] || echo "$file"; done >"$compiled"
     mapfile -t files < <(changed_sources "$1" "$compiled")
@@ -176,10 +196,10 @@ compiled_sources() {
 
 # tidy_source FILE: clang-tidy with the options that the host build compiles it with.
 tidy_source() {
-    local joint options
+    local joint options steps=(-Xclang -analyzer-config -Xclang "max-nodes=$analyzer_steps")
     joint=$(grep -rlF --include='*.cxx' "\"$PWD/$1\"" build/host | head -n 1)
-    if [ -z "$joint" ]; then timeout 600 clang-tidy -p build/host --quiet "$1"; return; fi
+    if [ -z "$joint" ]; then timeout 600 clang-tidy -p build/host --quiet "${steps[@]/#/--extra-arg=}" "$1"; return; fi
     options=$(sed -nE "s|^ *\"command\": \"(.*) -o [^ ]* -c $PWD/$joint\",?$|\1|p" build/host/compile_commands.json)
     eval "options=(${options//\\\\/})"  # one level of escapes is JSON's
-    timeout 600 clang-tidy --quiet "$1" -- "${options[@]:1}"
+    timeout 600 clang-tidy --quiet "$1" -- "${options[@]:1}" "${steps[@]}"
 }

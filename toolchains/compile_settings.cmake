@@ -17,8 +17,12 @@ target_compile_options(tedavis_settings INTERFACE -ffile-prefix-map=${CMAKE_SOUR
 target_compile_options(tedavis_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                        -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Werror=return-type)
 if(TEDAVIS_SANITIZE)
+  # What is TEDAVIS_UNSANITIZED is compiled with the very options of the preset `host`, whose objects the compiler cache then gives.
+  set(sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:TEDAVIS_UNSANITIZED>>>)
+  add_compile_options($<${sanitized}:-O1>)
   # The vptr check needs run-time type information, which flight code does not have.
-  target_compile_options(tedavis_settings INTERFACE -fsanitize=${TEDAVIS_SANITIZE} -fno-sanitize=vptr -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(tedavis_settings INTERFACE
+    "$<${sanitized}:-fsanitize=${TEDAVIS_SANITIZE};-fno-sanitize=vptr;-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(tedavis_settings INTERFACE -fsanitize=${TEDAVIS_SANITIZE})
 endif()
 

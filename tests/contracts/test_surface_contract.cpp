@@ -11,6 +11,7 @@
 #include "platform/window/window_surface.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/virtual_screen.hpp"
 
 namespace tedavis::test_surface_contract {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "tests/support/damaged_terrain.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/picture_proof.hpp"
 

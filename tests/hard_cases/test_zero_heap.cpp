@@ -5,7 +5,7 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/support/flight_loop.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tedavis::test_zero_heap {

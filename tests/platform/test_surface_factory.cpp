@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::platform::test_surface_factory {
 namespace {

@@ -56,14 +56,6 @@ constexpr const char* kFragmentShader =
 
 }  // namespace
 
-std::vector<std::string> headless_backends() {
-#if defined(TEDAVIS_HAVE_OSMESA)
-    return {"egl", "osmesa"};
-#else
-    return {"egl"};
-#endif
-}
-
 GlSession::GlSession(const std::string& backend, const std::string& device_name, std::uint32_t width, std::uint32_t height)
     : device(shipped_device(device_name)), surface(surface_for(backend, device, width, height)) {
     if (!surface->make_current()) stop("the surface cannot be made current");

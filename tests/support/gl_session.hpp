@@ -14,9 +14,6 @@
 
 namespace tedavis::test_support {
 
-/// Backends of this build that need no screen.
-[[nodiscard]] std::vector<std::string> headless_backends();
-
 /// Makes the surface current and opens GL for a shipped device; stops the test program with the sentence when that fails.
 struct GlSession {
     GlSession(const std::string& backend, const std::string& device_name, std::uint32_t width = 64, std::uint32_t height = 48);

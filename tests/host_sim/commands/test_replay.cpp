@@ -13,7 +13,7 @@
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/frame_lines.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::host_sim::test_replay {
 namespace {

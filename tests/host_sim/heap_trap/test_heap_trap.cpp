@@ -15,6 +15,7 @@
 #include "render_core/base/driver_scope.hpp"
 #include "render_core/gl/readback.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::test_heap_trap {
 namespace {

@@ -4,7 +4,9 @@
 
 #include <GeographicLib/Geocentric.hpp>
 #include <map>
+#include <memory>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
@@ -65,15 +67,16 @@ public:
         for (const ChunkKey& key : existing_chunks(built)) {
             const ChunkEntry entry = built.entry(key);
             if (entry.children != 0) continue;
-            Exact exact{1u << key.level, {}};
             const PostRange posts = lattice_.posts_of(key);
+            Exact exact{1u << key.level, posts, {}};
+            exact.surface_m.resize(std::size_t{exact.columns()} * ((posts.j1 - posts.j0) / exact.step + 1), std::nan(""));
             for (const ChunkVertex& v : built.vertices(entry)) {
                 const double undulation =
                     geoid_.undulation(lattice_.latitude_rad(posts.j0 + v.j), lattice_.longitude_rad(posts.i0 + v.i)).m;
-                exact.surface_m[{posts.i0 + v.i, posts.j0 + v.j}] =
+                exact.surface_m[exact.at(posts.i0 + v.i, posts.j0 + v.j)] =
                     v.post_class() == PostClass::void_ ? std::nan("") : v.height_m + undulation;
             }
-            exact_[key.packed()] = exact;
+            exact_[key.packed()] = std::move(exact);
         }
     }
     [[nodiscard]] std::optional<double> at(double latitude_deg, double longitude_deg) const {
@@ -94,7 +97,13 @@ public:
 private:
     struct Exact {
         std::uint32_t step;
-        std::map<std::pair<std::uint32_t, std::uint32_t>, double> surface_m;
+        PostRange posts;
+        std::vector<double> surface_m;  ///< of every step-th post, row by row
+
+        [[nodiscard]] std::uint32_t columns() const { return (posts.i1 - posts.i0) / step + 1; }
+        [[nodiscard]] std::size_t at(std::uint32_t i, std::uint32_t j) const {
+            return std::size_t{(j - posts.j0) / step} * columns() + (i - posts.i0) / step;
+        }
     };
     [[nodiscard]] std::optional<double> in_chunk(const Exact& exact, const LatticePoint& p) const {
         const auto first = [&](double x, std::uint32_t posts) {
@@ -103,7 +112,7 @@ private:
         const std::uint32_t i = first(p.i, lattice_.columns()), j = first(p.j, lattice_.rows());
         const double u = (p.i - i) / exact.step, v = (p.j - j) / exact.step;
         const auto post = [&](std::uint32_t a, std::uint32_t b) {
-            return exact.surface_m.at({i + a * exact.step, j + b * exact.step});
+            return exact.surface_m.at(exact.at(i + a * exact.step, j + b * exact.step));
         };
         const double nw = post(0, 0), ne = post(1, 0), sw = post(0, 1), se = post(1, 1);
         if (std::isnan(nw + ne + sw + se)) return std::nullopt;
@@ -112,7 +121,7 @@ private:
 
     const Lattice& lattice_;
     GeoidEgm96 geoid_ = GeoidEgm96::installed();
-    std::map<std::uint64_t, Exact> exact_;
+    std::unordered_map<std::uint64_t, Exact> exact_;
 };
 
 void expect_stated_error_holds(const BuiltDatabase& built, const ExactSurface& truth, const ChunkKey& key, std::uint8_t mask) {
@@ -143,24 +152,40 @@ void expect_stated_error_holds(const BuiltDatabase& built, const ExactSurface& t
             }
 }
 
+/// Made once for all tests of a density.
+struct Made {
+    TwoRasters rasters;
+    BuiltDatabase built{rasters.image()};
+    ExactSurface truth{built};
+
+    explicit Made(std::uint32_t density) : rasters(density) {}
+};
+
+const Made& made(std::uint32_t density) {
+    static std::map<std::uint32_t, std::unique_ptr<Made>> kept;
+    std::unique_ptr<Made>& one = kept[density];
+    if (one == nullptr) one = std::make_unique<Made>(density);
+    return *one;
+}
+
 class InsetBuild : public ::testing::TestWithParam<std::uint32_t> {
 protected:
-    TwoRasters rasters_{GetParam()};
-    BuiltDatabase built_{rasters_.image()};
+    const TwoRasters& rasters_ = made(GetParam()).rasters;
+    const BuiltDatabase& built_ = made(GetParam()).built;
+    const ExactSurface& truth_ = made(GetParam()).truth;
 };
 
 TEST_P(InsetBuild, StatedErrorsHold) {
-    const ExactSurface truth(built_);
     for (const ChunkKey& key : existing_chunks(built_)) {
         if (key.level == 0 && (key.i + key.j) % 7 != 0) continue;  // there are many, all alike
-        expect_stated_error_holds(built_, truth, key, 0);
+        expect_stated_error_holds(built_, truth_, key, 0);
         std::uint8_t sides = 0;
         for (const EdgeBit side : {kEdgeNorth, kEdgeEast, kEdgeSouth, kEdgeWest}) {
             const ChunkKey beside = built_.lattice().neighbour(key, side);
             const bool other = key.level + 1 < built_.lattice().levels() && beside != kNoChunk && beside.parent() != key.parent();
             if (other) sides = static_cast<std::uint8_t>(sides | side);
         }
-        if (sides != 0) expect_stated_error_holds(built_, truth, key, sides);
+        if (sides != 0) expect_stated_error_holds(built_, truth_, key, sides);
     }
 }
 
@@ -187,11 +212,10 @@ TEST_P(InsetBuild, BordersAgreeBitForBit) {
 }
 
 TEST_P(InsetBuild, IsTheInsetInsideTheCoarseRasterOutsideAndHasNoStep) {
-    const ExactSurface truth(built_);
     const GeoidEgm96 geoid = GeoidEgm96::installed();
     const auto height = [&](double x, double y) {  // in coarse posts
         const double lat = 47.1 - y * TwoRasters::kCoarse_deg, lon = 9.6 + x * TwoRasters::kCoarse_deg;
-        const auto surface = truth.at(lat, lon);
+        const auto surface = truth_.at(lat, lon);
         return surface ? *surface - geoid.undulation(base::radians(lat), base::radians(lon)).m : std::nan("");
     };
     const auto coarse = [&](std::uint32_t i, std::uint32_t j) { return rasters_.coarse.height_m[rasters_.coarse.at(i, j)]; };

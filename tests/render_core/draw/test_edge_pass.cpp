@@ -15,6 +15,7 @@
 #include "render_core/perception/edge_density.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/held_edges.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/screen_triangle.hpp"

@@ -12,6 +12,7 @@
 #include "tests/support/batch_rasterizer.hpp"
 #include "tests/support/filled_drawers.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 #include "tests/support/symbology_scene.hpp"
 
 namespace tedavis::draw::test_quad_drawer {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::gl::test_capability_probe {
 namespace {

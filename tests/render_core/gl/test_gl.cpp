@@ -38,6 +38,12 @@ TEST(Gl, CallsOutsideTheDeviceAreCountedByNameAndNotExecuted) {
     EXPECT_EQ(at.gl.denied().total, 3u);
 }
 
+TEST(Gl, ReportsAResetStatusWhereTheDriverIsRobust) {
+    GlSession at("egl", "sc2");
+    EXPECT_EQ(at.gl->GetGraphicsResetStatus(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(at.gl.denied().total, 0u);
+}
+
 TEST(Gl, DeniedCallsReturnZero) {
     GlSession at("egl", "sc2");
     EXPECT_EQ(at.gl->CreateShader(GL_VERTEX_SHADER), 0u);

@@ -9,6 +9,7 @@
 #include "platform/surface_factory.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/gl_session.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::gl::test_program {
 namespace {

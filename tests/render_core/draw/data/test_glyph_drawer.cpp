@@ -10,6 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "tests/support/glyph_picture.hpp"
+#include "tests/support/headless_backends.hpp"
 
 namespace tedavis::draw::test_glyph_drawer {
 namespace {
