@@ -46,8 +46,9 @@ void DisplayApplication::take_new_scene() {
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
-    const LiveFlight::Instant instant = flight_.at(now, display());
-    display().update(instant.aircraft, instant.phase, now, &flight_.way());
+    flight::HeightsOver<display::Display> heights(display());
+    const flight::FrameInput input = flight_.at(now, heights);
+    display().update(input.state, input.phase, now, input.trail);
     display().draw(board_.surface());
     return board_.surface().present();
 }

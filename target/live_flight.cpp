@@ -7,10 +7,6 @@
 namespace tedavis::target {
 namespace {
 
-constexpr std::size_t kFramesAtOnce = 256;
-constexpr int kMaxBatches = 64;  // more than a frame's worth of the fastest bus; the rest waits for the next step
-constexpr int kMaxSteps = 100;   // after a longer pause of the program the grid starts anew
-constexpr std::size_t kEdgesAtOnce = 64;
 constexpr base::Duration kReportSpacing = base::Duration::seconds(1);
 
 std::string_view description(bus::SourceHealth health, bool opened_again) {
@@ -33,41 +29,22 @@ LiveFlight::LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, s
       interface_name_(settings.can.interface_name),
       node_(settings.bus.node),
       can_(can, settings.can, clocks),
-      assembler_(settings.bus),
       has_switches_(settings.has_switches),
       switch_config_(settings.switches),
-      panel_(std::move(gpio)) {}
+      panel_(std::move(gpio)),
+      memory_(settings.bus, has_switches_ ? &switch_config_ : nullptr, {}),
+      tracker_(memory_, {can_, &panel_, node_.answer_identification ? this : nullptr}) {}
 
 void LiveFlight::start(base::Time now) {
-    next_step_ = now;
+    memory_.next_step = now;
     if (!has_switches_) return;
-    switches_.emplace(switch_config_);
     const auto opened = panel_.open(switch_config_, now, base::Duration{});
     if (opened.ok()) return;
     panel_lost_ = true;
     log_.write({opened.error().message.view()});
 }
 
-void LiveFlight::feed_until(base::Time time) {
-    bus::CanFrame batch[kFramesAtOnce];
-    std::size_t count = kFramesAtOnce;
-    for (int n = 0; n < kMaxBatches && count == kFramesAtOnce; ++n) {
-        count = can_.read(time, base::Span<bus::CanFrame>(batch));
-        assembler_.feed({batch, count});
-        if (node_.answer_identification) answer({batch, count});
-    }
-    assembler_.note_dropped(can_.statistics().dropped);
-    feed_switches(time);
-}
-
-void LiveFlight::feed_switches(base::Time time) {
-    if (!switches_ || panel_lost_) return;
-    bus::SwitchEdge edges[kEdgesAtOnce];
-    const std::size_t count = panel_.read(time, base::Span<bus::SwitchEdge>(edges));
-    for (std::size_t n = 0; n < count; ++n) switches_->add(edges[n]);
-}
-
-void LiveFlight::answer(base::Span<const bus::CanFrame> frames) {
+void LiveFlight::hear(base::Span<const bus::CanFrame> frames) {
     for (const bus::CanFrame& frame : frames) {
         const bus::IdentificationAnswer identity = bus::answer_identification(frame, node_);
         // An answer that the kernel does not take is asked for again.
@@ -75,38 +52,11 @@ void LiveFlight::answer(base::Span<const bus::CanFrame> frames) {
     }
 }
 
-void LiveFlight::step_phase(base::Time time, display::Display& display) {
-    const bus::BusSnapshot snapshot = assembler_.snapshot(time);
-    flight::AircraftState aircraft = snapshot.state;
-    aircraft[flight::Signal::height_above_terrain] = display.height_above_terrain(aircraft.own_ship, time);
-    flight::PhaseInputs inputs;
-    inputs.can = snapshot.phase_status.phase;
-    inputs.switch_fault = panel_lost_;
-    if (switches_ && !panel_lost_) {
-        const bus::SwitchPhase panel = switches_->status(time);
-        inputs.switches = panel.statement;
-        inputs.switch_fault = panel.fault;
-    }
-    monitor_.step(aircraft, inputs, time);
-    way_.step(aircraft, time);
-}
-
-LiveFlight::Instant LiveFlight::at(base::Time now, display::Display& display) {
-    constexpr base::Duration kStep = display::PhaseMonitor::kStep;
-    if (now - next_step_ > base::Duration{kStep.ns * kMaxSteps}) next_step_ = now;
-    for (int n = 0; n <= kMaxSteps && next_step_ <= now; ++n) {
-        feed_until(next_step_);
-        step_phase(next_step_, display);
-        next_step_ = next_step_ + kStep;
-    }
-    feed_until(now);
+flight::FrameInput LiveFlight::at(base::Time now, flight::TerrainHeights& heights) {
+    const flight::FrameInput input = tracker_.advance_to(now, heights);
     report_bus(now);
     report_switches();
-    Instant instant;
-    instant.aircraft = assembler_.snapshot(now).state;
-    instant.aircraft[flight::Signal::height_above_terrain] = display.height_above_terrain(instant.aircraft.own_ship, now);
-    instant.phase = monitor_.status();
-    return instant;
+    return input;
 }
 
 /// A controller at its limit turns bus-off and back many times a second: at most one line a second, the newest.
@@ -123,7 +73,7 @@ void LiveFlight::report_bus(base::Time now) {
 }
 
 void LiveFlight::report_switches() {
-    if (!switches_ || panel_lost_ || panel_.health() != bus::SourceHealth::failed) return;
+    if (!has_switches_ || panel_lost_ || panel_.health() != bus::SourceHealth::failed) return;
     panel_lost_ = true;
     log_.write({"phase switches: the GPIO lines do not answer any more; the phase comes from bus and motion until a restart"});
 }

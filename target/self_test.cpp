@@ -50,7 +50,8 @@ public:
 
     void run() {
         if (!read_settings() || !open_surface() || !start_display()) return;
-        const KnownFlight flight = play_known_flight(inputs_.log, bus_, *display_);
+        flight::HeightsOver<display::Display> heights(*display_);
+        const KnownFlight flight = play_known_flight(inputs_.log, bus_, heights);
         check_known_flight(flight, report_);
         draw(flight);
     }

@@ -18,11 +18,11 @@ namespace tedavis::host_sim {
 namespace {
 
 void enter(EffectLedger& ledger, std::uint64_t n, base::Time time, const FrameResult& drawn, const RunRecorder& recorder,
-           const DisplaySession& session, const FlightPlayer& player) {
+           const DisplaySession& session) {
     ledger.note(drawn.record);
     if (!ledger.wants(n)) return;
-    const PlayedInstant& instant = recorder.instant();
-    ledger.take({drawn.record.frame, time, instant.aircraft, instant.phase, player.way(), upright(session.pixels())});
+    const flight::FrameInput& input = recorder.input();
+    ledger.take({drawn.record.frame, time, input.state, input.phase, *input.trail, upright(session.pixels())});
 }
 
 void price_effects(const EffectLedger& ledger, const ReplayOptions& options, DisplaySession& session,
@@ -51,7 +51,7 @@ int run_batch(const ReplayOptions& options, Console& console) {
         approach.approach(times.at(n));
         const FrameResult& drawn = recorder.draw(times.at(n));
         recorder.keep();
-        if (options.ledger) enter(ledger, n, times.at(n), drawn, recorder, session, player);
+        if (options.ledger) enter(ledger, n, times.at(n), drawn, recorder, session);
         console.progress("replay", n + 1, times.count());
     }
     console.progress_done();

@@ -16,7 +16,6 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kWindowBytes = 1 << 20;
-constexpr std::size_t kFramesAtOnce = 256;
 constexpr std::uint64_t kLargestIndex = 64u << 20;
 /// Beyond the time until every value is lost: what dwells and holds of the phase take.
 constexpr base::Duration kPhaseSettles = base::Duration::seconds(30);
@@ -42,7 +41,7 @@ std::string index_name(const std::string& log) { return log + ".tdx"; }
 }  // namespace
 
 FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
-    : display_(display), console_(console), policy_(policy) {
+    : heights_(display), console_(console), policy_(policy) {
     open_bus(files);
     open_log(files);
     open_switches(files);
@@ -78,6 +77,8 @@ void FlightPlayer::open_log(const PlayerFiles& files) {
     window_.resize(kWindowBytes);
     source_ = std::make_unique<bus::CandumpLogSource>(*log_bytes_, base::Span<char>(window_.data(), window_.size()));
     start_ = source_->position();
+    constexpr auto kAllFrames = std::numeric_limits<std::uint32_t>::max();
+    tracker_.emplace(progress_.tracker, bus::TrackerPorts{*source_, &panel_, this, kAllFrames});
 }
 
 void FlightPlayer::open_switches(const PlayerFiles& files) {
@@ -141,14 +142,13 @@ void FlightPlayer::make_index() {
         if (interrupt.requested()) throw Interrupted(log_name_ + ": interrupted while it was indexed; nothing was written");
     }
     if (console_ != nullptr) console_->progress_done();
-    index_.facts = facts_of(*source_, progress_.assembler, progress_.frames_of, first_);
+    index_.facts = facts_of(*source_, progress_.tracker.assembler, progress_.frames_of, first_);
 }
 
 void FlightPlayer::start() {
     progress_ = FlightProgress();
     progress_.position = start_;
-    progress_.assembler = bus::StateAssembler(bus_settings_);
-    progress_.switches.emplace(switch_config_);
+    progress_.tracker = bus::TrackerMemory(bus_settings_, &switch_config_, first_);
     progress_.reached = first_ - base::Duration::seconds(1);
     source_->seek(start_);
     index_.track.offer(progress_);
@@ -159,21 +159,16 @@ void FlightPlayer::start_from_checkpoint(base::Time time) {
     source_->seek(progress_.position);
 }
 
-base::Time FlightPlayer::step_time() const {
-    return first_ + base::Duration{display::PhaseMonitor::kStep.ns * progress_.next_step};
-}
-
 /// Leaps over the steps that nothing can change, to the first one that has a new frame or edge behind it.
 bool FlightPlayer::next_step_is_by(base::Time time) {
     base::Time newest = source_->position().newest;
     if (progress_.next_edge > 0) newest = std::max(newest, edges_[progress_.next_edge - 1].time);
-    if (step_time() - quiet_ > newest) {
+    if (tracker_->next_step() - quiet_ > newest) {
         const base::Time event = next_event();
         if (event == kEnd) return false;
-        const std::int64_t grid = display::PhaseMonitor::kStep.ns;
-        progress_.next_step = std::max(progress_.next_step, ((event - first_).ns + grid - 1) / grid);
+        tracker_->skip_steps_before(event);
     }
-    return step_time() <= time;
+    return tracker_->next_step() <= time;
 }
 
 /// The next frame or edge; kEnd after the last one.
@@ -185,59 +180,36 @@ base::Time FlightPlayer::next_event() {
     return progress_.next_edge < edges_.size() ? std::min(of_log, edges_[progress_.next_edge].time) : of_log;
 }
 
-void FlightPlayer::feed_until(base::Time time) {
-    bus::CanFrame batch[kFramesAtOnce];
-    for (std::size_t count = kFramesAtOnce; count == kFramesAtOnce;) {
-        count = source_->read(time, base::Span<bus::CanFrame>(batch));
-        progress_.assembler.feed({batch, count});
-        for (std::size_t n = 0; n < count; ++n) ++progress_.frames_of[batch[n].channel];
-        if (count > 0) progress_.newest_frame = batch[count - 1].time;
+void FlightPlayer::hear(base::Span<const bus::CanFrame> frames) {
+    for (const bus::CanFrame& frame : frames) {
+        ++progress_.frames_of[frame.channel];
+        progress_.newest_frame = frame.time;
     }
+}
+
+void FlightPlayer::check_log() const {
     if (source_->health() == bus::SourceHealth::failed)
         throw UserError(log_name_ + ": cannot be read beyond byte " + std::to_string(source_->position().offset) +
                         "; check the medium it lies on");
-    progress_.assembler.note_dropped(source_->statistics().dropped);
-    for (; progress_.next_edge < edges_.size() && edges_[progress_.next_edge].time <= time; ++progress_.next_edge)
-        progress_.switches->add(edges_[progress_.next_edge]);
-}
-
-void FlightPlayer::step_phase(base::Time time) {
-    const bus::BusSnapshot snapshot = progress_.assembler.snapshot(time);
-    flight::AircraftState aircraft = snapshot.state;
-    aircraft[flight::Signal::height_above_terrain] = display_.height_above_terrain(aircraft.own_ship, time);
-    flight::PhaseInputs inputs;
-    inputs.can = snapshot.phase_status.phase;
-    const bus::SwitchPhase switches = progress_.switches->status(time);
-    inputs.switches = switches.statement;
-    inputs.switch_fault = switches.fault;
-    progress_.monitor.step(aircraft, inputs, time);
-    progress_.way.step(aircraft, time);
 }
 
 void FlightPlayer::run_step() {
-    const base::Time step = step_time();
-    feed_until(step);
-    step_phase(step);
-    ++progress_.next_step;
+    progress_.reached = tracker_->next_step();
+    tracker_->step(heights_);
+    check_log();
     ++progress_.steps_run;
-    progress_.reached = step;
     progress_.position = source_->position();
     index_.track.offer(progress_);
 }
 
-PlayedInstant FlightPlayer::at(base::Time time) {
+flight::FrameInput FlightPlayer::at(base::Time time) {
     const base::Time wanted = std::min(std::max(time, first_), last_);
     if (wanted < progress_.reached || index_.track.reached_by(wanted) > progress_.reached) start_from_checkpoint(wanted);
     while (next_step_is_by(wanted)) run_step();
-    feed_until(wanted);
-    PlayedInstant instant;
-    instant.bus = progress_.assembler.snapshot(wanted);
-    instant.aircraft = instant.bus.state;
-    instant.aircraft[flight::Signal::height_above_terrain] = display_.height_above_terrain(instant.aircraft.own_ship, wanted);
-    instant.phase = progress_.monitor.status();
-    instant.newest_frame = progress_.newest_frame;
+    const flight::FrameInput input = tracker_->input_at(wanted, heights_);
+    check_log();
     progress_.reached = wanted;
-    return instant;
+    return input;
 }
 
 void FlightPlayer::replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges) {

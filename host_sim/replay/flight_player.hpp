@@ -1,7 +1,7 @@
 /// Plays a recorded bus and its switch log into aircraft state and flight phase, to any instant, forwards or backwards.
 ///
-/// State and phase at T depend on what was recorded up to T alone: the bus is read up to T, the phase is stepped on a fixed
-/// grid from the log's first frame. Where the recording pauses until every value is lost, the steps pause as well.
+/// The tracker (bus/tracker/flight_tracker.hpp) reads the recording, on a grid from the log's first frame. Where the recording
+/// pauses until every value is lost, its steps pause as well.
 ///
 /// Opening plays the whole log once and leaves checkpoints, so that every instant is near. Of a long log they are kept in
 /// LOG.tdx (flight_index.hpp) for the next time. Memory  some megabytes, however long the log; a gzip-compressed one lies
@@ -10,12 +10,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bus/candump/candump_log_source.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/replay/flight_index.hpp"
+#include "host_sim/replay/played_edges.hpp"
 #include "host_sim/replay/read_switch_log.hpp"
 #include "render_core/display/display.hpp"
 
@@ -25,13 +27,6 @@ struct PlayerFiles {
     std::string log, bus, switches, switch_config;  ///< switches may be empty
 };
 
-struct PlayedInstant {
-    bus::BusSnapshot bus;
-    flight::AircraftState aircraft;  ///< with height_above_terrain
-    flight::PhaseStatus phase;
-    base::Time newest_frame;  ///< receive stamp of the last frame fed
-};
-
 struct IndexPolicy {
     std::uint64_t smallest_kept_log = 32u << 20;  ///< shorter logs are read again each time; it takes a moment
     /// A log changed less than this long before is not trusted to show its next change in its times.
@@ -39,7 +34,7 @@ struct IndexPolicy {
     CheckpointSpacing spacing;
 };
 
-class FlightPlayer {
+class FlightPlayer final : private bus::FrameListener {
 public:
     /// Shows progress and says on the console why an index is made anew or cannot be kept; null: in silence.
     /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log; Interrupted.
@@ -49,10 +44,11 @@ public:
     /// Stamps of the first and last frame of the log.
     [[nodiscard]] base::Time first() const { return first_; }
     [[nodiscard]] base::Time last() const { return last_; }
-    /// Clamped to first() .. last().
-    [[nodiscard]] PlayedInstant at(base::Time time);
-    /// Flown up to the instant that was asked for last.
-    [[nodiscard]] const flight::FlownWay& way() const { return progress_.way; }
+    /// At `time` clamped to first() .. last(). The trail is good until the next call.
+    [[nodiscard]] flight::FrameInput at(base::Time time);
+    /// Of the instant that was asked for last: what the bus has said, and the receive stamp of its last frame.
+    [[nodiscard]] const bus::StateAssembler& assembler() const { return progress_.tracker.assembler; }
+    [[nodiscard]] base::Time newest_frame() const { return progress_.newest_frame; }
 
     /// The phase switches' lines and patterns, and the edges played, in order of time.
     [[nodiscard]] const bus::SwitchConfig& switch_config() const { return switch_config_; }
@@ -77,15 +73,14 @@ private:
     void make_index();
     void start();
     void start_from_checkpoint(base::Time time);
-    [[nodiscard]] base::Time step_time() const;
     [[nodiscard]] bool next_step_is_by(base::Time time);
     [[nodiscard]] base::Time next_event();
     void run_step();
-    void feed_until(base::Time time);
-    void step_phase(base::Time time);
+    void hear(base::Span<const bus::CanFrame> frames) override;
+    void check_log() const;
     void say(const std::string& sentence);
 
-    display::Display& display_;
+    flight::HeightsOver<display::Display> heights_;
     Console* console_;
     IndexPolicy policy_;
     std::string log_name_, bus_name_;
@@ -102,6 +97,8 @@ private:
     IndexKey key_;
     base::Time first_, last_;
     FlightProgress progress_;
+    PlayedEdges panel_{edges_, progress_.next_edge};
+    std::optional<bus::FlightTracker> tracker_;  ///< there once the log is open
     FlightIndex index_;
 };
 

@@ -91,8 +91,8 @@ void FrameApproach::restore_rung(std::int64_t frame) {
 
 void FrameApproach::plan(base::Time time) {
     reach_epoch(time);
-    const PlayedInstant instant = player_.at(time);
-    display_.approach(instant.aircraft, instant.phase, time, &player_.way());
+    const flight::FrameInput input = player_.at(time);
+    display_.approach(input.state, input.phase, time, input.trail);
     if (display_.must_be_drawn()) session_.draw();
 }
 
@@ -110,7 +110,7 @@ void FrameApproach::reach_epoch(base::Time time) {
         const std::int64_t epoch = *epoch_ + 1;
         const base::Time begins = std::max(base::Time{epoch * flight::kDecisionInterval.ns}, player_.first());
         const flight::PhaseStatus phase = phase_before(begins);
-        display_.approach_epoch(player_.at(begins).aircraft, phase, begins);
+        display_.approach_epoch(player_.at(begins).state, phase, begins);
         keep_epoch(epoch);
         epoch_ = epoch;
     }

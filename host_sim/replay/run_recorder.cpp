@@ -66,12 +66,12 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
       scene_extent_(extent_of_scene(options.picture.scene)) {}
 
 const FrameResult& RunRecorder::draw(base::Time time) {
-    instant_ = player_.at(time);
+    input_ = player_.at(time);
     draw_watched(time);
     result_.record = session_.display().record();
     result_.has_layers = options_.layers;
     if (options_.layers) result_.obstacles = session_.display().obstacles_ahead();
-    result_.latency_ms = milliseconds_between(instant_.newest_frame, time);
+    result_.latency_ms = milliseconds_between(player_.newest_frame(), time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
     return result_;
 }
@@ -79,7 +79,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
 void RunRecorder::draw_watched(base::Time time) {
     HeapTrap trap;
     const base::Time start = platform::monotonic_now();
-    session_.display().update(instant_.aircraft, instant_.phase, time, &player_.way());
+    session_.display().update(input_.state, input_.phase, time, input_.trail);
     const base::Time planned = platform::monotonic_now();
     session_.draw();
     const base::Time drawn = platform::monotonic_now();
@@ -93,9 +93,9 @@ void RunRecorder::keep() {
     records_.write(result_);
     total_ms_.push_back(result_.timing.total_ms);
     deadline_.add(result_);
-    const double above = instant_.aircraft[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
+    const double above = input_.state[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     tally_.add(result_.record, above);
-    if (story_.add(result_, above, instant_.aircraft[Signal::ground_speed].value_or(0)))
+    if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0)))
         story_.add_picture(result_, session_.pixels());
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());

@@ -24,7 +24,7 @@ public:
     /// Plays the flight to the instant, plans, draws and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
     /// Where the flight was in the frame drawn last.
-    [[nodiscard]] const PlayedInstant& instant() const { return instant_; }
+    [[nodiscard]] const flight::FrameInput& input() const { return input_; }
     /// Adds the frame drawn last to the run.
     void keep();
     /// A sentence for the summary.
@@ -45,7 +45,7 @@ private:
     FlightPlayer& player_;
     FrameRecordWriter records_;
     RunStory story_;
-    PlayedInstant instant_;
+    flight::FrameInput input_;
     FrameResult result_;
     std::vector<double> total_ms_;
     DeadlineTally deadline_;

@@ -4,7 +4,7 @@
 /// step for kLongestGap, ends a part of the way: nothing is said of what lies between. A place that cannot have been reached
 /// since the last point, and time that runs back, clear it: what was believed before is not.
 ///
-/// The result depends on the steps: both programs take them on the grid of the phase (display/phase_monitor.hpp). Plain data; a
+/// The result depends on the steps: both programs take them on the grid of the phase (phase_monitor.hpp). Plain data; a
 /// copy is a checkpoint. Thread  one. Memory  fixed, inside. Failure  none.
 #pragma once
 

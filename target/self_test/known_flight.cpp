@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "bus/candump/candump_log_source.hpp"
+#include "bus/tracker/flight_tracker.hpp"
 #include "render_core/base/units.hpp"
-#include "render_core/display/phase_monitor.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -12,6 +12,7 @@ namespace {
 using flight::Signal;
 
 constexpr std::size_t kMostFrames = 1 << 20;  // more than any log that fits the program
+constexpr int kMostSteps = 1000;              // a damaged stamp far ahead is not stepped to
 constexpr base::Time kEnd{std::numeric_limits<std::int64_t>::max()};
 constexpr std::uint64_t kFrames = 1829;
 
@@ -38,58 +39,21 @@ constexpr KnownValue kValues[] = {
     {"height_above_terrain", Signal::height_above_terrain, 1, 237.26, 0.3, "m"},
 };
 
-base::Time first_stamp(base::Span<const char> log) {
+struct Extent {
+    base::Time first, last;
+};
+
+/// Stamps of the first and last frame.
+Extent extent_of(base::Span<const char> log) {
     bus::CandumpLogSource source(log);
     bus::CanFrame frame;
-    return source.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1 ? frame.time : base::Time{};
+    Extent extent;
+    for (std::size_t n = 0; n < kMostFrames && source.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1; ++n) {
+        if (n == 0) extent.first = frame.time;
+        extent.last = frame.time;
+    }
+    return extent;
 }
-
-/// Reads the log on the phase monitor's grid of steps, as the run loop does.
-class Player {
-public:
-    Player(base::Span<const char> log, const bus::BusSettings& settings, display::Display& display)
-        : source_(log), assembler_(settings), display_(display), next_step_(first_stamp(log)) {}
-
-    KnownFlight play() {
-        bus::CanFrame frame;
-        for (std::size_t n = 0; n < kMostFrames && source_.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1; ++n) {
-            step_until(frame.time);
-            assembler_.feed({&frame, 1});
-            flight_.now = frame.time;
-        }
-        step_until(flight_.now);
-        const bus::BusSnapshot snapshot = assembler_.snapshot(flight_.now);
-        flight_.counters = snapshot.counters;
-        flight_.broken_lines = source_.statistics().malformed;
-        flight_.aircraft = with_height(snapshot.state, flight_.now);
-        flight_.phase = monitor_.status();
-        return flight_;
-    }
-
-private:
-    [[nodiscard]] flight::AircraftState with_height(flight::AircraftState aircraft, base::Time now) {
-        aircraft[Signal::height_above_terrain] = display_.height_above_terrain(aircraft.own_ship, now);
-        return aircraft;
-    }
-    /// The steps before a frame at `time`; a damaged stamp far ahead is not stepped to.
-    void step_until(base::Time time) {
-        constexpr int kMostSteps = 1000;
-        for (int n = 0; n < kMostSteps && next_step_ < time; ++n) {
-            const bus::BusSnapshot snapshot = assembler_.snapshot(next_step_);
-            flight::PhaseInputs inputs;
-            inputs.can = snapshot.phase_status.phase;
-            monitor_.step(with_height(snapshot.state, next_step_), inputs, next_step_);
-            next_step_ = next_step_ + display::PhaseMonitor::kStep;
-        }
-    }
-
-    bus::CandumpLogSource source_;
-    bus::StateAssembler assembler_;
-    display::Display& display_;
-    display::PhaseMonitor monitor_;
-    base::Time next_step_;
-    KnownFlight flight_;
-};
 
 void check_position(const KnownFlight& flight, SelfTestReport& report) {
     const flight::OwnShipEstimate& own_ship = flight.aircraft.own_ship;
@@ -103,8 +67,20 @@ void check_position(const KnownFlight& flight, SelfTestReport& report) {
 
 }  // namespace
 
-KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings& settings, display::Display& display) {
-    return Player(log, settings, display).play();
+KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings& settings, flight::TerrainHeights& heights) {
+    const Extent extent = extent_of(log);
+    bus::CandumpLogSource source(log);
+    bus::TrackerMemory memory(settings, nullptr, extent.first);
+    bus::FlightTracker tracker(memory, {source});
+    for (int n = 0; n < kMostSteps && tracker.next_step() < extent.last; ++n) tracker.step(heights);
+    const flight::FrameInput input = tracker.input_at(extent.last, heights);
+    KnownFlight flight;
+    flight.now = input.time;
+    flight.aircraft = input.state;
+    flight.phase = input.phase;
+    flight.counters = memory.assembler.snapshot(extent.last).counters;
+    flight.broken_lines = source.statistics().malformed;
+    return flight;
 }
 
 void check_known_flight(const KnownFlight& flight, SelfTestReport& report) {

@@ -7,7 +7,8 @@
 #include "bus/canaerospace/bus_settings.hpp"
 #include "bus/state/state_assembler.hpp"
 #include "render_core/base/span.hpp"
-#include "render_core/display/display.hpp"
+#include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/terrain_heights.hpp"
 #include "target/self_test/self_test_report.hpp"
 
 namespace tedavis::target {
@@ -20,9 +21,9 @@ struct KnownFlight {
     flight::PhaseStatus phase;
 };
 
-/// Plays the whole log; `display` gives the height above the terrain.
+/// Plays the whole log.
 [[nodiscard]] KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings& settings,
-                                            display::Display& display);
+                                            flight::TerrainHeights& heights);
 
 /// Adds a check for each known value.
 void check_known_flight(const KnownFlight& flight, SelfTestReport& report);

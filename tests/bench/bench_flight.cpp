@@ -30,9 +30,9 @@ struct Timing {
 };
 
 /// Planned, drawn and finished; nothing is read back.
-double frame_ms(test_support::HeadlessDisplay& headless, const host_sim::PlayedInstant& instant, base::Time now) {
+double frame_ms(test_support::HeadlessDisplay& headless, const flight::FrameInput& instant, base::Time now) {
     const base::Time start = platform::monotonic_now();
-    headless.display().update(instant.aircraft, instant.phase, now);
+    headless.display().update(instant.state, instant.phase, now);
     headless.display().draw(headless.surface());
     headless.display().gl()->Finish();
     return (platform::monotonic_now() - start).to_seconds() * 1000;
@@ -49,7 +49,7 @@ Flown fly(base::ByteSource* terrain, const host_sim::PlayerFiles& files, double 
     host_sim::FlightPlayer player(files, headless.display());
     Flown flown;
     for (base::Time now = player.first(); now <= player.last(); now = now + base::Duration::from_seconds(step_s)) {
-        const host_sim::PlayedInstant instant = player.at(now);
+        const flight::FrameInput instant = player.at(now);
         flown.timing.ms.push_back(frame_ms(headless, instant, now));
         flown.triangles += headless.display().record().terrain.triangles;
     }

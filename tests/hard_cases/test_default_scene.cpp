@@ -22,7 +22,7 @@ constexpr double kFirst_s = 12, kStep_s = 20;
 constexpr int kSeen_px = 60;
 
 struct Moment {
-    host_sim::PlayedInstant instant;
+    flight::FrameInput instant;
     base::Time now;
     std::string scenario;
 };
@@ -57,7 +57,7 @@ protected:
                                       headless.display());
         for (double second = kFirst_s; player.first() + base::Duration::from_seconds(second) < player.last(); second += kStep_s) {
             const base::Time now = player.first() + base::Duration::from_seconds(second);
-            const host_sim::PlayedInstant instant = player.at(now);
+            const flight::FrameInput instant = player.at(now);
             moments_.push_back({instant, now, flight::scenario_name(instant.phase.phase)});
         }
     }
@@ -67,7 +67,7 @@ protected:
                                                &source_);
         std::vector<std::vector<std::uint8_t>> all;
         for (const Moment& moment : moments_)
-            all.push_back(test_support::settled_pixels(headless, moment.instant.aircraft, moment.now, moment.instant.phase));
+            all.push_back(test_support::settled_pixels(headless, moment.instant.state, moment.now, moment.instant.phase));
         return all;
     }
 

@@ -133,9 +133,9 @@ public:
 
     Picture at(double second) {
         const base::Time time = Hover().begin() + base::Duration::from_seconds(second);
-        const PlayedInstant instant = player_.at(time);
-        session_.display().settle(instant.aircraft, instant.phase, time);
-        session_.display().update(instant.aircraft, instant.phase, time, &player_.way());
+        const flight::FrameInput instant = player_.at(time);
+        session_.display().settle(instant.state, instant.phase, time);
+        session_.display().update(instant.state, instant.phase, time, instant.trail);
         session_.draw();
         const RgbaView pixels = session_.pixels();
         return {{pixels.pixels, pixels.pixels + std::size_t{kWidth} * kHeight * 4}, session_.display().record()};

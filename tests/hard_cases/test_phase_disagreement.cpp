@@ -42,8 +42,8 @@ public:
         std::optional<base::Time> differs_since;
         bool was_lit = false;
         for (base::Time now = player_.first(); now <= player_.last(); now = now + base::Duration::milliseconds(20)) {
-            const PlayedInstant instant = player_.at(now);
-            const flight::PhaseStatement moved = flight::detect_motion_phase(instant.aircraft, now, {}, motion);
+            const flight::FrameInput instant = player_.at(now);
+            const flight::PhaseStatement moved = flight::detect_motion_phase(instant.state, now, {}, motion);
             const bool differs = moved.stated && moved.phase.scenario != instant.phase.phase.scenario;
             if (!differs) differs_since.reset();
             if (differs && !differs_since) differs_since = now;

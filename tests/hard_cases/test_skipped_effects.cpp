@@ -21,7 +21,7 @@ using display::EffectState;
 constexpr int kWidth = 320, kHeight = 240;
 
 struct Instant {
-    host_sim::PlayedInstant played;
+    flight::FrameInput played;
     base::Time now;
 };
 
@@ -53,8 +53,8 @@ protected:
                     {"circle", &rough_, played(circle_files, rough_, 1)},
                     {"steep", &rough_, played(circle_files, rough_, 1)}};
         for (Instant& instant : flights_[2].instants) {  // the same way, looking down at the ground
-            instant.played.aircraft[flight::Signal::pitch] = {-0.5, instant.now};
-            instant.played.aircraft[flight::Signal::roll] = {0.1, instant.now};
+            instant.played.state[flight::Signal::pitch] = {-0.5, instant.now};
+            instant.played.state[flight::Signal::roll] = {0.1, instant.now};
         }
     }
 
@@ -69,9 +69,9 @@ protected:
         for (const Instant& at : flight.instants) {
             Frame frame;
             headless.display().clear_free_view();
-            headless.display().settle(at.played.aircraft, at.played.phase, at.now);
+            headless.display().settle(at.played.state, at.played.phase, at.now);
             headless.display().set_free_view(headless.display().view());  // the same eye, without symbology
-            headless.display().update(at.played.aircraft, at.played.phase, at.now);
+            headless.display().update(at.played.state, at.played.phase, at.now);
             frame.rgba = test_support::drawn_pixels(headless);
             frame.record = headless.display().record();
             frames.push_back(std::move(frame));

@@ -55,7 +55,7 @@ TEST(Skyline, OfTheDefaultFlightIsThatOfARayCast) {
     Count all, control;
     for (double second = 15; second < 390; second += 25) {
         const base::Time now = player.first() + base::Duration::from_seconds(second);
-        const SkylinePicture picture(headless, player.at(now).aircraft, now);
+        const SkylinePicture picture(headless, player.at(now).state, now);
         ASSERT_GT(picture.record().terrain.triangles, 0u) << second;
         const Count count = compare(picture, caster, 0);
         all.columns += count.columns;

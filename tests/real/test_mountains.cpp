@@ -119,7 +119,7 @@ TEST(Mountains, OfAFlightOverDavosLieWhereGeodesyPutsThem) {
     int found = 0, by_chance = 0;
     for (const double second : {10755.0, 10770.0, 10785.0, 10800.0}) {  // while it crosses the raster northbound
         const base::Time now = player.first() + base::Duration::from_seconds(second);
-        const SkylinePicture picture(headless, player.at(now).aircraft, now);
+        const SkylinePicture picture(headless, player.at(now).state, now);
         ASSERT_GT(picture.record().terrain.triangles, 0u) << second;
         const test_support::OracleCamera camera = picture.camera();
         double lat = 0, lon = 0, height = 0;

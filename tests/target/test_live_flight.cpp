@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bus/canaerospace/message_encoder.hpp"
+#include "render_core/display/display.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/sent_traffic.hpp"
 #include "tests/target/fake_board.hpp"
@@ -71,9 +72,9 @@ struct LiveFlightTest : testing::Test {
         flight->start(FakeClock::monotonic());
         return *flight;
     }
-    LiveFlight::Instant step(std::int64_t ms = 33) {
+    flight::FrameInput step(std::int64_t ms = 33) {
         FakeClock::now_ns += ms * kMs;
-        return flight->at(FakeClock::monotonic(), display);
+        return flight->at(FakeClock::monotonic(), heights);
     }
     BoardSettings settings;
     PairPort port;
@@ -81,6 +82,7 @@ struct LiveFlightTest : testing::Test {
     LogLines lines;
     EventLog log = lines.log();
     display::Display display;  // never started: no terrain
+    flight::HeightsOver<display::Display> heights{display};
     std::optional<LiveFlight> flight;
 };
 
@@ -88,7 +90,7 @@ TEST_F(LiveFlightTest, TheRecordedFlightArrivesAsItWasFlown) {
     start();
     (void)step();
     EmbeddedFlight recorded;
-    LiveFlight::Instant instant;
+    flight::FrameInput instant;
     while (!recorded.over()) {
         recorded.send_due(port);
         instant = step();
@@ -96,15 +98,15 @@ TEST_F(LiveFlightTest, TheRecordedFlightArrivesAsItWasFlown) {
     const base::Time now = FakeClock::monotonic();
     EXPECT_EQ(flight->counters(now).frames, recorded.size());
     EXPECT_EQ(flight->counters(now).decoded, recorded.size());
-    EXPECT_EQ(instant.aircraft.own_ship.state, SignalState::valid);
+    EXPECT_EQ(instant.state.own_ship.state, SignalState::valid);
     // Where the aircraft was up to 66 ms earlier, at 100 m/s.
-    EXPECT_NEAR(base::degrees(instant.aircraft.own_ship.position.latitude_rad), 36.5766, 2e-4);
-    EXPECT_NEAR(base::degrees(instant.aircraft[Signal::true_heading].value_or(0)), 20.2955, 0.01);
+    EXPECT_NEAR(base::degrees(instant.state.own_ship.position.latitude_rad), 36.5766, 2e-4);
+    EXPECT_NEAR(base::degrees(instant.state[Signal::true_heading].value_or(0)), 20.2955, 0.01);
     EXPECT_EQ(instant.phase.phase, flight::kApproachDescent);
     EXPECT_EQ(instant.phase.source, flight::PhaseSource::can);
-    EXPECT_EQ(flight->way().size(), 2u) << "three seconds of it";
-    EXPECT_EQ(instant.aircraft.utc.state, SignalState::valid);
-    EXPECT_NEAR((now + instant.aircraft.utc.ahead - base::Time{1'780'322'560'000'000'000}).to_seconds(), 0, 0.1)
+    EXPECT_EQ(instant.trail->size(), 2u) << "three seconds of it";
+    EXPECT_EQ(instant.state.utc.state, SignalState::valid);
+    EXPECT_NEAR((now + instant.state.utc.ahead - base::Time{1'780'322'560'000'000'000}).to_seconds(), 0, 0.1)
         << "the board's clock counts from its start, the log's messages say 14:02:37 to :40";
     EXPECT_EQ(flight->bus_health(), bus::SourceHealth::running);
     EXPECT_EQ(lines.str(),
@@ -118,12 +120,12 @@ TEST_F(LiveFlightTest, OtherAircraftAreHeardAndForgotten) {
     for (const bus::CanFrame& frame : test_support::traffic_frames(test_support::traffic_report(0x3C6444, FakeClock::monotonic()),
                                                                    0, 0, FakeClock::monotonic()))
         ASSERT_TRUE(port.deliver(frame));
-    const flight::Traffic heard = step().aircraft.traffic;
+    const flight::Traffic heard = step().state.traffic;
     ASSERT_EQ(heard.reports.size(), 1u);
     EXPECT_EQ(heard.reports[0].callsign.view(), "TDV417");
     EXPECT_LE((FakeClock::monotonic() - heard.reports[0].place.at).to_seconds(), 0.04) << "by the board's own clock";
-    EXPECT_EQ(step(59'000).aircraft.traffic.reports.size(), 1u);
-    EXPECT_EQ(step(2000).aircraft.traffic.reports.size(), 0u);
+    EXPECT_EQ(step(59'000).state.traffic.reports.size(), 1u);
+    EXPECT_EQ(step(2000).state.traffic.reports.size(), 0u);
 }
 
 TEST_F(LiveFlightTest, SilenceMakesEverythingStaleThenLost) {
@@ -134,12 +136,12 @@ TEST_F(LiveFlightTest, SilenceMakesEverythingStaleThenLost) {
         recorded.send_due(port);
         (void)step();
     }
-    const LiveFlight::Instant later = step(500);
-    EXPECT_EQ(later.aircraft.state_of(Signal::pitch, FakeClock::monotonic()), SignalState::stale);
-    EXPECT_EQ(later.aircraft.own_ship.state, SignalState::stale);
-    const LiveFlight::Instant last = step(20'000);
-    EXPECT_EQ(last.aircraft.state_of(Signal::pitch, FakeClock::monotonic()), SignalState::lost);
-    EXPECT_NE(last.aircraft.own_ship.state, SignalState::valid);
+    const flight::FrameInput later = step(500);
+    EXPECT_EQ(later.state.state_of(Signal::pitch, FakeClock::monotonic()), SignalState::stale);
+    EXPECT_EQ(later.state.own_ship.state, SignalState::stale);
+    const flight::FrameInput last = step(20'000);
+    EXPECT_EQ(last.state.state_of(Signal::pitch, FakeClock::monotonic()), SignalState::lost);
+    EXPECT_NE(last.state.own_ship.state, SignalState::valid);
 }
 
 TEST_F(LiveFlightTest, AMissingBusIsReportedOnceAndTakenWhenItAppears) {

@@ -40,12 +40,15 @@ inline std::string text_of(const flight::PhaseStatus& phase) {
            "\n";
 }
 
-inline std::string text_of(const PlayedInstant& instant) {
-    const bus::PhaseMessage& said = instant.bus.phase_status;
-    const bus::DecoderCounts& d = instant.bus.decoder;
-    return text_of(instant.aircraft) + text_of(instant.bus.counters) + text_of(instant.phase) +
-           exact(said.phase.source_time().ns) + exact(std::int64_t{said.phase.value_or({}).code()}) +
-           exact(static_cast<std::int64_t>(d.repeated + 1000 * d.lost + 1000000 * d.restarts)) + exact(instant.newest_frame.ns);
+/// What a player knows at an instant.
+inline std::string text_at(FlightPlayer& player, base::Time time) {
+    const flight::FrameInput input = player.at(time);
+    const bus::BusSnapshot bus = player.assembler().snapshot(input.time);
+    const bus::PhaseMessage& said = bus.phase_status;
+    const bus::DecoderCounts& d = bus.decoder;
+    return text_of(input.state) + text_of(bus.counters) + text_of(input.phase) + exact(said.phase.source_time().ns) +
+           exact(std::int64_t{said.phase.value_or({}).code()}) +
+           exact(static_cast<std::int64_t>(d.repeated + 1000 * d.lost + 1000000 * d.restarts)) + exact(player.newest_frame().ns);
 }
 
 }  // namespace tedavis::host_sim

@@ -83,7 +83,7 @@ TEST(CheckpointTrack, DropsWhatLiesLaterButNeverTheFirst) {
 TEST(CheckpointTrack, PacksWell) {
     CheckpointTrack track;
     FlightProgress progress;
-    progress.assembler = bus::StateAssembler();
+    progress.tracker.assembler = bus::StateAssembler();
     track.offer(progress);
     EXPECT_LT(track.checkpoints()[0].bytes.size(), sizeof(FlightProgress) / 4);
 }

@@ -25,12 +25,12 @@ EffectLedger flown(const std::string& device, const std::string& design) {
     FlightPlayer player({files().log, options.bus, "", "one_hot"}, session.display());
     for (std::uint64_t n = 0; n < 2; ++n) {
         const base::Time time = player.first() + base::Duration::seconds(3 + static_cast<int>(n));
-        const PlayedInstant instant = player.at(time);
-        session.display().settle(instant.aircraft, instant.phase, time);
-        session.display().update(instant.aircraft, instant.phase, time, &player.way());
+        const flight::FrameInput instant = player.at(time);
+        session.display().settle(instant.state, instant.phase, time);
+        session.display().update(instant.state, instant.phase, time, instant.trail);
         session.draw();
         ledger.note(session.display().record());
-        ledger.take({n, time, instant.aircraft, instant.phase, player.way(), upright(session.pixels())});
+        ledger.take({n, time, instant.state, instant.phase, *instant.trail, upright(session.pixels())});
     }
     session.rest();
     return ledger;

@@ -65,8 +65,9 @@ struct Played {
     explicit Played(const PlayerFiles& files, const IndexPolicy& policy = dense()) : player(files, display, &console, policy) {}
     /// The state with its way: the newest points by their times and places.
     [[nodiscard]] std::string text(double seconds) {
-        std::string text = text_of(player.at(player.first() + Duration::from_seconds(seconds)));
-        const flight::FlownWay& way = player.way();
+        const base::Time time = player.first() + Duration::from_seconds(seconds);
+        std::string text = text_at(player, time);
+        const flight::FlownWay& way = *player.at(time).trail;
         for (std::size_t n = 0; n < way.size(); ++n)
             text += std::to_string(way[n].at.ns) + (way[n].begins ? " begins " : " ") + std::to_string(way[n].latitude_rad);
         return text;
@@ -187,12 +188,12 @@ TEST(FlightPlayer, PhasesComeFromTheHeightAboveTheTerrainAndAreReachedAlike) {
     for (double t = 3; t < 399; t += 13.3) times.push_back(t);
     std::map<double, std::string> expected;
     for (const double t : times) {
-        expected[t] = text_of(straight.at(straight.first() + Duration::from_seconds(t)));
+        expected[t] = text_at(straight, straight.first() + Duration::from_seconds(t));
         terrain_matters = terrain_matters || expected[t] != without_terrain.text(t);
     }
     std::mt19937 random(6);
     std::shuffle(times.begin(), times.end(), random);
-    for (const double t : times) ASSERT_EQ(text_of(leaping.at(leaping.first() + Duration::from_seconds(t))), expected[t]) << t;
+    for (const double t : times) ASSERT_EQ(text_at(leaping, leaping.first() + Duration::from_seconds(t)), expected[t]) << t;
     EXPECT_TRUE(terrain_matters);
 }
 

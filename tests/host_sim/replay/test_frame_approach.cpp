@@ -56,8 +56,8 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
     std::map<std::int64_t, Frame> frames;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (approached) approach.approach(times.at(n));
-        const PlayedInstant instant = player.at(times.at(n));
-        session.display().update(instant.aircraft, instant.phase, times.at(n));
+        const flight::FrameInput instant = player.at(times.at(n));
+        session.display().update(instant.state, instant.phase, times.at(n));
         session.draw();
         const display::TerrainRecord& terrain = session.display().record().terrain;
         frames[times.at(n).ns] = {session.frame_hash(),
@@ -141,8 +141,8 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approach
     std::set<std::uint32_t> rungs;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (approached) approach.approach(times.at(n));
-        const PlayedInstant instant = player.at(times.at(n));
-        session.display().update(instant.aircraft, instant.phase, times.at(n));
+        const flight::FrameInput instant = player.at(times.at(n));
+        session.display().update(instant.state, instant.phase, times.at(n));
         session.draw();
         const display::FrameRecord& record = session.display().record();
         frames[times.at(n).ns] = {session.frame_hash(),

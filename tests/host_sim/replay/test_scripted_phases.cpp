@@ -91,8 +91,8 @@ const std::vector<Shown>& flown() {
         for (double s = 0; s < 70; s += 0.2) {
             const base::Time time = player.first() + base::Duration::from_seconds(s);
             approach.approach(time);
-            const PlayedInstant instant = player.at(time);
-            session.display().update(instant.aircraft, instant.phase, time, &player.way());
+            const flight::FrameInput instant = player.at(time);
+            session.display().update(instant.state, instant.phase, time, instant.trail);
             session.draw();
             shown.push_back({s, session.display().record()});
         }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/display.hpp"
 #include "target/self_test.hpp"
 
 namespace tedavis::target::test_known_flight {
@@ -17,7 +18,8 @@ using flight::Signal;
 
 KnownFlight play() {
     display::Display no_display;
-    return play_known_flight(embedded_inputs().log, bus::BusSettings(), no_display);
+    flight::HeightsOver<display::Display> no_heights(no_display);
+    return play_known_flight(embedded_inputs().log, bus::BusSettings(), no_heights);
 }
 
 /// The last four data bytes of each identifier, by a reader that knows nothing but the text of the log.

@@ -1,22 +1,20 @@
-#include "render_core/display/phase_monitor.hpp"
+#include "render_core/flight/phase_monitor.hpp"
 
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::display::test_phase_monitor {
+namespace tedavis::flight::test_phase_monitor {
 namespace {
 
 using base::Duration;
 using base::Time;
-using flight::PhaseSource;
-using flight::Signal;
 
 constexpr Time kStart{1'700'000'000'000'000'000};
 
 /// An aircraft in level cruise at 3000 m above ground.
-flight::AircraftState cruising(Time now) {
-    flight::AircraftState aircraft;
+AircraftState cruising(Time now) {
+    AircraftState aircraft;
     aircraft[Signal::ground_speed] = {70, now};
     aircraft[Signal::vertical_speed] = {0, now};
     aircraft[Signal::height_above_terrain] = {3000, now};
@@ -25,11 +23,11 @@ flight::AircraftState cruising(Time now) {
 
 TEST(PhaseMonitor, MotionStatesAPhaseWhereNobodyElseDoes) {
     PhaseMonitor monitor;
-    flight::PhaseStatus status;
+    PhaseStatus status;
     for (Time now = kStart; now < kStart + Duration::seconds(120); now = now + PhaseMonitor::kStep)
         status = monitor.step(cruising(now), {}, now);
     EXPECT_EQ(status.source, PhaseSource::motion);
-    EXPECT_EQ(status.phase.scenario, flight::Scenario::cruise);
+    EXPECT_EQ(status.phase.scenario, Scenario::cruise);
     EXPECT_EQ(monitor.status().phase, status.phase);
 }
 
@@ -38,9 +36,9 @@ TEST(PhaseMonitor, AMessageOverrulesMotionAndASwitchOverrulesBoth) {
     Time now = kStart;
     const auto run = [&](int seconds, bool message, bool switches) {
         for (const Time end = now + Duration::seconds(seconds); now < end; now = now + PhaseMonitor::kStep) {
-            flight::PhaseInputs inputs;
-            if (message) inputs.can = {flight::kApproachFinal, now};
-            if (switches) inputs.switches = {flight::kGoAroundReplanning, true};
+            PhaseInputs inputs;
+            if (message) inputs.can = {kApproachFinal, now};
+            if (switches) inputs.switches = {kGoAroundReplanning, true};
             static_cast<void>(monitor.step(cruising(now), inputs, now));
         }
     };
@@ -48,10 +46,10 @@ TEST(PhaseMonitor, AMessageOverrulesMotionAndASwitchOverrulesBoth) {
     EXPECT_EQ(monitor.status().source, PhaseSource::motion);
     run(3, true, false);
     EXPECT_EQ(monitor.status().source, PhaseSource::can);
-    EXPECT_EQ(monitor.status().phase, flight::kApproachFinal);
+    EXPECT_EQ(monitor.status().phase, kApproachFinal);
     run(1, true, true);
     EXPECT_EQ(monitor.status().source, PhaseSource::switches);
-    EXPECT_EQ(monitor.status().phase, flight::kGoAroundReplanning);
+    EXPECT_EQ(monitor.status().phase, kGoAroundReplanning);
 }
 
 TEST(PhaseMonitor, ACopyGoesOnAsTheOriginalWould) {
@@ -61,11 +59,11 @@ TEST(PhaseMonitor, ACopyGoesOnAsTheOriginalWould) {
         static_cast<void>(original.step(cruising(now), {}, now));
     PhaseMonitor copy = original;
     for (; now < kStart + Duration::seconds(60); now = now + PhaseMonitor::kStep) {
-        const flight::PhaseStatus a = original.step(cruising(now), {}, now), b = copy.step(cruising(now), {}, now);
+        const PhaseStatus a = original.step(cruising(now), {}, now), b = copy.step(cruising(now), {}, now);
         ASSERT_EQ(a.phase, b.phase);
         ASSERT_EQ(a.source, b.source);
     }
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_phase_monitor
+}  // namespace tedavis::flight::test_phase_monitor

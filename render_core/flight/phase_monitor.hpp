@@ -8,24 +8,24 @@
 #include "render_core/flight/phase_arbiter.hpp"
 #include "render_core/flight/presented_phase.hpp"
 
-namespace tedavis::display {
+namespace tedavis::flight {
 
 class PhaseMonitor {
 public:
     static constexpr base::Duration kStep = base::Duration::milliseconds(20);
 
     /// `aircraft` carries height_above_terrain where it is known. `inputs.motion` is filled in here.
-    flight::PhaseStatus step(const flight::AircraftState& aircraft, flight::PhaseInputs inputs, base::Time now);
-    [[nodiscard]] const flight::PhaseStatus& status() const { return status_; }
+    PhaseStatus step(const AircraftState& aircraft, PhaseInputs inputs, base::Time now);
+    [[nodiscard]] const PhaseStatus& status() const { return status_; }
 
 private:
-    flight::MotionPhaseSettings motion_settings_;
-    flight::PhaseArbiterSettings arbiter_settings_;
-    flight::MotionPhaseState motion_;
-    flight::PhaseArbiterState arbiter_;
-    flight::PresentedPhaseState presented_;
-    flight::PhaseStatus status_;
+    MotionPhaseSettings motion_settings_;
+    PhaseArbiterSettings arbiter_settings_;
+    MotionPhaseState motion_;
+    PhaseArbiterState arbiter_;
+    PresentedPhaseState presented_;
+    PhaseStatus status_;
 };
 static_assert(std::is_trivially_copyable_v<PhaseMonitor>);
 
-}  // namespace tedavis::display
+}  // namespace tedavis::flight

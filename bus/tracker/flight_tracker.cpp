@@ -1,0 +1,85 @@
+#include "bus/tracker/flight_tracker.hpp"
+
+namespace tedavis::bus {
+namespace {
+
+constexpr std::size_t kFramesAtOnce = 256;
+constexpr std::size_t kEdgesAtOnce = 64;
+constexpr base::Duration kStep = flight::PhaseMonitor::kStep;
+
+void ask_for_height(flight::AircraftState& aircraft, base::Time now, flight::TerrainHeights& heights) {
+    aircraft[flight::Signal::height_above_terrain] = heights.height_above_terrain(aircraft.own_ship, now);
+}
+
+}  // namespace
+
+TrackerMemory::TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step)
+    : assembler(settings), next_step(first_step) {
+    if (panel != nullptr) switches.emplace(*panel);
+}
+
+flight::FrameInput FlightTracker::advance_to(base::Time now, flight::TerrainHeights& heights) {
+    if (now - memory_.next_step > base::Duration{kStep.ns * kMaxSteps}) memory_.next_step = now;
+    for (int n = 0; n <= kMaxSteps && memory_.next_step <= now; ++n) step(heights);
+    return input_at(now, heights);
+}
+
+void FlightTracker::step(flight::TerrainHeights& heights) {
+    const base::Time now = memory_.next_step;
+    read_until(now);
+    const BusSnapshot snapshot = memory_.assembler.snapshot(now);
+    flight::AircraftState aircraft = snapshot.state;
+    ask_for_height(aircraft, now, heights);
+    memory_.monitor.step(aircraft, phase_inputs(snapshot.phase_status, now), now);
+    memory_.trail.step(aircraft, now);
+    memory_.next_step = now + kStep;
+}
+
+void FlightTracker::skip_steps_before(base::Time time) {
+    if (time <= memory_.next_step) return;
+    const std::int64_t skipped = ((time - memory_.next_step).ns + kStep.ns - 1) / kStep.ns;
+    memory_.next_step = memory_.next_step + base::Duration{kStep.ns * skipped};
+}
+
+flight::FrameInput FlightTracker::input_at(base::Time now, flight::TerrainHeights& heights) {
+    read_until(now);
+    flight::FrameInput input{memory_.assembler.snapshot(now).state, memory_.monitor.status(), now, &memory_.trail};
+    ask_for_height(input.state, now, heights);
+    return input;
+}
+
+void FlightTracker::read_until(base::Time time) {
+    CanFrame batch[kFramesAtOnce];
+    std::size_t count = kFramesAtOnce;
+    for (std::uint32_t n = 0; n < ports_.max_batches && count == kFramesAtOnce; ++n) {
+        count = ports_.can.read(time, base::Span<CanFrame>(batch));
+        memory_.assembler.feed({batch, count});
+        if (ports_.listener != nullptr) ports_.listener->hear({batch, count});
+    }
+    memory_.assembler.note_dropped(ports_.can.statistics().dropped);
+    read_switches(time);
+}
+
+void FlightTracker::read_switches(base::Time time) {
+    if (ports_.panel == nullptr || !memory_.switches) return;
+    SwitchEdge edges[kEdgesAtOnce];
+    std::size_t count = kEdgesAtOnce;
+    for (std::uint32_t n = 0; n < ports_.max_batches && count == kEdgesAtOnce; ++n) {
+        count = ports_.panel->read(time, base::Span<SwitchEdge>(edges));
+        for (std::size_t k = 0; k < count; ++k) memory_.switches->add(edges[k]);
+    }
+}
+
+flight::PhaseInputs FlightTracker::phase_inputs(const PhaseMessage& stated, base::Time time) const {
+    flight::PhaseInputs inputs;
+    inputs.can = stated.phase;
+    if (ports_.panel == nullptr || !memory_.switches) return inputs;
+    inputs.switch_fault = ports_.panel->health() == SourceHealth::failed;
+    if (inputs.switch_fault) return inputs;
+    const SwitchPhase panel = memory_.switches->status(time);
+    inputs.switches = panel.statement;
+    inputs.switch_fault = panel.fault;
+    return inputs;
+}
+
+}  // namespace tedavis::bus

@@ -1,0 +1,12 @@
+#include "render_core/flight/phase_monitor.hpp"
+
+namespace tedavis::flight {
+
+PhaseStatus PhaseMonitor::step(const AircraftState& aircraft, PhaseInputs inputs, base::Time now) {
+    inputs.motion = detect_motion_phase(aircraft, now, motion_settings_, motion_);
+    status_ = arbitrate_phase(inputs, now, arbiter_settings_, arbiter_);
+    follow_phase(status_, now, presented_);
+    return status_;
+}
+
+}  // namespace tedavis::flight
