@@ -46,8 +46,7 @@ void DisplayApplication::take_new_scene() {
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
-    flight::HeightsOver<display::Display> heights(display());
-    const flight::FrameInput input = flight_.at(now, heights);
+    const flight::FrameInput input = flight_.at(now, display());
     display().update(input.state, input.phase, now, input.trail);
     display().draw(board_.surface());
     return board_.surface().present();

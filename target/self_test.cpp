@@ -50,8 +50,7 @@ public:
 
     void run() {
         if (!read_settings() || !open_surface() || !start_display()) return;
-        flight::HeightsOver<display::Display> heights(*display_);
-        const KnownFlight flight = play_known_flight(inputs_.log, bus_, heights);
+        const KnownFlight flight = play_known_flight(inputs_.log, bus_, *display_);
         check_known_flight(flight, report_);
         draw(flight);
     }

@@ -80,7 +80,7 @@ private:
     void check_log() const;
     void say(const std::string& sentence);
 
-    flight::HeightsOver<display::Display> heights_;
+    flight::TerrainHeights& heights_;
     Console* console_;
     IndexPolicy policy_;
     std::string log_name_, bus_name_;

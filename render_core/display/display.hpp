@@ -11,6 +11,7 @@
 #include "render_core/display/frame_planner.hpp"
 #include "render_core/display/record_of.hpp"
 #include "render_core/effects/calibration.hpp"
+#include "render_core/flight/terrain_heights.hpp"
 
 namespace tedavis::display {
 
@@ -20,7 +21,7 @@ struct EpochMemory {
     policy::PriorityBoost weights;
 };
 
-class Display {
+class Display final : public flight::TerrainHeights {
 public:
     Display() = default;
     Display(const Display&) = delete;
@@ -98,7 +99,7 @@ public:
     void force_effects(bool forced) { planner_.force_effects(forced); }
 
     /// Height above the terrain below a position; missing outside the database or over voids.
-    [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
+    [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) override {
         return planner_.height_above_terrain(own_ship, now);
     }
 

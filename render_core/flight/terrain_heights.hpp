@@ -12,17 +12,4 @@ public:
     [[nodiscard]] virtual base::Stamped<double> height_above_terrain(const OwnShipEstimate& own_ship, base::Time now) = 0;
 };
 
-/// Of an object that has the function and does not know the port. The object must outlive it.
-template <class Ground>
-class HeightsOver final : public TerrainHeights {
-public:
-    explicit HeightsOver(Ground& ground) : ground_(ground) {}
-    [[nodiscard]] base::Stamped<double> height_above_terrain(const OwnShipEstimate& own_ship, base::Time now) override {
-        return ground_.height_above_terrain(own_ship, now);
-    }
-
-private:
-    Ground& ground_;
-};
-
 }  // namespace tedavis::flight

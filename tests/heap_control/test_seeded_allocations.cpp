@@ -99,9 +99,8 @@ TEST_F(Flying, AnAllocationInTheBoardProgramIsCaught) {
     const auto live =
         std::make_unique<target::LiveFlight>(*settings, port, nullptr, bus::LiveClocks{&still_time, &still_time}, silent);
     live->start(still_time());
-    flight::HeightsOver<display::Display> heights(display_->display());
     const auto run = [&](double seconds) {
-        static_cast<void>(live->at(still_time() + base::Duration::from_seconds(seconds), heights));
+        static_cast<void>(live->at(still_time() + base::Duration::from_seconds(seconds), display_->display()));
     };
     EXPECT_EQ(trapped("no_such_library", [&] { run(1); }), 0u);
     EXPECT_EQ(trapped("target", [&] { run(2); }), 1u);

@@ -35,7 +35,7 @@ public:
     bool fly_to(double seconds, base::Duration frame_step) {
         const base::Time end = first_ + base::Duration::from_seconds(seconds);
         while (tracker_.next_step() <= end) {
-            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), heights_);
+            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), display_.display());
             note_source(input.phase.source);
             if (next_frame_ > input.time) continue;
             draw(input);
@@ -71,7 +71,6 @@ private:
     }
 
     HeadlessDisplay& display_;
-    flight::HeightsOver<display::Display> heights_{display_.display()};
     std::vector<char> window_;
     bus::CandumpLogSource can_;
     bus::SwitchLogSource panel_;

@@ -74,7 +74,7 @@ struct LiveFlightTest : testing::Test {
     }
     flight::FrameInput step(std::int64_t ms = 33) {
         FakeClock::now_ns += ms * kMs;
-        return flight->at(FakeClock::monotonic(), heights);
+        return flight->at(FakeClock::monotonic(), display);
     }
     BoardSettings settings;
     PairPort port;
@@ -82,7 +82,6 @@ struct LiveFlightTest : testing::Test {
     LogLines lines;
     EventLog log = lines.log();
     display::Display display;  // never started: no terrain
-    flight::HeightsOver<display::Display> heights{display};
     std::optional<LiveFlight> flight;
 };
 

@@ -42,8 +42,7 @@ Pixels drawn() {
             display.start(settings, {memory.data(), memory.size()}, *surface, {&terrain, &reader, terrain::ArrivalMode::exact})
                 .message.view(),
             "");
-        flight::HeightsOver<display::Display> heights(display);
-        const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), heights);
+        const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), display);
         display.settle(flight.aircraft, flight.phase, flight.now);
         display.update(flight.aircraft, flight.phase, flight.now);
         display.draw(*surface);
