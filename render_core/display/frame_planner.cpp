@@ -122,7 +122,12 @@ void FramePlanner::plan_without_terrain(PlannerMemory& memory, PlannedFrame& fra
     end();
 }
 
+/// The design of another phase may decide; what painters have been told of the shown one holds on.
 void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch) {
+    memory_ = &memory;
+    frame_ = &scratch;
+    sync_look();
+    const std::uint64_t look_key = look_key_;
     PlannerMemory passing = memory;
     passing.shown = phases_.place_of(input.phase.presented);
     passing.view = ViewTransition();
@@ -130,6 +135,9 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
     begin_plan();
     if (elements_.is_started()) elements_.labels().keep(memory.labels);
     memory.boost = passing.boost;
+    memory_ = &memory;
+    sync_look();
+    look_key_ = look_key;
 }
 
 /// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.

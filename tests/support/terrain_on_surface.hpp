@@ -67,6 +67,7 @@ public:
     }
     void release_current() { session_.surface->release_current(); }
     [[nodiscard]] display::TerrainPlanner& scene() { return scene_; }
+    [[nodiscard]] const display::TerrainPainter& painter() const { return painter_; }
     [[nodiscard]] const terrain::View& view() const { return input_.view; }
 
 private:

@@ -363,15 +363,6 @@ TEST(TerrainPlanner, DrawnPointsLieWithinTauOfTheTrueSurface) {
     EXPECT_FALSE(stage.scene.drawn_point(radians(48.5), radians(9.6)).found) << "outside";
 }
 
-TEST(TerrainPlanner, DesignsOfOtherProgramsAreRefused) {
-    Stage stage(plain_design());
-    design::DesignSettings other = plain_design();
-    other.terrain.tau_px = 3;
-    EXPECT_TRUE(stage.shows(other));
-    other.terrain.style.shade.technique = design::TerrainShade::phong;
-    EXPECT_FALSE(stage.shows(other));
-}
-
 TEST(TerrainPlanner, TheTrueHeightIsThatOfThePosts) {
     Stage stage(plain_design());
     for (const std::uint32_t n : {3u, 77u, 150u}) {

@@ -130,22 +130,6 @@ TEST(TracedTerrain, SaysWhatKeepsItFromTracing) {
     earth.height_m = [](std::uint32_t, std::uint32_t) { return 100.0; };
     earth.measured = false;
     EXPECT_EQ(Stage(earth).terrain.state(), TraceState::database_round);
-    for (int state = 2; state <= static_cast<int>(TraceState::place_too_polar); ++state)
-        EXPECT_FALSE(reason_of(static_cast<TraceState>(state)).empty()) << state;
-    EXPECT_TRUE(reason_of(TraceState::traced).empty());
-    EXPECT_TRUE(reason_of(TraceState::not_asked_for).empty());
-}
-
-TEST(TracedTerrain, TracesDesignsThatCodesCanShow) {
-    design::DesignSettings design = traced_design();
-    const auto state = [&] { return trace_state_of({&design, output_of(design, true)}); };
-    EXPECT_EQ(state(), TraceState::traced);
-    design.terrain.style.texture = design::TerrainTexture::slope;
-    EXPECT_EQ(state(), TraceState::not_by_style);
-    design.view.reference = design::Reference::flat;
-    EXPECT_EQ(state(), TraceState::not_flat);
-    design.terrain.renderer = TerrainRenderer::raster;
-    EXPECT_EQ(state(), TraceState::not_asked_for);
 }
 
 }  // namespace

@@ -112,14 +112,6 @@ TEST(Placement, WhatNobodyStatesIsNeverCertain) {
     EXPECT_EQ(encoded_uncertainty(plain.input(), 0), scene::Uncertainty::from_code(0)) << "no value is shown, none is unsure";
 }
 
-TEST(Placement, ValuesThatAreNotThereAreNaN) {
-    ElementOfTest test(test_support::small_points());
-    const scene::Layer& layer = test.input().layer;
-    EXPECT_EQ(scene::value_or_nan(layer, "kind", 1), 1);
-    EXPECT_TRUE(std::isnan(scene::value_or_nan(layer, "kind", 3)));
-    EXPECT_TRUE(std::isnan(scene::value_or_nan(layer, "colour", 0)));
-}
-
 TEST(Placement, AxesOfAPlaceInSpaceAreThoseOfItsCoordinates) {
     const LocalAxes by_angles = local_axes(0.8, 0.2), by_place = local_axes(earth::to_ecef({0.8, 0.2, {9000}}));
     EXPECT_LT(glm::distance(by_angles.east, by_place.east), 1e-9);

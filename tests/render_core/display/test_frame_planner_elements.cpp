@@ -3,7 +3,7 @@
 
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display::test_display_elements {
+namespace tedavis::display::test_frame_planner_elements {
 namespace {
 
 TEST(DisplayElements, WhatLiesBeforeAFrameIsNotCounted) {
@@ -23,4 +23,4 @@ TEST(DisplayElements, WhatLiesBeforeAFrameIsNotCounted) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_display_elements
+}  // namespace tedavis::display::test_frame_planner_elements

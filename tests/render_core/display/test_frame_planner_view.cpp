@@ -3,7 +3,7 @@
 
 #include "tests/support/map_scene.hpp"
 
-namespace tedavis::display::test_display_distortion {
+namespace tedavis::display::test_frame_planner_view {
 namespace {
 
 using test_support::aircraft_on_map;
@@ -116,4 +116,4 @@ TEST(DisplayDistortion, ASecondDisplayShowsTheSameBitForBit) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_display_distortion
+}  // namespace tedavis::display::test_frame_planner_view

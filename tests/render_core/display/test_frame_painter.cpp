@@ -7,7 +7,7 @@
 #include "render_core/display/effect_calls.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display::test_display_drawing {
+namespace tedavis::display::test_frame_painter {
 namespace {
 
 using design::StereoMode;
@@ -179,4 +179,4 @@ TEST(DisplayDrawing, ADeviceWithoutAPictureMoreShowsOneEye) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_display_drawing
+}  // namespace tedavis::display::test_frame_painter

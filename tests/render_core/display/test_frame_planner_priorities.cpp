@@ -11,7 +11,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display::test_display_weights {
+namespace tedavis::display::test_frame_planner_priorities {
 namespace {
 
 using test_support::HeadlessDisplay;
@@ -99,4 +99,4 @@ TEST(DisplayWeights, WithoutAPlaceNothingIsOnTheWay) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_display_weights
+}  // namespace tedavis::display::test_frame_planner_priorities

@@ -11,7 +11,7 @@
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
-namespace tedavis::display::test_display_designs {
+namespace tedavis::display::test_frame_planner_designs {
 namespace {
 
 using flight::FlightPhase;
@@ -180,4 +180,4 @@ TEST(DisplayDesigns, OthersMayBeTakenWhereTheirProgramsAreThere) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_display_designs
+}  // namespace tedavis::display::test_frame_planner_designs
