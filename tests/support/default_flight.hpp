@@ -10,10 +10,10 @@
 #include "host_sim/flight_log/flight_log_writer.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
 #include "host_sim/scenario/scenario_switches.hpp"
-#include "platform/reservation/memory_reservation.hpp"
 #include "platform/surface_factory.hpp"
 #include "render_core/display/display.hpp"
 #include "tests/support/device_files.hpp"
+#include "tests/support/kept_reservation.hpp"
 #include "tests/support/memory_bytes.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/sent_traffic.hpp"
@@ -106,14 +106,13 @@ public:
         if (!made.ok()) throw std::runtime_error(made.error().message.c_str());
         surface_ = wrap(std::move(made.value()));
         if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
-        reservation_ = std::move(
-            platform::reserve_memory(display::Display::bytes_needed(settings.device), platform::Residency::lazy).value());
+        memory_ = std::make_unique<KeptReservation>(display::Display::bytes_needed(settings.device));
         display::TerrainInput input;
         if (terrain != nullptr) {
             reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
             input = {terrain, reader_.get(), terrain::ArrivalMode::exact, workers};
         }
-        const base::Error error = display_.start(settings, reservation_.arena(), *surface_, input, scene);
+        const base::Error error = display_.start(settings, memory_->arena(), *surface_, input, scene);
         if (error) throw std::runtime_error(error.message.c_str());
     }
     ~HeadlessDisplay() {
@@ -128,7 +127,7 @@ public:
 
 private:
     std::unique_ptr<base::Surface> surface_;
-    platform::MemoryReservation reservation_;
+    std::unique_ptr<KeptReservation> memory_;
     std::unique_ptr<base::AsyncReader> reader_;
     display::Display display_;
 };
