@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <type_traits>
 
 #include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
@@ -34,6 +35,13 @@ public:
     std::string_view text(std::string_view key);
     /// One of `choices` (its index); faults list the choices.
     std::size_t choice(std::string_view key, Span<const std::string_view> choices, std::size_t fallback);
+    /// Sets `value` (an enumeration, a bool or an index) to what the name at this key stands for: names[0] for `first`, the
+    /// others for what follows it. Absent it stays; faults list the names and set `first`.
+    template <class Value>
+    void choose(std::string_view key, Span<const std::string_view> names, Value& value, Value first = Value()) {
+        static_assert(std::is_enum_v<Value> || std::is_same_v<Value, bool> || std::is_same_v<Value, std::size_t>);
+        if (has(key)) value = static_cast<Value>(static_cast<std::size_t>(first) + choice(key, names, 0));
+    }
     /// Fills `out` from an array of exactly out.size() numbers; absent leaves it untouched.
     void numbers(std::string_view key, double low, double high, Span<double> out);
     /// How many elements an array has; 0 where it is absent. What is no array is a fault.

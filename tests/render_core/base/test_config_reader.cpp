@@ -103,6 +103,56 @@ TEST(ConfigReader, choices_are_listed) {
     EXPECT_EQ(reader.root().choice("c", choices, 0), 1u);
 }
 
+enum class Light : std::uint8_t { none, day, night };
+constexpr std::array<std::string_view, 3> kLights = {"none", "day", "night"};
+
+TEST(ConfigReader, a_name_chooses_the_value_of_an_enumeration) {
+    ConfigReader reader("light = 'night'\nmode = 'fast'\nwhich = 'c'\n", "x.toml");
+    Light light = Light::day;
+    reader.root().choose("absent", kLights, light);
+    EXPECT_EQ(light, Light::day) << "an absent key leaves the value";
+    reader.root().choose("light", kLights, light);
+    EXPECT_EQ(light, Light::night);
+    constexpr std::string_view kModes[] = {"slow", "fast"}, kLetters[] = {"a", "b", "c"};
+    bool is_fast = false;
+    reader.root().choose("mode", kModes, is_fast);
+    EXPECT_TRUE(is_fast);
+    std::size_t which = 0;
+    reader.root().choose("which", kLetters, which);
+    EXPECT_EQ(which, 2u);
+    constexpr std::string_view kOtherOrder[] = {"night", "day"};
+    reader.root().choose("light", kOtherOrder, light);
+    EXPECT_EQ(light, Light::none) << "the place among the names counts, not the name";
+    EXPECT_TRUE(reader.finish()) << reader.error().message.view();
+}
+
+TEST(ConfigReader, names_may_begin_with_a_later_value) {
+    constexpr std::string_view kLit[] = {"day", "night"};
+    ConfigReader reader("light = 'night'", "x.toml");
+    Light light = Light::none;
+    reader.root().choose("absent", kLit, light, Light::day);
+    EXPECT_EQ(light, Light::none);
+    reader.root().choose("light", kLit, light, Light::day);
+    EXPECT_EQ(light, Light::night);
+    reader.root().choose("light", kLit, light);
+    EXPECT_EQ(light, Light::day) << "without a first value the names begin with value 0";
+}
+
+TEST(ConfigReader, a_faulty_choice_sets_the_first_value_and_lists_the_names) {
+    for (const char* text : {"light = 'dusk'", "light = 'Night'", "light = ''"}) {
+        ConfigReader reader(text, "x.toml");
+        Light light = Light::night;
+        reader.root().choose("light", kLights, light);
+        EXPECT_EQ(light, Light::none) << text;
+        EXPECT_EQ(reader.error().message.view(), "x.toml:1: 'light' must be one of: none, day, night") << text;
+    }
+    Light light = Light::none;
+    const auto load = [&](ConfigSection s) { s.choose("light", kLights, light); };
+    EXPECT_EQ(sentence_of("light = 2", load), "x.toml:1: 'light' must be a text in quotes") << "an index is no name";
+    EXPECT_EQ(sentence_of("light = 'night'", load), "") << "a name of the list is no fault";
+    EXPECT_EQ(light, Light::night);
+}
+
 TEST(ConfigReader, arrays_say_how_long_they_are) {
     ConfigReader reader("v = [1, 2, 3]\ne = []\nx = 4", "x.toml");
     EXPECT_EQ(reader.root().element_count("v"), 3u);
