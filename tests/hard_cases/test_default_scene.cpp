@@ -31,7 +31,8 @@ std::vector<std::uint8_t> scene_bytes() {
     const std::string path = test_support::source_dir() + "/configs/scenarios/default.toml";
     const host_sim::Scenario scenario =
         host_sim::parse_scenario(test_support::source_file("configs/scenarios/default.toml"), path);
-    const host_sim::ScenarioFlight flight(scenario, scenario.seed, host_sim::GeoidEgm96::installed());
+    const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();  // the flight keeps a reference
+    const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
     return host_sim::sdb_bytes(host_sim::make_scenario_scene(scenario, flight, scenario.seed, [](auto, auto, auto) {}).draft);
 }
 

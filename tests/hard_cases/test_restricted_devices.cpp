@@ -26,7 +26,8 @@ std::string default_scene() {
     const std::string name = "configs/scenarios/default.toml";
     const host_sim::Scenario scenario =
         host_sim::parse_scenario(test_support::source_file(name), test_support::source_dir() + "/" + name);
-    const host_sim::ScenarioFlight flight(scenario, scenario.seed, host_sim::GeoidEgm96::installed());
+    const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();  // the flight keeps a reference
+    const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
     const auto bytes =
         host_sim::sdb_bytes(host_sim::make_scenario_scene(scenario, flight, scenario.seed, [](auto, auto, auto) {}).draft);
     return {bytes.begin(), bytes.end()};

@@ -27,7 +27,8 @@ bus::SwitchConfig panel(const std::string& name) {
 // The decoder of the bus is the oracle: in the middle of each leg it must read the phase that the leg states.
 TEST(ScenarioSwitches, TheBusReadsThePhasesBack) {
     const Scenario scenario = shipped();
-    const ScenarioFlight flight(scenario, 1, GeoidEgm96::installed());
+    const GeoidEgm96 geoid = GeoidEgm96::installed();  // the flight keeps a reference
+    const ScenarioFlight flight(scenario, 1, geoid);
     const bus::SwitchConfig config = panel("one_hot");
     const std::string text = scenario_switch_log(scenario, flight, config);
     bus::SwitchLogSource source(text, config);
@@ -52,7 +53,8 @@ TEST(ScenarioSwitches, TheBusReadsThePhasesBack) {
 
 TEST(ScenarioSwitches, RefusesAPanelThatLacksAPhase) {
     const Scenario scenario = shipped();
-    const ScenarioFlight flight(scenario, 1, GeoidEgm96::installed());
+    const GeoidEgm96 geoid = GeoidEgm96::installed();  // the flight keeps a reference
+    const ScenarioFlight flight(scenario, 1, geoid);
     bus::SwitchConfig config = panel("one_hot");
     for (bus::SwitchPattern& pattern : config.patterns) {
         if (pattern.phase.scenario == flight::Scenario::cruise) pattern.phase = flight::kTakeoffStart;
