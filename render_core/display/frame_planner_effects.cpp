@@ -52,7 +52,12 @@ void FramePlanner::plan_effects() {
 
 ShadowPlan FramePlanner::plan_shadows() {
     const design::ShadowSettings& settings = look_.effects.shadows;
-    if (!settings.is_any() || !frame_->decisions.show_terrain || !elements_.is_started()) return {};
+    if (!settings.is_any() || !frame_->decisions.show_terrain) return {};
+    if (!elements_.is_started()) {
+        ShadowPlan none;
+        none.state = ShadowState::nothing_casts;
+        return none;
+    }
     const earth::Geodetic eye = earth::from_ecef(frame_->camera.eye.view.eye);
     const terrain::HeightAnswer ground = terrain_.true_height(eye.latitude_rad, eye.longitude_rad);
     const double lowest_m = double{terrain_.database().header().min_height_m};

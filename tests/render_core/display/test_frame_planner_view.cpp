@@ -38,7 +38,7 @@ flight::AircraftState aircraft(double speed_mps = 60) {
 HillsPicture picture_of(const design::DesignSettings& design, const flight::AircraftState& state, DistortionRecords& records,
                         const char* device = "es3-mid") {
     MapScene scene(design, test_support::hills(), device);
-    const HillsPicture picture = scene.picture(state);
+    HillsPicture picture = scene.picture(state);
     records = scene.record().distortion;
     return picture;
 }

@@ -75,10 +75,11 @@ TEST(StereoPass, AnAnaglyphHasEachEyesColoursTexelByTexel) {
 
 TEST(StereoPass, SideBySideEachHalfHoldsOneEyesScreen) {
     const Picture both = seen(StereoMode::side_by_side, 2);
-    for (std::uint32_t x = 0; x < kWidth / 2; ++x) {
+    constexpr std::uint32_t kHalf = kWidth / 2;
+    for (std::uint32_t x = 0; x < kHalf; ++x) {
         const double left = 3 * (2 * x + 0.5 + kMargin + 2), right = 255 - 3 * (2 * x + 0.5 + kMargin - 2);
         EXPECT_NEAR(both.at(x, 3)[0], left, 1.01) << "between two columns";
-        EXPECT_NEAR(both.at(x + kWidth / 2, 3)[0], right, 1.01);
+        EXPECT_NEAR(both.at(x + kHalf, 3)[0], right, 1.01);
     }
 }
 

@@ -9,7 +9,9 @@
 
 #include "platform/files/memory_byte_source.hpp"
 #include "platform/surface_factory.hpp"
+#include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/display/display.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/self_test.hpp"
 #include "target/self_test/known_flight.hpp"
