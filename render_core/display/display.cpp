@@ -36,6 +36,8 @@ base::Error Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (base::Error error = start_all(terrain, scene)) return error;
     painter_.seal();
     arenas_.note_use(budget);
+    frame_.shown = &planner_.look();  // who draws before the first plan sees no terrain
+    frame_.look_key = planner_.look_key();
     return {};
 }
 

@@ -107,6 +107,8 @@ public:
     [[nodiscard]] SpatialData& data() { return data_; }
     [[nodiscard]] const ElementPlanner& elements() const { return elements_; }
     [[nodiscard]] const draw::QuadBatch& symbology() const { return symbology_; }
+    /// The design that is shown: PlannedFrame::shown of a frame before the first plan.
+    [[nodiscard]] const design::DesignSettings& look() const { return look_; }
     /// PlannedFrame::look_key of the design that painters are started with.
     [[nodiscard]] std::uint64_t look_key() const { return look_key_; }
 
